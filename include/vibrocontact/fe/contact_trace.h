@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vibrocontact/contact/contact_grid.h>
+
+#include <deal.II/base/types.h>
+
+#include <utility>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// The operator P_c of a meshed body: mean displacement of each contact cell, in the contact directions.
+  ///
+  ///   (P_c U)_{c,i} = 1/A_i  int_{cell i} u_c dS,   c = z (normal), x, y   [m]
+  ///
+  /// Its transpose spreads a force R_{c,i} = A_i r_{c,i} as a constant traction over the cell, so that a uniform
+  /// pressure is transmitted exactly whatever the nodes do (patch test), and P_c K^-1 P_c^T is symmetric.
+  /// The directions are the global axes (z up, x along the rail, y lateral) for either body: a body never knows
+  /// whether it is the first or the second. Replicated on all ranks.
+  struct ContactTrace
+  {
+    ContactGrid grid;
+    /// rows[contact_row(n, c, i)]: (global dof, weight) pairs, dofs sorted, no constrained dof; 3 n rows
+    std::vector<std::vector<std::pair<dealii::types::global_dof_index, double>>> rows;
+    /// mean height z of the undeformed surface over each cell, relative to the nominal contact point [m]; n
+    std::vector<double> surface_height;
+  };
+} // namespace vibrocontact
