@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+namespace vibrocontact
+{
+  /// Version of the program, e.g. 0.1.0.
+  std::string version();
+  /// Git commit it was configured from (12 digits), or "unknown" outside a checkout.
+  std::string commit();
+  /// Version of deal.II it runs with.
+  std::string dealii_version();
+  /// Folder of the source tree it was built from; parameter files may say @SOURCE_DIR@ for it.
+  std::string source_directory();
+} // namespace vibrocontact

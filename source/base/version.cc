@@ -1,0 +1,26 @@
+#include <vibrocontact/base/version.h>
+
+#include <deal.II/base/config.h>
+
+namespace vibrocontact
+{
+  std::string version()
+  {
+    return VIBROCONTACT_VERSION;
+  }
+
+  std::string commit()
+  {
+    return VIBROCONTACT_COMMIT;
+  }
+
+  std::string dealii_version()
+  {
+    return DEAL_II_PACKAGE_VERSION;
+  }
+
+  std::string source_directory()
+  {
+    return VIBROCONTACT_SOURCE_DIR;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,8 @@
+#include <vibrocontact/base/version.h>
+
+#include <iostream>
+
+int main()
+{
+  std::cout << "vibrocontact " << vibrocontact::version() << "\n";
+}
