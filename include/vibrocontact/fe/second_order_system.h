@@ -3,10 +3,12 @@
 #include <vibrocontact/fe/contact_trace.h>
 
 #include <deal.II/base/index_set.h>
+#include <deal.II/base/point.h>
 #include <deal.II/lac/petsc_sparse_matrix.h>
 #include <deal.II/lac/petsc_vector.h>
 
 #include <string>
+#include <vector>
 
 namespace vibrocontact
 {
@@ -33,6 +35,12 @@ namespace vibrocontact
     unsigned int n_rigid_modes = 0;
     /// orthonormal (not mass-orthonormal) basis of those motions, n_rigid_modes vectors
     std::vector<dealii::PETScWrappers::MPI::Vector> rigid_motions;
+    /// place [m, contact frame] and direction (0 x, 1 y, 2 z) of each locally owned dof, in their order: what labels
+    /// and the orientation of pairs look at
+    std::vector<dealii::Point<3>> dof_position;
+    std::vector<unsigned char> dof_direction;
+    /// a held boundary alone carries the body (no springs): it follows a displacement of that boundary rigidly
+    bool follows_hub = false;
     ContactTrace trace;
     /// hash of everything that determines the matrices and the trace (mesh, material, boundary, grid); cache key
     std::string key;
