@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vibrocontact/contact/contact_grid.h>
+#include <vibrocontact/fe/second_order_system.h>
+#include <vibrocontact/scene/body_mesh.h>
+#include <vibrocontact/scene/elastic_model.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q_cache.h>
+#include <deal.II/lac/affine_constraints.h>
+
+namespace vibrocontact
+{
+  /// A meshed body with its displacement space: mesh, mapping, FE_Q(degree)^dim, hanging-node and held
+  /// constraints.
+  ///
+  /// It lives as long as fields are written; the analyses only see the SecondOrderSystem that it assembles.
+  ///
+  ///   BodyMesh (block, wheel, rail, mesh file) + ElasticModel -> ElasticBody -> assemble() ->
+  ///   SecondOrderSystem
+  template <int dim>
+  class ElasticBody
+  {
+  public:
+    ElasticBody(BodyMesh<dim> &&mesh, const ElasticModel<dim> &model, const unsigned int degree = 2);
+
+    /// Matrices and loads; with the trace on @p grid unless that is null.
+    std::unique_ptr<SecondOrderSystem> assemble(const ContactGrid *grid = nullptr) const;
+
+    /// Displacement with hanging and held values filled in, ghosted, from a vector of owned values.
+    dealii::PETScWrappers::MPI::Vector complete(const dealii::PETScWrappers::MPI::Vector &owned) const;
+
+    const BodyMesh<dim> mesh;
+    const ElasticModel<dim> model;
+    const dealii::FESystem<dim> element;
+    dealii::MappingQCache<dim> mapping;
+    dealii::DoFHandler<dim> dof_handler;
+    dealii::IndexSet locally_owned, locally_relevant;
+    dealii::AffineConstraints<double> constraints;
+
+    MPI_Comm communicator() const { return mesh.triangulation->get_communicator(); }
+  };
+
+  /// Orthonormal basis of the rigid motions (3 in 2d, 6 in 3d) on the unconstrained dofs.
+  template <int dim>
+  std::vector<dealii::PETScWrappers::MPI::Vector> rigid_motions(const ElasticBody<dim> &body);
+} // namespace vibrocontact

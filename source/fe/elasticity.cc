@@ -1,0 +1,286 @@
+#include <vibrocontact/fe/elasticity.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparsity_tools.h>
+
+namespace vibrocontact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Stiffness and mass of one cell; the dofs of a node are found through the primitive element's indices.
+    template <int dim>
+    class CellMatrices
+    {
+    public:
+      CellMatrices(const FESystem<dim> &element, const ElasticMaterial &material)
+          : element(element), material(material), n_nodes(element.base_element(0).n_dofs_per_cell()),
+            dof_of(n_nodes * dim), products(n_nodes * dim, n_nodes * dim), scalar_mass(n_nodes, n_nodes),
+            stiffness(n_nodes * dim, n_nodes * dim), mass(n_nodes * dim, n_nodes * dim)
+      {
+        for (unsigned int k = 0; k < element.n_dofs_per_cell(); ++k)
+        {
+          const auto [component, node] = element.system_to_component_index(k);
+          dof_of[node * dim + component] = k;
+        }
+      }
+
+      /// @p values are those of the scalar element.
+      void compute(const FEValues<dim> &values)
+      {
+        const unsigned int n = n_nodes, nd = n * dim, n_q = values.n_quadrature_points;
+        gradients.resize(n_q * nd);
+        shapes.resize(n_q * n);
+        volume = 0;
+        for (unsigned int q = 0; q < n_q; ++q)
+        {
+          const double root = std::sqrt(values.JxW(q));
+          volume += values.JxW(q);
+          for (unsigned int a = 0; a < n; ++a)
+          {
+            const Tensor<1, dim> gradient = values.shape_grad(a, q);
+            for (unsigned int i = 0; i < dim; ++i)
+              gradients[q * nd + i * n + a] = root * gradient[i];
+            shapes[q * n + a] = root * values.shape_value(a, q);
+          }
+        }
+        rank_update(gradients, n_q, nd, products);
+        rank_update(shapes, n_q, n, scalar_mass);
+
+        const double lambda = material.lambda(), mu = material.mu(), rho = material.density;
+        for (unsigned int a = 0; a < n; ++a)
+          for (unsigned int b = 0; b < n; ++b)
+          {
+            double trace = 0;
+            for (unsigned int i = 0; i < dim; ++i)
+              trace += products(i * n + a, i * n + b);
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int j = 0; j < dim; ++j)
+                stiffness(dof_of[a * dim + i], dof_of[b * dim + j]) =
+                    lambda * products(i * n + a, j * n + b) + mu * products(j * n + a, i * n + b) +
+                    (i == j ? mu * trace : 0.);
+            for (unsigned int i = 0; i < dim; ++i)
+              mass(dof_of[a * dim + i], dof_of[b * dim + i]) = rho * scalar_mass(a, b);
+          }
+      }
+
+    private:
+      /// C = B^T B with B of size rows x columns, row by row.
+      static void rank_update(const std::vector<double> &B, const unsigned int rows,
+                              const unsigned int columns, FullMatrix<double> &C)
+      {
+        C = 0;
+        for (unsigned int q = 0; q < rows; ++q)
+        {
+          const double *row = B.data() + q * columns;
+          for (unsigned int a = 0; a < columns; ++a)
+          {
+            const double factor = row[a];
+            double *out = &C(a, 0);
+            for (unsigned int b = a; b < columns; ++b)
+              out[b] += factor * row[b];
+          }
+        }
+        for (unsigned int a = 0; a < columns; ++a)
+          for (unsigned int b = 0; b < a; ++b)
+            C(a, b) = C(b, a);
+      }
+
+      const FESystem<dim> &element;
+      const ElasticMaterial material;
+      const unsigned int n_nodes;
+      std::vector<unsigned int> dof_of;
+      std::vector<double> gradients, shapes;
+      FullMatrix<double> products, scalar_mass;
+
+    public:
+      FullMatrix<double> stiffness, mass;
+      double volume = 0;
+    };
+
+    /// Reference interval of a face's first or second direction that lies in a segment of x; the direction is
+    /// the one along which x varies most.
+    template <int dim>
+    std::vector<Quadrature<dim - 1>> bed_quadratures(const typename DoFHandler<dim>::face_iterator &face,
+                                                     const SpringBed<dim> &bed, const unsigned int n_points)
+    {
+      const QGauss<1> gauss(n_points);
+      if (bed.segments.empty())
+        return {QGauss<dim - 1>(n_points)};
+      unsigned int direction = 0;
+      double span = 0;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+      {
+        const double dx = face->vertex(1u << d)[0] - face->vertex(0)[0];
+        if (std::abs(dx) > std::abs(span))
+        {
+          span = dx;
+          direction = d;
+        }
+      }
+      std::vector<Quadrature<dim - 1>> result;
+      for (const auto &[from, to] : bed.segments)
+      {
+        double s0 = (from - face->vertex(0)[0]) / span, s1 = (to - face->vertex(0)[0]) / span;
+        if (s0 > s1)
+          std::swap(s0, s1);
+        s0 = std::max(s0, 0.);
+        s1 = std::min(s1, 1.);
+        if (s1 - s0 < 1e-9)
+          continue;
+        QGauss<dim - 1> full(n_points);
+        std::vector<Point<dim - 1>> points = full.get_points();
+        std::vector<double> weights = full.get_weights();
+        for (unsigned int q = 0; q < points.size(); ++q)
+        {
+          points[q][direction] = s0 + (s1 - s0) * points[q][direction];
+          weights[q] *= s1 - s0;
+        }
+        result.emplace_back(points, weights);
+      }
+      return result;
+    }
+  } // namespace
+
+  template <int dim>
+  std::unique_ptr<SecondOrderSystem> assemble_elasticity(const ElasticBody<dim> &body)
+  {
+    const MPI_Comm communicator = body.communicator();
+    const auto &model = body.model;
+    const auto &element = body.element;
+    const unsigned int n_dofs_per_cell = element.n_dofs_per_cell();
+
+    auto result = std::make_unique<SecondOrderSystem>();
+    SecondOrderSystem &system = *result;
+    system.body = body.mesh.name;
+    system.communicator = communicator;
+    system.locally_owned = body.locally_owned;
+    system.has_loss = model.has_loss();
+    system.has_load = model.has_load();
+
+    {
+      DynamicSparsityPattern pattern(body.locally_relevant);
+      DoFTools::make_sparsity_pattern(body.dof_handler, pattern, body.constraints, false);
+      SparsityTools::distribute_sparsity_pattern(pattern, body.locally_owned, communicator,
+                                                 body.locally_relevant);
+      system.stiffness.reinit(body.locally_owned, body.locally_owned, pattern, communicator);
+      system.mass.reinit(body.locally_owned, body.locally_owned, pattern, communicator);
+      if (system.has_loss)
+        system.loss_stiffness.reinit(body.locally_owned, body.locally_owned, pattern, communicator);
+    }
+    if (system.has_load)
+      system.load.reinit(body.locally_owned, communicator);
+
+    const FiniteElement<dim> &scalar = element.base_element(0);
+    const unsigned int n_gauss = scalar.degree + 1;
+    FEValues<dim> values(body.mapping, scalar, QGauss<dim>(n_gauss),
+                         update_values | update_gradients | update_JxW_values);
+    FEFaceValues<dim> face_values(body.mapping, element, QGauss<dim - 1>(n_gauss),
+                                  update_values | update_JxW_values);
+    CellMatrices<dim> cell_matrices(element, model.material);
+    FullMatrix<double> spring(n_dofs_per_cell, n_dofs_per_cell), loss(n_dofs_per_cell, n_dofs_per_cell);
+    Vector<double> cell_load(n_dofs_per_cell);
+    std::vector<types::global_dof_index> dofs(n_dofs_per_cell);
+    double volume = 0;
+
+    for (const auto &cell : body.dof_handler.active_cell_iterators())
+    {
+      if (!cell->is_locally_owned())
+        continue;
+      values.reinit(typename Triangulation<dim>::active_cell_iterator(cell));
+      cell_matrices.compute(values);
+      volume += cell_matrices.volume;
+      cell->get_dof_indices(dofs);
+
+      if (system.has_loss)
+      {
+        loss = cell_matrices.stiffness;
+        loss *= model.loss_factor(cell->material_id());
+      }
+      cell_load = 0;
+      if (model.gravity.norm() > 0)
+        for (unsigned int k = 0; k < n_dofs_per_cell; ++k)
+        {
+          const auto [component, node] = element.system_to_component_index(k);
+          for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+            cell_load(k) += model.material.density * model.gravity[component] * values.shape_value(node, q) *
+                            values.JxW(q);
+        }
+
+      for (const unsigned int f : cell->face_indices())
+      {
+        if (!cell->face(f)->at_boundary())
+          continue;
+        const types::boundary_id id = cell->face(f)->boundary_id();
+        for (const auto &load : model.tractions)
+          if (load.boundary == id)
+          {
+            face_values.reinit(cell, f);
+            for (unsigned int k = 0; k < n_dofs_per_cell; ++k)
+            {
+              const double t = load.traction[element.system_to_component_index(k).first];
+              for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
+                cell_load(k) += t * face_values.shape_value(k, q) * face_values.JxW(q);
+            }
+          }
+        for (const auto &bed : model.springs)
+          if (bed.boundary == id)
+            for (const auto &quadrature : bed_quadratures<dim>(cell->face(f), bed, n_gauss))
+            {
+              FEFaceValues<dim> bed_values(body.mapping, element, quadrature,
+                                           update_values | update_JxW_values);
+              bed_values.reinit(cell, f);
+              spring = 0;
+              for (unsigned int q = 0; q < quadrature.size(); ++q)
+                for (unsigned int k = 0; k < n_dofs_per_cell; ++k)
+                {
+                  const unsigned int c = element.system_to_component_index(k).first;
+                  const double factor =
+                      bed.stiffness_per_area[c] * bed_values.shape_value(k, q) * bed_values.JxW(q);
+                  if (factor != 0)
+                    for (unsigned int l = 0; l < n_dofs_per_cell; ++l)
+                      if (element.system_to_component_index(l).first == c)
+                        spring(k, l) += factor * bed_values.shape_value(l, q);
+                }
+              cell_matrices.stiffness.add(1., spring);
+              if (system.has_loss)
+                loss.add(bed.loss_factor, spring);
+            }
+      }
+
+      body.constraints.distribute_local_to_global(cell_matrices.stiffness, dofs, system.stiffness);
+      body.constraints.distribute_local_to_global(cell_matrices.mass, dofs, system.mass);
+      if (system.has_loss)
+        body.constraints.distribute_local_to_global(loss, dofs, system.loss_stiffness);
+      if (system.has_load)
+        body.constraints.distribute_local_to_global(cell_load, dofs, system.load);
+    }
+
+    system.stiffness.compress(VectorOperation::add);
+    system.mass.compress(VectorOperation::add);
+    if (system.has_loss)
+      system.loss_stiffness.compress(VectorOperation::add);
+    if (system.has_load)
+      system.load.compress(VectorOperation::add);
+
+    for (const types::global_dof_index dof : body.locally_owned)
+      if (body.constraints.is_constrained(dof))
+      {
+        system.mass.set(dof, dof, 0.);
+        if (system.has_loss)
+          system.loss_stiffness.set(dof, dof, 0.);
+      }
+    system.mass.compress(VectorOperation::insert);
+    if (system.has_loss)
+      system.loss_stiffness.compress(VectorOperation::insert);
+
+    system.total_mass = model.material.density * Utilities::MPI::sum(volume, communicator);
+    return result;
+  }
+
+  template std::unique_ptr<SecondOrderSystem> assemble_elasticity(const ElasticBody<2> &);
+  template std::unique_ptr<SecondOrderSystem> assemble_elasticity(const ElasticBody<3> &);
+} // namespace vibrocontact

@@ -1,0 +1,93 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/scene/block.h>
+
+#include <deal.II/grid/grid_generator.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace vibrocontact
+{
+  using namespace dealii;
+
+  void BlockParameters::declare_parameters(ParameterHandler &prm)
+  {
+    using Patterns::Double;
+    using Patterns::Integer;
+    prm.add_parameter("Length", length, "Size along x. Units: m.", Double(0));
+    prm.add_parameter("Width", width, "Size along y. Units: m.", Double(0));
+    prm.add_parameter("Height", height, "Size along z. Units: m.", Double(0));
+    prm.add_parameter("Divisions x", divisions_x, "Cells along x. Units: none.", Integer(1, 1000));
+    prm.add_parameter("Divisions y", divisions_y, "Cells along y. Units: none.", Integer(1, 1000));
+    prm.add_parameter("Divisions z", divisions_z, "Cells along z. Units: none.", Integer(1, 1000));
+    prm.add_parameter("Contact face", contact_face,
+                      "Face that can come into contact; it lies in the plane z = 0. Units: none.",
+                      Patterns::Selection("top|bottom"));
+    prm.add_parameter(
+        "Held", held,
+        "Boundaries that are held, out of left, right, front, back, bottom, top; empty: a free body. "
+        "Units: none.",
+        Patterns::List(Patterns::Selection("left|right|front|back|bottom|top"), 0, 6, ","));
+    prm.add_parameter("Offset x", offset_x, "Shift of the box along x. Units: m.", Double());
+    prm.add_parameter("Offset y", offset_y, "Shift of the box along y. Units: m.", Double());
+  }
+
+  void BlockParameters::check(const std::string &section) const
+  {
+    for (const auto &[entry, size] : {std::make_pair("Length", length), {"Width", width}, {"Height", height}})
+      if (!(size > 1e-6) || size > 100)
+      {
+        std::ostringstream text;
+        text << section << "/" << entry << " is " << size << " m: give a size between 1e-6 and 100 m.";
+        throw InputError(text.str());
+      }
+    if (std::find(held.begin(), held.end(), contact_face) != held.end())
+      throw InputError(section + "/Held contains the contact face '" + contact_face +
+                       "': a held face cannot deform in contact; hold another one.");
+  }
+
+  template <int dim>
+  BodyMesh<dim> make_block(const BlockParameters &parameters, const std::string &name,
+                           const MPI_Comm communicator)
+  {
+    BodyMesh<dim> mesh;
+    mesh.name = name;
+    mesh.triangulation = std::make_unique<parallel::distributed::Triangulation<dim>>(
+        communicator, Triangulation<dim>::limit_level_difference_at_vertices);
+    mesh.geometry_degree = 1;
+
+    const double z_bottom = parameters.contact_face == "top" ? -parameters.height : 0.;
+    Point<dim> low, high;
+    std::vector<unsigned int> divisions = {parameters.divisions_x};
+    low[0] = parameters.offset_x - parameters.length / 2;
+    high[0] = low[0] + parameters.length;
+    if (dim == 3)
+    {
+      low[1] = parameters.offset_y - parameters.width / 2;
+      high[1] = low[1] + parameters.width;
+      divisions.push_back(parameters.divisions_y);
+    }
+    low[dim - 1] = z_bottom;
+    high[dim - 1] = z_bottom + parameters.height;
+    divisions.push_back(parameters.divisions_z);
+    GridGenerator::subdivided_hyper_rectangle(*mesh.triangulation, divisions, low, high, true);
+
+    mesh.boundaries = {{"left", 0}, {"right", 1}};
+    if (dim == 3)
+      mesh.boundaries.insert({{"front", 2}, {"back", 3}});
+    mesh.boundaries["bottom"] = 2 * dim - 2;
+    mesh.boundaries["top"] = 2 * dim - 1;
+    mesh.contact_boundaries = {mesh.boundaries.at(parameters.contact_face)};
+
+    std::ostringstream text;
+    text.precision(17);
+    text << "block " << low << " " << high;
+    for (const unsigned int n : divisions)
+      text << " " << n;
+    mesh.description = text.str();
+    return mesh;
+  }
+
+  template BodyMesh<2> make_block(const BlockParameters &, const std::string &, const MPI_Comm);
+  template BodyMesh<3> make_block(const BlockParameters &, const std::string &, const MPI_Comm);
+} // namespace vibrocontact
