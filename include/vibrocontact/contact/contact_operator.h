@@ -1,0 +1,83 @@
+#pragma once
+
+#include <vibrocontact/base/dense.h>
+#include <vibrocontact/contact/contact_grid.h>
+#include <vibrocontact/contact/creep.h>
+#include <vibrocontact/contact/half_space.h>
+
+#include <memory>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// The constant linear part A of the discrete contact problem, y = A R + b (Delassus operator of the step).
+  ///
+  /// R: forces on body 1 (N, Tx, Ty) [N]; y: (gap [m], slip_x, slip_y [m/s]); both of size 3 n, contact_row()
+  /// order.
+  class ContactOperator
+  {
+  public:
+    virtual ~ContactOperator() = default;
+    virtual unsigned int n_points() const = 0;
+    /// y = A R; sources: the points where R is not zero (a hint, everything else is taken as zero)
+    virtual void vmult(DenseVector &y, const DenseVector &R,
+                       const std::vector<unsigned int> &sources) const = 0;
+    /// A restricted to some points, 3 m square, rows and columns (normal of all, x of all, y of all)
+    virtual void extract(const std::vector<unsigned int> &points, DenseMatrix &block) const = 0;
+    /// mean of the diagonal entries of a component's own block
+    virtual double mean_diagonal(unsigned int component) const = 0;
+    /// whether vmult costs much less than a dense product, so that iterative solvers pay for many points
+    virtual bool fast_product() const = 0;
+  };
+
+  /// A as a stored matrix: bodies from finite elements, or problems read from a file.
+  class DenseContactOperator : public ContactOperator
+  {
+  public:
+    /// @param matrix 3 n square
+    explicit DenseContactOperator(DenseMatrix matrix);
+    unsigned int n_points() const override { return matrix.m() / 3; }
+    void vmult(DenseVector &y, const DenseVector &R, const std::vector<unsigned int> &sources) const override;
+    void extract(const std::vector<unsigned int> &points, DenseMatrix &block) const override;
+    double mean_diagonal(unsigned int component) const override;
+    bool fast_product() const override { return false; }
+
+  private:
+    DenseMatrix matrix;
+  };
+
+  /// A of two half-spaces rolling on each other: translation invariant, nine kernels over the grid's offsets.
+  /// Few sources are summed directly, many by FFT on a padded grid.
+  class HalfSpaceRollingOperator : public ContactOperator
+  {
+  public:
+    HalfSpaceRollingOperator(const ContactGrid &grid, const HalfSpacePair &pair, const CreepScheme &scheme,
+                             double speed);
+    ~HalfSpaceRollingOperator() override;
+    unsigned int n_points() const override { return grid.n_points(); }
+    void vmult(DenseVector &y, const DenseVector &R, const std::vector<unsigned int> &sources) const override;
+    void extract(const std::vector<unsigned int> &points, DenseMatrix &block) const override;
+    double mean_diagonal(unsigned int component) const override;
+    bool fast_product() const override { return true; }
+
+  private:
+    struct FourierProduct;
+
+    double kernel(const unsigned int row, const unsigned int column, const int offset_x,
+                  const int offset_y) const
+    {
+      return kernels[3 * row + column][(offset_y + grid.n_y - 1) * width + offset_x + grid.n_x - 1];
+    }
+    void vmult_direct(DenseVector &y, const DenseVector &R, const std::vector<unsigned int> &sources) const;
+
+    ContactGrid grid;
+    /// offsets along x, 2 n_x - 1
+    unsigned int width;
+    /// kernels[3 row + column][offset], offsets (target - source) from -(n - 1) to n - 1 in both directions
+    std::vector<double> kernels[9];
+    mutable std::unique_ptr<FourierProduct> fourier;
+  };
+
+  /// Displacement compliance of two half-spaces on a grid as a dense matrix, 3 n square [m/N].
+  DenseMatrix half_space_compliance(const ContactGrid &grid, const HalfSpacePair &pair);
+} // namespace vibrocontact

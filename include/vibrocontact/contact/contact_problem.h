@@ -1,0 +1,84 @@
+#pragma once
+
+#include <vibrocontact/base/dense.h>
+#include <vibrocontact/contact/contact_operator.h>
+#include <vibrocontact/contact/laws.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// The one discrete contact problem that every analysis ends in (errata, "One discrete contact problem").
+  ///
+  ///   find R = (N, Tx, Ty) with   y = A R + b - approach e_n,   y = (gap, slip_x, slip_y)
+  ///   N_i = P(N_i, gap_i)  (normal law)   and   T_i = Proj_disc(mu_i N_i)(T_i - rho s_i)  (Coulomb)   at
+  ///   every point
+  ///
+  /// e_n is one on every gap. The approach [m] is given, or it is one more unknown that makes sum N_i equal
+  /// to a given normal force. Sizes 3 n by contact_row().
+  struct ContactProblem
+  {
+    std::string title;
+    std::shared_ptr<const ContactOperator> A;
+    /// gap [m] and slip velocity [m/s] without contact forces, at approach zero; 3 n
+    DenseVector b;
+    /// friction coefficient of each point; n
+    std::vector<double> mu;
+    std::shared_ptr<const NormalLaw> normal_law = std::make_shared<SignoriniLaw>();
+    /// resultant N [N] > 0 to be reached, or 0 if the approach is given
+    double normal_force = 0;
+    /// given approach [m]; the starting value if the normal force is given
+    double approach = 0;
+
+    unsigned int n_points() const { return A->n_points(); }
+    bool force_given() const { return normal_force > 0; }
+  };
+
+  enum class ContactStatus : unsigned char
+  {
+    open = 0,
+    stick = 1,
+    slip = 2
+  };
+
+  /// A state of the contact and how it was reached.
+  struct ContactSolution
+  {
+    /// (N, Tx, Ty) on body 1 [N], (gap [m], slip_x, slip_y [m/s]); 3 n each
+    DenseVector R, y;
+    std::vector<ContactStatus> status;
+    /// [m]
+    double approach = 0;
+    bool converged = false;
+    /// norm of R - projections over norm of mu N (over norm of N without friction), see ContactResidual
+    double residual = 0;
+    unsigned int iterations = 0, factorisations = 0, linear_iterations = 0, fallbacks = 0;
+    double seconds = 0;
+    bool empty() const { return R.size() == 0; }
+  };
+
+  /// The residual by which all solvers are judged: R minus its projections with rho = 1 / mean diagonal of A.
+  ///
+  ///   F_n = N - P(N, gap; rho_n),   F_t = T - Proj_disc(mu P)(T - rho_t s),   residual = |F| / |mu N|
+  class ContactResidual
+  {
+  public:
+    explicit ContactResidual(const ContactProblem &problem);
+
+    /// Projections of a state: next = (P, Proj), their status, and the relative residual.
+    double evaluate(const DenseVector &R, const DenseVector &y, DenseVector &projected,
+                    std::vector<ContactStatus> &status) const;
+
+    const double rho_normal, rho_tangential;
+
+  private:
+    const ContactProblem &problem;
+  };
+
+  /// Points with a force that is not zero.
+  std::vector<unsigned int> loaded_points(const DenseVector &R);
+  /// y = A R + b - approach e_n
+  void contact_response(const ContactProblem &problem, const DenseVector &R, double approach, DenseVector &y);
+} // namespace vibrocontact

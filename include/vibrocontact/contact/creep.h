@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vibrocontact/base/dense.h>
+#include <vibrocontact/contact/contact_grid.h>
+
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// Rigid creep of body 1 against body 2 in steady rolling.
+  struct Creepage
+  {
+    /// rolling speed V > 0 [m/s]
+    double speed = 10;
+    /// (velocity of body 1 - velocity of body 2) / V along x and y [-]
+    double longitudinal = 0, lateral = 0;
+    /// relative rotation about +z over V [1/m]
+    double spin = 0;
+  };
+
+  /// Eulerian slip velocity (Lai et al. 2018, Eq. 1, errata), body 1 minus body 2:
+  ///
+  ///   s_x = V (xi_x - spin y) + V d(du_x)/dx      s_y = V (xi_y + spin x) + V d(du_y)/dx
+  ///
+  /// Material flows towards +x, so d/dx is differenced upwind, towards smaller x: a central difference would
+  /// decouple odd and even points in the stick zone. The displacement upstream of the contact is not zero,
+  /// hence the free columns on that side.
+  struct CreepScheme
+  {
+    std::string name, help;
+    /// d/dx u(x_i) = sum_k coefficients[k] u(x_i - k h) / h
+    std::vector<double> coefficients;
+    /// columns that the scheme looks upstream
+    unsigned int reach() const { return coefficients.size() - 1; }
+  };
+
+  /// first-order upwind (CONTACT's scheme) and second-order upwind.
+  const std::vector<CreepScheme> &creep_schemes();
+
+  /// @throws InputError naming the known schemes
+  const CreepScheme &find_creep_scheme(const std::string &name);
+
+  /// Rigid part of the slip at all points of a grid, y = (0, s_x, s_y) by contact_row(); 3 n [m/s].
+  DenseVector rigid_slip(const ContactGrid &grid, const Creepage &creepage);
+
+  /// Replaces the tangential rows of a displacement compliance (3 n square, [m/N]) by slip rows V d/dx [m/(s
+  /// N)]. In the first columns, where the stencil leaves the grid, lower-order differences are used; such
+  /// points must stay open (see check_contact_in_grid).
+  void convert_to_slip_rows(const ContactGrid &grid, const CreepScheme &scheme, double speed,
+                            DenseMatrix &matrix);
+} // namespace vibrocontact

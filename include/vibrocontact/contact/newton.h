@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vibrocontact/contact/contact_solver.h>
+
+namespace vibrocontact
+{
+  /// Semi-smooth Newton on the projections of ContactResidual (Alart & Curnier, CMAME 92 (1991) 353).
+  ///
+  /// Only points whose projected normal force is positive enter the linear system: 3 m unknowns, one more if
+  /// the normal force is given. Its matrix is factorised by LAPACK and kept while the status of all points
+  /// stays and the residual falls fast; with a fast product and many points the system is solved by GMRES
+  /// instead.
+  ///
+  /// Declared fallback: a step that does not lower the residual below the largest of the last four is halved;
+  /// if six halvings fail, or the iteration stalls, fixed-point iterations run from the best state and Newton
+  /// resumes (counted in ContactSolution::fallbacks).
+  class NewtonSolver : public ContactSolver
+  {
+  public:
+    explicit NewtonSolver(const ContactSolverParameters &parameters) : parameters(parameters) {}
+    ContactSolution solve(const ContactProblem &problem, const ContactSolution &start) override;
+
+  private:
+    ContactSolverParameters parameters;
+  };
+} // namespace vibrocontact

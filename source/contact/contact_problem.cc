@@ -1,0 +1,61 @@
+#include <vibrocontact/contact/contact_problem.h>
+
+#include <cmath>
+
+namespace vibrocontact
+{
+  ContactResidual::ContactResidual(const ContactProblem &problem)
+      : rho_normal(1 / problem.A->mean_diagonal(0)),
+        rho_tangential(2 / (problem.A->mean_diagonal(1) + problem.A->mean_diagonal(2))), problem(problem)
+  {
+    AssertThrow(rho_normal > 0 && rho_tangential > 0,
+                dealii::ExcMessage("The contact operator has a diagonal that is not positive."));
+  }
+
+  double ContactResidual::evaluate(const DenseVector &R, const DenseVector &y, DenseVector &projected,
+                                   std::vector<ContactStatus> &status) const
+  {
+    const unsigned int n = problem.n_points();
+    projected.reinit(3 * n, true);
+    status.resize(n);
+    double difference = 0, scale = 0, normal = 0;
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const double force = problem.normal_law->project(R[i], y[i], rho_normal).force;
+      const CoulombLaw::Projection friction = CoulombLaw::project(
+          {{R[n + i] - rho_tangential * y[n + i], R[2 * n + i] - rho_tangential * y[2 * n + i]}},
+          problem.mu[i] * force);
+      projected[i] = force;
+      projected[n + i] = friction.force[0];
+      projected[2 * n + i] = friction.force[1];
+      status[i] =
+          force > 0 ? (friction.sticks ? ContactStatus::stick : ContactStatus::slip) : ContactStatus::open;
+      for (unsigned int c = 0; c < 3; ++c)
+        difference += std::pow(R[c * n + i] - projected[c * n + i], 2);
+      scale += std::pow(problem.mu[i] * force, 2);
+      normal += force * force;
+    }
+    if (scale == 0)
+      scale = normal;
+    return difference == 0 ? 0 : std::sqrt(difference / scale);
+  }
+
+  std::vector<unsigned int> loaded_points(const DenseVector &R)
+  {
+    const unsigned int n = R.size() / 3;
+    std::vector<unsigned int> points;
+    for (unsigned int i = 0; i < n; ++i)
+      if (R[i] != 0 || R[n + i] != 0 || R[2 * n + i] != 0)
+        points.push_back(i);
+    return points;
+  }
+
+  void contact_response(const ContactProblem &problem, const DenseVector &R, const double approach,
+                        DenseVector &y)
+  {
+    problem.A->vmult(y, R, loaded_points(R));
+    y += problem.b;
+    for (unsigned int i = 0; i < problem.n_points(); ++i)
+      y[i] -= approach;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,61 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/creep.h>
+
+namespace vibrocontact
+{
+  const std::vector<CreepScheme> &creep_schemes()
+  {
+    static const std::vector<CreepScheme> table = {
+        {"first-order upwind", "difference over one cell, as CONTACT does", {1., -1.}},
+        {"second-order upwind", "one-sided three-point difference", {1.5, -2., 0.5}}};
+    return table;
+  }
+
+  const CreepScheme &find_creep_scheme(const std::string &name)
+  {
+    std::string known;
+    for (const CreepScheme &scheme : creep_schemes())
+    {
+      if (scheme.name == name)
+        return scheme;
+      known += (known.empty() ? "" : ", ") + scheme.name;
+    }
+    throw InputError("There is no creep scheme called '" + name + "'; the known ones are: " + known + ".");
+  }
+
+  DenseVector rigid_slip(const ContactGrid &grid, const Creepage &creepage)
+  {
+    const unsigned int n = grid.n_points();
+    DenseVector slip(3 * n);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      slip[contact_row(n, 1, i)] = creepage.speed * (creepage.longitudinal - creepage.spin * grid.y(i));
+      slip[contact_row(n, 2, i)] = creepage.speed * (creepage.lateral + creepage.spin * grid.x(i));
+    }
+    return slip;
+  }
+
+  void convert_to_slip_rows(const ContactGrid &grid, const CreepScheme &scheme, const double speed,
+                            DenseMatrix &matrix)
+  {
+    const unsigned int n = grid.n_points();
+    std::vector<double> displacement(2 * n);
+    const double factor = speed / grid.spacing_x;
+    for (unsigned int column = 0; column < matrix.n(); ++column)
+    {
+      double *const tangential = &matrix(n, column);
+      std::copy(tangential, tangential + 2 * n, displacement.begin());
+      for (unsigned int row = 0; row < 2 * n; ++row)
+      {
+        const unsigned int i = row % grid.n_x;
+        const std::vector<double> &c =
+            i >= scheme.reach() ? scheme.coefficients : creep_schemes().front().coefficients;
+        double derivative = 0;
+        if (i > 0)
+          for (unsigned int k = 0; k < c.size(); ++k)
+            derivative += c[k] * displacement[row - k];
+        tangential[row] = factor * derivative;
+      }
+    }
+  }
+} // namespace vibrocontact

@@ -1,0 +1,97 @@
+#include <vibrocontact/contact/half_space.h>
+
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/ellint_2.hpp>
+#include <boost/math/tools/roots.hpp>
+
+#include <cmath>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    constexpr double pi = 3.14159265358979323846;
+
+    /// log(x + r), r^2 = x^2 + y^2, without the cancellation for negative x
+    double log_sum(const double x, const double y, const double r)
+    {
+      return x >= 0 ? std::log(x + r) : 2 * std::log(std::abs(y)) - std::log(r - x);
+    }
+  } // namespace
+
+  HalfSpacePair::HalfSpacePair(const HalfSpaceMaterial &body_1, const HalfSpaceMaterial &body_2)
+      : a(0), b(0), c(0), inverse_modulus(0)
+  {
+    double sign = 1;
+    for (const HalfSpaceMaterial *body : {&body_1, &body_2})
+    {
+      const double nu = body->poisson_ratio, compliance = 1 / (2 * pi * body->shear_modulus());
+      a += (1 - nu) * compliance;
+      b += nu * compliance;
+      c += sign * 0.5 * (1 - 2 * nu) * compliance;
+      inverse_modulus += (1 - nu * nu) / body->young_modulus;
+      sign = -1;
+    }
+  }
+
+  std::array<std::array<double, 3>, 3>
+  HalfSpacePair::influence(const double x, const double y, const double size_x, const double size_y) const
+  {
+    // Primitives, summed with alternating sign over the corners (X, Y) of the rectangle seen from the point:
+    //   1 / r: X log(Y + r) + Y log(X + r)      X^2 / r^3: Y log(X + r)      X Y / r^3: -r
+    //   X / r^2: Y log(r) + X atan(Y / X)       and the same with X and Y exchanged
+    double xx = 0, xy = 0, yy = 0, x_r2 = 0, y_r2 = 0;
+    for (const int sx : {-1, 1})
+      for (const int sy : {-1, 1})
+      {
+        const double X = x + 0.5 * sx * size_x, Y = y + 0.5 * sy * size_y, r = std::hypot(X, Y);
+        if (r == 0)
+          continue;
+        const double sign = sx * sy, log_r = std::log(r);
+        xx += Y == 0 ? 0 : sign * Y * log_sum(X, Y, r);
+        yy += X == 0 ? 0 : sign * X * log_sum(Y, X, r);
+        xy -= sign * r;
+        x_r2 += sign * (Y * log_r + (X == 0 ? 0 : X * std::atan(Y / X)));
+        y_r2 += sign * (X * log_r + (Y == 0 ? 0 : Y * std::atan(X / Y)));
+      }
+    const double per_area = 1 / (size_x * size_y);
+    const double normal = a * (xx + yy) * per_area, coupling_x = c * x_r2 * per_area,
+                 coupling_y = c * y_r2 * per_area, shear = b * per_area;
+    return {{{{normal, coupling_x, coupling_y}},
+             {{-coupling_x, normal + shear * xx, shear * xy}},
+             {{-coupling_y, shear * xy, normal + shear * yy}}}};
+  }
+
+  HertzContact hertz_contact(const double curvature_x, const double curvature_y,
+                             const double inverse_contact_modulus, const double force)
+  {
+    // kappa = minor / major half axis; the major one lies along the smaller curvature. With e^2 = 1 - kappa^2
+    //   B / A = [E(e) / kappa^2 - K(e)] / [K(e) - E(e)],   p0 = (A + B) b E* / E(e),   p0 = 3 F / (2 pi a b)
+    const double small = std::min(curvature_x, curvature_y), large = std::max(curvature_x, curvature_y);
+    const auto mismatch = [&](const double kappa)
+    {
+      const double e = std::sqrt(1 - kappa * kappa);
+      const double K = boost::math::ellint_1(e), E = boost::math::ellint_2(e);
+      return (E / (kappa * kappa) - K) - large / small * (K - E);
+    };
+    double kappa = 1;
+    if (large / small > 1 + 1e-8)
+    {
+      boost::uintmax_t iterations = 200;
+      const auto bracket = boost::math::tools::toms748_solve(
+          mismatch, 1e-6, 1 - 1e-10, boost::math::tools::eps_tolerance<double>(48), iterations);
+      kappa = 0.5 * (bracket.first + bracket.second);
+    }
+    const double e = std::sqrt(1 - kappa * kappa);
+    const double K = boost::math::ellint_1(e), E = boost::math::ellint_2(e);
+    const double minor =
+        std::cbrt(1.5 * force * inverse_contact_modulus * kappa * E / (pi * (small + large)));
+    const double major = minor / kappa;
+    HertzContact hertz;
+    hertz.semi_axis_x = curvature_x <= curvature_y ? major : minor;
+    hertz.semi_axis_y = curvature_x <= curvature_y ? minor : major;
+    hertz.max_pressure = 1.5 * force / (pi * major * minor);
+    hertz.approach = hertz.max_pressure * inverse_contact_modulus * minor * K;
+    return hertz;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,83 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/laws.h>
+
+#include <cmath>
+
+namespace vibrocontact
+{
+  NormalLaw::Projection SignoriniLaw::project(const double force, const double gap, const double rho) const
+  {
+    const double trial = force - rho * gap;
+    if (trial > 0)
+      return {trial, 1., -rho};
+    return {0., 0., 0.};
+  }
+
+  namespace
+  {
+    constexpr double linear_beyond = 2.;
+  }
+
+  ExponentialPenaltyLaw::ExponentialPenaltyLaw(const double amplitude, const double exponent)
+      : amplitude(amplitude), exponent(exponent)
+  {
+    if (!(amplitude > 0 && exponent > 0))
+      throw InputError("The exponential penalty law needs a positive amplitude and a positive exponent.");
+  }
+
+  NormalLaw::Projection ExponentialPenaltyLaw::project(double, const double gap, double) const
+  {
+    const double s = -gap * exponent;
+    if (s <= 0)
+      return {0., 0., 0.};
+    const double at = std::min(s, linear_beyond);
+    const double slope = amplitude * exponent * std::exp(at);
+    return {amplitude * std::expm1(at) + slope * (s - at) / exponent, 0., -slope};
+  }
+
+  double ExponentialPenaltyLaw::potential(const double gap) const
+  {
+    const double s = -gap * exponent;
+    if (s <= 0)
+      return 0.;
+    const double at = std::min(s, linear_beyond), beyond = (s - at) / exponent;
+    return amplitude * (std::expm1(at) - at) / exponent + amplitude * std::expm1(at) * beyond +
+           0.5 * amplitude * exponent * std::exp(at) * beyond * beyond;
+  }
+
+  CoulombLaw::Projection CoulombLaw::project(const Vector2 &trial, const double radius)
+  {
+    const double norm = std::hypot(trial[0], trial[1]);
+    if (norm <= radius && radius > 0)
+      return {trial, {{{{1., 0.}}, {{0., 1.}}}}, {{0., 0.}}, true};
+    if (norm == 0)
+      return {{{0., 0.}}, {{{{0., 0.}}, {{0., 0.}}}}, {{0., 0.}}, true};
+    const double e0 = trial[0] / norm, e1 = trial[1] / norm, c = radius / norm;
+    return {{{radius * e0, radius * e1}},
+            {{{{c * e1 * e1, -c * e0 * e1}}, {{-c * e0 * e1, c * e0 * e0}}}},
+            {{e0, e1}},
+            false};
+  }
+
+  const std::vector<NormalLawEntry> &normal_laws()
+  {
+    static const std::vector<NormalLawEntry> table = {
+        {"signorini", "rigid unilateral contact: gap >= 0, force >= 0, one of them zero"},
+        {"exponential penalty", "force = amplitude * (exp(exponent * penetration) - 1)"}};
+    return table;
+  }
+
+  std::shared_ptr<const NormalLaw> create_normal_law(const std::string &name, const double amplitude,
+                                                     const double exponent)
+  {
+    if (name == "signorini")
+      return std::make_shared<SignoriniLaw>();
+    if (name == "exponential penalty")
+      return std::make_shared<ExponentialPenaltyLaw>(amplitude, exponent);
+    std::string known;
+    for (const NormalLawEntry &entry : normal_laws())
+      known += (known.empty() ? "" : ", ") + entry.name;
+    throw InputError("There is no normal contact law called '" + name + "'; the known ones are: " + known +
+                     ".");
+  }
+} // namespace vibrocontact
