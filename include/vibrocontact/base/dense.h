@@ -5,7 +5,8 @@
 
 namespace vibrocontact
 {
-  /// Dense matrices are column-major and go to LAPACK and BLAS; no other dense type is used between the steps.
+  /// Dense matrices are column-major and go to LAPACK and BLAS; no other dense type is used between the
+  /// steps.
   using DenseMatrix = dealii::LAPACKFullMatrix<double>;
   using DenseVector = dealii::Vector<double>;
 } // namespace vibrocontact
