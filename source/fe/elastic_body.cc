@@ -1,4 +1,4 @@
-#include <vibrocontact/fe/contact_trace.h>
+#include <vibrocontact/fe/trace_assembly.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/fe/elasticity.h>
 
@@ -33,7 +33,8 @@ namespace vibrocontact
     if (!model.is_supported())
       system->rigid_motions = rigid_motions(*this);
     system->n_rigid_modes = system->rigid_motions.size();
-    (void)grid;
+    if (grid)
+      system->trace = make_contact_trace(*this, *grid);
     return system;
   }
 

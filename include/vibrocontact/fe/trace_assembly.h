@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vibrocontact/fe/contact_trace.h>
+#include <vibrocontact/fe/elastic_body.h>
+
+namespace vibrocontact
+{
+  /// Build P_c of a meshed body on a contact grid, whatever its nodes are.
+  ///
+  /// Every contact cell is cut into sub-cells (2 by 2; more if the faces are smaller) with Gauss points of
+  /// their own. For each point (x, y) the contact face below or above it is found (Newton on the face's
+  /// polynomial map, nearest to z = 0) and the shape functions are evaluated there. The integral is exact if
+  /// face edges lie on sub-cell edges, as with 2 mm cells and a 1 mm grid with a node on the contact point.
+  /// In 2d the contact is the x axis (n_y = 1) and the rows of the lateral component stay empty.
+  ///
+  /// @throws InputError if the grid leaves the contact surface, is finer than the nodes of the mesh (spacing
+  /// below
+  ///   cell size over degree), or touches held or hanging nodes. Collective: all ranks throw.
+  template <int dim>
+  ContactTrace make_contact_trace(const ElasticBody<dim> &body, const ContactGrid &grid);
+} // namespace vibrocontact
