@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vibrocontact/fe/second_order_system.h>
+#include <vibrocontact/reduction/symmetric_factorization.h>
+
+#include <memory>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// P_c U of a distributed vector, replicated; rows as contact_row() [m].
+  std::vector<double> contact_trace(const ContactTrace &trace, const dealii::PETScWrappers::MPI::Vector &displacement);
+
+  /// The static flexibility G of a body, from one factorisation: static response, contact compliance, and the operator
+  /// of the modes' inverse iteration.
+  ///
+  /// Held body:  G = K^-1.
+  /// Free body, Phi_R its rigid modes (Phi_R^T M Phi_R = I):  inertia relief,
+  ///     G = A^T K_c^+ A,   A = I - M Phi_R Phi_R^T,
+  /// A balances a load by the inertia of the rigid motion it causes; K_c^+ solves with just as many dofs fixed as there
+  /// are rigid motions, where then no reaction acts; A^T takes the rigid part out of the answer. G does not depend on the
+  /// dofs chosen, G M Phi_R = 0, and G = sum over elastic modes of phi phi^T / w^2: no shifted K is passed off as K^-1.
+  ///
+  /// The Schur complement on the trace dofs comes with the factorisation, so that P_c G P_c^T needs no solves but those for
+  /// Phi_R. All members are collective.
+  class Flexibility
+  {
+  public:
+    /// @throws InputError if a motion said to be rigid costs energy, or a body said to be held is not
+    explicit Flexibility(const SecondOrderSystem &system);
+
+    /// u = G f
+    void vmult(dealii::PETScWrappers::MPI::Vector &u, const dealii::PETScWrappers::MPI::Vector &f);
+    /// columns <- G columns, full vectors on rank 0 (n_dofs x m)
+    void vmult(DenseMatrix &columns);
+
+    /// P_c G P_c^T, 3 n square [m/N], symmetric; replicated. By the Schur complement.
+    DenseMatrix contact_compliance();
+    /// The columns `rows` of P_c G P_c^T by blocked solves: the second method, for checks; replicated.
+    DenseMatrix contact_compliance_columns(const std::vector<unsigned int> &rows, unsigned int block_size = 64);
+
+    /// Phi_R, mass-orthonormal [1/sqrt(kg)]
+    const std::vector<dealii::PETScWrappers::MPI::Vector> &rigid_modes() const { return phi; }
+    const SymmetricFactorization &factorization() const { return *factors; }
+
+  private:
+    void make_rigid_modes();
+    std::vector<dealii::types::global_dof_index> support_dofs() const;
+
+    const SecondOrderSystem &system;
+    /// dofs of the trace, sorted
+    std::vector<dealii::types::global_dof_index> trace_dofs;
+    std::vector<dealii::types::global_dof_index> fixed_dofs;
+    /// Phi_R and M Phi_R
+    std::vector<dealii::PETScWrappers::MPI::Vector> phi, inertia;
+    std::unique_ptr<SymmetricFactorization> factors;
+  };
+} // namespace vibrocontact

@@ -1,0 +1,113 @@
+// Modes: rigid ones counted, closed forms, pairs kept and turned, one rank as two.
+
+#include "reduction_bodies.h"
+
+#include <vibrocontact/reduction/modes.h>
+
+#include <gtest/gtest.h>
+
+using namespace vibrocontact;
+using namespace reduction_test;
+
+namespace
+{
+  BlockParameters bar(const double length, const double width, const double height, const unsigned int n)
+  {
+    BlockParameters parameters;
+    parameters.length = length;
+    parameters.width = width;
+    parameters.height = height;
+    parameters.divisions_x = parameters.divisions_y = parameters.divisions_z = n;
+    return parameters;
+  }
+
+  Modes modes_of(const Body &body, const unsigned int count, const double upper_frequency = 0)
+  {
+    Flexibility flexibility(*body.system);
+    ModeParameters parameters;
+    parameters.count = count;
+    parameters.upper_frequency = upper_frequency;
+    return compute_modes(*body.system, flexibility, parameters);
+  }
+} // namespace
+
+TEST(ModesMpi, FreeBlockHasSixRigidModes)
+{
+  BlockParameters parameters = bar(0.1, 0.08, 0.06, 3);
+  parameters.held.clear();
+  const Body body = make_body(parameters, ElasticModel<3>(), MPI_COMM_WORLD, 4);
+  const Modes modes = modes_of(body, 8);
+  EXPECT_EQ(modes.n_rigid_modes, 6u);
+  for (unsigned int i = 0; i < 6; ++i)
+    EXPECT_EQ(modes.omega[i], 0.);
+  EXPECT_GT(modes.omega[6], 1e4);
+  EXPECT_LT(modes.orthonormality_error, 1e-10);
+  EXPECT_LT(modes.residual, 1e-6);
+}
+
+TEST(Modes, CantileverAgainstClosedForms)
+{
+  // Without Poisson effect the axial modes of a bar held at one end are those of the rod, f = c / (4 L).
+  BlockParameters parameters = bar(1., 0.04, 0.05, 1);
+  parameters.divisions_x = 24;
+  parameters.held = {"left"};
+  ElasticModel<3> model;
+  model.material.poisson_ratio = 0;
+  const Body body = make_body(parameters, model, MPI_COMM_SELF, 0);
+  const Modes modes = modes_of(body, 0, 1500.);
+  const double c = std::sqrt(model.material.young_modulus / model.material.density), pi = std::acos(-1.);
+  std::vector<double> frequencies;
+  for (const double omega : modes.omega)
+    frequencies.push_back(omega / (2 * pi));
+  const auto error_at = [&](const double exact)
+  {
+    double best = 1;
+    for (const double f : frequencies)
+      best = std::min(best, std::abs(f / exact - 1));
+    return best;
+  };
+  EXPECT_LT(error_at(c / 4), 1e-6);
+  // Euler-Bernoulli, slenderness 25 and 20: shear takes off less than 0.5 % of the first, 3 % of the second bending mode.
+  const auto bending = [&](const double beta, const double h) { return beta * beta / (2 * pi) * c * h / std::sqrt(12.); };
+  EXPECT_LT(error_at(bending(1.8751041, 0.04)), 5e-3);
+  EXPECT_LT(error_at(bending(1.8751041, 0.05)), 5e-3);
+  EXPECT_LT(error_at(bending(4.6940911, 0.04)), 3e-2);
+  EXPECT_LT(modes.orthonormality_error, 1e-10);
+}
+
+TEST(ModesMpi, PairIsNotSplitAndTurned)
+{
+  // A square column: bending along x (antisymmetric to x = 0) and along y (symmetric) at the same frequency.
+  BlockParameters parameters = bar(0.05, 0.05, 0.5, 2);
+  parameters.divisions_z = 10;
+  const Body body = make_body(parameters, ElasticModel<3>(), MPI_COMM_WORLD, 4);
+  const Modes modes = modes_of(body, 1);
+  ASSERT_EQ(modes.omega.size(), 2u);
+  EXPECT_NEAR(modes.omega[1] / modes.omega[0], 1., 1e-9);
+  // x and y displacements of the top
+  const auto a = contact_trace(body.system->trace, modes.shapes[0]), b = contact_trace(body.system->trace, modes.shapes[1]);
+  EXPECT_LT(std::abs(a[4]), 1e-5 * std::abs(a[8]));
+  EXPECT_LT(std::abs(b[8]), 1e-5 * std::abs(b[4]));
+}
+
+TEST(ModesMpi, OneRankAsTwo)
+{
+  BlockParameters parameters = bar(0.1, 0.08, 0.06, 3);
+  parameters.offset_x = 0.013;
+  const Body together = make_body(parameters, ElasticModel<3>(), MPI_COMM_WORLD, 4),
+             alone = make_body(parameters, ElasticModel<3>(), MPI_COMM_SELF, 4);
+  const Modes a = modes_of(together, 10), b = modes_of(alone, 10);
+  ASSERT_EQ(a.omega.size(), b.omega.size());
+  for (unsigned int i = 0; i < a.omega.size(); ++i)
+  {
+    EXPECT_NEAR(a.omega[i] / b.omega[i], 1., 1e-10);
+    const auto u = contact_trace(together.system->trace, a.shapes[i]), v = contact_trace(alone.system->trace, b.shapes[i]);
+    double difference = 0, scale = 0;
+    for (unsigned int k = 0; k < u.size(); ++k)
+    {
+      difference = std::max(difference, std::abs(u[k] - v[k]));
+      scale = std::max(scale, std::abs(u[k]));
+    }
+    EXPECT_LT(difference, 1e-8 * scale) << "mode " << i;
+  }
+}
