@@ -1,6 +1,6 @@
-#include <vibrocontact/fe/trace_assembly.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/fe/elasticity.h>
+#include <vibrocontact/fe/trace_assembly.h>
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/mapping_q.h>
@@ -33,6 +33,8 @@ namespace vibrocontact
     if (!model.is_supported())
       system->rigid_motions = rigid_motions(*this);
     system->n_rigid_modes = system->rigid_motions.size();
+    describe_dofs(*this, *system);
+    system->follows_hub = !model.held.empty() && model.springs.empty();
     if (grid)
       system->trace = make_contact_trace(*this, *grid);
     return system;

@@ -57,26 +57,27 @@ namespace vibrocontact
     for (const unsigned int dof : last)
       is_last[dof] = 1;
 
-    // The representative of a dof: the first local dof with the same pattern (neighbours in number, so few candidates).
+    // The representative of a dof: the first local dof with the same pattern (neighbours in number, so few
+    // candidates).
     std::vector<int> local_representative(end - begin);
     std::vector<int> columns, other;
     {
       std::unordered_map<std::uint64_t, int> first;
       for (PetscInt row = begin; row < end; ++row)
+      {
+        columns_of(matrix, row, columns);
+        int &representative = local_representative[row - begin];
+        representative = row;
+        if (is_last[row])
+          continue;
+        const auto [entry, is_new] = first.emplace(hash_of(columns), row);
+        if (!is_new)
         {
-          columns_of(matrix, row, columns);
-          int &representative = local_representative[row - begin];
-          representative = row;
-          if (is_last[row])
-            continue;
-          const auto [entry, is_new] = first.emplace(hash_of(columns), row);
-          if (!is_new)
-            {
-              columns_of(matrix, entry->second, other);
-              if (other == columns)
-                representative = entry->second;
-            }
+          columns_of(matrix, entry->second, other);
+          if (other == columns)
+            representative = entry->second;
         }
+      }
     }
     const std::vector<int> representative = gather_all(local_representative, communicator);
 
@@ -84,17 +85,17 @@ namespace vibrocontact
     std::vector<int> sizes, neighbours;
     for (PetscInt row = begin; row < end; ++row)
       if (representative[row] == row && !is_last[row])
-        {
-          columns_of(matrix, row, columns);
-          other.clear();
-          for (const int c : columns)
-            if (!is_last[c] && representative[c] != row)
-              other.push_back(representative[c]);
-          std::sort(other.begin(), other.end());
-          other.erase(std::unique(other.begin(), other.end()), other.end());
-          sizes.push_back(other.size());
-          neighbours.insert(neighbours.end(), other.begin(), other.end());
-        }
+      {
+        columns_of(matrix, row, columns);
+        other.clear();
+        for (const int c : columns)
+          if (!is_last[c] && representative[c] != row)
+            other.push_back(representative[c]);
+        std::sort(other.begin(), other.end());
+        other.erase(std::unique(other.begin(), other.end()), other.end());
+        sizes.push_back(other.size());
+        neighbours.insert(neighbours.end(), other.begin(), other.end());
+      }
     sizes = gather_all(sizes, communicator);
     neighbours = gather_all(neighbours, communicator);
     if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
@@ -104,11 +105,11 @@ namespace vibrocontact
     std::vector<int> vertices;
     for (int dof = 0; dof < n; ++dof)
       if (!is_last[dof] && representative[dof] == dof)
-        {
-          vertex[dof] = vertices.size();
-          vertices.push_back(dof);
-          weight.push_back(0);
-        }
+      {
+        vertex[dof] = vertices.size();
+        vertices.push_back(dof);
+        weight.push_back(0);
+      }
     for (int dof = 0; dof < n; ++dof)
       if (!is_last[dof])
         ++weight[vertex[representative[dof]]];
@@ -133,10 +134,10 @@ namespace vibrocontact
     std::vector<int> next(n_vertices), position(n);
     int count = 0;
     for (idx_t k = 0; k < n_vertices; ++k)
-      {
-        next[permutation[k]] = count;
-        count += weight[permutation[k]];
-      }
+    {
+      next[permutation[k]] = count;
+      count += weight[permutation[k]];
+    }
     for (int dof = 0; dof < n; ++dof)
       position[dof] = is_last[dof] ? ++count : ++next[vertex[representative[dof]]];
     return position;

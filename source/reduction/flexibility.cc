@@ -43,7 +43,8 @@ namespace vibrocontact
       std::vector<double> all(is_host ? v.size() : 0);
       const PetscScalar *values = nullptr;
       VecGetArrayRead(v, &values);
-      MPI_Gatherv(values, local, MPI_DOUBLE, all.data(), sizes.data(), offsets.data(), MPI_DOUBLE, 0, communicator);
+      MPI_Gatherv(values, local, MPI_DOUBLE, all.data(), sizes.data(), offsets.data(), MPI_DOUBLE, 0,
+                  communicator);
       VecRestoreArrayRead(v, &values);
       return all;
     }
@@ -51,7 +52,7 @@ namespace vibrocontact
     void broadcast(DenseMatrix &matrix, MPI_Comm communicator)
     {
       const auto size = dealii::Utilities::MPI::broadcast(
-        communicator, std::pair<unsigned int, unsigned int>(matrix.m(), matrix.n()));
+          communicator, std::pair<unsigned int, unsigned int>(matrix.m(), matrix.n()));
       if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
         matrix.reinit(size.first, size.second);
       for (unsigned int j = 0; j < size.second; ++j)
@@ -59,8 +60,7 @@ namespace vibrocontact
     }
   } // namespace
 
-  Flexibility::Flexibility(const SecondOrderSystem &system_)
-    : system(system_)
+  Flexibility::Flexibility(const SecondOrderSystem &system_) : system(system_)
   {
     for (const auto &row : system.trace.rows)
       for (const auto &[dof, weight] : row)
@@ -69,10 +69,10 @@ namespace vibrocontact
     trace_dofs.erase(std::unique(trace_dofs.begin(), trace_dofs.end()), trace_dofs.end());
 
     if (system.n_rigid_modes > 0)
-      {
-        make_rigid_modes();
-        fixed_dofs = support_dofs();
-      }
+    {
+      make_rigid_modes();
+      fixed_dofs = support_dofs();
+    }
     SymmetricFactorization::Options options;
     options.schur_dofs = trace_dofs;
     options.fixed_dofs = fixed_dofs;
@@ -82,8 +82,8 @@ namespace vibrocontact
     std::ostringstream text;
     text.precision(3);
     text << "stiffness factorised: ordering " << time_text(cost.seconds_ordering) << ", analysis "
-         << time_text(cost.seconds_analysis) << ", factorisation " << time_text(cost.seconds_factorization) << ", "
-         << cost.factor_entries / 1e6 << " million entries, " << cost.operations / 1e9 << " Gflop, "
+         << time_text(cost.seconds_analysis) << ", factorisation " << time_text(cost.seconds_factorization)
+         << ", " << cost.factor_entries / 1e6 << " million entries, " << cost.operations / 1e9 << " Gflop, "
          << cost.megabytes_rank << " MB on the fullest rank, " << cost.megabytes_total << " MB in all";
     run_log().line(text.str());
   }
@@ -95,23 +95,23 @@ namespace vibrocontact
     MatGetDiagonal(system.mass, diagonal);
     const double k_scale = k_diagonal.linfty_norm();
     for (const Vector &motion : system.rigid_motions)
-      {
-        Vector v(motion);
-        for (unsigned int pass = 0; pass < 2; ++pass)
-          for (unsigned int i = 0; i < phi.size(); ++i)
-            v.add(-(v * inertia[i]), phi[i]);
-        system.mass.vmult(product, v);
-        const double norm = std::sqrt(v * product);
-        v /= norm;
-        product /= norm;
-        system.stiffness.vmult(k_diagonal, v);
-        if (k_diagonal.linfty_norm() > 1e-6 * k_scale * v.linfty_norm())
-          throw InputError("Body '" + system.body + "': a motion that should be rigid deforms it (force " +
-                           std::to_string(k_diagonal.linfty_norm() / (k_scale * v.linfty_norm())) +
-                           " of its stiffness); say correctly whether the body is held.");
-        phi.push_back(v);
-        inertia.push_back(product);
-      }
+    {
+      Vector v(motion);
+      for (unsigned int pass = 0; pass < 2; ++pass)
+        for (unsigned int i = 0; i < phi.size(); ++i)
+          v.add(-(v * inertia[i]), phi[i]);
+      system.mass.vmult(product, v);
+      const double norm = std::sqrt(v * product);
+      v /= norm;
+      product /= norm;
+      system.stiffness.vmult(k_diagonal, v);
+      if (k_diagonal.linfty_norm() > 1e-6 * k_scale * v.linfty_norm())
+        throw InputError("Body '" + system.body + "': a motion that should be rigid deforms it (force " +
+                         std::to_string(k_diagonal.linfty_norm() / (k_scale * v.linfty_norm())) +
+                         " of its stiffness); say correctly whether the body is held.");
+      phi.push_back(v);
+      inertia.push_back(product);
+    }
   }
 
   std::vector<global_dof_index> Flexibility::support_dofs() const
@@ -121,13 +121,13 @@ namespace vibrocontact
     const auto [begin, end] = phi[0].local_range();
     std::vector<std::vector<double>> rows(end - begin, std::vector<double>(n));
     for (unsigned int k = 0; k < n; ++k)
-      {
-        const PetscScalar *values = nullptr;
-        VecGetArrayRead(phi[k], &values);
-        for (unsigned int i = 0; i < rows.size(); ++i)
-          rows[i][k] = values[i];
-        VecRestoreArrayRead(phi[k], &values);
-      }
+    {
+      const PetscScalar *values = nullptr;
+      VecGetArrayRead(phi[k], &values);
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        rows[i][k] = values[i];
+      VecRestoreArrayRead(phi[k], &values);
+    }
     for (const auto dof : trace_dofs)
       if (dof >= begin && dof < end)
         std::fill(rows[dof - begin].begin(), rows[dof - begin].end(), 0.);
@@ -135,38 +135,38 @@ namespace vibrocontact
     std::vector<global_dof_index> result;
     const MPI_Comm communicator = system.communicator;
     for (unsigned int step = 0; step < n; ++step)
+    {
+      double best = 0;
+      unsigned int best_row = 0;
+      for (unsigned int i = 0; i < rows.size(); ++i)
       {
-        double best = 0;
-        unsigned int best_row = 0;
-        for (unsigned int i = 0; i < rows.size(); ++i)
-          {
-            double square = 0;
-            for (const double x : rows[i])
-              square += x * x;
-            if (square > best * (1 + 1e-9))
-              {
-                best = square;
-                best_row = i;
-              }
-          }
-        const auto all = dealii::Utilities::MPI::all_gather(communicator, best);
-        const unsigned int owner = std::max_element(all.begin(), all.end()) - all.begin();
-        std::vector<double> pivot;
-        global_dof_index dof = begin + best_row;
-        if (owner == dealii::Utilities::MPI::this_mpi_process(communicator))
-          pivot = rows[best_row];
-        pivot = dealii::Utilities::MPI::broadcast(communicator, pivot, owner);
-        result.push_back(dealii::Utilities::MPI::broadcast(communicator, dof, owner));
-        const double square = all[owner];
-        for (auto &row : rows)
-          {
-            double projection = 0;
-            for (unsigned int k = 0; k < n; ++k)
-              projection += row[k] * pivot[k] / square;
-            for (unsigned int k = 0; k < n; ++k)
-              row[k] -= projection * pivot[k];
-          }
+        double square = 0;
+        for (const double x : rows[i])
+          square += x * x;
+        if (square > best * (1 + 1e-9))
+        {
+          best = square;
+          best_row = i;
+        }
       }
+      const auto all = dealii::Utilities::MPI::all_gather(communicator, best);
+      const unsigned int owner = std::max_element(all.begin(), all.end()) - all.begin();
+      std::vector<double> pivot;
+      global_dof_index dof = begin + best_row;
+      if (owner == dealii::Utilities::MPI::this_mpi_process(communicator))
+        pivot = rows[best_row];
+      pivot = dealii::Utilities::MPI::broadcast(communicator, pivot, owner);
+      result.push_back(dealii::Utilities::MPI::broadcast(communicator, dof, owner));
+      const double square = all[owner];
+      for (auto &row : rows)
+      {
+        double projection = 0;
+        for (unsigned int k = 0; k < n; ++k)
+          projection += row[k] * pivot[k] / square;
+        for (unsigned int k = 0; k < n; ++k)
+          row[k] -= projection * pivot[k];
+      }
+    }
     std::sort(result.begin(), result.end());
     return result;
   }
@@ -174,10 +174,10 @@ namespace vibrocontact
   void Flexibility::vmult(Vector &u, const Vector &f)
   {
     if (phi.empty())
-      {
-        factors->solve(f, u);
-        return;
-      }
+    {
+      factors->solve(f, u);
+      return;
+    }
     Vector balanced(f);
     for (unsigned int i = 0; i < phi.size(); ++i)
       balanced.add(-(phi[i] * f), inertia[i]);
@@ -195,22 +195,24 @@ namespace vibrocontact
     const unsigned int n_rigid = phi.size();
     std::vector<std::vector<double>> shapes, forces;
     for (unsigned int i = 0; i < n_rigid; ++i)
-      {
-        shapes.push_back(gather_on_host(phi[i]));
-        forces.push_back(gather_on_host(inertia[i]));
-      }
+    {
+      shapes.push_back(gather_on_host(phi[i]));
+      forces.push_back(gather_on_host(inertia[i]));
+    }
     // column -= sum_i b_i (a_i . column)
-    const auto project = [&](const std::vector<std::vector<double>> &a, const std::vector<std::vector<double>> &b) {
+    const auto project =
+        [&](const std::vector<std::vector<double>> &a, const std::vector<std::vector<double>> &b)
+    {
       if (columns.m() == 0)
         return;
       for (unsigned int j = 0; j < columns.n(); ++j)
         for (unsigned int i = 0; i < n_rigid; ++i)
-          {
-            double *const column = &columns(0, j);
-            const double factor = std::inner_product(a[i].begin(), a[i].end(), column, 0.);
-            for (unsigned int k = 0; k < columns.m(); ++k)
-              column[k] -= factor * b[i][k];
-          }
+        {
+          double *const column = &columns(0, j);
+          const double factor = std::inner_product(a[i].begin(), a[i].end(), column, 0.);
+          for (unsigned int k = 0; k < columns.m(); ++k)
+            column[k] -= factor * b[i][k];
+        }
     };
     project(shapes, forces);
     if (columns.m() > 0)
@@ -228,63 +230,63 @@ namespace vibrocontact
     std::vector<std::vector<double>> response(n_rigid), shape(n_rigid);
     DenseMatrix energy(n_rigid, n_rigid);
     for (unsigned int i = 0; i < n_rigid; ++i)
-      {
-        Vector load(inertia[i]), u(load);
-        for (const auto dof : fixed_dofs)
-          if (load.in_local_range(dof))
-            load(dof) = 0;
-        load.compress(dealii::VectorOperation::insert);
-        factors->solve(load, u);
-        response[i] = contact_trace(system.trace, u);
-        shape[i] = contact_trace(system.trace, phi[i]);
-        for (unsigned int j = 0; j < n_rigid; ++j)
-          energy(j, i) = inertia[j] * u;
-      }
+    {
+      Vector load(inertia[i]), u(load);
+      for (const auto dof : fixed_dofs)
+        if (load.in_local_range(dof))
+          load(dof) = 0;
+      load.compress(dealii::VectorOperation::insert);
+      factors->solve(load, u);
+      response[i] = contact_trace(system.trace, u);
+      shape[i] = contact_trace(system.trace, phi[i]);
+      for (unsigned int j = 0; j < n_rigid; ++j)
+        energy(j, i) = inertia[j] * u;
+    }
 
     DenseMatrix result;
     if (dealii::Utilities::MPI::this_mpi_process(system.communicator) == 0)
-      {
-        std::vector<std::vector<std::pair<unsigned int, double>>> rows(n);
+    {
+      std::vector<std::vector<std::pair<unsigned int, double>>> rows(n);
+      for (unsigned int r = 0; r < n; ++r)
+        for (const auto &[dof, weight] : system.trace.rows[r])
+          rows[r].emplace_back(
+              std::lower_bound(trace_dofs.begin(), trace_dofs.end(), dof) - trace_dofs.begin(), weight);
+      // S^-1 P^T, then P S^-1 P^T
+      DenseMatrix factor = factors->schur_complement(), columns(m, n);
+      for (unsigned int r = 0; r < n; ++r)
+        for (const auto &[k, weight] : rows[r])
+          columns(k, r) += weight;
+      factor.set_property(dealii::LAPACKSupport::symmetric);
+      factor.compute_cholesky_factorization();
+      factor.solve(columns);
+      result.reinit(n, n);
+      for (unsigned int c = 0; c < n; ++c)
         for (unsigned int r = 0; r < n; ++r)
-          for (const auto &[dof, weight] : system.trace.rows[r])
-            rows[r].emplace_back(std::lower_bound(trace_dofs.begin(), trace_dofs.end(), dof) - trace_dofs.begin(),
-                                 weight);
-        // S^-1 P^T, then P S^-1 P^T
-        DenseMatrix factor = factors->schur_complement(), columns(m, n);
-        for (unsigned int r = 0; r < n; ++r)
+        {
+          double sum = 0;
           for (const auto &[k, weight] : rows[r])
-            columns(k, r) += weight;
-        factor.set_property(dealii::LAPACKSupport::symmetric);
-        factor.compute_cholesky_factorization();
-        factor.solve(columns);
-        result.reinit(n, n);
+            sum += weight * columns(k, c);
+          result(r, c) = sum;
+        }
+      for (unsigned int i = 0; i < n_rigid; ++i)
         for (unsigned int c = 0; c < n; ++c)
           for (unsigned int r = 0; r < n; ++r)
-            {
-              double sum = 0;
-              for (const auto &[k, weight] : rows[r])
-                sum += weight * columns(k, c);
-              result(r, c) = sum;
-            }
-        for (unsigned int i = 0; i < n_rigid; ++i)
-          for (unsigned int c = 0; c < n; ++c)
-            for (unsigned int r = 0; r < n; ++r)
-              {
-                result(r, c) -= shape[i][r] * response[i][c] + response[i][r] * shape[i][c];
-                for (unsigned int j = 0; j < n_rigid; ++j)
-                  result(r, c) += shape[i][r] * energy(i, j) * shape[j][c];
-              }
-        double largest = 0, asymmetry = 0;
-        for (unsigned int c = 0; c < n; ++c)
-          for (unsigned int r = 0; r <= c; ++r)
-            {
-              largest = std::max(largest, std::abs(result(r, c)));
-              asymmetry = std::max(asymmetry, std::abs(result(r, c) - result(c, r)));
-              result(r, c) = result(c, r) = (result(r, c) + result(c, r)) / 2;
-            }
-        AssertThrow(asymmetry <= 1e-8 * largest,
-                    dealii::ExcMessage("The contact compliance of body '" + system.body + "' is not symmetric."));
-      }
+          {
+            result(r, c) -= shape[i][r] * response[i][c] + response[i][r] * shape[i][c];
+            for (unsigned int j = 0; j < n_rigid; ++j)
+              result(r, c) += shape[i][r] * energy(i, j) * shape[j][c];
+          }
+      double largest = 0, asymmetry = 0;
+      for (unsigned int c = 0; c < n; ++c)
+        for (unsigned int r = 0; r <= c; ++r)
+        {
+          largest = std::max(largest, std::abs(result(r, c)));
+          asymmetry = std::max(asymmetry, std::abs(result(r, c) - result(c, r)));
+          result(r, c) = result(c, r) = (result(r, c) + result(c, r)) / 2;
+        }
+      AssertThrow(asymmetry <= 1e-8 * largest, dealii::ExcMessage("The contact compliance of body '" +
+                                                                  system.body + "' is not symmetric."));
+    }
     broadcast(result, system.communicator);
     return result;
   }
@@ -296,23 +298,23 @@ namespace vibrocontact
     const unsigned int n = system.trace.rows.size();
     DenseMatrix result(n, rows.size());
     for (unsigned int first = 0; first < rows.size(); first += block_size)
+    {
+      const unsigned int m = std::min<unsigned int>(block_size, rows.size() - first);
+      DenseMatrix columns;
+      if (is_host)
       {
-        const unsigned int m = std::min<unsigned int>(block_size, rows.size() - first);
-        DenseMatrix columns;
-        if (is_host)
-          {
-            columns.reinit(system.stiffness.m(), m);
-            for (unsigned int j = 0; j < m; ++j)
-              for (const auto &[dof, weight] : system.trace.rows[rows[first + j]])
-                columns(dof, j) = weight;
-          }
-        vmult(columns);
-        if (is_host)
-          for (unsigned int j = 0; j < m; ++j)
-            for (unsigned int r = 0; r < n; ++r)
-              for (const auto &[dof, weight] : system.trace.rows[r])
-                result(r, first + j) += weight * columns(dof, j);
+        columns.reinit(system.stiffness.m(), m);
+        for (unsigned int j = 0; j < m; ++j)
+          for (const auto &[dof, weight] : system.trace.rows[rows[first + j]])
+            columns(dof, j) = weight;
       }
+      vmult(columns);
+      if (is_host)
+        for (unsigned int j = 0; j < m; ++j)
+          for (unsigned int r = 0; r < n; ++r)
+            for (const auto &[dof, weight] : system.trace.rows[r])
+              result(r, first + j) += weight * columns(dof, j);
+    }
     broadcast(result, system.communicator);
     return result;
   }

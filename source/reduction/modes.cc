@@ -20,28 +20,35 @@ namespace vibrocontact
   {
     using namespace dealii::Patterns;
     prm.add_parameter("Upper frequency", upper_frequency,
-                      "All modes up to this frequency are computed; 0: as many as Count says. Units: Hz.", Double(0, 1e6));
-    prm.add_parameter("Count", count,
-                      "Number of elastic modes, one more if it would split a pair; 0: go by Upper frequency. Units: none.",
-                      Integer(0, 20000));
+                      "All modes up to this frequency are computed; 0: as many as Count says. Units: Hz.",
+                      Double(0, 1e6));
+    prm.add_parameter(
+        "Count", count,
+        "Number of elastic modes, one more if it would split a pair; 0: go by Upper frequency. Units: none.",
+        Integer(0, 20000));
     prm.add_parameter("Damping ratio 0 nodal diameters", damping_0,
-                      "Modal damping ratio of a wheel's modes without nodal diameter (Eq. 23). Units: none.", Double(0, 1));
-    prm.add_parameter("Damping ratio 1 nodal diameter", damping_1,
-                      "Modal damping ratio of a wheel's modes with one nodal diameter (Eq. 23). Units: none.", Double(0, 1));
-    prm.add_parameter("Damping ratio 2 nodal diameters", damping_2,
-                      "Modal damping ratio of a wheel's modes with two or more nodal diameters (Eq. 23). Units: none.",
+                      "Modal damping ratio of a wheel's modes without nodal diameter (Eq. 23). Units: none.",
                       Double(0, 1));
-    prm.add_parameter("Rim radius", rim_radius,
-                      "Points of a wheel further than this from its axle are its rim, whose motion names the family of a "
-                      "mode. Units: m.",
-                      Double(0, 100));
+    prm.add_parameter("Damping ratio 1 nodal diameter", damping_1,
+                      "Modal damping ratio of a wheel's modes with one nodal diameter (Eq. 23). Units: none.",
+                      Double(0, 1));
+    prm.add_parameter(
+        "Damping ratio 2 nodal diameters", damping_2,
+        "Modal damping ratio of a wheel's modes with two or more nodal diameters (Eq. 23). Units: none.",
+        Double(0, 1));
+    prm.add_parameter(
+        "Rim radius", rim_radius,
+        "Points of a wheel further than this from its axle are its rim, whose motion names the family of a "
+        "mode. Units: m.",
+        Double(0, 100));
   }
 
   void ModeParameters::check(const std::string &section) const
   {
     if (upper_frequency > 0 && count > 0)
       throw InputError("Section '" + section + "': Upper frequency = " + std::to_string(upper_frequency) +
-                       " Hz and Count = " + std::to_string(count) + " contradict each other; set one of them to 0.");
+                       " Hz and Count = " + std::to_string(count) +
+                       " contradict each other; set one of them to 0.");
     if (!(rim_radius > 0))
       throw InputError("Section '" + section + "': Rim radius must be positive.");
   }
@@ -87,8 +94,8 @@ namespace vibrocontact
       return 0;
     }
 
-    PetscErrorCode report(EPS, PetscInt, PetscInt n_converged, PetscScalar *, PetscScalar *, PetscReal *, PetscInt,
-                          void *context)
+    PetscErrorCode report(EPS, PetscInt, PetscInt n_converged, PetscScalar *, PetscScalar *, PetscReal *,
+                          PetscInt, void *context)
     {
       auto &[progress, done] = *static_cast<std::pair<Progress *, PetscInt> *>(context);
       if (n_converged > done)
@@ -111,7 +118,8 @@ namespace vibrocontact
     }
 
     // The `n_wanted` lowest elastic modes (perhaps some more), ascending, appended to `modes`.
-    void solve(const SecondOrderSystem &system, Flexibility &flexibility, const unsigned int n_wanted, Modes &modes)
+    void solve(const SecondOrderSystem &system, Flexibility &flexibility, const unsigned int n_wanted,
+               Modes &modes)
     {
       dealii::Timer timer;
       const unsigned int n_first = modes.omega.size();
@@ -148,10 +156,10 @@ namespace vibrocontact
       // The same start on any number of ranks: a fixed field, once through the flexibility.
       Vector start(prototype);
       for (unsigned int i = 0; i < system.locally_owned.n_elements(); ++i)
-        {
-          const auto dof = system.locally_owned.nth_index_in_set(i);
-          start(dof) = std::sin(1. + 0.7390851 * dof * (1. + 1e-3 * (dof % 97)));
-        }
+      {
+        const auto dof = system.locally_owned.nth_index_in_set(i);
+        start(dof) = std::sin(1. + 0.7390851 * dof * (1. + 1e-3 * (dof % 97)));
+      }
       start.compress(dealii::VectorOperation::insert);
       system.mass.vmult(inverse.in, start);
       flexibility.vmult(start, Vector(inverse.in));
@@ -162,18 +170,19 @@ namespace vibrocontact
       PetscInt n_converged = 0;
       EPSGetConverged(eps, &n_converged);
       if (n_converged < static_cast<PetscInt>(n_wanted))
-        {
-          EPSDestroy(&eps);
-          throw ConvergenceError("Body '" + system.body + "': only " + std::to_string(n_converged) + " of " +
-                                 std::to_string(n_wanted) + " modes converged to " + std::to_string(tolerance) + ".");
-        }
+      {
+        EPSDestroy(&eps);
+        throw ConvergenceError("Body '" + system.body + "': only " + std::to_string(n_converged) + " of " +
+                               std::to_string(n_wanted) + " modes converged to " + std::to_string(tolerance) +
+                               ".");
+      }
       for (PetscInt i = 0; i < n_converged; ++i)
-        {
-          PetscScalar lambda = 0, imaginary = 0;
-          modes.shapes.push_back(prototype);
-          EPSGetEigenpair(eps, i, &lambda, &imaginary, modes.shapes.back(), nullptr);
-          modes.omega.push_back(std::sqrt(lambda));
-        }
+      {
+        PetscScalar lambda = 0, imaginary = 0;
+        modes.shapes.push_back(prototype);
+        EPSGetEigenpair(eps, i, &lambda, &imaginary, modes.shapes.back(), nullptr);
+        modes.omega.push_back(std::sqrt(lambda));
+      }
       EPSDestroy(&eps);
       modes.n_solves = inverse.n_solves;
 
@@ -185,10 +194,10 @@ namespace vibrocontact
       auto omega = modes.omega;
       std::vector<Vector> shapes;
       for (unsigned int i = 0; i < order.size(); ++i)
-        {
-          omega[n_first + i] = modes.omega[order[i]];
-          shapes.push_back(modes.shapes[order[i]]);
-        }
+      {
+        omega[n_first + i] = modes.omega[order[i]];
+        shapes.push_back(modes.shapes[order[i]]);
+      }
       modes.omega = omega;
       std::move(shapes.begin(), shapes.end(), modes.shapes.begin() + n_first);
       modes.seconds_solver += timer.wall_time();
@@ -199,22 +208,22 @@ namespace vibrocontact
     {
       Vector mass_shape(system.locally_owned, system.communicator), force(mass_shape);
       for (unsigned int i = 0; i < modes.shapes.size(); ++i)
+      {
+        system.mass.vmult(mass_shape, modes.shapes[i]);
+        const double norm = std::sqrt(mass_shape * modes.shapes[i]);
+        modes.shapes[i] /= norm;
+        mass_shape /= norm;
+        for (unsigned int j = 0; j <= i; ++j)
+          modes.orthonormality_error = std::max(modes.orthonormality_error,
+                                                std::abs(mass_shape * modes.shapes[j] - (i == j ? 1. : 0.)));
+        if (i >= modes.n_rigid_modes)
         {
-          system.mass.vmult(mass_shape, modes.shapes[i]);
-          const double norm = std::sqrt(mass_shape * modes.shapes[i]);
-          modes.shapes[i] /= norm;
-          mass_shape /= norm;
-          for (unsigned int j = 0; j <= i; ++j)
-            modes.orthonormality_error =
-              std::max(modes.orthonormality_error, std::abs(mass_shape * modes.shapes[j] - (i == j ? 1. : 0.)));
-          if (i >= modes.n_rigid_modes)
-            {
-              const double lambda = modes.omega[i] * modes.omega[i];
-              system.stiffness.vmult(force, modes.shapes[i]);
-              force.add(-lambda, mass_shape);
-              modes.residual = std::max(modes.residual, force.l2_norm() / (lambda * mass_shape.l2_norm()));
-            }
+          const double lambda = modes.omega[i] * modes.omega[i];
+          system.stiffness.vmult(force, modes.shapes[i]);
+          force.add(-lambda, mass_shape);
+          modes.residual = std::max(modes.residual, force.l2_norm() / (lambda * mass_shape.l2_norm()));
         }
+      }
       std::ostringstream text;
       text << "orthonormality error " << modes.orthonormality_error << ", residual " << modes.residual;
       run_log().line(text.str());
@@ -223,7 +232,8 @@ namespace vibrocontact
     }
   } // namespace
 
-  Modes compute_modes(const SecondOrderSystem &system, Flexibility &flexibility, const ModeParameters &parameters)
+  Modes compute_modes(const SecondOrderSystem &system, Flexibility &flexibility,
+                      const ModeParameters &parameters)
   {
     Modes modes;
     modes.shapes = flexibility.rigid_modes();
@@ -237,17 +247,19 @@ namespace vibrocontact
 
     unsigned int n_below = 0; // elastic modes wanted
     if (by_frequency)
-      {
-        n_below = count_below(system, limit, modes) - n_rigid;
-        run_log().line(std::to_string(n_below) + " elastic modes below " + std::to_string(parameters.upper_frequency) +
-                       " Hz (inertia count, " + time_text(modes.seconds_count) + ")");
-      }
+    {
+      n_below = count_below(system, limit, modes) - n_rigid;
+      run_log().line(std::to_string(n_below) + " elastic modes below " +
+                     std::to_string(parameters.upper_frequency) + " Hz (inertia count, " +
+                     time_text(modes.seconds_count) + ")");
+    }
     else
       n_below = parameters.count;
     const unsigned int n_dynamic = system.stiffness.m() - n_rigid;
     if (n_below + 2 > n_dynamic)
-      throw InputError("Body '" + system.body + "': " + std::to_string(n_below) + " modes are more than its " +
-                       std::to_string(system.stiffness.m()) + " dofs can tell; ask for fewer.");
+      throw InputError("Body '" + system.body + "': " + std::to_string(n_below) +
+                       " modes are more than its " + std::to_string(system.stiffness.m()) +
+                       " dofs can tell; ask for fewer.");
     if (n_below > 0 || by_frequency)
       solve(system, flexibility, n_below + 2, modes);
 
@@ -257,23 +269,23 @@ namespace vibrocontact
            modes.omega[n_kept] < modes.omega[n_kept - 1] * (1 + pair_tolerance))
       ++n_kept;
     if (by_frequency)
-      {
-        const unsigned int found =
+    {
+      const unsigned int found =
           std::count_if(modes.omega.begin(), modes.omega.end(), [&](double omega) { return omega < limit; });
-        if (found != n_rigid + n_below)
-          throw ConvergenceError("Body '" + system.body + "': " + std::to_string(found) + " modes found below " +
-                                 std::to_string(parameters.upper_frequency) + " Hz, but there are " +
-                                 std::to_string(n_rigid + n_below) + ".");
-      }
+      if (found != n_rigid + n_below)
+        throw ConvergenceError("Body '" + system.body + "': " + std::to_string(found) +
+                               " modes found below " + std::to_string(parameters.upper_frequency) +
+                               " Hz, but there are " + std::to_string(n_rigid + n_below) + ".");
+    }
     else
-      {
-        const double between = (modes.omega[n_kept - 1] + modes.omega[n_kept]) / 2;
-        const unsigned int expected = count_below(system, between, modes);
-        if (expected != n_kept)
-          throw ConvergenceError("Body '" + system.body + "': " + std::to_string(n_kept) + " modes found below " +
-                                 std::to_string(between / two_pi) + " Hz, but there are " + std::to_string(expected) +
-                                 ".");
-      }
+    {
+      const double between = (modes.omega[n_kept - 1] + modes.omega[n_kept]) / 2;
+      const unsigned int expected = count_below(system, between, modes);
+      if (expected != n_kept)
+        throw ConvergenceError("Body '" + system.body + "': " + std::to_string(n_kept) +
+                               " modes found below " + std::to_string(between / two_pi) +
+                               " Hz, but there are " + std::to_string(expected) + ".");
+    }
     modes.omega.resize(n_kept);
     modes.shapes.resize(n_kept);
     verify(system, modes);
@@ -288,10 +300,10 @@ namespace vibrocontact
       return zeta;
     Vector force(modes.shapes[0]);
     for (unsigned int i = modes.n_rigid_modes; i < zeta.size(); ++i)
-      {
-        system.loss_stiffness.vmult(force, modes.shapes[i]);
-        zeta[i] = (force * modes.shapes[i]) / (2 * modes.omega[i] * modes.omega[i]);
-      }
+    {
+      system.loss_stiffness.vmult(force, modes.shapes[i]);
+      zeta[i] = (force * modes.shapes[i]) / (2 * modes.omega[i] * modes.omega[i]);
+    }
     return zeta;
   }
 } // namespace vibrocontact

@@ -41,8 +41,7 @@ namespace vibrocontact
     class MirrorImages
     {
     public:
-      explicit MirrorImages(const SecondOrderSystem &system)
-        : communicator(system.communicator)
+      explicit MirrorImages(const SecondOrderSystem &system) : communicator(system.communicator)
       {
         std::vector<double> flat;
         for (const auto &p : system.dof_position)
@@ -58,35 +57,38 @@ namespace vibrocontact
         std::array<std::vector<Entry>, 3> entries;
         for (unsigned int i = 0; i < direction.size(); ++i)
           if (mass[i] > 0)
-            entries[direction[i]].emplace_back(dealii::Point<3>(flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]), i);
+            entries[direction[i]].emplace_back(
+                dealii::Point<3>(flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]), i);
         image.resize(direction.size(), 0);
         for (unsigned int d = 0; d < 3; ++d)
+        {
+          const auto tree = dealii::pack_rtree(entries[d]);
+          std::vector<Entry> nearest;
+          for (const auto &[place, i] : entries[d])
           {
-            const auto tree = dealii::pack_rtree(entries[d]);
-            std::vector<Entry> nearest;
-            for (const auto &[place, i] : entries[d])
-              {
-                nearest.clear();
-                tree.query(boost::geometry::index::nearest(dealii::Point<3>(-place[0], place[1], place[2]), 1),
-                           std::back_inserter(nearest));
-                image[i] = nearest[0].second;
-              }
+            nearest.clear();
+            tree.query(boost::geometry::index::nearest(dealii::Point<3>(-place[0], place[1], place[2]), 1),
+                       std::back_inserter(nearest));
+            image[i] = nearest[0].second;
           }
+        }
       }
 
-      // Angle by which the pair (a, b) is turned so that a becomes symmetric and b antisymmetric; the same on all ranks.
+      // Angle by which the pair (a, b) is turned so that a becomes symmetric and b antisymmetric; the same on
+      // all ranks.
       double angle(const Vector &a, const Vector &b) const
       {
-        const auto u = gather_on_host(local_values(a), communicator), v = gather_on_host(local_values(b), communicator);
+        const auto u = gather_on_host(local_values(a), communicator),
+                   v = gather_on_host(local_values(b), communicator);
         double saa = 0, sbb = 0, sab = 0;
         for (unsigned int i = 0; i < image.size(); ++i)
           if (mass[i] > 0)
-            {
-              const double w = direction[i] == 0 ? -mass[i] : mass[i];
-              saa += w * u[i] * u[image[i]];
-              sbb += w * v[i] * v[image[i]];
-              sab += w * (u[i] * v[image[i]] + v[i] * u[image[i]]) / 2;
-            }
+          {
+            const double w = direction[i] == 0 ? -mass[i] : mass[i];
+            saa += w * u[i] * u[image[i]];
+            sbb += w * v[i] * v[image[i]];
+            sab += w * (u[i] * v[image[i]] + v[i] * u[image[i]]) / 2;
+          }
         return dealii::Utilities::MPI::broadcast(communicator, std::atan2(2 * sab, saa - sbb) / 2);
       }
 
@@ -97,8 +99,10 @@ namespace vibrocontact
       std::vector<unsigned int> image;
     };
 
-    // A smooth field without symmetry; the sign of a shape is that of its projection on the first field that sees it.
-    double probe(const unsigned int field, const dealii::Point<3> &p, const unsigned char direction, const double size)
+    // A smooth field without symmetry; the sign of a shape is that of its projection on the first field that
+    // sees it.
+    double probe(const unsigned int field, const dealii::Point<3> &p, const unsigned char direction,
+                 const double size)
     {
       const double a = 1.7 + 2.3 * field;
       return std::sin(a * (1.31 * p[0] + 0.83 * p[1] + 1.97 * p[2]) / size + 0.7 + 1.1 * direction + field) +
@@ -109,24 +113,25 @@ namespace vibrocontact
   void orient_modes(const SecondOrderSystem &system, Modes &modes)
   {
     if (system.dof_position.size() != system.locally_owned.n_elements() || modes.shapes.empty())
-      {
-        AssertThrow(modes.shapes.empty(), dealii::ExcMessage("Body '" + system.body + "' does not say where its dofs are."));
-        return;
-      }
+    {
+      AssertThrow(modes.shapes.empty(),
+                  dealii::ExcMessage("Body '" + system.body + "' does not say where its dofs are."));
+      return;
+    }
     std::unique_ptr<MirrorImages> images;
     for (unsigned int i = modes.n_rigid_modes; i + 1 < modes.shapes.size(); ++i)
       if (modes.omega[i + 1] < modes.omega[i] * (1 + degenerate))
-        {
-          if (!images)
-            images = std::make_unique<MirrorImages>(system);
-          Vector &a = modes.shapes[i], &b = modes.shapes[i + 1];
-          const double angle = images->angle(a, b), c = std::cos(angle), s = std::sin(angle);
-          Vector turned(a);
-          turned.sadd(c, s, b);
-          b.sadd(c, -s, a);
-          a = turned;
-          ++i;
-        }
+      {
+        if (!images)
+          images = std::make_unique<MirrorImages>(system);
+        Vector &a = modes.shapes[i], &b = modes.shapes[i + 1];
+        const double angle = images->angle(a, b), c = std::cos(angle), s = std::sin(angle);
+        Vector turned(a);
+        turned.sadd(c, s, b);
+        b.sadd(c, -s, a);
+        a = turned;
+        ++i;
+      }
 
     double size = 0;
     for (const auto &p : system.dof_position)
@@ -136,26 +141,26 @@ namespace vibrocontact
     MatGetDiagonal(system.mass, diagonal);
     const auto mass = local_values(diagonal);
     for (auto &shape : modes.shapes)
+    {
+      const auto u = local_values(shape);
+      for (unsigned int field = 0; field < 20; ++field)
       {
-        const auto u = local_values(shape);
-        for (unsigned int field = 0; field < 20; ++field)
-          {
-            std::array<double, 3> sums{}; // projection, |probe|^2, |u|^2
-            for (unsigned int i = 0; i < u.size(); ++i)
-              {
-                const double g = probe(field, system.dof_position[i], system.dof_direction[i], size);
-                sums[0] += mass[i] * g * u[i];
-                sums[1] += mass[i] * g * g;
-                sums[2] += mass[i] * u[i] * u[i];
-              }
-            MPI_Allreduce(MPI_IN_PLACE, sums.data(), 3, MPI_DOUBLE, MPI_SUM, system.communicator);
-            if (std::abs(sums[0]) > 1e-4 * std::sqrt(sums[1] * sums[2]))
-              {
-                if (sums[0] < 0)
-                  shape *= -1;
-                break;
-              }
-          }
+        std::array<double, 3> sums{}; // projection, |probe|^2, |u|^2
+        for (unsigned int i = 0; i < u.size(); ++i)
+        {
+          const double g = probe(field, system.dof_position[i], system.dof_direction[i], size);
+          sums[0] += mass[i] * g * u[i];
+          sums[1] += mass[i] * g * g;
+          sums[2] += mass[i] * u[i] * u[i];
+        }
+        MPI_Allreduce(MPI_IN_PLACE, sums.data(), 3, MPI_DOUBLE, MPI_SUM, system.communicator);
+        if (std::abs(sums[0]) > 1e-4 * std::sqrt(sums[1] * sums[2]))
+        {
+          if (sums[0] < 0)
+            shape *= -1;
+          break;
+        }
       }
+    }
   }
 } // namespace vibrocontact

@@ -42,12 +42,12 @@ namespace vibrocontact
       dmumps_c(&mumps);
       const int info = entry(mumps.infog, 1);
       if (info < 0)
-        throw ConvergenceError("MUMPS failed in the " + std::string(what) + " of a matrix of " + std::to_string(n) +
-                               " dofs: INFOG(1) = " + std::to_string(info) +
+        throw ConvergenceError("MUMPS failed in the " + std::string(what) + " of a matrix of " +
+                               std::to_string(n) + " dofs: INFOG(1) = " + std::to_string(info) +
                                ", INFOG(2) = " + std::to_string(entry(mumps.infog, 2)) +
-                               (info == -10 ? " (the matrix is singular: is the body held?)." :
-                                info == -9 || info == -13 || info == -19 ? " (not enough memory)." :
-                                                                          "."));
+                               (info == -10 ? " (the matrix is singular: is the body held?)."
+                                : info == -9 || info == -13 || info == -19 ? " (not enough memory)."
+                                                                           : "."));
     }
 
     void collect_entries(Mat matrix, Mat mass, double shift, const std::vector<char> &is_fixed);
@@ -59,22 +59,23 @@ namespace vibrocontact
                                                                const std::vector<char> &is_fixed)
   {
     // MUMPS adds entries given twice: no need for equal patterns. Lower triangle only.
-    const auto add = [&](Mat source, const double factor) {
+    const auto add = [&](Mat source, const double factor)
+    {
       for (PetscInt row = begin; row < end; ++row)
-        {
-          PetscInt m = 0;
-          const PetscInt *c = nullptr;
-          const PetscScalar *v = nullptr;
-          MatGetRow(source, row, &m, &c, &v);
-          for (PetscInt k = 0; k < m; ++k)
-            if (c[k] == row || (c[k] < row && v[k] != 0 && !is_fixed[row] && !is_fixed[c[k]]))
-              {
-                rows.push_back(row + 1);
-                columns.push_back(c[k] + 1);
-                values.push_back(factor * v[k]);
-              }
-          MatRestoreRow(source, row, &m, &c, &v);
-        }
+      {
+        PetscInt m = 0;
+        const PetscInt *c = nullptr;
+        const PetscScalar *v = nullptr;
+        MatGetRow(source, row, &m, &c, &v);
+        for (PetscInt k = 0; k < m; ++k)
+          if (c[k] == row || (c[k] < row && v[k] != 0 && !is_fixed[row] && !is_fixed[c[k]]))
+          {
+            rows.push_back(row + 1);
+            columns.push_back(c[k] + 1);
+            values.push_back(factor * v[k]);
+          }
+        MatRestoreRow(source, row, &m, &c, &v);
+      }
     };
     add(matrix, 1);
     if (shift != 0)
@@ -86,9 +87,9 @@ namespace vibrocontact
   }
 
   SymmetricFactorization::SymmetricFactorization(const dealii::PETScWrappers::MatrixBase &matrix,
-                                                 const dealii::PETScWrappers::MatrixBase *mass, const double shift,
-                                                 const Options &options)
-    : implementation(std::make_unique<Implementation>())
+                                                 const dealii::PETScWrappers::MatrixBase *mass,
+                                                 const double shift, const Options &options)
+      : implementation(std::make_unique<Implementation>())
   {
     AssertThrow(shift == 0 || mass != nullptr, dealii::ExcInternalError());
     Implementation &my = *implementation;
@@ -121,10 +122,10 @@ namespace vibrocontact
     entry(mumps.icntl, 12) = 1;                // no compression of the graph
     entry(mumps.icntl, 14) = 30;               // workspace margin [%]
     if (!options.definite)
-      {
-        entry(mumps.icntl, 13) = 1; // no ScaLAPACK at the root: it does not count negative pivots
-        entry(mumps.icntl, 24) = 1; // null pivots are noticed
-      }
+    {
+      entry(mumps.icntl, 13) = 1; // no ScaLAPACK at the root: it does not count negative pivots
+      entry(mumps.icntl, 24) = 1; // null pivots are noticed
+    }
     if (!options.keep_factors)
       entry(mumps.icntl, 31) = 1;
 
@@ -133,16 +134,16 @@ namespace vibrocontact
     for (const unsigned int dof : schur_dofs)
       my.schur_list.push_back(dof + 1);
     if (!schur_dofs.empty())
+    {
+      entry(mumps.icntl, 19) = 1; // complement on the host, lower triangle by rows
+      mumps.size_schur = schur_dofs.size();
+      mumps.listvar_schur = my.schur_list.data();
+      if (my.is_host)
       {
-        entry(mumps.icntl, 19) = 1; // complement on the host, lower triangle by rows
-        mumps.size_schur = schur_dofs.size();
-        mumps.listvar_schur = my.schur_list.data();
-        if (my.is_host)
-          {
-            my.schur.reinit(schur_dofs.size(), schur_dofs.size());
-            mumps.schur = &my.schur(0, 0);
-          }
+        my.schur.reinit(schur_dofs.size(), schur_dofs.size());
+        mumps.schur = &my.schur(0, 0);
       }
+    }
 
     std::vector<char> is_fixed(my.n, 0);
     for (const auto dof : options.fixed_dofs)
@@ -161,27 +162,27 @@ namespace vibrocontact
     my.statistics.factor_entries = entries < 0 ? -1e6 * entries : entries;
     my.statistics.operations = entry(mumps.rinfog, 3);
     for (auto *triplets : {&my.rows, &my.columns, &my.position})
-      {
-        triplets->clear();
-        triplets->shrink_to_fit();
-      }
+    {
+      triplets->clear();
+      triplets->shrink_to_fit();
+    }
     my.values.clear();
     my.values.shrink_to_fit();
 
     if (!schur_dofs.empty() && my.is_host)
+    {
+      // What MUMPS writes by rows is the transposed of our storage by columns.
+      const unsigned int m = schur_dofs.size();
+      for (unsigned int i = 0; i < m; ++i)
+        for (unsigned int j = 0; j < i; ++j)
+          my.schur(i, j) = my.schur(j, i);
+      if (options.keep_factors && options.definite)
       {
-        // What MUMPS writes by rows is the transposed of our storage by columns.
-        const unsigned int m = schur_dofs.size();
-        for (unsigned int i = 0; i < m; ++i)
-          for (unsigned int j = 0; j < i; ++j)
-            my.schur(i, j) = my.schur(j, i);
-        if (options.keep_factors && options.definite)
-          {
-            my.schur_factor = my.schur;
-            my.schur_factor.set_property(dealii::LAPACKSupport::symmetric);
-            my.schur_factor.compute_cholesky_factorization();
-          }
+        my.schur_factor = my.schur;
+        my.schur_factor.set_property(dealii::LAPACKSupport::symmetric);
+        my.schur_factor.compute_cholesky_factorization();
       }
+    }
   }
 
   SymmetricFactorization::~SymmetricFactorization()
@@ -201,24 +202,24 @@ namespace vibrocontact
     if (m == 0)
       run(3, "solution");
     else
+    {
+      mumps.lredrhs = m;
+      if (is_host)
+        reduced.resize(static_cast<std::size_t>(m) * n_columns);
+      mumps.redrhs = reduced.data();
+      entry(mumps.icntl, 26) = 1;
+      run(3, "condensation");
+      if (is_host)
       {
-        mumps.lredrhs = m;
-        if (is_host)
-          reduced.resize(static_cast<std::size_t>(m) * n_columns);
-        mumps.redrhs = reduced.data();
-        entry(mumps.icntl, 26) = 1;
-        run(3, "condensation");
-        if (is_host)
-          {
-            DenseMatrix x(m, n_columns);
-            std::copy(reduced.begin(), reduced.end(), &x(0, 0));
-            schur_factor.solve(x);
-            std::copy_n(&x(0, 0), reduced.size(), reduced.begin());
-          }
-        entry(mumps.icntl, 26) = 2;
-        run(3, "expansion");
-        entry(mumps.icntl, 26) = 0;
+        DenseMatrix x(m, n_columns);
+        std::copy(reduced.begin(), reduced.end(), &x(0, 0));
+        schur_factor.solve(x);
+        std::copy_n(&x(0, 0), reduced.size(), reduced.begin());
       }
+      entry(mumps.icntl, 26) = 2;
+      run(3, "expansion");
+      entry(mumps.icntl, 26) = 0;
+    }
     statistics.n_solves += n_columns;
     statistics.seconds_solves += timer.wall_time();
   }

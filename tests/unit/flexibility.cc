@@ -1,4 +1,5 @@
-// Static flexibility: inertia relief against the closed form of the free bar, Schur complement against solves.
+// Static flexibility: inertia relief against the closed form of the free bar, Schur complement against
+// solves.
 
 #include "reduction_bodies.h"
 
@@ -40,7 +41,8 @@ namespace
     return (u * body.system->load) * 3 * model.material.young_modulus * area / parameters.length;
   }
 
-  double largest_difference(const DenseMatrix &a, const DenseMatrix &b, const std::vector<unsigned int> &columns)
+  double largest_difference(const DenseMatrix &a, const DenseMatrix &b,
+                            const std::vector<unsigned int> &columns)
   {
     double difference = 0, scale = 0;
     for (unsigned int j = 0; j < columns.size(); ++j)
@@ -74,7 +76,8 @@ TEST(FlexibilityMpi, SchurComplementAgainstSolves)
     Flexibility flexibility(*body.system);
     const std::vector<unsigned int> columns{0, 5, 11, 12, 20, 23, 24, 30, 33, 35};
     const DenseMatrix w = flexibility.contact_compliance();
-    EXPECT_LT(largest_difference(w, flexibility.contact_compliance_columns(columns, 4), columns), 1e-9) << free;
+    EXPECT_LT(largest_difference(w, flexibility.contact_compliance_columns(columns, 4), columns), 1e-9)
+        << free;
 
     // One right-hand side, against the product with the matrix itself.
     dealii::PETScWrappers::MPI::Vector f(body.system->locally_owned, body.system->communicator), u(f), r(f);

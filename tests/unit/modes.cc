@@ -67,8 +67,10 @@ TEST(Modes, CantileverAgainstClosedForms)
     return best;
   };
   EXPECT_LT(error_at(c / 4), 1e-6);
-  // Euler-Bernoulli, slenderness 25 and 20: shear takes off less than 0.5 % of the first, 3 % of the second bending mode.
-  const auto bending = [&](const double beta, const double h) { return beta * beta / (2 * pi) * c * h / std::sqrt(12.); };
+  // Euler-Bernoulli, slenderness 25 and 20: shear takes off less than 0.5 % of the first, 3 % of the second
+  // bending mode.
+  const auto bending = [&](const double beta, const double h)
+  { return beta * beta / (2 * pi) * c * h / std::sqrt(12.); };
   EXPECT_LT(error_at(bending(1.8751041, 0.04)), 5e-3);
   EXPECT_LT(error_at(bending(1.8751041, 0.05)), 5e-3);
   EXPECT_LT(error_at(bending(4.6940911, 0.04)), 3e-2);
@@ -85,7 +87,8 @@ TEST(ModesMpi, PairIsNotSplitAndTurned)
   ASSERT_EQ(modes.omega.size(), 2u);
   EXPECT_NEAR(modes.omega[1] / modes.omega[0], 1., 1e-9);
   // x and y displacements of the top
-  const auto a = contact_trace(body.system->trace, modes.shapes[0]), b = contact_trace(body.system->trace, modes.shapes[1]);
+  const auto a = contact_trace(body.system->trace, modes.shapes[0]),
+             b = contact_trace(body.system->trace, modes.shapes[1]);
   EXPECT_LT(std::abs(a[4]), 1e-5 * std::abs(a[8]));
   EXPECT_LT(std::abs(b[8]), 1e-5 * std::abs(b[4]));
 }
@@ -101,7 +104,8 @@ TEST(ModesMpi, OneRankAsTwo)
   for (unsigned int i = 0; i < a.omega.size(); ++i)
   {
     EXPECT_NEAR(a.omega[i] / b.omega[i], 1., 1e-10);
-    const auto u = contact_trace(together.system->trace, a.shapes[i]), v = contact_trace(alone.system->trace, b.shapes[i]);
+    const auto u = contact_trace(together.system->trace, a.shapes[i]),
+               v = contact_trace(alone.system->trace, b.shapes[i]);
     double difference = 0, scale = 0;
     for (unsigned int k = 0; k < u.size(); ++k)
     {

@@ -18,8 +18,8 @@ namespace reduction_test
     std::unique_ptr<vibrocontact::SecondOrderSystem> system;
   };
 
-  /// Contact points: the dofs of the top face nearest to the middle, one cell each; rows sum over two neighbouring nodes
-  /// so that the trace is more than a list of dofs.
+  /// Contact points: the dofs of the top face nearest to the middle, one cell each; rows sum over two
+  /// neighbouring nodes so that the trace is more than a list of dofs.
   inline void add_trace(vibrocontact::SecondOrderSystem &system, const unsigned int n_points)
   {
     using dealii::types::global_dof_index;
@@ -29,7 +29,8 @@ namespace reduction_test
     {
       const auto &p = system.dof_position[i];
       if (std::abs(p[2]) < 1e-12)
-        local[system.dof_direction[i]].emplace_back(std::hypot(p[0] - 1e-3, p[1] - 2e-3), system.locally_owned.nth_index_in_set(i));
+        local[system.dof_direction[i]].emplace_back(std::hypot(p[0] - 1e-3, p[1] - 2e-3),
+                                                    system.locally_owned.nth_index_in_set(i));
     }
     auto &trace = system.trace;
     trace.grid.n_x = n_points;
@@ -53,8 +54,9 @@ namespace reduction_test
     }
   }
 
-  inline Body make_body(const vibrocontact::BlockParameters &parameters, const vibrocontact::ElasticModel<3> &model,
-                        const MPI_Comm communicator, const unsigned int n_points, const unsigned int degree = 2)
+  inline Body make_body(const vibrocontact::BlockParameters &parameters,
+                        const vibrocontact::ElasticModel<3> &model, const MPI_Comm communicator,
+                        const unsigned int n_points, const unsigned int degree = 2)
   {
     vibrocontact::BodyMesh<3> mesh = vibrocontact::make_block<3>(parameters, "block", communicator);
     vibrocontact::ElasticModel<3> held = model;

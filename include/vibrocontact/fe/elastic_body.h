@@ -45,4 +45,8 @@ namespace vibrocontact
   /// Orthonormal basis of the rigid motions (3 in 2d, 6 in 3d) on the unconstrained dofs.
   template <int dim>
   std::vector<dealii::PETScWrappers::MPI::Vector> rigid_motions(const ElasticBody<dim> &body);
+
+  /// Fills dof_position and dof_direction of the body's system.
+  template <int dim>
+  void describe_dofs(const ElasticBody<dim> &body, SecondOrderSystem &system);
 } // namespace vibrocontact

@@ -9,20 +9,22 @@
 namespace vibrocontact
 {
   /// P_c U of a distributed vector, replicated; rows as contact_row() [m].
-  std::vector<double> contact_trace(const ContactTrace &trace, const dealii::PETScWrappers::MPI::Vector &displacement);
+  std::vector<double> contact_trace(const ContactTrace &trace,
+                                    const dealii::PETScWrappers::MPI::Vector &displacement);
 
-  /// The static flexibility G of a body, from one factorisation: static response, contact compliance, and the operator
-  /// of the modes' inverse iteration.
+  /// The static flexibility G of a body, from one factorisation: static response, contact compliance, and the
+  /// operator of the modes' inverse iteration.
   ///
   /// Held body:  G = K^-1.
   /// Free body, Phi_R its rigid modes (Phi_R^T M Phi_R = I):  inertia relief,
   ///     G = A^T K_c^+ A,   A = I - M Phi_R Phi_R^T,
-  /// A balances a load by the inertia of the rigid motion it causes; K_c^+ solves with just as many dofs fixed as there
-  /// are rigid motions, where then no reaction acts; A^T takes the rigid part out of the answer. G does not depend on the
-  /// dofs chosen, G M Phi_R = 0, and G = sum over elastic modes of phi phi^T / w^2: no shifted K is passed off as K^-1.
+  /// A balances a load by the inertia of the rigid motion it causes; K_c^+ solves with just as many dofs
+  /// fixed as there are rigid motions, where then no reaction acts; A^T takes the rigid part out of the
+  /// answer. G does not depend on the dofs chosen, G M Phi_R = 0, and G = sum over elastic modes of phi phi^T
+  /// / w^2: no shifted K is passed off as K^-1.
   ///
-  /// The Schur complement on the trace dofs comes with the factorisation, so that P_c G P_c^T needs no solves but those for
-  /// Phi_R. All members are collective.
+  /// The Schur complement on the trace dofs comes with the factorisation, so that P_c G P_c^T needs no solves
+  /// but those for Phi_R. All members are collective.
   class Flexibility
   {
   public:
@@ -37,7 +39,8 @@ namespace vibrocontact
     /// P_c G P_c^T, 3 n square [m/N], symmetric; replicated. By the Schur complement.
     DenseMatrix contact_compliance();
     /// The columns `rows` of P_c G P_c^T by blocked solves: the second method, for checks; replicated.
-    DenseMatrix contact_compliance_columns(const std::vector<unsigned int> &rows, unsigned int block_size = 64);
+    DenseMatrix contact_compliance_columns(const std::vector<unsigned int> &rows,
+                                           unsigned int block_size = 64);
 
     /// Phi_R, mass-orthonormal [1/sqrt(kg)]
     const std::vector<dealii::PETScWrappers::MPI::Vector> &rigid_modes() const { return phi; }

@@ -14,9 +14,9 @@ namespace vibrocontact
   ///   q'' + diag(2 zeta w) q' + diag(w^2) q = Phi^T F + Psi^T R,    Psi = P_c Phi
   ///   P_c U = lifting * u_hub + Psi q + W~ R + residual load response
   ///
-  /// with the residual flexibility W~ = P_c K^-1 P_c^T - Psi_e diag(w_e^-2) Psi_e^T over the elastic modes kept
-  /// (inertia-relief flexibility in place of K^-1 if the body is free). R acts on this body, global axes.
-  /// Half-spaces have no modes; their W~ is never formed (see half_space.h). Replicated on all ranks.
+  /// with the residual flexibility W~ = P_c K^-1 P_c^T - Psi_e diag(w_e^-2) Psi_e^T over the elastic modes
+  /// kept (inertia-relief flexibility in place of K^-1 if the body is free). R acts on this body, global
+  /// axes. Half-spaces have no modes; their W~ is never formed (see half_space.h). Replicated on all ranks.
   struct ReducedBody
   {
     std::string name;

@@ -12,15 +12,16 @@
 namespace vibrocontact
 {
   /// Sparse symmetric factorisation A = L D L^T by MUMPS, made once and used for everything that needs A^-1:
-  /// single solves, solves with many columns, the Schur complement on a few dofs, the number of negative eigenvalues.
+  /// single solves, solves with many columns, the Schur complement on a few dofs, the number of negative
+  /// eigenvalues.
   ///
-  /// MUMPS is called directly, not through PETSc: PETSc 3.18 refuses solves beside a Schur complement on more than one
-  /// rank, and Debian's MUMPS has no nested-dissection ordering; here METIS orders the nodes (dofs of equal pattern are
-  /// one vertex of its graph).
+  /// MUMPS is called directly, not through PETSc: PETSc 3.18 refuses solves beside a Schur complement on more
+  /// than one rank, and Debian's MUMPS has no nested-dissection ordering; here METIS orders the nodes (dofs
+  /// of equal pattern are one vertex of its graph).
   ///
-  /// With Schur dofs s and the others i:  S = A_ss - A_si A_ii^-1 A_is,  (A^-1)_ss = S^-1.  Solves use S too, so that
-  /// the complement costs nothing beside the factorisation.
-  /// Right-hand sides and solutions pass through rank 0 (2 MB per column of 258,000 dofs). All members are collective.
+  /// With Schur dofs s and the others i:  S = A_ss - A_si A_ii^-1 A_is,  (A^-1)_ss = S^-1.  Solves use S too,
+  /// so that the complement costs nothing beside the factorisation. Right-hand sides and solutions pass
+  /// through rank 0 (2 MB per column of 258,000 dofs). All members are collective.
   class SymmetricFactorization
   {
   public:
@@ -52,7 +53,8 @@ namespace vibrocontact
     /// Factorises A = matrix - shift * mass; `mass` may be null if shift = 0.
     /// @throws ConvergenceError if MUMPS fails (singular matrix, memory), with its codes.
     SymmetricFactorization(const dealii::PETScWrappers::MatrixBase &matrix,
-                           const dealii::PETScWrappers::MatrixBase *mass, double shift, const Options &options);
+                           const dealii::PETScWrappers::MatrixBase *mass, double shift,
+                           const Options &options);
     ~SymmetricFactorization();
     SymmetricFactorization(const SymmetricFactorization &) = delete;
     SymmetricFactorization &operator=(const SymmetricFactorization &) = delete;
