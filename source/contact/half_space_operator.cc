@@ -11,16 +11,18 @@ namespace vibrocontact
   {
     using Spectrum = std::vector<std::complex<double>>;
 
-    FourierProduct(const HalfSpaceRollingOperator &op)
-        : n_x(fast_size(2 * op.grid.n_x - 1)), n_y(fast_size(2 * op.grid.n_y - 1)), n_k(n_x / 2 + 1),
-          real(fftw_alloc_real(std::size_t(n_x) * n_y)),
+    /// @param points_x, points_y size of the rectangle of sources and targets
+    FourierProduct(const HalfSpaceRollingOperator &op, const unsigned int points_x,
+                   const unsigned int points_y)
+        : points_x(points_x), points_y(points_y), n_x(fast_size(2 * points_x - 1)),
+          n_y(fast_size(2 * points_y - 1)), n_k(n_x / 2 + 1), real(fftw_alloc_real(std::size_t(n_x) * n_y)),
           complex(reinterpret_cast<std::complex<double> *>(fftw_alloc_complex(std::size_t(n_k) * n_y))),
           forward(
               fftw_plan_dft_r2c_2d(n_y, n_x, real, reinterpret_cast<fftw_complex *>(complex), FFTW_ESTIMATE)),
           backward(
               fftw_plan_dft_c2r_2d(n_y, n_x, reinterpret_cast<fftw_complex *>(complex), real, FFTW_ESTIMATE))
     {
-      const int last_x = op.grid.n_x - 1, last_y = op.grid.n_y - 1;
+      const int last_x = points_x - 1, last_y = points_y - 1;
       const double scale = 1. / (double(n_x) * n_y);
       for (unsigned int k = 0; k < 9; ++k)
       {
@@ -41,16 +43,17 @@ namespace vibrocontact
       fftw_free(complex);
     }
 
-    void vmult(const ContactGrid &grid, DenseVector &y, const DenseVector &R)
+    /// @param first_x, first_y grid indices of the rectangle's first point
+    void vmult(const ContactGrid &grid, const unsigned int first_x, const unsigned int first_y,
+               DenseVector &y, const DenseVector &R)
     {
-      const unsigned int n = grid.n_points();
+      const unsigned int n = grid.n_points(), first = grid.index(first_x, first_y);
       const std::size_t n_spectrum = std::size_t(n_k) * n_y;
-      Spectrum force[3];
       for (unsigned int c = 0; c < 3; ++c)
       {
         std::fill(real, real + std::size_t(n_x) * n_y, 0.);
-        for (unsigned int j = 0; j < grid.n_y; ++j)
-          std::copy_n(R.begin() + c * n + j * grid.n_x, grid.n_x, real + std::size_t(j) * n_x);
+        for (unsigned int j = 0; j < points_y; ++j)
+          std::copy_n(R.begin() + c * n + first + j * grid.n_x, points_x, real + std::size_t(j) * n_x);
         fftw_execute(forward);
         force[c].assign(complex, complex + n_spectrum);
       }
@@ -60,10 +63,12 @@ namespace vibrocontact
           complex[k] = kernel[3 * c][k] * force[0][k] + kernel[3 * c + 1][k] * force[1][k] +
                        kernel[3 * c + 2][k] * force[2][k];
         fftw_execute(backward);
-        for (unsigned int j = 0; j < grid.n_y; ++j)
-          std::copy_n(real + std::size_t(j) * n_x, grid.n_x, y.begin() + c * n + j * grid.n_x);
+        for (unsigned int j = 0; j < points_y; ++j)
+          std::copy_n(real + std::size_t(j) * n_x, points_x, y.begin() + c * n + first + j * grid.n_x);
       }
     }
+
+    const unsigned int points_x, points_y;
 
   private:
     /// smallest even product of 2, 3, 5 that is not below n
@@ -84,7 +89,7 @@ namespace vibrocontact
     double *const real;
     std::complex<double> *const complex;
     const fftw_plan forward, backward;
-    Spectrum kernel[9];
+    Spectrum kernel[9], force[3];
   };
 
   namespace
@@ -144,9 +149,29 @@ namespace vibrocontact
     y.reinit(3 * n, true);
     if (std::size_t(9) * n * sources.size() < direct_below)
       return vmult_direct(y, R, sources);
-    if (!fourier)
-      fourier = std::make_unique<FourierProduct>(*this);
-    fourier->vmult(grid, y, R);
+    if (!whole)
+      whole = std::make_unique<FourierProduct>(*this, grid.n_x, grid.n_y);
+    whole->vmult(grid, 0, 0, y, R);
+  }
+
+  void HalfSpaceRollingOperator::vmult_among(DenseVector &y, const DenseVector &R,
+                                             const std::vector<unsigned int> &sources) const
+  {
+    if (sources.empty())
+      return;
+    unsigned int low_x = grid.n_x, high_x = 0, low_y = grid.n_y, high_y = 0;
+    for (const unsigned int point : sources)
+    {
+      low_x = std::min(low_x, point % grid.n_x);
+      high_x = std::max(high_x, point % grid.n_x);
+      low_y = std::min(low_y, point / grid.n_x);
+      high_y = std::max(high_y, point / grid.n_x);
+    }
+    if (!part || part->points_x != high_x - low_x + 1 || part->points_y != high_y - low_y + 1)
+      part = std::make_unique<FourierProduct>(*this, high_x - low_x + 1, high_y - low_y + 1);
+    if (y.size() != R.size())
+      y.reinit(R.size());
+    part->vmult(grid, low_x, low_y, y, R);
   }
 
   void HalfSpaceRollingOperator::vmult_direct(DenseVector &y, const DenseVector &R,

@@ -18,7 +18,7 @@ namespace vibrocontact
     public:
       Jacobian(const ContactProblem &problem, const ContactResidual &residual, const DenseVector &R,
                const DenseVector &y)
-          : problem(problem), n(problem.n_points()), rho_t(residual.rho_tangential)
+          : problem(problem), n(problem.n_points()), rho_t(residual.rho_tangential), dR(3 * n), dy(3 * n)
       {
         for (unsigned int i = 0; i < n; ++i)
         {
@@ -53,9 +53,9 @@ namespace vibrocontact
       /// dst = J src without forming J
       void vmult(DenseVector &dst, const DenseVector &src) const
       {
-        DenseVector dR(3 * n), dy(3 * n);
+        dR = 0;
         scatter(src, dR);
-        problem.A->vmult(dy, dR, points);
+        problem.A->vmult_among(dy, dR, points);
         const double d_approach = problem.force_given() ? src[3 * m()] * approach_scale() : 0;
         double sum = 0;
         for (unsigned int k = 0; k < m(); ++k)
@@ -129,10 +129,11 @@ namespace vibrocontact
       const unsigned int n;
       const double rho_t;
       std::vector<Row> rows;
+      mutable DenseVector dR, dy;
     };
 
     /// unknowns beyond which GMRES with fast products replaces the dense factorisation
-    constexpr unsigned int iterative_above = 1500;
+    constexpr unsigned int iterative_above = 700;
     constexpr unsigned int fixed_point_steps_in_fallback = 100;
 
     double merit(const ContactProblem &problem, const double residual, const DenseVector &R)
@@ -206,7 +207,7 @@ namespace vibrocontact
 
       if (problem.A->fast_product() && J.size() > iterative_above)
       {
-        dealii::SolverControl control(400, 1e-3 * rhs.l2_norm());
+        dealii::SolverControl control(400, std::clamp(0.1 * s.residual, 1e-4, 3e-2) * rhs.l2_norm());
         dealii::SolverGMRES<DenseVector>::AdditionalData data(102);
         dealii::SolverGMRES<DenseVector> gmres(control, data);
         DenseVector step(J.size());

@@ -22,6 +22,12 @@ namespace vibrocontact
     /// y = A R; sources: the points where R is not zero (a hint, everything else is taken as zero)
     virtual void vmult(DenseVector &y, const DenseVector &R,
                        const std::vector<unsigned int> &sources) const = 0;
+    /// the same, but y is only meaningful at the sources themselves; what iterative solvers call
+    virtual void vmult_among(DenseVector &y, const DenseVector &R,
+                             const std::vector<unsigned int> &sources) const
+    {
+      vmult(y, R, sources);
+    }
     /// A restricted to some points, 3 m square, rows and columns (normal of all, x of all, y of all)
     virtual void extract(const std::vector<unsigned int> &points, DenseMatrix &block) const = 0;
     /// mean of the diagonal entries of a component's own block
@@ -59,6 +65,9 @@ namespace vibrocontact
     void extract(const std::vector<unsigned int> &points, DenseMatrix &block) const override;
     double mean_diagonal(unsigned int component) const override;
     bool fast_product() const override { return true; }
+    /// FFT over the rectangle that just holds the sources
+    void vmult_among(DenseVector &y, const DenseVector &R,
+                     const std::vector<unsigned int> &sources) const override;
 
   private:
     struct FourierProduct;
@@ -75,7 +84,8 @@ namespace vibrocontact
     unsigned int width;
     /// kernels[3 row + column][offset], offsets (target - source) from -(n - 1) to n - 1 in both directions
     std::vector<double> kernels[9];
-    mutable std::unique_ptr<FourierProduct> fourier;
+    /// transforms of the kernels for the whole grid and for the last rectangle of vmult_among
+    mutable std::unique_ptr<FourierProduct> whole, part;
   };
 
   /// Displacement compliance of two half-spaces on a grid as a dense matrix, 3 n square [m/N].

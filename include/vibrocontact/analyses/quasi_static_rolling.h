@@ -1,0 +1,77 @@
+#pragma once
+
+#include <vibrocontact/contact/contact_solver.h>
+#include <vibrocontact/contact/interface.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// `subsection Rolling`: load and kinematics of steady rolling, and what is swept.
+  struct RollingParameters
+  {
+    /// exactly one of the two is given, the other is empty: resultant normal force [N], downward displacement
+    /// of the hub (the approach of two half-spaces) [m]
+    std::string normal_force, hub_displacement;
+    Creepage creepage;
+
+    /// Values of the sweep; an empty list leaves the entry at its single value. Each of the first five lists
+    /// is a curve of its own, the other entries staying at their single values; frictions repeat every curve.
+    struct Sweep
+    {
+      std::vector<double> longitudinal, lateral, spin, normal_force, hub_displacement, friction;
+    } sweep;
+
+    void declare_parameters(dealii::ParameterHandler &prm);
+    /// @throws InputError for combinations that make no sense
+    void check() const;
+  };
+
+  /// What to solve for one case.
+  struct RollingCase
+  {
+    /// the swept entry, e.g. "Lateral creepage"; "single" without a sweep
+    std::string curve;
+    Creepage creepage;
+    double friction = 0;
+    /// one of the two is zero [N], [m]
+    double normal_force = 0, hub_displacement = 0;
+  };
+
+  /// Cases of a run in the order in which they are solved: curve by curve, each friction from its first to
+  /// its last value.
+  std::vector<RollingCase> rolling_cases(const RollingParameters &rolling, const ContactParameters &contact);
+
+  /// Resultants of one case; forces and moment act on body 1.
+  struct RollingResult
+  {
+    RollingCase rolling_case;
+    ContactSolution solution;
+    double normal_force = 0;
+    double tangential_force[2] = {0, 0};
+    /// sum x Ty - y Tx about the nominal contact point [Nm]
+    double spin_moment = 0;
+    /// |Ft| / (mu N); zero without friction
+    double utilisation = 0;
+    /// approach less the smallest undeformed gap [m]
+    double approach = 0;
+    double max_pressure = 0;
+    unsigned int contact_points = 0, stick_points = 0, slip_points = 0;
+  };
+
+  /// Quasi-static rolling (Lai et al. 2018, section 4.1, Eq. 15): normal and tangential contact fully
+  /// coupled, the solution of one case being the start of the next of its curve.
+  ///
+  /// @param operator_at makes the contact operator for a rolling speed; called once, all cases share it
+  /// @param finished called after each case, in order, whether it converged or not
+  /// @throws InputError if the contact reaches the edge of the grid
+  std::vector<RollingResult>
+  quasi_static_rolling(const RollingParameters &rolling, const ContactParameters &contact,
+                       const ContactSolverParameters &solver, const ContactInterface &interface,
+                       const std::function<std::shared_ptr<const ContactOperator>(double speed)> &operator_at,
+                       const std::function<void(const RollingResult &)> &finished);
+} // namespace vibrocontact

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vibrocontact/contact/contact_problem.h>
+#include <vibrocontact/contact/creep.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace vibrocontact
+{
+  /// `subsection Contact`: where the two bodies of a scene may touch, and by which laws.
+  struct ContactParameters
+  {
+    /// mu [-]
+    double friction = 0.3;
+    /// spacing of the contact points along x and y [m]
+    double spacing = 1e-3;
+    /// the grid covers at least [-half_length, half_length] x [-half_width, half_width] [m]
+    double half_length = 10e-3, half_width = 8e-3;
+    /// shift of the grid against the nominal contact point, in spacings [-]
+    double offset_x = 0, offset_y = 0;
+    /// lateral position of the nominal contact point on body 1 (wheel section) and on body 2 (from the rail's
+    /// axis) [m]
+    double lateral_position = 0, lateral_position_on_body_2 = 0;
+    std::string creep_scheme = "second-order upwind";
+    /// how tractions are spread over the bodies' elements: "lumped" or "consistent"
+    std::string quadrature = "lumped";
+    std::string normal_law = "signorini";
+    /// exponential penalty only: a [N], alpha [1/m]
+    double penalty_amplitude = 1e8, penalty_exponent = 50;
+
+    void declare_parameters(dealii::ParameterHandler &prm);
+    /// Grid with a point on the nominal contact point (offset zero).
+    ContactGrid grid() const;
+  };
+
+  /// Geometry of the contact between two bodies on one grid.
+  struct ContactInterface
+  {
+    ContactGrid grid;
+    /// undeformed gap, surface of body 1 above that of body 2; n [m]
+    std::vector<double> gap;
+    /// jump (body 1 minus body 2) of the contact displacements under loads on the bodies; 3 n [m], empty
+    /// without loads
+    DenseVector load_jump;
+  };
+
+  /// y = A R of two half-spaces in steady rolling (what CONTACT models).
+  std::shared_ptr<const ContactOperator> rolling_operator(const ContactGrid &grid, const HalfSpacePair &pair,
+                                                          const CreepScheme &scheme, double speed);
+
+  /// y = A R of any two bodies in steady rolling: compliance is the sum of both bodies' contact compliances,
+  /// 3 n square [m/N] (errata: A_n = (P_c K^-1 P_c^T)_n, A_t = V d/dx (P_c K^-1 P_c^T)_t).
+  std::shared_ptr<const ContactOperator> rolling_operator(const ContactGrid &grid, DenseMatrix compliance,
+                                                          const CreepScheme &scheme, double speed);
+
+  /// The contact problem of steady rolling; neither force nor approach is set yet.
+  ContactProblem rolling_problem(std::shared_ptr<const ContactOperator> A, const ContactInterface &interface,
+                                 const CreepScheme &scheme, const Creepage &creepage,
+                                 const ContactParameters &parameters);
+
+  /// Refuses a contact that fills the grid: two free columns upstream (more if the scheme looks further), one
+  /// row or column on the other sides.
+  /// @throws InputError naming the side and the entry to enlarge
+  void check_contact_in_grid(const ContactGrid &grid, const std::vector<ContactStatus> &status);
+} // namespace vibrocontact

@@ -1,0 +1,182 @@
+#include <vibrocontact/analyses/quasi_static_rolling.h>
+#include <vibrocontact/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  void RollingParameters::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    const auto list = [](const double low) { return List(Double(low), 0, 10000); };
+    prm.add_parameter("Normal force", normal_force,
+                      "Resultant normal force, or empty if the hub displacement is given. Units: N.",
+                      Anything());
+    prm.add_parameter(
+        "Hub displacement", hub_displacement,
+        "Downward displacement of the hub of body 1 (approach of half-spaces) from first touch, or empty "
+        "if the normal force is given. Units: m.",
+        Anything());
+    prm.add_parameter("Speed", creepage.speed, "Rolling speed. Units: m/s.", Double(1e-6, 1000));
+    prm.add_parameter("Longitudinal creepage", creepage.longitudinal,
+                      "Velocity of body 1 minus body 2 along x over the speed. Units: none.", Double(-1, 1));
+    prm.add_parameter("Lateral creepage", creepage.lateral,
+                      "Velocity of body 1 minus body 2 along y over the speed. Units: none.", Double(-1, 1));
+    prm.add_parameter("Spin", creepage.spin,
+                      "Rotation of body 1 against body 2 about +z over the speed. Units: 1/m.",
+                      Double(-1000, 1000));
+    prm.enter_subsection("Sweep");
+    prm.add_parameter("Longitudinal creepage", sweep.longitudinal, "Values of a creep curve. Units: none.",
+                      list(-1));
+    prm.add_parameter("Lateral creepage", sweep.lateral, "Values of a creep curve. Units: none.", list(-1));
+    prm.add_parameter("Spin", sweep.spin, "Values of a creep curve. Units: 1/m.", list(-1000));
+    prm.add_parameter("Normal force", sweep.normal_force, "Values of a load curve. Units: N.", list(0));
+    prm.add_parameter("Hub displacement", sweep.hub_displacement, "Values of a load curve. Units: m.",
+                      list(-1));
+    prm.add_parameter("Friction coefficient", sweep.friction,
+                      "Every curve is repeated for these. Units: none.", list(0));
+    prm.leave_subsection();
+  }
+
+  namespace
+  {
+    double load(const std::string &text, const std::string &entry)
+    {
+      if (text.empty())
+        return 0;
+      std::size_t end = 0;
+      double value = 0;
+      try
+      {
+        value = std::stod(text, &end);
+      }
+      catch (const std::exception &)
+      {
+        end = std::string::npos;
+      }
+      if (end != text.size() || !(value > 0) || !std::isfinite(value))
+        throw InputError("Entry Rolling/" + entry + " is '" + text +
+                         "', but it must be a positive number or empty.");
+      return value;
+    }
+  } // namespace
+
+  void RollingParameters::check() const
+  {
+    const bool force = load(normal_force, "Normal force") > 0 || !sweep.normal_force.empty();
+    const bool displacement =
+        load(hub_displacement, "Hub displacement") > 0 || !sweep.hub_displacement.empty();
+    if (force && displacement)
+      throw InputError(
+          "Section Rolling gives both a normal force and a hub displacement: empty one of them.");
+    if (!force && !displacement)
+      throw InputError(
+          "Section Rolling gives neither a normal force nor a hub displacement: set one of them.");
+    for (const double value : sweep.normal_force)
+      if (!(value > 0))
+        throw InputError("Entry Rolling/Sweep/Normal force lists a force that is not positive.");
+  }
+
+  std::vector<RollingCase> rolling_cases(const RollingParameters &rolling, const ContactParameters &contact)
+  {
+    RollingCase base;
+    base.curve = "single";
+    base.creepage = rolling.creepage;
+    base.friction = contact.friction;
+    base.normal_force = load(rolling.normal_force, "Normal force");
+    base.hub_displacement = load(rolling.hub_displacement, "Hub displacement");
+
+    const std::vector<double> frictions =
+        rolling.sweep.friction.empty() ? std::vector<double>{contact.friction} : rolling.sweep.friction;
+    std::vector<RollingCase> cases;
+    const auto add_curve = [&](const std::string &name, const std::vector<double> &values,
+                               const std::function<void(RollingCase &, double)> &set)
+    {
+      for (const double friction : values.empty() ? std::vector<double>() : frictions)
+        for (const double value : values)
+        {
+          RollingCase one = base;
+          one.curve = name;
+          one.friction = friction;
+          set(one, value);
+          cases.push_back(one);
+        }
+    };
+    const RollingParameters::Sweep &sweep = rolling.sweep;
+    add_curve("Longitudinal creepage", sweep.longitudinal,
+              [](RollingCase &c, const double value) { c.creepage.longitudinal = value; });
+    add_curve("Lateral creepage", sweep.lateral,
+              [](RollingCase &c, const double value) { c.creepage.lateral = value; });
+    add_curve("Spin", sweep.spin, [](RollingCase &c, const double value) { c.creepage.spin = value; });
+    add_curve("Normal force", sweep.normal_force,
+              [](RollingCase &c, const double value) { c.normal_force = value; });
+    add_curve("Hub displacement", sweep.hub_displacement,
+              [](RollingCase &c, const double value) { c.hub_displacement = value; });
+    if (cases.empty())
+      add_curve(rolling.sweep.friction.empty() ? "single" : "Friction coefficient", {0.},
+                [](RollingCase &, double) {});
+    return cases;
+  }
+
+  namespace
+  {
+    RollingResult resultants(const RollingCase &rolling_case, const ContactInterface &interface,
+                             ContactSolution solution)
+    {
+      const ContactGrid &grid = interface.grid;
+      const unsigned int n = grid.n_points();
+      RollingResult result;
+      result.rolling_case = rolling_case;
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        const double N = solution.R[i], Tx = solution.R[n + i], Ty = solution.R[2 * n + i];
+        result.normal_force += N;
+        result.tangential_force[0] += Tx;
+        result.tangential_force[1] += Ty;
+        result.spin_moment += grid.x(i) * Ty - grid.y(i) * Tx;
+        result.max_pressure = std::max(result.max_pressure, N / grid.cell_area());
+        result.stick_points += solution.status[i] == ContactStatus::stick;
+        result.slip_points += solution.status[i] == ContactStatus::slip;
+      }
+      result.contact_points = result.stick_points + result.slip_points;
+      const double bound = rolling_case.friction * result.normal_force;
+      result.utilisation =
+          bound > 0 ? std::hypot(result.tangential_force[0], result.tangential_force[1]) / bound : 0;
+      result.approach = solution.approach - *std::min_element(interface.gap.begin(), interface.gap.end());
+      result.solution = std::move(solution);
+      return result;
+    }
+  } // namespace
+
+  std::vector<RollingResult>
+  quasi_static_rolling(const RollingParameters &rolling, const ContactParameters &contact,
+                       const ContactSolverParameters &solver_parameters, const ContactInterface &interface,
+                       const std::function<std::shared_ptr<const ContactOperator>(double)> &operator_at,
+                       const std::function<void(const RollingResult &)> &finished)
+  {
+    const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
+    const std::shared_ptr<const ContactOperator> A = operator_at(rolling.creepage.speed);
+    const std::unique_ptr<ContactSolver> solver = create_contact_solver(solver_parameters);
+    std::vector<RollingResult> results;
+    for (const RollingCase &one : rolling_cases(rolling, contact))
+    {
+      ContactParameters laws = contact;
+      laws.friction = one.friction;
+      ContactProblem problem = rolling_problem(A, interface, scheme, one.creepage, laws);
+      problem.normal_force = one.normal_force;
+      problem.approach = one.hub_displacement;
+      const bool continues = !results.empty() && results.back().rolling_case.curve == one.curve &&
+                             results.back().rolling_case.friction == one.friction &&
+                             results.back().solution.converged;
+      ContactSolution solution =
+          solver->solve(problem, continues ? results.back().solution : ContactSolution());
+      if (continues && !solution.converged)
+        solution = solver->solve(problem, {});
+      check_contact_in_grid(interface.grid, solution.status);
+      results.push_back(resultants(one, interface, std::move(solution)));
+      finished(results.back());
+    }
+    return results;
+  }
+} // namespace vibrocontact

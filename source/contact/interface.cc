@@ -1,0 +1,125 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/interface.h>
+
+#include <cmath>
+
+namespace vibrocontact
+{
+  void ContactParameters::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add_parameter("Friction coefficient", friction, "Coulomb's mu, constant. Units: none.",
+                      Double(0, 10));
+    prm.add_parameter("Grid spacing", spacing, "Distance of the contact points along x and y. Units: m.",
+                      Double(1e-6, 0.1));
+    prm.add_parameter("Half length", half_length,
+                      "The grid of potential contact covers x from minus this to plus this. Units: m.",
+                      Double(1e-6, 1));
+    prm.add_parameter("Half width", half_width,
+                      "The grid of potential contact covers y from minus this to plus this. Units: m.",
+                      Double(1e-6, 1));
+    prm.add_parameter("Offset x", offset_x,
+                      "Shift of the grid against the nominal contact point, in grid spacings. Units: none.",
+                      Double(-0.5, 0.5));
+    prm.add_parameter("Offset y", offset_y,
+                      "Shift of the grid against the nominal contact point, in grid spacings. Units: none.",
+                      Double(-0.5, 0.5));
+    prm.add_parameter("Lateral position", lateral_position,
+                      "Lateral coordinate of the nominal contact point in the section of body 1. Units: m.",
+                      Double(-1, 1));
+    prm.add_parameter("Lateral position on body 2", lateral_position_on_body_2,
+                      "Lateral coordinate of the nominal contact point in the section of body 2. Units: m.",
+                      Double(-1, 1));
+    std::string schemes;
+    for (const CreepScheme &scheme : creep_schemes())
+      schemes += (schemes.empty() ? "" : "|") + scheme.name;
+    prm.add_parameter("Creep scheme", creep_scheme,
+                      "Upwind difference of the convective part of the slip. Units: none.",
+                      Selection(schemes));
+    prm.add_parameter(
+        "Quadrature", quadrature,
+        "Traction constant on each contact cell (lumped) or bilinear between the contact points "
+        "(consistent); meshed bodies only. Units: none.",
+        Selection("lumped|consistent"));
+    std::string laws;
+    for (const NormalLawEntry &law : normal_laws())
+      laws += (laws.empty() ? "" : "|") + law.name;
+    prm.add_parameter("Normal law", normal_law, "Law between gap and normal force. Units: none.",
+                      Selection(laws));
+    prm.add_parameter("Penalty amplitude", penalty_amplitude,
+                      "Force scale of the exponential penalty, per contact point. Units: N.", Double(1e-300));
+    prm.add_parameter("Penalty exponent", penalty_exponent,
+                      "Exponent of the exponential penalty. Units: 1/m.", Double(1e-300));
+  }
+
+  ContactGrid ContactParameters::grid() const
+  {
+    const auto half = [&](const double extent) -> unsigned int { return std::ceil(extent / spacing - 1e-6); };
+    const unsigned int n_x = half(half_length), n_y = half(half_width);
+    ContactGrid grid;
+    grid.n_x = 2 * n_x + 1;
+    grid.n_y = 2 * n_y + 1;
+    grid.spacing_x = grid.spacing_y = spacing;
+    grid.x_first = (offset_x - n_x) * spacing;
+    grid.y_first = (offset_y - n_y) * spacing;
+    return grid;
+  }
+
+  std::shared_ptr<const ContactOperator> rolling_operator(const ContactGrid &grid, const HalfSpacePair &pair,
+                                                          const CreepScheme &scheme, const double speed)
+  {
+    return std::make_shared<HalfSpaceRollingOperator>(grid, pair, scheme, speed);
+  }
+
+  std::shared_ptr<const ContactOperator> rolling_operator(const ContactGrid &grid, DenseMatrix compliance,
+                                                          const CreepScheme &scheme, const double speed)
+  {
+    convert_to_slip_rows(grid, scheme, speed, compliance);
+    return std::make_shared<DenseContactOperator>(std::move(compliance));
+  }
+
+  ContactProblem rolling_problem(std::shared_ptr<const ContactOperator> A, const ContactInterface &interface,
+                                 const CreepScheme &scheme, const Creepage &creepage,
+                                 const ContactParameters &parameters)
+  {
+    const unsigned int n = interface.grid.n_points();
+    ContactProblem problem;
+    problem.A = std::move(A);
+    problem.b = rigid_slip(interface.grid, creepage);
+    std::copy(interface.gap.begin(), interface.gap.end(), problem.b.begin());
+    if (interface.load_jump.size() > 0)
+    {
+      DenseMatrix jump(3 * n, 1);
+      std::copy(interface.load_jump.begin(), interface.load_jump.end(), &jump(0, 0));
+      convert_to_slip_rows(interface.grid, scheme, creepage.speed, jump);
+      for (unsigned int i = 0; i < 3 * n; ++i)
+        problem.b[i] += jump(i, 0);
+    }
+    problem.mu.assign(n, parameters.friction);
+    problem.normal_law =
+        create_normal_law(parameters.normal_law, parameters.penalty_amplitude, parameters.penalty_exponent);
+    return problem;
+  }
+
+  void check_contact_in_grid(const ContactGrid &grid, const std::vector<ContactStatus> &status)
+  {
+    constexpr unsigned int free_upstream = 2;
+    const std::string larger_x = "enlarge Contact/Half length", larger_y = "enlarge Contact/Half width";
+    for (unsigned int point = 0; point < grid.n_points(); ++point)
+    {
+      if (status[point] == ContactStatus::open)
+        continue;
+      const unsigned int i = point % grid.n_x, j = point / grid.n_x;
+      if (i < free_upstream)
+        throw InputError("The contact reaches the upstream side of the contact grid (x = " +
+                         std::to_string(grid.x(point)) +
+                         " m), where two columns must stay free: " + larger_x + " or lower the load.");
+      if (i + 1 == grid.n_x)
+        throw InputError("The contact reaches the downstream side of the contact grid (x = " +
+                         std::to_string(grid.x(point)) + " m): " + larger_x + " or lower the load.");
+      if (j == 0 || j + 1 == grid.n_y)
+        throw InputError("The contact reaches the lateral side of the contact grid (y = " +
+                         std::to_string(grid.y(point)) + " m): " + larger_y + " or lower the load.");
+    }
+  }
+} // namespace vibrocontact
