@@ -6,8 +6,8 @@ namespace vibrocontact
   const std::vector<CreepScheme> &creep_schemes()
   {
     static const std::vector<CreepScheme> table = {
-        {"first-order upwind", "difference over one cell, as CONTACT does", {1., -1.}},
-        {"second-order upwind", "one-sided three-point difference", {1.5, -2., 0.5}}};
+        {"first-order upwind", "difference over one cell, as CONTACT does", {1., -1.}, 1. / 6.},
+        {"second-order upwind", "one-sided three-point difference", {1.5, -2., 0.5}, 0.}};
     return table;
   }
 
@@ -23,14 +23,16 @@ namespace vibrocontact
     throw InputError("There is no creep scheme called '" + name + "'; the known ones are: " + known + ".");
   }
 
-  DenseVector rigid_slip(const ContactGrid &grid, const Creepage &creepage)
+  DenseVector rigid_slip(const ContactGrid &grid, const CreepScheme &scheme, const Creepage &creepage)
   {
     const unsigned int n = grid.n_points();
     DenseVector slip(3 * n);
     for (unsigned int i = 0; i < n; ++i)
     {
       slip[contact_row(n, 1, i)] = creepage.speed * (creepage.longitudinal - creepage.spin * grid.y(i));
-      slip[contact_row(n, 2, i)] = creepage.speed * (creepage.lateral + creepage.spin * grid.x(i));
+      slip[contact_row(n, 2, i)] =
+          creepage.speed *
+          (creepage.lateral + creepage.spin * (grid.x(i) - scheme.spin_shift * grid.spacing_x));
     }
     return slip;
   }

@@ -85,7 +85,7 @@ namespace vibrocontact
     const unsigned int n = interface.grid.n_points();
     ContactProblem problem;
     problem.A = std::move(A);
-    problem.b = rigid_slip(interface.grid, creepage);
+    problem.b = rigid_slip(interface.grid, scheme, creepage);
     std::copy(interface.gap.begin(), interface.gap.end(), problem.b.begin());
     if (interface.load_jump.size() > 0)
     {

@@ -31,6 +31,9 @@ namespace vibrocontact
     std::string name, help;
     /// d/dx u(x_i) = sum_k coefficients[k] u(x_i - k h) / h
     std::vector<double> coefficients;
+    /// the spin's lateral slip is taken this many spacings upstream of the point; CONTACT's correction of the
+    /// first-order scheme is one sixth
+    double spin_shift;
     /// columns that the scheme looks upstream
     unsigned int reach() const { return coefficients.size() - 1; }
   };
@@ -42,7 +45,7 @@ namespace vibrocontact
   const CreepScheme &find_creep_scheme(const std::string &name);
 
   /// Rigid part of the slip at all points of a grid, y = (0, s_x, s_y) by contact_row(); 3 n [m/s].
-  DenseVector rigid_slip(const ContactGrid &grid, const Creepage &creepage);
+  DenseVector rigid_slip(const ContactGrid &grid, const CreepScheme &scheme, const Creepage &creepage);
 
   /// Replaces the tangential rows of a displacement compliance (3 n square, [m/N]) by slip rows V d/dx [m/(s
   /// N)]. In the first columns, where the stencil leaves the grid, lower-order differences are used; such
