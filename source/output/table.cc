@@ -1,0 +1,52 @@
+#include <vibrocontact/output/atomic_file.h>
+#include <vibrocontact/output/table.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace vibrocontact
+{
+  Table::Table(const std::vector<std::string> &columns, const std::vector<std::string> &comments)
+      : columns(columns)
+  {
+    for (const auto &comment : comments)
+      content += "# " + comment + "\n";
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      content += (i ? "," : "") + columns[i];
+    content += "\n";
+  }
+
+  void Table::add_row(const std::vector<Cell> &cells)
+  {
+    AssertThrow(cells.size() == columns.size(), dealii::ExcDimensionMismatch(cells.size(), columns.size()));
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      if (i)
+        content += ",";
+      if (const auto *number = std::get_if<double>(&cells[i]))
+      {
+        AssertThrow(std::isfinite(*number),
+                    dealii::ExcMessage("column " + columns[i] +
+                                       " of a result table got a number that is not finite"));
+        char digits[32];
+        std::snprintf(digits, sizeof digits, "%.17g", *number);
+        content += digits;
+      }
+      else
+      {
+        // A label such as axial(0,2) contains the separator.
+        const std::string &label = std::get<std::string>(cells[i]);
+        content += label.find(',') == std::string::npos ? label : '"' + label + '"';
+      }
+    }
+    content += "\n";
+    ++rows;
+  }
+
+  void Table::write(const std::string &file_name) const
+  {
+    write_file(file_name, content);
+  }
+} // namespace vibrocontact
