@@ -1,8 +1,33 @@
-#include <vibrocontact/base/version.h>
+#include <vibrocontact/base/blas.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/fault.h>
+#include <vibrocontact/run.h>
 
-#include <iostream>
+#include <deal.II/base/mpi.h>
 
-int main()
+int main(int argc, char **argv)
 {
-  std::cout << "vibrocontact " << vibrocontact::version() << "\n";
+  using namespace vibrocontact;
+  setlocale(LC_ALL, "C");
+  // PETSc would take --help and --version for its own: it gets no arguments.
+  int n_arguments = 1;
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(n_arguments, argv, 1);
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  set_one_blas_thread();
+  try
+  {
+    return run(read_command_line(argc, argv));
+  }
+  catch (const InputError &error)
+  {
+    return leave_together(1, error.what());
+  }
+  catch (const ConvergenceError &error)
+  {
+    return leave_together(2, error.what());
+  }
+  catch (const std::exception &error)
+  {
+    return leave_together(3, std::string("fault of the program: ") + error.what());
+  }
 }

@@ -60,7 +60,8 @@ namespace vibrocontact
     catch (const options::unknown_option &error)
     {
       std::vector<std::string> names;
-      for (const auto &option : visible_options().options())
+      const options::options_description visible = visible_options();
+      for (const auto &option : visible.options())
         names.push_back("--" + option->long_name());
       std::string name = error.get_option_name();
       name = name.substr(0, name.find('='));

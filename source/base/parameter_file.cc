@@ -209,6 +209,31 @@ namespace vibrocontact
     return text.file_name.empty() ? section_text(path) : text.file_name + ", " + section_text(path);
   }
 
+  std::string ParameterFile::located(const std::string &message) const
+  {
+    if (text.file_name.empty() || message.find(text.file_name) != std::string::npos ||
+        message.compare(0, 5, "--set") == 0)
+      return message;
+    // The entry, or else the section, that the message names; the longest path wins.
+    std::string found, front = text.file_name + ": ";
+    const auto consider = [&](const std::string &path, const std::string &location)
+    {
+      if (path.size() > found.size() && message.find(path) != std::string::npos)
+      {
+        found = path;
+        front = location + ": ";
+      }
+    };
+    for (const auto &section : text.sections)
+      consider(section.path, text.file_name + ":" + std::to_string(section.line));
+    for (const auto &entry : text.entries)
+      if (!find_option(entry.section, entry.name))
+        consider(joined_path(entry.section, entry.name), location(entry));
+    for (const auto &option : options)
+      consider(joined_path(option.section, option.name), location(option));
+    return front + message;
+  }
+
   bool ParameterFile::is_given(const std::string &section, const std::string &entry) const
   {
     return find_option(section, entry) || text.find(section, entry);

@@ -43,6 +43,9 @@ namespace vibrocontact
     std::string where(const std::string &section, const std::string &entry) const;
     /// Where a section begins: `file.prm:12, section wheel`.
     std::string where_section(const std::string &path) const;
+    /// A message that names an entry by its path ("wheel/Material/Density is -1: ...") with file and line in
+    /// front, for checks that do not know the file. Messages that say where already are left alone.
+    std::string located(const std::string &message) const;
     /// Whether the file or an option gives this entry, and whether an option does.
     bool is_given(const std::string &section, const std::string &entry) const;
     bool is_given_by_option(const std::string &section, const std::string &entry) const;

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace vibrocontact
+{
+  /// `subsection Output`.
+  struct OutputParameters
+  {
+    /// folder of the results; empty: results/<name of the parameter file>
+    std::string directory;
+    /// folder of the reductions that later runs find again; shared by all runs
+    std::string cache_directory = "cache";
+    /// fields of bodies and contact patch as VTU, figures by contrib/plot_results.py
+    bool fields = true, figures = true;
+
+    void declare_parameters(dealii::ParameterHandler &prm);
+    /// Directory, the option --output, or the default for this parameter file.
+    std::string folder(const std::string &option, const std::string &parameter_file) const;
+  };
+} // namespace vibrocontact

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vibrocontact/base/command_line.h>
+
+namespace vibrocontact
+{
+  /// The whole program between command line and exit code, on all ranks: reads and checks the parameter file,
+  /// builds the scene, runs the analyses, writes the results.
+  /// @return 0 all converged, 2 something did not (results so far are kept and marked)
+  /// @throws InputError before the output folder is made, if the input is wrong
+  int run(const CommandLine &command_line);
+} // namespace vibrocontact

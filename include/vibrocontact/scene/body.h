@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vibrocontact/base/parameter_file.h>
+#include <vibrocontact/scene/block.h>
+#include <vibrocontact/scene/half_space_body.h>
+#include <vibrocontact/scene/material.h>
+
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// A kind of body that a parameter file may ask for with `set Type = ...`.
+  struct BodyType
+  {
+    /// name in the file; name of the subsection with its own entries
+    std::string name, section;
+    /// one line for the reader of the file
+    std::string help;
+    /// made of finite elements: has modes, loads and fields
+    bool is_meshed;
+  };
+
+  /// half-space, wheel, rail, block, mesh
+  const std::vector<BodyType> &body_types();
+
+  /// `subsection <name of the body>`: its type, and one nested subsection per group of entries. Only the
+  /// groups that this type uses are declared, so that entries without effect are refused.
+  struct BodyParameters
+  {
+    std::string name;
+    std::string type = "half-space";
+    ElasticMaterial material;
+    HalfSpaceParameters half_space;
+    BlockParameters block;
+
+    const BodyType &body_type() const;
+    bool is_meshed() const { return body_type().is_meshed; }
+
+    /// Inside the body's subsection; the type has to be set before.
+    void declare_parameters(dealii::ParameterHandler &prm);
+    void check(const std::string &section) const;
+  };
+} // namespace vibrocontact

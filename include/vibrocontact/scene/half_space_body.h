@@ -1,0 +1,28 @@
+#pragma once
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace vibrocontact
+{
+  /// An elastic half-space: no mesh, its compliance is Boussinesq's and Cerruti's (half_space.h); what
+  /// CONTACT models. Its undeformed surface near the nominal contact point is the paraboloid of Hertz's
+  /// theory,
+  ///
+  ///   depth behind the tangent plane = x^2 / (2 Rx) + y^2 / (2 Ry),
+  ///
+  /// a convex body having positive radii; a radius of 0 stands for a flat surface in that direction.
+  struct HalfSpaceParameters
+  {
+    /// radii of curvature in the planes of x (rolling line) and y (lateral) [m]
+    double radius_x = 0, radius_y = 0;
+
+    /// Curvatures 1/R, 0 for a flat surface [1/m].
+    double curvature_x() const { return radius_x == 0 ? 0 : 1 / radius_x; }
+    double curvature_y() const { return radius_y == 0 ? 0 : 1 / radius_y; }
+
+    /// Entries of `subsection Half-space` of a body.
+    void declare_parameters(dealii::ParameterHandler &prm);
+    /// @throws InputError naming @p section
+    void check(const std::string &section) const;
+  };
+} // namespace vibrocontact

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vibrocontact/scene/body.h>
+
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// An analysis that the entry Analyses may list.
+  struct AnalysisType
+  {
+    /// name in the file; one line for its reader
+    std::string name, help;
+    /// bodies that have to be listed; 2: body 1 (wheel, above) and body 2 (rail, below)
+    unsigned int n_bodies;
+  };
+
+  const std::vector<AnalysisType> &analysis_types();
+
+  /// What a parameter file describes, before any mesh is made: bodies in the order of the entry Bodies, the
+  /// first being body 1 (above), the second body 2 (below), and what to compute.
+  struct Scene
+  {
+    std::string title;
+    std::vector<BodyParameters> bodies;
+    std::vector<std::string> analyses;
+
+    bool runs(const std::string &analysis) const;
+
+    /// Title, Bodies, Analyses and the subsections of the bodies.
+    void declare_parameters(dealii::ParameterHandler &prm);
+    /// Combinations, after parsing.
+    void check() const;
+
+    /// as in the file; bodies and analyses above are what was made of them
+    std::string bodies_entry, analyses_entry;
+  };
+
+  /// First pass over a file: only the lists of bodies and analyses and the bodies' types, which decide what
+  /// sections there are. @throws InputError if a list is empty, names something unknown or a section is
+  /// missing
+  Scene read_scene_lists(const ParameterFile &file);
+} // namespace vibrocontact

@@ -1,0 +1,34 @@
+#include <vibrocontact/output/output_parameters.h>
+
+#include <filesystem>
+
+namespace vibrocontact
+{
+  void OutputParameters::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add_parameter(
+        "Directory", directory,
+        "Folder for the results; the option --output goes before it. Empty: results/<name of the "
+        "parameter file>. Units: none.",
+        Anything());
+    prm.add_parameter(
+        "Cache directory", cache_directory,
+        "Folder for reductions of bodies, which later runs find again; several runs may share it. "
+        "Units: none.",
+        Anything());
+    prm.add_parameter("Fields", fields,
+                      "Write fields of the bodies and of the contact patch (VTU). Units: none.", Bool());
+    prm.add_parameter("Figures", figures,
+                      "Draw figures at the end if Python's matplotlib is there. Units: none.", Bool());
+  }
+
+  std::string OutputParameters::folder(const std::string &option, const std::string &parameter_file) const
+  {
+    if (!option.empty())
+      return option;
+    if (!directory.empty())
+      return directory;
+    return "results/" + std::filesystem::path(parameter_file).stem().string();
+  }
+} // namespace vibrocontact

@@ -1,0 +1,55 @@
+#include <vibrocontact/scene/body.h>
+
+#include <algorithm>
+
+namespace vibrocontact
+{
+  const std::vector<BodyType> &body_types()
+  {
+    static const std::vector<BodyType> types = {
+        {"half-space", "Half-space", "elastic half-space of Hertzian radii, no mesh", false},
+        {"block", "Block", "box of hexahedra", true},
+    };
+    return types;
+  }
+
+  const BodyType &BodyParameters::body_type() const
+  {
+    const auto found = std::find_if(body_types().begin(), body_types().end(),
+                                    [&](const BodyType &candidate) { return candidate.name == type; });
+    AssertThrow(found != body_types().end(), dealii::ExcMessage("unknown type of body " + type));
+    return *found;
+  }
+
+  void BodyParameters::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    std::string names, help;
+    for (const auto &candidate : body_types())
+    {
+      names += (names.empty() ? "" : "|") + candidate.name;
+      help += (help.empty() ? "" : "; ") + candidate.name + ": " + candidate.help;
+    }
+    prm.add_parameter("Type", type, "Kind of body. " + help + ". Units: none.",
+                      dealii::Patterns::Selection(names));
+    const auto declare = [&](const std::string &section, auto &group)
+    {
+      prm.enter_subsection(section);
+      group.declare_parameters(prm);
+      prm.leave_subsection();
+    };
+    declare("Material", material);
+    if (type == "half-space")
+      declare("Half-space", half_space);
+    if (type == "block")
+      declare("Block", block);
+  }
+
+  void BodyParameters::check(const std::string &section) const
+  {
+    material.check(section + "/Material");
+    if (type == "half-space")
+      half_space.check(section + "/Half-space");
+    if (type == "block")
+      block.check(section + "/Block");
+  }
+} // namespace vibrocontact

@@ -1,0 +1,151 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/scene/scene.h>
+
+#include <algorithm>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// Sections at the top level that are not bodies.
+    const std::vector<std::string> reserved_names = {
+        "Output",    "Contact", "Rolling",           "Solver",   "Modes",    "Road",
+        "Transient", "Tyre",    "Modal convolution", "Periodic", "Stability"};
+
+    template <typename Family>
+    std::vector<std::string> names_of(const Family &family)
+    {
+      std::vector<std::string> names;
+      for (const auto &member : family)
+        names.push_back(member.name);
+      return names;
+    }
+
+    bool contains(const std::vector<std::string> &names, const std::string &name)
+    {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    }
+
+    void check_body_name(const ParameterFile &file, const std::string &name,
+                         const std::vector<std::string> &names)
+    {
+      const std::string where = file.where("", "Bodies") + ": ";
+      if (std::count(names.begin(), names.end(), name) > 1)
+        throw InputError(where + "the body \"" + name + "\" is listed twice; give each body its own name");
+      if (contains(reserved_names, name))
+        throw InputError(where + "\"" + name +
+                         "\" cannot name a body, it names another section; choose another name");
+      for (const char c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-')
+          throw InputError(where + "the name of body \"" + name +
+                           "\" may hold letters, digits, _ and - only; separate names by commas");
+      if (file.has_section(name))
+        return;
+      std::vector<std::string> others;
+      for (const auto &section : file.top_sections())
+        if (!contains(reserved_names, section) && !contains(names, section))
+          others.push_back(section);
+      throw InputError(
+          where + "there is no section of the body \"" + name + "\"; " +
+          (others.empty() ? "add \"subsection " + name + "\" with its Type" : name_suggestion(name, others)));
+    }
+  } // namespace
+
+  const std::vector<AnalysisType> &analysis_types()
+  {
+    static const std::vector<AnalysisType> types = {
+        {"modes", "natural frequencies, shapes and damping of every meshed body", 1},
+        {"quasi-static rolling", "steady rolling contact of body 1 on body 2 with friction", 2}};
+    return types;
+  }
+
+  bool Scene::runs(const std::string &analysis) const
+  {
+    return contains(analyses, analysis);
+  }
+
+  Scene read_scene_lists(const ParameterFile &file)
+  {
+    Scene scene;
+    const std::vector<std::string> names = file.list("Bodies");
+    if (names.empty())
+      throw InputError(file.where("", "Bodies") +
+                       ": no body is listed; write for instance \"set Bodies = wheel, rail\"");
+    const std::vector<std::string> types = names_of(body_types());
+    for (const auto &name : names)
+    {
+      check_body_name(file, name, names);
+      BodyParameters body;
+      body.name = name;
+      body.type = file.raw_value(name, "Type");
+      if (body.type.empty())
+        throw InputError(file.where_section(name) +
+                         ": the body has no Type; write \"set Type = ...\" with one of " +
+                         quoted_list(types));
+      if (!contains(types, body.type))
+        throw InputError(file.where(name, "Type") + ": there is no type of body \"" + body.type + "\"; " +
+                         name_suggestion(body.type, types));
+      scene.bodies.push_back(body);
+    }
+
+    scene.analyses = file.list("Analyses");
+    const std::vector<std::string> known = names_of(analysis_types());
+    if (scene.analyses.empty())
+      throw InputError(file.where("", "Analyses") + ": no analysis is listed; valid are " +
+                       quoted_list(known, "and"));
+    for (const auto &analysis : scene.analyses)
+    {
+      if (!contains(known, analysis))
+        throw InputError(file.where("", "Analyses") + ": there is no analysis \"" + analysis + "\"; " +
+                         name_suggestion(analysis, known));
+      if (std::count(scene.analyses.begin(), scene.analyses.end(), analysis) > 1)
+        throw InputError(file.where("", "Analyses") + ": the analysis \"" + analysis + "\" is listed twice");
+    }
+    return scene;
+  }
+
+  void Scene::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    bodies_entry = analyses_entry = "";
+    for (const auto &body : bodies)
+      bodies_entry += (bodies_entry.empty() ? "" : ", ") + body.name;
+    for (const auto &analysis : analyses)
+      analyses_entry += (analyses_entry.empty() ? "" : ", ") + analysis;
+    std::string help;
+    for (const auto &type : analysis_types())
+      help += (help.empty() ? "" : "; ") + type.name + ": " + type.help;
+
+    using dealii::Patterns::Anything;
+    prm.add_parameter("Title", title, "What this file is about; repeated in the log. Units: none.",
+                      Anything());
+    prm.add_parameter(
+        "Bodies", bodies_entry,
+        "Names of the bodies, separated by commas; each has a section of its name. The first is body "
+        "1, above (wheel), the second body 2, below (rail). Units: none.",
+        Anything());
+    prm.add_parameter("Analyses", analyses_entry,
+                      "What to compute, separated by commas. " + help + ". Units: none.", Anything());
+    for (auto &body : bodies)
+    {
+      prm.enter_subsection(body.name);
+      body.declare_parameters(prm);
+      prm.leave_subsection();
+    }
+  }
+
+  void Scene::check() const
+  {
+    for (const auto &body : bodies)
+      body.check(body.name);
+    for (const auto &type : analysis_types())
+      if (runs(type.name) && type.n_bodies == 2 && bodies.size() != 2)
+        throw InputError("Bodies lists " + std::to_string(bodies.size()) + " (" + bodies_entry +
+                         "), but the analysis \"" + type.name +
+                         "\" needs two, body 1 above and body 2 below; list exactly two");
+    if (runs("modes") && std::none_of(bodies.begin(), bodies.end(),
+                                      [](const BodyParameters &body) { return body.is_meshed(); }))
+      throw InputError(
+          "Analyses asks for modes, but no body is meshed: half-spaces have none; leave \"modes\" out");
+  }
+} // namespace vibrocontact

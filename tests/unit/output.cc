@@ -1,0 +1,112 @@
+// Tables, results.json and command line follow the documented interface.
+#include <vibrocontact/base/blas.h>
+#include <vibrocontact/base/command_line.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/output/results.h>
+#include <vibrocontact/output/table.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+using namespace vibrocontact;
+
+namespace
+{
+  CommandLine read(std::vector<const char *> words)
+  {
+    words.insert(words.begin(), "vibrocontact");
+    return read_command_line(words.size(), words.data());
+  }
+} // namespace
+
+TEST(Table, NumbersKeepSeventeenDigitsAndLabelsTheirCommas)
+{
+  Table table({"x_m", "status", "label"}, {"purpose"});
+  table.add_row({0.1 + 0.2, 1., "axial(0,2)"});
+  EXPECT_EQ(table.text(), "# purpose\nx_m,status,label\n0.30000000000000004,1,\"axial(0,2)\"\n");
+  EXPECT_EQ(table.n_rows(), 1u);
+}
+
+TEST(Table, RefusesNumbersThatAreNotFinite)
+{
+  Table table({"x_m"}, {});
+  EXPECT_THROW(table.add_row({std::nan("")}), dealii::ExceptionBase);
+  EXPECT_THROW(table.add_row({1., 2.}), dealii::ExceptionBase);
+  EXPECT_EQ(table.n_rows(), 0u);
+}
+
+TEST(Table, FilesAppearWhole)
+{
+  Table table({"x_m"}, {});
+  table.add_row({1.5});
+  table.write("table_test/deep/table.csv");
+  std::ifstream file("table_test/deep/table.csv");
+  std::string header, row;
+  std::getline(file, header);
+  std::getline(file, row);
+  EXPECT_EQ(row, "1.5");
+  EXPECT_FALSE(std::filesystem::exists("table_test/deep/table.csv.part"));
+  std::filesystem::remove_all("table_test");
+  EXPECT_THROW(table.write("/proc/nowhere/table.csv"), InputError);
+}
+
+TEST(Results, NamesOfTheInterface)
+{
+  Results results;
+  results.analyses["modes"]["wheel"]["frequencies_Hz"] = {136.3, 334.1};
+  const auto json = nlohmann::json::parse(results_text(results, 1.5));
+  EXPECT_EQ(json["status"], "converged");
+  EXPECT_EQ(json["wall_s"], 1.5);
+  for (const char *name : {"version", "commit", "dealii", "ranks"})
+    EXPECT_TRUE(json["program"].contains(name)) << name;
+  EXPECT_EQ(json["analyses"]["modes"]["wheel"]["frequencies_Hz"][1], 334.1);
+  results.converged = false;
+  EXPECT_EQ(nlohmann::json::parse(results_text(results, 0))["status"], "not converged");
+  results.analyses["wrong"] = {1., std::numeric_limits<double>::infinity()};
+  EXPECT_THROW(results_text(results, 0), dealii::ExceptionBase);
+}
+
+TEST(CommandLine, OptionsOfTheInterface)
+{
+  const CommandLine line = read({"case.prm", "--set", "Contact/Friction coefficient=0.1", "--set", "Title=x",
+                                 "--output", "dir", "--quiet", "--check"});
+  EXPECT_EQ(line.file, "case.prm");
+  EXPECT_EQ(line.output, "dir");
+  ASSERT_EQ(line.overrides.size(), 2u);
+  EXPECT_EQ(line.overrides[0], "Contact/Friction coefficient=0.1");
+  EXPECT_TRUE(line.quiet && line.check);
+  EXPECT_TRUE(read({"--parameters"}).parameters);
+  EXPECT_TRUE(read({"--version"}).version);
+  EXPECT_TRUE(read({"--help"}).help);
+  EXPECT_NE(command_line_help().find("--resume"), std::string::npos);
+}
+
+TEST(CommandLine, WrongOnesAreRefused)
+{
+  EXPECT_THROW(read({}), InputError);
+  EXPECT_THROW(read({"a.prm", "b.prm"}), InputError);
+  EXPECT_THROW(read({"a.prm", "--set"}), InputError);
+  EXPECT_THROW(read({"a.prm", "--outptu", "x"}), InputError);
+  EXPECT_THROW(read({"a.prm", "--resume"}), InputError);
+  try
+  {
+    read({"a.prm", "--chekc"});
+  }
+  catch (const InputError &error)
+  {
+    EXPECT_NE(std::string(error.what()).find("did you mean \"--check\"?"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Blas, IsNamedAndMeasured)
+{
+  const Blas blas = measure_blas();
+  EXPECT_NE(blas.library.find("blas"), std::string::npos) << blas.library;
+  EXPECT_GT(blas.gflops, 0.1);
+}
