@@ -1,0 +1,284 @@
+#!/usr/bin/env python3
+"""plot_results.py FOLDER: figures of a run, from results.json and the tables in its output folder.
+
+figures/contact_patch_<k>.png   pressure, traction and status over the patch
+figures/centre_line_<k>.png     tractions along y = 0, as in Fig. 7 of Lai et al. (2018)
+figures/creep_curves.png        tangential force (spin: moment too) against what is swept
+figures/mode_shapes_<body>.png  deformed shapes coloured by amplitude, as in Fig. 3 of the paper
+Needs matplotlib; exit code 4 without it. Tractions act on body 1; the contact travels towards -x.
+"""
+import base64
+import csv
+import glob
+import json
+import os
+import re
+import struct
+import sys
+import xml.etree.ElementTree as ElementTree
+import zlib
+
+try:
+    import numpy as np
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    from matplotlib.colors import ListedColormap
+except ImportError:
+    sys.exit(4)
+
+MAX_PATCHES = 4
+plt.rcParams.update({"font.size": 9, "figure.dpi": 110, "axes.grid": False, "savefig.bbox": "tight"})
+
+
+def read_table(name):
+    """Columns of a table by name; numbers where all cells are numbers."""
+    with open(name, newline="") as lines:
+        rows = list(csv.reader(line for line in lines if not line.startswith("#")))
+    columns = {}
+    for i, column in enumerate(rows[0]):
+        cells = [row[i] for row in rows[1:]]
+        try:
+            columns[column] = np.array([float(cell) for cell in cells])
+        except ValueError:
+            columns[column] = np.array(cells)
+    return columns
+
+
+def save(figure, folder, name):
+    """Whole or not at all."""
+    part = os.path.join(folder, "figures", name + ".part")
+    figure.savefig(part, format="png")
+    plt.close(figure)
+    os.replace(part, os.path.join(folder, "figures", name + ".png"))
+
+
+def on_grid(patch, values):
+    x, y = np.unique(np.round(patch["x_m"], 12)), np.unique(np.round(patch["y_m"], 12))
+    return 1e3 * x, 1e3 * y, np.asarray(values).reshape(len(y), len(x))
+
+
+def case_title(case):
+    return (f"N = {case['normal_force_N'] / 1e3:.1f} kN, $\\mu$ = {case['friction']:g}, creepage "
+            f"{100 * case['longitudinal_creepage']:g} % / {100 * case['lateral_creepage']:g} %, "
+            f"spin {case['spin_1_m']:g} /m")
+
+
+def plot_patch(folder, k, case):
+    patch = read_table(os.path.join(folder, f"contact_patch_{k}.csv"))
+    traction = np.hypot(patch["traction_x_Pa"], patch["traction_y_Pa"])
+    closed = patch["status"] > 0
+    if not closed.any():
+        return
+    figure, axes = plt.subplots(1, 3, figsize=(11, 3.4), sharey=True, width_ratios=[1.25, 1.25, 1])
+    x, y, _ = on_grid(patch, traction)
+    half_x, half_y = (x[1] - x[0]) / 2 if len(x) > 1 else 0.5, (y[1] - y[0]) / 2 if len(y) > 1 else 0.5
+    extent = [x[0] - half_x, x[-1] + half_x, y[0] - half_y, y[-1] + half_y]
+    for axis, values, title, label in ((axes[0], patch["pressure_Pa"], "pressure", "MPa"),
+                                       (axes[1], traction, "tangential traction on body 1", "MPa")):
+        image = axis.imshow(np.ma.masked_equal(on_grid(patch, np.where(closed, values / 1e6, 0))[2], 0), origin="lower",
+                            extent=extent, cmap="viridis", interpolation="nearest")
+        figure.colorbar(image, ax=axis, label=label, shrink=0.8)
+        axis.set_title(title)
+    strong = closed & (traction > 0.02 * max(traction.max(), 1e-300))
+    step = max(1, int(round(np.sqrt(strong.sum() / 150))))
+    chosen = np.zeros(len(closed), bool).reshape(len(y), len(x))
+    chosen[::step, ::step] = True
+    strong &= chosen.ravel()
+    axes[1].quiver(1e3 * patch["x_m"][strong], 1e3 * patch["y_m"][strong], patch["traction_x_Pa"][strong],
+                   patch["traction_y_Pa"][strong], color="white", pivot="mid", width=0.004)
+    colours = ListedColormap(["#eeeeee", "#2a6fb0", "#e08a2e"])
+    axes[2].imshow(on_grid(patch, patch["status"])[2], origin="lower", extent=extent, cmap=colours, vmin=-0.5, vmax=2.5,
+                   interpolation="nearest")
+    axes[2].set_title("status")
+    for colour, name in zip(colours.colors, ("open", "stick", "slip")):
+        axes[2].plot([], [], "s", color=colour, label=name)
+    axes[2].legend(loc="upper right", frameon=True, fontsize=8)
+    for axis in axes:
+        axis.set_xlabel("x [mm] (material flows to the right)")
+        axis.set_aspect("equal")
+    axes[0].set_ylabel("y [mm]")
+    figure.suptitle(case_title(case))
+    figure.tight_layout()
+    save(figure, folder, f"contact_patch_{k}")
+
+
+def plot_centre_line(folder, k, case):
+    patch = read_table(os.path.join(folder, f"contact_patch_{k}.csv"))
+    line = np.abs(patch["y_m"] - patch["y_m"][np.argmin(np.abs(patch["y_m"]))]) < 1e-12
+    if not (patch["pressure_Pa"][line] > 0).any():
+        return
+    x = 1e3 * patch["x_m"][line]
+    figure, axis = plt.subplots(figsize=(6, 3.8))
+    axis.plot(x, case["friction"] * patch["pressure_Pa"][line] / 1e6, "k--", lw=1, label=r"$\mu\, p$")
+    axis.plot(x, -case["friction"] * patch["pressure_Pa"][line] / 1e6, "k--", lw=1)
+    axis.plot(x, patch["traction_x_Pa"][line] / 1e6, "o-", ms=3, label=r"$r_x$")
+    axis.plot(x, patch["traction_y_Pa"][line] / 1e6, "s-", ms=3, label=r"$r_y$")
+    stick = patch["status"][line] == 1
+    if stick.any():
+        half = np.min(np.diff(x)) / 2 if len(x) > 1 else 0.5
+        axis.axvspan(x[stick].min() - half, x[stick].max() + half, color="#2a6fb0", alpha=0.12, label="stick")
+    axis.set_xlabel("x [mm] (leading edge left)")
+    axis.set_ylabel("traction on body 1 [MPa]")
+    axis.set_title("Tractions along y = 0\n" + case_title(case), fontsize=9)
+    axis.legend(fontsize=8)
+    axis.grid(alpha=0.3)
+    save(figure, folder, f"centre_line_{k}")
+
+
+SWEEPS = {"longitudinal_creepage": ("longitudinal creepage [%]", 100), "lateral_creepage": ("lateral creepage [%]", 100),
+          "spin_1_m": ("spin [1/m]", 1), "friction": ("friction coefficient", 1),
+          "normal_force_N": ("normal force [kN]", 1e-3)}
+
+
+def plot_curves(folder, cases):
+    """One panel per curve: |Ft| / N against the swept quantity, one line per friction."""
+    curves = {}
+    for case in cases:
+        curves.setdefault(case.get("curve", "single"), []).append(case)
+    panels = []
+    for name, members in curves.items():
+        varying = [q for q in SWEEPS if q != "friction" and np.ptp([c[q] for c in members]) > 1e-9 * max(abs(c[q]) for c in members)]
+        exact = [q for q in varying if q.split("_")[0] in name.lower()]
+        if len(members) >= 3 and (exact or varying):
+            panels.append((name, members, (exact or varying)[0]))
+        elif len(members) >= 3 and np.ptp([c["friction"] for c in members]) > 0:
+            panels.append((name, members, "friction"))
+    if not panels:
+        return
+    figure, axes = plt.subplots(1, len(panels), figsize=(5 * len(panels), 3.8), squeeze=False)
+    for axis, (name, members, quantity) in zip(axes[0], panels):
+        label, factor = SWEEPS[quantity]
+        groups = {}
+        for case in members:
+            groups.setdefault(0 if quantity == "friction" else case["friction"], []).append(case)
+        for friction, group in sorted(groups.items()):
+            group.sort(key=lambda case: case[quantity])
+            x = [factor * case[quantity] for case in group]
+            force = [np.hypot(*case["tangential_force_N"]) / case["normal_force_N"] for case in group]
+            line, = axis.plot(x, force, "o-", ms=3, label="" if quantity == "friction" else f"$\\mu$ = {friction:g}")
+            if quantity == "spin_1_m":
+                moment = [case["spin_moment_Nm"] / case["normal_force_N"] * 1e3 for case in group]
+                axis.plot(x, moment, "s--", ms=3, color=line.get_color(), label=f"$M_z/N$ [mm], $\\mu$ = {friction:g}")
+        axis.set_xlabel(label)
+        axis.set_ylabel("$|F_t| / N$")
+        axis.grid(alpha=0.3)
+        if axis.get_legend_handles_labels()[1]:
+            axis.legend(fontsize=8)
+    figure.tight_layout()
+    save(figure, folder, "creep_curves")
+
+
+def read_vtu(name):
+    """Points, cells (corner indices) and point data of a VTU file as deal.II writes it (ascii or compressed base64)."""
+    root = ElementTree.parse(name).getroot()
+    types = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4", "UInt32": "<u4", "Int64": "<i8", "UInt64": "<u8",
+             "UInt8": "<u1", "Int8": "<i1"}
+    header = "<u8" if root.get("header_type") == "UInt64" else "<u4"
+
+    def array(node):
+        kind = types[node.get("type")]
+        if node.get("format") == "ascii":
+            values = np.array((node.text or "").split(), dtype=float).astype(kind)
+        else:
+            text = "".join((node.text or "").split())
+            size = np.dtype(header).itemsize
+            first = np.frombuffer(base64.b64decode(text[:4 * ((size * 3 + 2) // 3) + 4])[:size * 3], header)
+            n_blocks = int(first[0])
+            length = 4 * ((size * (3 + n_blocks) + 2) // 3)
+            sizes = np.frombuffer(base64.b64decode(text[:length])[:size * (3 + n_blocks)], header)[3:]
+            data, raw, at = base64.b64decode(text[length:]), b"", 0
+            for block in sizes:
+                raw += zlib.decompress(data[at:at + int(block)])
+                at += int(block)
+            values = np.frombuffer(raw, kind)
+        n = int(node.get("NumberOfComponents") or 1)
+        return values.reshape(-1, n) if n > 1 else values
+
+    piece = root.find(".//Piece")
+    points = array(piece.find("Points/DataArray"))
+    cells = {node.get("Name"): array(node) for node in piece.findall("Cells/DataArray")}
+    data = {node.get("Name"): array(node) for node in piece.findall("PointData/DataArray")}
+    return points.reshape(-1, 3), cells, data
+
+
+def surface_quads(points, cells):
+    """Outer faces of hexahedra (or the quadrilaterals themselves) as rows of four point numbers."""
+    offsets, connectivity = cells["offsets"].astype(int), cells["connectivity"].astype(int)
+    sizes = np.diff(np.concatenate([[0], offsets]))
+    if (sizes == 4).all():
+        return connectivity.reshape(-1, 4)
+    hexahedra = connectivity.reshape(-1, sizes[0])[:, :8]
+    faces = np.concatenate([hexahedra[:, f] for f in
+                            ([0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7])])
+    # Cells do not share points in the file: equal places are found by their coordinates.
+    _, number = np.unique(np.round(points / 1e-7).astype(np.int64), axis=0, return_inverse=True)
+    key = np.sort(number.ravel()[faces], axis=1)
+    _, index, count = np.unique(key, axis=0, return_index=True, return_counts=True)
+    return faces[index[count == 1]]
+
+
+def plot_modes(folder, body, modes):
+    """Shapes from fields/<...>modes<...>.vtu whose point data are one vector per mode."""
+    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+    names = sorted(name for name in glob.glob(os.path.join(folder, "fields", "*.vtu"))
+                   if body in os.path.basename(name) and "mode" in os.path.basename(name))
+    shapes = []
+    for name in names:
+        points, cells, data = read_vtu(name)
+        quads = surface_quads(points, cells)
+        for field, values in data.items():
+            if values.ndim == 2 and values.shape[1] == 3:
+                shapes.append((field, points, quads, values))
+    if not shapes:
+        return
+    # The paper shows axial (0,1), radial (1,5) and axial (0,6); otherwise the first ones.
+    frequencies, labels = modes["frequencies_Hz"], modes.get("labels", [])
+
+    def number_of(field):
+        digits = re.findall(r"\d+", field)
+        return int(digits[-1]) if digits else -1
+
+    wanted = [i for want in ("axial(0,1)", "radial(1,5)", "axial(0,6)") if want in labels for i in [labels.index(want)]]
+    chosen = [shape for i in wanted for shape in shapes if number_of(shape[0]) == i] or shapes[:6]
+    columns = min(3, len(chosen))
+    rows = (len(chosen) + columns - 1) // columns
+    figure = plt.figure(figsize=(4 * columns, 4 * rows))
+    for position, (field, points, quads, values) in enumerate(chosen):
+        axis = figure.add_subplot(rows, columns, position + 1, projection="3d")
+        amplitude = np.linalg.norm(values, axis=1)
+        size = np.ptp(points, axis=0).max()
+        moved = points + values * (0.08 * size / max(amplitude.max(), 1e-300))
+        colour = plt.cm.turbo(amplitude[quads].mean(axis=1) / max(amplitude.max(), 1e-300))
+        axis.add_collection3d(Poly3DCollection(moved[quads], facecolors=colour, edgecolors="none", shade=False))
+        centre = (points.max(axis=0) + points.min(axis=0)) / 2
+        for set_limit, c in zip((axis.set_xlim, axis.set_ylim, axis.set_zlim), centre):
+            set_limit(c - size / 2, c + size / 2)
+        axis.set_box_aspect((1, 1, 1), zoom=1.5)
+        axis.view_init(elev=15, azim=-60)
+        axis.set_axis_off()
+        i = number_of(field)
+        title = f"{labels[i]}, {frequencies[i]:.1f} Hz" if 0 <= i < len(labels) else \
+            f"{frequencies[i]:.1f} Hz" if 0 <= i < len(frequencies) else field
+        axis.set_title(title)
+    save(figure, folder, f"mode_shapes_{body}")
+
+
+def main():
+    folder = sys.argv[1]
+    with open(os.path.join(folder, "results.json")) as file:
+        analyses = json.load(file)["analyses"]
+    os.makedirs(os.path.join(folder, "figures"), exist_ok=True)
+    cases = analyses.get("quasi_static_rolling", {}).get("cases", [])
+    patches = [k for k in range(len(cases)) if os.path.exists(os.path.join(folder, f"contact_patch_{k}.csv"))]
+    for k in patches if len(patches) <= MAX_PATCHES else patches[:1] + patches[-1:]:
+        plot_patch(folder, k, cases[k])
+        plot_centre_line(folder, k, cases[k])
+    plot_curves(folder, cases)
+    for body, modes in analyses.get("modes", {}).items():
+        if isinstance(modes, dict) and "frequencies_Hz" in modes:
+            plot_modes(folder, body, modes)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace vibrocontact
+{
+  /// Draws the figures of a finished run by contrib/plot_results.py, on rank 0, into folder/figures. A
+  /// missing Python or matplotlib is said in the log and is no error.
+  void draw_figures(const std::string &folder);
+} // namespace vibrocontact

@@ -1,0 +1,56 @@
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/version.h>
+#include <vibrocontact/output/figures.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <filesystem>
+#include <spawn.h>
+#include <sys/wait.h>
+
+extern char **environ;
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// Runs a program without a shell; its exit code, or -1 if it does not exist.
+    int run_program(std::vector<std::string> words)
+    {
+      std::vector<char *> arguments;
+      for (auto &word : words)
+        arguments.push_back(word.data());
+      arguments.push_back(nullptr);
+      pid_t child;
+      if (posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0)
+        return -1;
+      int status = 0;
+      if (waitpid(child, &status, 0) != child || !WIFEXITED(status))
+        return -1;
+      return WEXITSTATUS(status);
+    }
+  } // namespace
+
+  void draw_figures(const std::string &folder)
+  {
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+      return;
+    const std::string script = source_directory() + "/contrib/plot_results.py";
+    if (!std::filesystem::exists(script))
+    {
+      run_log().line("no figures: " + script + " is not there");
+      return;
+    }
+    // The exit code 4 says that this Python has no matplotlib; Debian's own may have it.
+    int code = -1;
+    for (const char *python : {"python3", "/usr/bin/python3"})
+      if (code == -1 || code == 4 || code == 127)
+        code = run_program({python, script, folder});
+    if (code == 0)
+      run_log().value("figures", folder + "/figures");
+    else
+      run_log().line(code == 4 || code == -1 || code == 127
+                         ? "no figures: Python's matplotlib is not installed (python3-matplotlib)"
+                         : "no figures: " + script + " left with code " + std::to_string(code));
+  }
+} // namespace vibrocontact
