@@ -1,0 +1,59 @@
+#pragma once
+
+#include <deal.II/base/point.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// Outline of a cross-section: lines and circular arcs in coordinates (a, b), each belonging to a named
+  /// part.
+  ///
+  /// Wheel: a axial, b radius. Rail: a lateral (right half, mirrored), b height above the underside.
+  /// The files in meshes/ hold one row per curve, in mm; here everything is in metres.
+  class SectionOutline
+  {
+  public:
+    struct Row
+    {
+      bool is_arc = false;
+      /// ends, and for arcs the centre; radius [m]
+      dealii::Point<2> start, end, centre;
+      double radius = 0;
+      std::string part;
+    };
+
+    /// @throws InputError if the file is missing or a row is not a curve.
+    static SectionOutline read(const std::string &file, const double scale = 1);
+
+    /// The row on which all points lie, or rows.size() if there is none.
+    unsigned int find(const std::vector<dealii::Point<2>> &points) const;
+
+    /// Largest distance of a point of the outline from the origin [m].
+    double size() const;
+
+    std::vector<Row> rows;
+
+  private:
+    bool contains(const Row &row, const dealii::Point<2> &p) const;
+    double tolerance = 1e-7;
+  };
+
+  /// Quadrilaterals of a cross-section, all positively oriented in (a, b), deal.II's vertex order.
+  struct SectionMesh
+  {
+    std::vector<dealii::Point<2>> vertices;
+    std::vector<std::array<unsigned int, 4>> cells;
+
+    /// Read a gmsh file of quadrilaterals (coordinates in metres, times @p scale).
+    /// Each of @p refinements halves the cells, new nodes of the outline going onto its arcs; @p mirrored
+    /// tells that the outline is one half of the section.
+    static SectionMesh read(const std::string &file, const double scale, const unsigned int refinements,
+                            const SectionOutline &outline, const bool mirrored);
+  };
+
+  /// Folder of the meshes that come with the program.
+  std::string mesh_directory();
+} // namespace vibrocontact

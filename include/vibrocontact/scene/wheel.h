@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vibrocontact/scene/contact_refinement.h>
+#include <vibrocontact/scene/section.h>
+
+namespace vibrocontact
+{
+  /// A wheel: its half section revolved about the axle.
+  ///
+  ///        axle ---------- y          boundaries: bore, contact (the tread), surface (all else)
+  ///          |  hub                   the axle lies at z = tread radius above the contact point, which is
+  ///          the origin; |  web                   y = axial position in the section less the lateral
+  ///          position of the contact |  rim
+  ///       ---+---  tread, z = 0
+  struct WheelParameters
+  {
+    /// files of the section; empty: the ones that come with the program
+    std::string section_mesh, section_outline;
+    /// halvings of the section's cells
+    unsigned int section_refinements = 0;
+    /// polynomial degree of the displacements
+    unsigned int element_degree = 2;
+    /// similar wheels: all lengths times this factor
+    double scale = 1;
+    /// circumferential lengths of cells on the tread: at the contact, and largest far from it [m]; growth
+    double contact_division = 0.008, coarse_division = 0.045, growth = 1.6;
+    /// the fine divisions reach this far to either side of the contact [m]
+    double fine_length = 0.016;
+    ContactRefinement refinement;
+
+    void declare_parameters(dealii::ParameterHandler &prm);
+    void check(const std::string &section) const;
+  };
+
+  /// @param lateral_position y of the contact in the section [m]
+  /// @param grid contact grid to refine for; null: none
+  /// @throws InputError if the contact does not lie on the tread.
+  BodyMesh<3> make_wheel(const WheelParameters &parameters, const double lateral_position,
+                         const ContactGrid *grid, const std::string &name, const MPI_Comm communicator);
+
+  /// Attach manifolds and boundary ids of a body of revolution to a coarse mesh by geometry: also used for a
+  /// wheel that was read from a mesh file.
+  void attach_wheel_geometry(dealii::Triangulation<3> &triangulation, const SectionOutline &outline,
+                             const double axis_height, const double shift);
+
+  /// Radius of the tread at an axial position [m].
+  double tread_radius(const SectionOutline &outline, const double lateral_position);
+
+  SectionOutline wheel_outline(const WheelParameters &parameters);
+} // namespace vibrocontact

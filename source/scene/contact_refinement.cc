@@ -1,0 +1,131 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/scene/contact_refinement.h>
+
+#include <deal.II/base/bounding_box.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace vibrocontact
+{
+  using namespace dealii;
+
+  void ContactRefinement::declare_parameters(ParameterHandler &prm)
+  {
+    using Patterns::Double;
+    prm.add_parameter(
+        "Contact cell size", cell_size,
+        "Largest edge of the cells under the contact grid; quadratic cells of 2 mm carry a grid of 1 mm. "
+        "Zero: the mesh is not refined. Units: m.",
+        Double(0, 1));
+    prm.add_parameter("Refinement margin", margin,
+                      "How far the fine cells reach beyond the contact grid; at least one of them. Units: m.",
+                      Double(0, 1));
+    prm.add_parameter("Refinement depth", depth, "How far the fine cells reach below the surface. Units: m.",
+                      Double(0, 1));
+  }
+
+  void ContactRefinement::check(const std::string &section) const
+  {
+    std::ostringstream text;
+    if (cell_size > 0 && cell_size < 5e-5)
+      text << section << "/Contact cell size is " << cell_size
+           << " m: sizes below 5e-5 m need too many cells.";
+    else if (cell_size > 0 && margin < 0.999 * cell_size)
+      text << section << "/Refinement margin is " << margin << " m, less than one fine cell (" << cell_size
+           << " m): hanging nodes would lie on the contact grid.";
+    if (!text.str().empty())
+      throw InputError(text.str());
+  }
+
+  template <int dim>
+  void refine_at_contact(BodyMesh<dim> &mesh, const ContactGrid &grid, const ContactRefinement &parameters)
+  {
+    if (parameters.cell_size <= 0)
+      return;
+    auto &triangulation = *mesh.triangulation;
+    Point<dim> low, high;
+    low[0] = grid.x_first - grid.spacing_x / 2;
+    high[0] = low[0] + grid.n_x * grid.spacing_x;
+    if (dim == 3)
+    {
+      low[1] = grid.y_first - grid.spacing_y / 2;
+      high[1] = low[1] + grid.n_y * grid.spacing_y;
+    }
+
+    const auto overlaps = [&](const auto &cell, const double margin, const double depth)
+    {
+      Point<dim> a = low, b = high;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+      {
+        a[d] -= margin;
+        b[d] += margin;
+      }
+      a[dim - 1] = -depth;
+      b[dim - 1] = depth;
+      const auto bounds = cell->bounding_box().get_boundary_points();
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double slack = 1e-3 * (bounds.second[d] - bounds.first[d]);
+        if (bounds.second[d] < a[d] + slack || bounds.first[d] > b[d] - slack)
+          return false;
+      }
+      return true;
+    };
+
+    // Size of the coarse contact cells under the grid; the coarse mesh is the same on every rank.
+    double size = 0;
+    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() && mesh.contact_boundaries.count(cell->face(f)->boundary_id()) &&
+            overlaps(cell, 0., 1e-2 * cell->diameter()))
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            size = std::max(size, cell->face(f)->bounding_box().side_length(d));
+    const int n_levels =
+        size > 0 ? std::max(0, int(std::ceil(std::log2(size / (1.05 * parameters.cell_size))))) : 0;
+    AssertThrow(n_levels < 12, ExcMessage("Refinement at the contact by more than 11 levels."));
+
+    for (int level = 0; level < n_levels; ++level)
+    {
+      // Coarser levels reach further out, so that sizes double ring by ring.
+      const double cell = size / std::pow(2., level + 1);
+      const double reach = std::max(0., cell - parameters.cell_size);
+      for (const auto &active : triangulation.active_cell_iterators())
+        if (active->is_locally_owned() && active->level() == level &&
+            overlaps(active, parameters.margin + reach, parameters.depth + reach))
+          active->set_refine_flag();
+      triangulation.execute_coarsening_and_refinement();
+    }
+    std::ostringstream text;
+    text.precision(17);
+    text << " refined " << n_levels << " " << parameters.margin << " " << parameters.depth << " " << low
+         << " " << high;
+    mesh.description += text.str();
+  }
+
+  std::vector<double> graded_divisions(const double total, const double fine, const double fine_length,
+                                       const double coarse, const double ratio)
+  {
+    std::vector<double> divisions;
+    double sum = 0;
+    while (sum < fine_length - 1e-9 * total && sum + fine <= total)
+    {
+      divisions.push_back(fine);
+      sum += fine;
+    }
+    const unsigned int n_fine = divisions.size();
+    double rest = 0, size = fine;
+    while (sum + rest < total * (1 - 1e-12))
+    {
+      size = std::min(size * ratio, coarse);
+      divisions.push_back(size);
+      rest += size;
+    }
+    for (unsigned int k = n_fine; k < divisions.size(); ++k)
+      divisions[k] *= (total - sum) / rest;
+    return divisions;
+  }
+
+  template void refine_at_contact(BodyMesh<2> &, const ContactGrid &, const ContactRefinement &);
+  template void refine_at_contact(BodyMesh<3> &, const ContactGrid &, const ContactRefinement &);
+} // namespace vibrocontact

@@ -1,0 +1,318 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/scene/rail.h>
+#include <vibrocontact/scene/section_manifolds.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace vibrocontact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr types::boundary_id surface_id = 0, foot_id = 1, contact_id = 2, left_id = 3, right_id = 4;
+
+    /// Manifold and boundary ids of the extruded outline, mirrored about the section's axis a = 0.
+    void attach_rail_geometry(Triangulation<3> &triangulation, const SectionOutline &outline,
+                              const double shift_y, const double shift_z, const double half_length)
+    {
+      const unsigned int n = outline.rows.size(), crown_manifold = 1 + 2 * n;
+      std::vector<SectionOutline::Row> crown;
+      for (unsigned int k = 0; k < n; ++k)
+      {
+        const auto &row = outline.rows[k];
+        if (row.is_arc)
+          for (const unsigned int side : {0, 1})
+            triangulation.set_manifold(1 + k + side * n, ExtrudedArcManifold(Point<2>(
+                                                             (side == 0 ? 1. : -1.) * row.centre[0] - shift_y,
+                                                             row.centre[1] - shift_z)));
+        if (row.part == "crown")
+          crown.push_back(row);
+      }
+      triangulation.set_manifold(crown_manifold, CrownManifold(crown, shift_y, shift_z));
+      double crown_reach = 0, foot_reach = 0;
+      for (const auto &row : outline.rows)
+        if (row.part == "crown")
+          crown_reach = std::max({crown_reach, row.start[0], row.end[0]});
+        else if (row.part == "foot")
+          foot_reach = std::max({foot_reach, row.start[0], row.end[0]});
+
+      for (const auto &cell : triangulation.cell_iterators_on_level(0))
+        for (const unsigned int f : cell->face_indices())
+        {
+          const auto face = cell->face(f);
+          if (!face->at_boundary())
+            continue;
+          face->set_all_boundary_ids(surface_id);
+          bool on_crown = true, on_foot = true, is_left = true, is_right = true;
+          std::vector<Point<2>> right, left;
+          for (const unsigned int v : face->vertex_indices())
+          {
+            const Point<3> p = face->vertex(v);
+            const double a = p[1] + shift_y, b = p[2] + shift_z;
+            on_crown = on_crown && std::abs(a) < crown_reach + 1e-7 &&
+                       std::abs(b - CrownManifold::height(crown, a)) < 1e-6;
+            on_foot = on_foot && std::abs(b) < 1e-7;
+            is_left = is_left && std::abs(p[0] + half_length) < 1e-7;
+            is_right = is_right && std::abs(p[0] - half_length) < 1e-7;
+            right.emplace_back(a, b);
+            left.emplace_back(-a, b);
+          }
+          if (is_left || is_right)
+          {
+            face->set_boundary_id(is_left ? left_id : right_id);
+            continue;
+          }
+          if (on_foot)
+            face->set_all_boundary_ids(foot_id);
+          else if (on_crown)
+          {
+            face->set_all_boundary_ids(contact_id);
+            face->set_all_manifold_ids(crown_manifold);
+          }
+          else
+          {
+            const unsigned int k = outline.find(right), m = outline.find(left);
+            if (k < n && outline.rows[k].is_arc)
+              face->set_all_manifold_ids(1 + k);
+            else if (m < n && outline.rows[m].is_arc)
+              face->set_all_manifold_ids(1 + m + n);
+          }
+        }
+    }
+  } // namespace
+
+  void RailParameters::declare_parameters(ParameterHandler &prm)
+  {
+    using Patterns::Double;
+    using Patterns::Integer;
+    prm.add_parameter(
+        "Section mesh", section_mesh,
+        "gmsh file of the section's quadrilaterals (lateral, height; m); empty: 60E1. Units: none.",
+        Patterns::Anything());
+    prm.add_parameter(
+        "Section outline", section_outline,
+        "Outline of the right half of the section, lines and arcs (see meshes/README.md); empty: 60E1. "
+        "Units: none.",
+        Patterns::Anything());
+    prm.add_parameter("Section refinements", section_refinements,
+                      "Halvings of the section's cells. Units: none.", Integer(0, 3));
+    prm.add_parameter("Element degree", element_degree,
+                      "Polynomial degree of the displacements. Units: none.", Integer(1, 4));
+    prm.add_parameter("Length", length, "Length of the rail; the contact is at its middle. Units: m.",
+                      Double(0));
+    prm.add_parameter("Lateral position", lateral_position,
+                      "Position of the contact on the crown, from the symmetry plane. Units: m.", Double());
+    prm.add_parameter("Contact at", contact_at, "Where the contact stands. Units: none.",
+                      Patterns::Selection("mid-span|support"));
+    prm.add_parameter("Sleeper spacing", sleeper_spacing, "Distance of the supports. Units: m.", Double(0));
+    prm.add_parameter("Pad length", pad_length, "Length of a pad along the rail. Units: m.", Double(0));
+    prm.add_parameter("Pad stiffness x", pad_stiffness_x, "Longitudinal stiffness of one pad. Units: N/m.",
+                      Double(0));
+    prm.add_parameter("Pad stiffness y", pad_stiffness_y, "Lateral stiffness of one pad. Units: N/m.",
+                      Double(0));
+    prm.add_parameter("Pad stiffness z", pad_stiffness_z,
+                      "Vertical stiffness of one pad; all three zero: a free rail. Units: N/m.", Double(0));
+    prm.add_parameter("Pad loss factor", pad_loss_factor, "Hysteretic loss factor of the pads. Units: none.",
+                      Double(0, 10));
+    prm.add_parameter(
+        "Anechoic lengths", anechoic_lengths,
+        "Lengths of the pieces of an anechoic end, from inside to outside (the paper: 0.6, 0.6, 0.6, 1.2, "
+        "3.0); empty: plain free ends. Units: m.",
+        Patterns::List(Double(0), 0, 50, ","));
+    prm.add_parameter("Anechoic loss factor first", anechoic_loss_first,
+                      "Loss factor of the innermost anechoic piece; geometric steps outwards. Units: none.",
+                      Double(0, 10));
+    prm.add_parameter("Anechoic loss factor last", anechoic_loss_last,
+                      "Loss factor of the outermost anechoic piece. Units: none.", Double(0, 10));
+    prm.add_parameter("Contact division", contact_division,
+                      "Length of the coarse cells at the contact. Units: m.", Double(0));
+    prm.add_parameter("Coarse division", coarse_division,
+                      "Length of the cells far from the contact. Units: m.", Double(0));
+    prm.add_parameter("Growth", growth, "Largest ratio of neighbouring lengths. Units: none.", Double(1, 4));
+    prm.add_parameter("Fine length", fine_length,
+                      "Length of rail on either side of the contact with the contact division. Units: m.",
+                      Double(0));
+    refinement.declare_parameters(prm);
+  }
+
+  void RailParameters::check(const std::string &section) const
+  {
+    refinement.check(section);
+    const double anechoic = std::accumulate(anechoic_lengths.begin(), anechoic_lengths.end(), 0.);
+    const bool some = has_pads(), all = pad_stiffness_x > 0 && pad_stiffness_y > 0 && pad_stiffness_z > 0;
+    std::ostringstream text;
+    if (!(length > 0.05) || length > 200)
+      text << section << "/Length is " << length << " m: give a length between 0.05 and 200 m.";
+    else if (!(contact_division > 0) || !(coarse_division >= contact_division))
+      text << section << "/Contact division (" << contact_division
+           << " m) must be positive and not above Coarse division (" << coarse_division << " m).";
+    else if (some && !all)
+      text << section
+           << "/Pad stiffness x, y and z must be all positive, or all zero for a free rail: a rail that can "
+           << "slide in one direction has no static response.";
+    else if (some && !(sleeper_spacing > 0))
+      text << section << "/Sleeper spacing is " << sleeper_spacing << " m: it must be positive.";
+    else if (some && !(pad_length > 0 && pad_length <= sleeper_spacing))
+      text << section << "/Pad length is " << pad_length
+           << " m: it must be positive and not above Sleeper spacing (" << sleeper_spacing << " m).";
+    else if (some && supports().size() < 2)
+      text << section << "/Length " << length << " m holds fewer than two supports at Sleeper spacing "
+           << sleeper_spacing << " m; make the rail longer.";
+    else if (2 * anechoic > length)
+      text << section << "/Anechoic lengths add up to " << anechoic
+           << " m at each end, more than the rail's half length " << length / 2 << " m.";
+    else if (!anechoic_lengths.empty() &&
+             (anechoic_loss_first <= 0 || anechoic_loss_last < anechoic_loss_first))
+      text << section << "/Anechoic loss factor first (" << anechoic_loss_first
+           << ") must be positive and not above the last (" << anechoic_loss_last << ").";
+    else if (!section_mesh.empty() && section_outline.empty())
+      text << section << "/Section mesh is given without Section outline: give both or none.";
+    if (!text.str().empty())
+      throw InputError(text.str());
+  }
+
+  std::vector<double> RailParameters::supports() const
+  {
+    std::vector<double> result;
+    if (!has_pads() || !(sleeper_spacing > 0))
+      return result;
+    const double first = contact_at == "support" ? 0 : 0.5;
+    const int n = std::ceil(length / sleeper_spacing) + 1;
+    for (int k = -n; k <= n; ++k)
+      if (std::abs((k + first) * sleeper_spacing) + pad_length / 2 <= length / 2 * (1 + 1e-9))
+        result.push_back((k + first) * sleeper_spacing);
+    return result;
+  }
+
+  BodyMesh<3> make_rail(const RailParameters &parameters, const ContactGrid *grid, const std::string &name,
+                        const MPI_Comm communicator)
+  {
+    const SectionOutline outline =
+        SectionOutline::read(parameters.section_outline.empty() ? mesh_directory() + "/rail_60e1_outline.txt"
+                                                                : parameters.section_outline);
+    const std::string section_file = parameters.section_mesh.empty()
+                                         ? mesh_directory() + "/rail_60e1_section.msh"
+                                         : parameters.section_mesh;
+    const SectionMesh section =
+        SectionMesh::read(section_file, 1., parameters.section_refinements, outline, true);
+    std::vector<SectionOutline::Row> crown;
+    double reach = 0;
+    for (const auto &row : outline.rows)
+      if (row.part == "crown")
+      {
+        crown.push_back(row);
+        reach = std::max({reach, row.start[0], row.end[0]});
+      }
+    if (crown.empty() || std::abs(parameters.lateral_position) > reach)
+    {
+      std::ostringstream text;
+      text << "Rail/Lateral position " << parameters.lateral_position << " m of body " << name
+           << " is not on the crown, which reaches to " << reach << " m on either side.";
+      throw InputError(text.str());
+    }
+    const double shift_y = parameters.lateral_position, shift_z = CrownManifold::height(crown, shift_y);
+
+    const auto half = graded_divisions(parameters.length / 2, parameters.contact_division,
+                                       parameters.fine_length, parameters.coarse_division, parameters.growth);
+    std::vector<double> x = {0.};
+    for (const double length : half)
+      x.push_back(x.back() + length);
+    for (unsigned int k = 1; k <= half.size(); ++k)
+      x.insert(x.begin(), -x[2 * k - 1]);
+
+    const unsigned int n_vertices = section.vertices.size();
+    std::vector<Point<3>> vertices;
+    for (const double position : x)
+      for (const Point<2> &p : section.vertices)
+        vertices.emplace_back(position, p[0] - shift_y, p[1] - shift_z);
+
+    // Zones of loss: material id 0 inside, then 1, 2, ... outwards.
+    const auto zone = [&](const double position)
+    {
+      double inner = parameters.length / 2 - std::accumulate(parameters.anechoic_lengths.begin(),
+                                                             parameters.anechoic_lengths.end(), 0.);
+      unsigned int id = 0;
+      for (const double length : parameters.anechoic_lengths)
+      {
+        if (std::abs(position) <= inner)
+          break;
+        ++id;
+        inner += length;
+      }
+      return id;
+    };
+    std::vector<CellData<3>> cells;
+    for (unsigned int layer = 0; layer + 1 < x.size(); ++layer)
+      for (const auto &quad : section.cells)
+      {
+        CellData<3> cell;
+        for (unsigned int v = 0; v < 4; ++v)
+        {
+          cell.vertices[v] = quad[v] + layer * n_vertices;
+          cell.vertices[4 + v] = quad[v] + (layer + 1) * n_vertices;
+        }
+        cell.material_id = zone((x[layer] + x[layer + 1]) / 2);
+        cells.push_back(cell);
+      }
+
+    BodyMesh<3> mesh;
+    mesh.name = name;
+    mesh.geometry_degree = std::max(2u, parameters.element_degree);
+    mesh.triangulation = std::make_unique<parallel::distributed::Triangulation<3>>(
+        communicator, Triangulation<3>::limit_level_difference_at_vertices);
+    mesh.triangulation->create_triangulation(vertices, cells, SubCellData());
+    attach_rail_geometry(*mesh.triangulation, outline, shift_y, shift_z, parameters.length / 2);
+    mesh.boundaries = {{"surface", surface_id},
+                       {"foot", foot_id},
+                       {"contact", contact_id},
+                       {"end left", left_id},
+                       {"end right", right_id}};
+    mesh.contact_boundaries = {contact_id};
+
+    std::ostringstream text;
+    text.precision(17);
+    text << "rail " << section_file << " " << parameters.section_refinements << " " << shift_y;
+    for (const double position : x)
+      text << " " << position;
+    mesh.description = text.str();
+    if (grid)
+      refine_at_contact(mesh, *grid, parameters.refinement);
+    return mesh;
+  }
+
+  void add_supports(ElasticModel<3> &model, const RailParameters &parameters, const BodyMesh<3> &mesh)
+  {
+    const unsigned int n = parameters.anechoic_lengths.size();
+    for (unsigned int k = 0; k < n; ++k)
+      model.loss_factors[k + 1] = parameters.anechoic_loss_first *
+                                  std::pow(parameters.anechoic_loss_last / parameters.anechoic_loss_first,
+                                           n > 1 ? double(k) / (n - 1) : 0.);
+    if (!parameters.has_pads())
+      return;
+
+    // Width of the foot, from its faces of the coarse mesh.
+    SpringBed<3> bed;
+    bed.boundary = mesh.boundary_id("foot");
+    double low = 1e300, high = -1e300;
+    for (const auto &cell : mesh.triangulation->cell_iterators_on_level(0))
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == bed.boundary)
+          for (const unsigned int v : cell->face(f)->vertex_indices())
+          {
+            low = std::min(low, cell->face(f)->vertex(v)[1]);
+            high = std::max(high, cell->face(f)->vertex(v)[1]);
+          }
+    const double area = (high - low) * parameters.pad_length;
+    bed.stiffness_per_area[0] = parameters.pad_stiffness_x / area;
+    bed.stiffness_per_area[1] = parameters.pad_stiffness_y / area;
+    bed.stiffness_per_area[2] = parameters.pad_stiffness_z / area;
+    bed.loss_factor = parameters.pad_loss_factor;
+    for (const double x : parameters.supports())
+      bed.segments.emplace_back(x - parameters.pad_length / 2, x + parameters.pad_length / 2);
+    model.springs.push_back(bed);
+  }
+} // namespace vibrocontact

@@ -1,0 +1,147 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/scene/section.h>
+
+#include <deal.II/grid/grid_in.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/manifold_lib.h>
+#include <deal.II/grid/tria.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace vibrocontact
+{
+  using namespace dealii;
+
+  std::string mesh_directory()
+  {
+    return VIBROCONTACT_MESH_DIRECTORY;
+  }
+
+  SectionOutline SectionOutline::read(const std::string &file, const double scale)
+  {
+    std::ifstream stream(file);
+    if (!stream)
+      throw InputError("Cannot read the section outline " + file + "; give the path of an existing file.");
+    SectionOutline outline;
+    outline.tolerance *= scale;
+    std::string line;
+    for (unsigned int number = 1; std::getline(stream, line); ++number)
+    {
+      if (line.empty() || line[0] == '#')
+        continue;
+      std::istringstream fields(line);
+      std::string kind, part;
+      double v[7];
+      fields >> kind;
+      for (double &x : v)
+        fields >> x;
+      fields >> part;
+      if (!fields || (kind != "line" && kind != "arc"))
+        throw InputError("Line " + std::to_string(number) + " of the section outline " + file +
+                         " is no curve; it must read: line|arc a1 b1 a2 b2 ac bc R part (mm).");
+      const double mm = 1e-3 * scale;
+      Row row;
+      row.is_arc = kind == "arc";
+      row.start = Point<2>(mm * v[0], mm * v[1]);
+      row.end = Point<2>(mm * v[2], mm * v[3]);
+      row.centre = Point<2>(mm * v[4], mm * v[5]);
+      row.radius = mm * v[6];
+      row.part = part;
+      outline.rows.push_back(row);
+    }
+    if (outline.rows.empty())
+      throw InputError("The section outline " + file + " holds no curve.");
+    return outline;
+  }
+
+  bool SectionOutline::contains(const Row &row, const Point<2> &p) const
+  {
+    const Tensor<1, 2> chord = row.end - row.start;
+    const double along = (p - row.start) * chord / chord.norm_square();
+    if (along < -tolerance / chord.norm() || along > 1 + tolerance / chord.norm())
+      return false;
+    const Tensor<1, 2> normal({-chord[1] / chord.norm(), chord[0] / chord.norm()});
+    if (!row.is_arc)
+      return std::abs((p - row.start) * normal) < tolerance;
+    // The shorter arc lies on the side of the chord away from the centre.
+    const double side = (p - row.start) * normal, centre_side = (row.centre - row.start) * normal;
+    return std::abs(p.distance(row.centre) - row.radius) < tolerance &&
+           (side * centre_side <= 0 || std::abs(side) < tolerance);
+  }
+
+  unsigned int SectionOutline::find(const std::vector<Point<2>> &points) const
+  {
+    for (unsigned int k = 0; k < rows.size(); ++k)
+    {
+      bool all = true;
+      for (const Point<2> &p : points)
+        all = all && contains(rows[k], p);
+      if (all)
+        return k;
+    }
+    return rows.size();
+  }
+
+  double SectionOutline::size() const
+  {
+    double largest = 0;
+    for (const Row &row : rows)
+      largest = std::max({largest, row.start.norm(), row.end.norm()});
+    return largest;
+  }
+
+  SectionMesh SectionMesh::read(const std::string &file, const double scale, const unsigned int refinements,
+                                const SectionOutline &outline, const bool mirrored)
+  {
+    std::ifstream stream(file);
+    if (!stream)
+      throw InputError("Cannot read the section mesh " + file + "; give the path of an existing gmsh file.");
+    Triangulation<2> triangulation;
+    try
+    {
+      GridIn<2> reader(triangulation);
+      reader.read_msh(stream);
+    }
+    catch (const std::exception &)
+    {
+      throw InputError("The section mesh " + file +
+                       " cannot be used; it must be a gmsh file (format 4.1 or 2.2, text) of first-order "
+                       "quadrilaterals that are not inverted.");
+    }
+    GridTools::scale(scale, triangulation);
+
+    const unsigned int n_rows = outline.rows.size();
+    const double signs[] = {1., -1.};
+    for (const double sign : signs)
+      if (refinements > 0 && (sign > 0 || mirrored))
+        for (unsigned int k = 0; k < n_rows; ++k)
+          if (outline.rows[k].is_arc)
+          {
+            const unsigned int id = 1 + k + (sign < 0 ? n_rows : 0);
+            triangulation.set_manifold(
+                id, PolarManifold<2>(Point<2>(sign * outline.rows[k].centre[0], outline.rows[k].centre[1])));
+            for (const auto &face : triangulation.active_face_iterators())
+              if (face->at_boundary() &&
+                  outline.find({Point<2>(sign * face->vertex(0)[0], face->vertex(0)[1]),
+                                Point<2>(sign * face->vertex(1)[0], face->vertex(1)[1])}) == k)
+                face->set_manifold_id(id);
+          }
+    triangulation.refine_global(refinements);
+
+    SectionMesh mesh;
+    mesh.vertices = triangulation.get_vertices();
+    for (const auto &cell : triangulation.active_cell_iterators())
+    {
+      std::array<unsigned int, 4> vertices;
+      for (unsigned int v = 0; v < 4; ++v)
+        vertices[v] = cell->vertex_index(v);
+      const Tensor<1, 2> u = cell->vertex(3) - cell->vertex(0), w = cell->vertex(2) - cell->vertex(1);
+      if (u[0] * w[1] - u[1] * w[0] < 0)
+        std::swap(vertices[1], vertices[2]);
+      mesh.cells.push_back(vertices);
+    }
+    return mesh;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,187 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/scene/section_manifolds.h>
+#include <vibrocontact/scene/wheel.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace vibrocontact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr types::boundary_id surface_id = 0, bore_id = 1, contact_id = 2;
+  }
+
+  void WheelParameters::declare_parameters(ParameterHandler &prm)
+  {
+    using Patterns::Double;
+    using Patterns::Integer;
+    prm.add_parameter(
+        "Section mesh", section_mesh,
+        "gmsh file of the half section's quadrilaterals (axial, radius; m); empty: the one that comes "
+        "with the program. Units: none.",
+        Patterns::Anything());
+    prm.add_parameter(
+        "Section outline", section_outline,
+        "Outline of the half section, lines and arcs (see meshes/README.md); empty: the one that comes "
+        "with the program. Units: none.",
+        Patterns::Anything());
+    prm.add_parameter("Section refinements", section_refinements,
+                      "Halvings of the section's cells. Units: none.", Integer(0, 3));
+    prm.add_parameter("Element degree", element_degree,
+                      "Polynomial degree of the displacements. Units: none.", Integer(1, 4));
+    prm.add_parameter("Scale", scale, "All lengths of the section times this factor. Units: none.",
+                      Double(0.01, 100));
+    prm.add_parameter("Contact division", contact_division,
+                      "Circumferential length of the coarse cells at the contact. Units: m.", Double(0));
+    prm.add_parameter("Coarse division", coarse_division,
+                      "Circumferential length of the cells on the tread far from the contact. Units: m.",
+                      Double(0));
+    prm.add_parameter("Growth", growth, "Largest ratio of neighbouring circumferential lengths. Units: none.",
+                      Double(1, 4));
+    prm.add_parameter("Fine length", fine_length,
+                      "Length of tread on either side of the contact with the contact division. Units: m.",
+                      Double(0));
+    refinement.declare_parameters(prm);
+  }
+
+  void WheelParameters::check(const std::string &section) const
+  {
+    refinement.check(section);
+    std::ostringstream text;
+    if (!(contact_division > 0) || !(coarse_division >= contact_division))
+      text << section << "/Contact division (" << contact_division
+           << " m) must be positive and not above Coarse division (" << coarse_division << " m).";
+    else if (coarse_division > 0.5 * scale)
+      text << section << "/Coarse division is " << coarse_division
+           << " m, fewer than six cells around the wheel; give it in metres.";
+    else if (!section_mesh.empty() && section_outline.empty())
+      text << section << "/Section mesh is given without Section outline: give both or none.";
+    if (!text.str().empty())
+      throw InputError(text.str());
+  }
+
+  SectionOutline wheel_outline(const WheelParameters &parameters)
+  {
+    return SectionOutline::read(parameters.section_outline.empty() ? mesh_directory() + "/wheel_outline.txt"
+                                                                   : parameters.section_outline,
+                                parameters.scale);
+  }
+
+  double tread_radius(const SectionOutline &outline, const double lateral_position)
+  {
+    double low = 1e300, high = -1e300;
+    for (const auto &row : outline.rows)
+      if (row.part == "tread" && !row.is_arc)
+      {
+        low = std::min({low, row.start[0], row.end[0]});
+        high = std::max({high, row.start[0], row.end[0]});
+        const double t = (lateral_position - row.start[0]) / (row.end[0] - row.start[0]);
+        if (t >= 0 && t <= 1)
+          return row.start[1] + t * (row.end[1] - row.start[1]);
+      }
+    std::ostringstream text;
+    text << "Contact/Lateral position " << lateral_position
+         << " m is not on the wheel's tread, which reaches from " << low << " to " << high << " m.";
+    throw InputError(text.str());
+  }
+
+  void attach_wheel_geometry(Triangulation<3> &triangulation, const SectionOutline &outline,
+                             const double axis_height, const double shift)
+  {
+    const RevolvedManifold revolved(axis_height, shift);
+    triangulation.set_all_manifold_ids(0);
+    triangulation.set_manifold(0, revolved);
+    for (unsigned int k = 0; k < outline.rows.size(); ++k)
+      if (outline.rows[k].is_arc)
+        triangulation.set_manifold(1 + k, RevolvedArcManifold(axis_height, shift, outline.rows[k].centre));
+
+    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      for (const unsigned int f : cell->face_indices())
+      {
+        const auto face = cell->face(f);
+        if (!face->at_boundary())
+          continue;
+        std::vector<Point<2>> points;
+        for (const unsigned int v : face->vertex_indices())
+        {
+          const Point<3> chart = revolved.pull_back(face->vertex(v));
+          points.emplace_back(chart[0], chart[1]);
+        }
+        const unsigned int row = outline.find(points);
+        face->set_all_boundary_ids(surface_id);
+        if (row == outline.rows.size())
+          continue;
+        if (outline.rows[row].part == "bore")
+          face->set_all_boundary_ids(bore_id);
+        if (outline.rows[row].part == "tread")
+          face->set_all_boundary_ids(contact_id);
+        if (outline.rows[row].is_arc)
+          face->set_all_manifold_ids(1 + row);
+      }
+  }
+
+  BodyMesh<3> make_wheel(const WheelParameters &parameters, const double lateral_position,
+                         const ContactGrid *grid, const std::string &name, const MPI_Comm communicator)
+  {
+    const SectionOutline outline = wheel_outline(parameters);
+    const double radius = tread_radius(outline, lateral_position);
+    const std::string section_file =
+        parameters.section_mesh.empty() ? mesh_directory() + "/wheel_section.msh" : parameters.section_mesh;
+    const SectionMesh section =
+        SectionMesh::read(section_file, parameters.scale, parameters.section_refinements, outline, false);
+
+    // Angles of the sections, symmetric about the contact at phi = 0.
+    const auto half = graded_divisions(numbers::PI * radius, parameters.contact_division,
+                                       parameters.fine_length, parameters.coarse_division, parameters.growth);
+    std::vector<double> angles = {0.};
+    for (const double length : half)
+      angles.push_back(angles.back() + length / radius);
+    for (unsigned int k = half.size(); k-- > 1;)
+      angles.push_back(2 * numbers::PI - angles[k]);
+
+    const RevolvedManifold revolved(radius, lateral_position);
+    const unsigned int n_angles = angles.size(), n_vertices = section.vertices.size();
+    std::vector<Point<3>> vertices;
+    for (const double angle : angles)
+      for (const Point<2> &p : section.vertices)
+        vertices.push_back(revolved.push_forward(Point<3>(p[0], p[1], angle)));
+    // The section's (a, b) and the angle are right-handed as (b, a, angle): swap two vertices of each layer.
+    std::vector<CellData<3>> cells;
+    for (unsigned int layer = 0; layer < n_angles; ++layer)
+      for (const auto &quad : section.cells)
+      {
+        CellData<3> cell;
+        const unsigned int order[4] = {0, 2, 1, 3};
+        for (unsigned int v = 0; v < 4; ++v)
+        {
+          cell.vertices[v] = quad[order[v]] + layer * n_vertices;
+          cell.vertices[4 + v] = quad[order[v]] + ((layer + 1) % n_angles) * n_vertices;
+        }
+        cells.push_back(cell);
+      }
+
+    BodyMesh<3> mesh;
+    mesh.name = name;
+    mesh.geometry_degree = std::max(2u, parameters.element_degree);
+    mesh.triangulation = std::make_unique<parallel::distributed::Triangulation<3>>(
+        communicator, Triangulation<3>::limit_level_difference_at_vertices);
+    mesh.triangulation->create_triangulation(vertices, cells, SubCellData());
+    attach_wheel_geometry(*mesh.triangulation, outline, radius, lateral_position);
+    mesh.boundaries = {{"surface", surface_id}, {"bore", bore_id}, {"contact", contact_id}};
+    mesh.contact_boundaries = {contact_id};
+
+    std::ostringstream text;
+    text.precision(17);
+    text << "wheel " << lateral_position << " " << parameters.scale << " " << parameters.section_refinements
+         << " " << section_file << " " << vertices.size();
+    for (const double length : half)
+      text << " " << length;
+    mesh.description = text.str();
+    if (grid)
+      refine_at_contact(mesh, *grid, parameters.refinement);
+    return mesh;
+  }
+} // namespace vibrocontact
