@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vibrocontact/reduction/reduction_parts.h>
+
+#include <optional>
+#include <string>
+
+namespace vibrocontact
+{
+  /// Reductions kept between runs, one HDF5 file each: `<folder>/<body>-static-<hash>.h5` and
+  /// `...-modes-<hash>.h5`.
+  ///
+  /// The key is everything that determines the contents, as text; the hash is of key and formulation version
+  /// and names the file, the whole key stands in it and is compared. A file that is damaged or belongs to
+  /// something else is reported, not used, and written anew. Rank 0 reads and writes, all ranks get the
+  /// result; all members are collective.
+  class ReductionCache
+  {
+  public:
+    /// An empty folder name: nothing is kept. The folder is made when something is saved.
+    ReductionCache(const std::string &folder, MPI_Comm communicator);
+
+    std::optional<StaticReduction> load_static(const std::string &body, const std::string &key) const;
+    std::optional<ModalReduction> load_modal(const std::string &body, const std::string &key) const;
+    void save(const std::string &key, const StaticReduction &part) const;
+    void save(const std::string &body, const std::string &key, const ModalReduction &part) const;
+
+    /// File of a part: `kind` is "static" or "modes".
+    std::string file_name(const std::string &body, const std::string &kind, const std::string &key) const;
+
+  private:
+    std::string folder;
+    MPI_Comm communicator;
+    bool is_host;
+  };
+} // namespace vibrocontact

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vibrocontact/reduction/modes.h>
+
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// What a mode of a wheel looks like: family(m, n), m nodal circles, n nodal diameters.
+  struct WheelLabel
+  {
+    /// direction in which the rim moves most: "axial", "radial", "circumferential" ("torsion" for n = 0)
+    std::string family;
+    unsigned int nodal_circles = 0, nodal_diameters = 0;
+
+    std::string text() const
+    {
+      return family + "(" + std::to_string(nodal_circles) + "," + std::to_string(nodal_diameters) + ")";
+    }
+  };
+
+  /// Where the wheel's parts are.
+  struct WheelFrame
+  {
+    /// height of the axle above the contact point (the axle is parallel to y, over x = 0) [m]
+    double axle_height = 0.46;
+    /// points beyond this radius are the rim [m]
+    double rim_radius = 0.385;
+  };
+
+  /// Labels from the shapes at the nodes, weighted with the nodes' mass:
+  /// - on a coarse raster of the rim's section every component (axial y, radial, circumferential) is
+  /// developed in a
+  ///   Fourier series of the angle round the axle; n is the number of diameters that holds most of the rim's
+  ///   energy, the family the component that holds most of it at that n;
+  /// - m counts the sign changes of the axial motion (its n-th Fourier coefficient, mean over the thickness)
+  /// along the web,
+  ///   from the bore to the rim's radius.
+  std::vector<WheelLabel> wheel_labels(const SecondOrderSystem &system, const Modes &modes,
+                                       const WheelFrame &frame);
+
+  /// Texts in which a label that comes again gets a number: axial(0,2), axial(0,2)#2 (the second of a pair).
+  std::vector<std::string> unique_texts(const std::vector<WheelLabel> &labels);
+
+  /// Eq. 23: damping ratios by nodal diameters.
+  std::vector<double> wheel_damping(const std::vector<WheelLabel> &labels, const ModeParameters &parameters);
+} // namespace vibrocontact

@@ -1,0 +1,205 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/reduction/wheel_labels.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <map>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    constexpr unsigned int max_diameters = 24;
+    constexpr unsigned int n_raster = 5; // raster of the rim's section, each way
+    constexpr unsigned int n_web = 28;   // rings of the web
+    constexpr double faint = 0.02;       // of the largest axial motion of the web: no sign is read from less
+
+    using Complex = std::complex<double>;
+
+    // Mean over a ring of the section of u exp(-i n theta), for all n.
+    struct Ring
+    {
+      double mass = 0;
+      std::array<Complex, max_diameters + 1> sum{};
+    };
+
+    // Nodes seen from the axle.
+    struct Polar
+    {
+      double radius, y, sine, cosine, mass;
+    };
+  } // namespace
+
+  std::vector<WheelLabel> wheel_labels(const SecondOrderSystem &system, const Modes &modes,
+                                       const WheelFrame &frame)
+  {
+    const unsigned int n_local = system.locally_owned.n_elements();
+    AssertThrow(system.dof_position.size() == n_local, dealii::ExcInternalError());
+    dealii::PETScWrappers::MPI::Vector diagonal(system.locally_owned, system.communicator);
+    MatGetDiagonal(system.mass, diagonal);
+    const PetscScalar *masses = nullptr;
+    VecGetArrayRead(diagonal, &masses);
+
+    const double huge = std::numeric_limits<double>::max();
+    double r_min = huge, r_max = 0, y_min = huge, y_max = -huge;
+    std::vector<Polar> nodes(n_local);
+    for (unsigned int i = 0; i < n_local; ++i)
+    {
+      const auto &p = system.dof_position[i];
+      const double z = p[2] - frame.axle_height, r = std::hypot(p[0], z);
+      // The angle is counted from the contact point (x = 0, below the axle).
+      nodes[i] = {r, p[1], p[0] / r, -z / r, masses[i]};
+      r_min = std::min(r_min, r);
+      r_max = std::max(r_max, r);
+      if (r > frame.rim_radius)
+      {
+        y_min = std::min(y_min, p[1]);
+        y_max = std::max(y_max, p[1]);
+      }
+    }
+    VecRestoreArrayRead(diagonal, &masses);
+    const MPI_Comm communicator = system.communicator;
+    r_min = dealii::Utilities::MPI::min(r_min, communicator);
+    r_max = dealii::Utilities::MPI::max(r_max, communicator);
+    y_min = dealii::Utilities::MPI::min(y_min, communicator);
+    y_max = dealii::Utilities::MPI::max(y_max, communicator);
+    if (!(r_min < frame.rim_radius && frame.rim_radius < r_max))
+      throw InputError("Body '" + system.body +
+                       "', section Modes: Rim radius = " + std::to_string(frame.rim_radius) +
+                       " m is not inside the wheel (radii " + std::to_string(r_min) + " to " +
+                       std::to_string(r_max) + " m); set it to the radius where the rim begins.");
+
+    const auto cell = [](const double value, const double low, const double high, const unsigned int n)
+    { return std::min<unsigned int>(n - 1, std::max(0., (value - low) / (high - low) * n)); };
+    // rings: 3 components of the rim's raster, then the axial motion of the web
+    constexpr unsigned int n_rim = n_raster * n_raster, n_rings = 3 * n_rim + n_web;
+    constexpr unsigned int stride = 1 + 2 * (max_diameters + 1);
+
+    std::vector<WheelLabel> labels;
+    for (const auto &shape : modes.shapes)
+    {
+      std::vector<Ring> rings(n_rings);
+      const PetscScalar *u = nullptr;
+      VecGetArrayRead(shape, &u);
+      const auto add = [&](Ring &ring, const Polar &node, const double value)
+      {
+        const Complex turn(node.cosine, -node.sine);
+        Complex factor = node.mass * value;
+        for (Complex &sum : ring.sum)
+        {
+          sum += factor;
+          factor *= turn;
+        }
+      };
+      for (unsigned int i = 0; i < n_local; ++i)
+      {
+        const Polar &node = nodes[i];
+        const unsigned char direction = system.dof_direction[i];
+        if (node.radius > frame.rim_radius)
+        {
+          const unsigned int k = cell(node.radius, frame.rim_radius, r_max, n_raster) * n_raster +
+                                 cell(node.y, y_min, y_max, n_raster);
+          // e_r = (sin, -cos), e_theta = (cos, sin) in x and z
+          if (direction == 1)
+          {
+            add(rings[k], node, u[i]);
+            rings[k].mass += node.mass;
+          }
+          else
+          {
+            add(rings[n_rim + k], node, direction == 0 ? node.sine * u[i] : -node.cosine * u[i]);
+            add(rings[2 * n_rim + k], node, direction == 0 ? node.cosine * u[i] : node.sine * u[i]);
+          }
+        }
+        else if (direction == 1)
+        {
+          Ring &ring = rings[3 * n_rim + cell(node.radius, r_min, frame.rim_radius, n_web)];
+          add(ring, node, u[i]);
+          ring.mass += node.mass;
+        }
+      }
+      VecRestoreArrayRead(shape, &u);
+      static_assert(sizeof(Ring) == stride * sizeof(double));
+      MPI_Allreduce(MPI_IN_PLACE, rings.data(), n_rings * stride, MPI_DOUBLE, MPI_SUM, communicator);
+
+      std::array<std::array<double, max_diameters + 1>, 3> energy{};
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int k = 0; k < n_rim; ++k)
+          if (rings[k].mass > 0)
+            for (unsigned int n = 0; n <= max_diameters; ++n)
+              energy[c][n] += (n == 0 ? 1 : 2) * std::norm(rings[c * n_rim + k].sum[n]) / rings[k].mass;
+
+      WheelLabel label;
+      double most = -1;
+      for (unsigned int n = 0; n <= max_diameters; ++n)
+      {
+        const double here = energy[0][n] + energy[1][n] + energy[2][n];
+        if (here > most)
+        {
+          most = here;
+          label.nodal_diameters = n;
+        }
+      }
+      const unsigned int n = label.nodal_diameters;
+      const unsigned int family =
+          std::max_element(energy.begin(), energy.end(),
+                           [n](const auto &a, const auto &b) { return a[n] < b[n]; }) -
+          energy.begin();
+      label.family = family == 0 ? "axial" : family == 1 ? "radial" : n == 0 ? "torsion" : "circumferential";
+
+      // The web's axial motion, turned to the phase that holds most of it.
+      std::vector<Complex> profile;
+      Complex square = 0;
+      for (unsigned int k = 0; k < n_web; ++k)
+        if (const Ring &ring = rings[3 * n_rim + k]; ring.mass > 0)
+        {
+          profile.push_back(ring.sum[n] / ring.mass);
+          square += profile.back() * profile.back();
+        }
+      const Complex phase = std::exp(Complex(0, -std::arg(square) / 2));
+      double largest = 0, last = 0;
+      for (Complex &value : profile)
+      {
+        value *= phase;
+        largest = std::max(largest, std::abs(value.real()));
+      }
+      for (const Complex &value : profile)
+        if (std::abs(value.real()) > faint * largest)
+        {
+          if (value.real() * last < 0)
+            ++label.nodal_circles;
+          last = value.real();
+        }
+      labels.push_back(label);
+    }
+    return labels;
+  }
+
+  std::vector<std::string> unique_texts(const std::vector<WheelLabel> &labels)
+  {
+    std::vector<std::string> texts;
+    std::map<std::string, unsigned int> seen;
+    for (const auto &label : labels)
+    {
+      const std::string text = label.text();
+      const unsigned int number = ++seen[text];
+      texts.push_back(number == 1 ? text : text + "#" + std::to_string(number));
+    }
+    return texts;
+  }
+
+  std::vector<double> wheel_damping(const std::vector<WheelLabel> &labels, const ModeParameters &parameters)
+  {
+    std::vector<double> zeta;
+    for (const auto &label : labels)
+      zeta.push_back(label.nodal_diameters == 0   ? parameters.damping_0
+                     : label.nodal_diameters == 1 ? parameters.damping_1
+                                                  : parameters.damping_2);
+    return zeta;
+  }
+} // namespace vibrocontact
