@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vibrocontact/reduction/body_reduction.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// Outcome of the analysis `modes` for one body, as in results.json (analyses.modes.<body>).
+  struct ModalResult
+  {
+    std::string body;
+    /// ascending, rigid modes first as 0 [Hz]
+    std::vector<double> frequencies_Hz;
+    std::vector<std::string> labels;
+    /// [-]
+    std::vector<double> damping_ratio;
+    unsigned int n_dofs = 0, n_rigid_modes = 0;
+    /// wall time of the computation, also when it was found in the cache [s]
+    double seconds = 0;
+    double orthonormality_error = 0, residual = 0;
+    /// wall times of what this run did [s]; empty if all was found
+    std::vector<std::pair<std::string, double>> stages;
+  };
+
+  /// Modes of one body, printed to the log as well.
+  ModalResult modal_analysis(BodyReduction &body);
+} // namespace vibrocontact

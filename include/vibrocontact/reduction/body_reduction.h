@@ -1,0 +1,67 @@
+#pragma once
+
+#include <vibrocontact/reduction/reduction_cache.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// How a meshed body is to be reduced.
+  struct ReductionRequest
+  {
+    /// name of the body, for files and messages
+    std::string body;
+    /// everything that determines matrices and trace (mesh, material, boundary, grid), as text
+    std::string key;
+    ModeParameters modes;
+    /// a wheel's modes are labelled and damped by Eq. 23, any other body's by strain energy
+    std::optional<WheelFrame> wheel;
+    /// empty: nothing is kept between runs
+    std::string cache_directory;
+  };
+
+  /// The reductions of one body, each part found in the cache or computed when it is first asked for: a
+  /// static analysis computes no modes, a run that finds its parts assembles nothing. All members are
+  /// collective.
+  class BodyReduction
+  {
+  public:
+    using Assemble = std::function<std::unique_ptr<SecondOrderSystem>()>;
+
+    BodyReduction(const ReductionRequest &request, const Assemble &assemble, MPI_Comm communicator);
+
+    const StaticReduction &statics();
+    const ModalReduction &modal();
+    /// The reduced body; without modes W~ is the whole static compliance.
+    ReducedBody reduced(bool with_modes);
+    /// The shapes themselves: not kept in the cache, computed if this run has not yet done so.
+    const Modes &shapes();
+
+    /// The assembled system; assembles it.
+    const SecondOrderSystem &system();
+    /// The factorised system; factorises it.
+    Flexibility &flexibility();
+    bool was_assembled() const { return static_cast<bool>(assembled); }
+    /// Wall time of each stage that this run did: name and seconds.
+    const std::vector<std::pair<std::string, double>> &stages() const { return timings; }
+    const ReductionRequest &request() const { return asked; }
+
+  private:
+    void compute_modes_now();
+
+    ReductionRequest asked;
+    Assemble assemble;
+    MPI_Comm communicator;
+    ReductionCache cache;
+    std::unique_ptr<SecondOrderSystem> assembled;
+    std::unique_ptr<Flexibility> factorised;
+    std::optional<StaticReduction> static_part;
+    std::optional<ModalReduction> modal_part;
+    std::unique_ptr<Modes> mode_shapes;
+    std::vector<std::pair<std::string, double>> timings;
+  };
+} // namespace vibrocontact

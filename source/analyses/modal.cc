@@ -1,0 +1,46 @@
+#include <vibrocontact/analyses/modal.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <cstdio>
+
+namespace vibrocontact
+{
+  ModalResult modal_analysis(BodyReduction &body)
+  {
+    if (!body.request().modes.any())
+      throw InputError(
+          "Section '" + body.request().body +
+          "/Modes': the analysis 'modes' is asked for, but neither Upper frequency nor Count is set.");
+    const ModalReduction &modal = body.modal();
+    ModalResult result;
+    result.body = body.request().body;
+    result.labels = modal.labels;
+    result.damping_ratio = modal.damping_ratio;
+    result.n_dofs = modal.n_dofs;
+    result.n_rigid_modes = modal.n_rigid_modes;
+    result.seconds = modal.seconds;
+    result.orthonormality_error = modal.orthonormality_error;
+    result.residual = modal.residual;
+    result.stages = body.stages();
+    for (const double omega : modal.omega)
+      result.frequencies_Hz.push_back(omega / (2 * dealii::numbers::PI));
+
+    Log &log = run_log();
+    log.value("dofs", result.n_dofs);
+    log.value("modes", static_cast<unsigned int>(result.frequencies_Hz.size()));
+    log.value("of them rigid", result.n_rigid_modes);
+    for (unsigned int i = 0; i < result.frequencies_Hz.size(); ++i)
+    {
+      char line[200];
+      std::snprintf(line, sizeof(line), "%4u %12.4f Hz  damping %8.2e  %s", i + 1, result.frequencies_Hz[i],
+                    result.damping_ratio[i], result.labels[i].c_str());
+      log.line(line);
+    }
+    for (const auto &[stage, seconds] : result.stages)
+      log.value(stage, seconds, "s");
+    return result;
+  }
+} // namespace vibrocontact

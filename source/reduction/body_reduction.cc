@@ -1,0 +1,94 @@
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/reduction/body_reduction.h>
+
+#include <deal.II/base/timer.h>
+
+namespace vibrocontact
+{
+  BodyReduction::BodyReduction(const ReductionRequest &request, const Assemble &assemble,
+                               MPI_Comm communicator)
+      : asked(request), assemble(assemble), communicator(communicator),
+        cache(request.cache_directory, communicator)
+  {
+  }
+
+  const SecondOrderSystem &BodyReduction::system()
+  {
+    if (!assembled)
+    {
+      dealii::Timer timer;
+      assembled = assemble();
+      timings.emplace_back("mesh and assembly", timer.wall_time());
+      run_log().line(asked.body + ": mesh and assembly of " + std::to_string(assembled->stiffness.m()) +
+                     " dofs: " + time_text(timer.wall_time()));
+    }
+    return *assembled;
+  }
+
+  Flexibility &BodyReduction::flexibility()
+  {
+    if (!factorised)
+    {
+      const SecondOrderSystem &matrices = system();
+      dealii::Timer timer;
+      factorised = std::make_unique<Flexibility>(matrices);
+      timings.emplace_back("factorisation", timer.wall_time());
+    }
+    return *factorised;
+  }
+
+  const StaticReduction &BodyReduction::statics()
+  {
+    if (!static_part)
+    {
+      static_part = cache.load_static(asked.body, asked.key);
+      if (static_part)
+        run_log().line(asked.body + ": contact compliance found in the cache");
+    }
+    if (!static_part)
+    {
+      Flexibility &inverse = flexibility();
+      dealii::Timer timer;
+      static_part = reduce_statically(system(), inverse);
+      timings.emplace_back("contact compliance", timer.wall_time());
+      cache.save(asked.key, *static_part);
+    }
+    return *static_part;
+  }
+
+  void BodyReduction::compute_modes_now()
+  {
+    Flexibility &inverse = flexibility();
+    dealii::Timer timer;
+    mode_shapes = std::make_unique<Modes>();
+    modal_part = reduce_modally(system(), inverse, asked.modes, asked.wheel, mode_shapes.get());
+    timings.emplace_back("count of modes", mode_shapes->seconds_count);
+    timings.emplace_back("modes", timer.wall_time() - mode_shapes->seconds_count);
+    cache.save(asked.body, asked.key + "\nmodes " + asked.modes.key(), *modal_part);
+  }
+
+  const ModalReduction &BodyReduction::modal()
+  {
+    if (!modal_part)
+    {
+      modal_part = cache.load_modal(asked.body, asked.key + "\nmodes " + asked.modes.key());
+      if (modal_part)
+        run_log().line(asked.body + ": modes found in the cache");
+    }
+    if (!modal_part)
+      compute_modes_now();
+    return *modal_part;
+  }
+
+  const Modes &BodyReduction::shapes()
+  {
+    if (!mode_shapes)
+      compute_modes_now();
+    return *mode_shapes;
+  }
+
+  ReducedBody BodyReduction::reduced(const bool with_modes)
+  {
+    return combine(statics(), with_modes && asked.modes.any() ? &modal() : nullptr);
+  }
+} // namespace vibrocontact
