@@ -131,8 +131,8 @@ def middle(p, q):
 def wheel():
     outline = read_outline("wheel_outline.txt")
     rows = list(enumerate(outline, 1))
-    cells = {1: 1, 2: 1, 3: 2, 4: 3, 5: 4, 6: 1, 7: 5, 8: 2, 9: 2, 10: 1, 11: 3, 12: 1, 13: 1, 14: 1, 15: 1, 16: 1,
-             18: 1, 19: 3, 20: 1, 21: 2, 22: 2, 23: 5, 24: 1, 25: 4, 26: 3, 27: 1, 28: 1, 29: 1, 30: 9}
+    cells = {1: 1, 2: 1, 3: 2, 4: 4, 5: 4, 6: 1, 7: 5, 8: 3, 9: 1, 10: 1, 11: 3, 12: 1, 13: 1, 14: 1, 15: 1, 16: 1,
+             18: 1, 19: 3, 20: 1, 21: 1, 22: 3, 23: 5, 24: 1, 25: 4, 26: 4, 27: 1, 28: 1, 29: 1, 30: 9}
     geo = Geo("wheel_outline.txt")
 
     def tread(row):
@@ -157,16 +157,17 @@ def wheel():
 
     # Hub by hand; its two outer edges (R5) are squared off at equal area.
     a, b = chain(rows[3:4], cells)[0], list(reversed(chain(rows[25:26], cells)[0]))
-    bore = [(y, 92.5) for y in (-95, -74, -51, -24, 4.5, 33, 59, 85)]
-    mid = [(-95, 107.6), (-74, 108), (-51, 108.5), (-25, 110.5), (4.5, 111), (34, 110.5), (60, 108.5), (85, 107.6)]
-    top = [(-94.85, 125.25), (-74, 126.24), a[0], a[1], (4.5, 131), b[1], b[0], (84.85, 125.1)]
-    for k in range(7):
+    bore = [(y, 92.5) for y in (-95, -74, -52, -36, -17, 4.5, 26, 45, 61, 85)]
+    mid = [(-95, 107.6), (-74, 108), (-52, 109), (-36, 110.5), (-17, 112), (4.5, 113), (26, 112), (45, 110.5),
+           (61, 109), (85, 107.6)]
+    top = [(-94.85, 125.25), (-74, 126.24), a[0], a[1], a[2], (4.5, 138), b[2], b[1], b[0], (84.85, 125.1)]
+    for k in range(9):
         geo.polygon([bore[k], bore[k + 1], mid[k + 1], mid[k]])
         geo.polygon([mid[k], mid[k + 1], top[k + 1], top[k]])
-    stem = [(4.5, 131), (4.5, 150), web[0]]
+    stem = [(4.5, 138), (4.5, 154), web[0]]
     for k in range(2):
-        geo.polygon([a[k + 1], stem[k], stem[k + 1], a[k + 2]])
-        geo.polygon([stem[k], b[k + 1], b[k + 2], stem[k + 1]])
+        geo.polygon([a[k + 2], stem[k], stem[k + 1], a[k + 3]])
+        geo.polygon([stem[k], b[k + 2], b[k + 3], stem[k + 1]])
     geo.mesh("wheel_section")
 
 

@@ -23,7 +23,7 @@ namespace vibrocontact
     /// similar wheels: all lengths times this factor
     double scale = 1;
     /// circumferential lengths of cells on the tread: at the contact, and largest far from it [m]; growth
-    double contact_division = 0.008, coarse_division = 0.045, growth = 1.6;
+    double contact_division = 0.008, coarse_division = 0.055, growth = 1.6;
     /// the fine divisions reach this far to either side of the contact [m]
     double fine_length = 0.016;
     ContactRefinement refinement;
