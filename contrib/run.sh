@@ -6,4 +6,4 @@ program=${VIBROCONTACT:-$(dirname "$0")/../build/vibrocontact}
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 # one BLAS thread per rank
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
-exec mpirun --oversubscribe --bind-to none -n "$ranks" "$program" "$@"
+exec mpirun -q --oversubscribe --bind-to none -n "$ranks" "$program" "$@"
