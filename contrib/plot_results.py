@@ -15,6 +15,7 @@ import os
 import re
 import struct
 import sys
+import warnings
 import xml.etree.ElementTree as ElementTree
 import zlib
 
@@ -28,6 +29,7 @@ except ImportError:
     sys.exit(4)
 
 MAX_PATCHES = 4
+warnings.filterwarnings("ignore")
 plt.rcParams.update({"font.size": 9, "figure.dpi": 110, "axes.grid": False, "savefig.bbox": "tight"})
 
 
@@ -85,8 +87,9 @@ def plot_patch(folder, k, case):
     chosen = np.zeros(len(closed), bool).reshape(len(y), len(x))
     chosen[::step, ::step] = True
     strong &= chosen.ravel()
-    axes[1].quiver(1e3 * patch["x_m"][strong], 1e3 * patch["y_m"][strong], patch["traction_x_Pa"][strong],
-                   patch["traction_y_Pa"][strong], color="white", pivot="mid", width=0.004)
+    if strong.any():
+        axes[1].quiver(1e3 * patch["x_m"][strong], 1e3 * patch["y_m"][strong], patch["traction_x_Pa"][strong],
+                       patch["traction_y_Pa"][strong], color="white", pivot="mid", width=0.004)
     colours = ListedColormap(["#eeeeee", "#2a6fb0", "#e08a2e"])
     axes[2].imshow(on_grid(patch, patch["status"])[2], origin="lower", extent=extent, cmap=colours, vmin=-0.5, vmax=2.5,
                    interpolation="nearest")

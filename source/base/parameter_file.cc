@@ -193,7 +193,8 @@ namespace vibrocontact
 
   std::string ParameterFile::where(const std::string &section, const std::string &entry) const
   {
-    const std::string names = section_text(section) + ", entry \"" + entry + "\"";
+    const std::string names =
+        (section.empty() ? "" : section_text(section) + ", ") + "entry \"" + entry + "\"";
     if (find_option(section, entry))
       return "--set \"" + joined_path(section, entry) + "\"";
     if (const auto *given = text.find(section, entry))

@@ -19,6 +19,11 @@ namespace vibrocontact
   {
     const char *list_name = "files.txt";
 
+    bool is_first_rank()
+    {
+      return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    }
+
     void remove_earlier_results(const fs::path &folder)
     {
       std::ifstream list(folder / list_name);
@@ -31,13 +36,17 @@ namespace vibrocontact
     }
   } // namespace
 
-  std::string begin_run_record(const std::string &folder, const ParameterFile &file,
-                               const dealii::ParameterHandler &prm)
+  RunRecord::RunRecord(const std::string &folder, const ParameterFile &file,
+                       const dealii::ParameterHandler &prm)
+      : folder(folder)
   {
     std::string problem;
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    if (is_first_rank())
       try
       {
+        for (fs::path path = fs::absolute(folder).lexically_normal(); !fs::exists(path);
+             path = path.parent_path())
+          first_made = path.string();
         remove_earlier_results(folder);
         write_file(folder + "/input.prm", file.bytes());
         write_file(folder + "/used.prm",
@@ -51,23 +60,46 @@ namespace vibrocontact
     problem = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, problem);
     if (!problem.empty())
       throw InputError(problem);
-    return folder;
   }
 
-  void end_run_record(const std::string &folder)
+  std::vector<std::string> RunRecord::own_files() const
   {
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
-      return;
-    // Only what this run wrote: nothing older than its input.prm.
     const auto begin = fs::last_write_time(fs::path(folder) / "input.prm");
     std::vector<std::string> names;
     for (const auto &entry : fs::recursive_directory_iterator(folder))
       if (entry.is_regular_file() && entry.last_write_time() >= begin)
         names.push_back(fs::relative(entry.path(), folder).string());
     std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  void RunRecord::finish() const
+  {
+    if (!is_first_rank())
+      return;
     std::string text;
-    for (const auto &name : names)
+    for (const auto &name : own_files())
       text += name + "\n";
     write_file(folder + "/" + list_name, text);
+  }
+
+  void RunRecord::discard() const
+  {
+    if (!is_first_rank())
+      return;
+    run_log().open_file("");
+    std::error_code ignored;
+    for (const auto &name : own_files())
+    {
+      fs::remove(folder / fs::path(name), ignored);
+      // Folders go when they are empty; fs::remove() leaves others alone.
+      fs::remove((folder / fs::path(name)).parent_path(), ignored);
+    }
+    if (first_made.empty())
+      return;
+    const fs::path last = fs::path(first_made).parent_path();
+    for (fs::path path = fs::absolute(folder).lexically_normal(); path != last && path.has_relative_path();
+         path = path.parent_path())
+      fs::remove(path, ignored);
   }
 } // namespace vibrocontact

@@ -2,6 +2,7 @@
 #include <vibrocontact/scene/half_space_body.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace vibrocontact
 {
@@ -22,8 +23,12 @@ namespace vibrocontact
   void HalfSpaceParameters::check(const std::string &section) const
   {
     for (const auto &[entry, radius] : {std::make_pair("Radius x", radius_x), {"Radius y", radius_y}})
-      if (radius != 0 && std::abs(radius) < 1e-4)
-        throw InputError(section + "/" + entry + " is " + std::to_string(radius) +
-                         " m, too sharp for a half-space; give it in m, or 0 for a flat surface");
+      if (radius != 0 && (std::abs(radius) < 1e-4 || std::abs(radius) > 100))
+      {
+        std::ostringstream text;
+        text << section << "/" << entry << " is " << radius
+             << " m, no radius of a contact; give it in m, or 0 for a flat surface";
+        throw InputError(text.str());
+      }
   }
 } // namespace vibrocontact

@@ -1,6 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/scene/material.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace vibrocontact
@@ -36,6 +37,16 @@ namespace vibrocontact
       refuse("Density", density, "it must be positive, in kg/m^3 (steel: 7800)");
     if (density < 0.5 || density > 1e5)
       refuse("Density", density, "no solid has it; give it in kg/m^3 (steel: 7800)");
+    // Sound travels at 10 m/s in the softest rubber and at 18 km/s in diamond.
+    const double sound_speed = std::sqrt(young_modulus / density);
+    if (sound_speed < 10 || sound_speed > 2e4)
+    {
+      std::ostringstream text;
+      text << section << "/Young modulus is " << young_modulus << " Pa and Density " << density
+           << " kg/m^3: no solid has both; give Young modulus in Pa (steel: 2.1e11) and Density in kg/m^3 "
+              "(steel: 7800)";
+      throw InputError(text.str());
+    }
     if (!(loss_factor >= 0))
       refuse("Loss factor", loss_factor, "it must not be negative");
   }

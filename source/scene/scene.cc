@@ -46,9 +46,9 @@ namespace vibrocontact
       for (const auto &section : file.top_sections())
         if (!contains(reserved_names, section) && !contains(names, section))
           others.push_back(section);
-      throw InputError(
-          where + "there is no section of the body \"" + name + "\"; " +
-          (others.empty() ? "add \"subsection " + name + "\" with its Type" : name_suggestion(name, others)));
+      throw InputError(where + "there is no section of the body \"" + name + "\"; " +
+                       (nearest_names(name, others).empty() ? "add \"subsection " + name + "\" with its Type"
+                                                            : name_suggestion(name, others)));
     }
   } // namespace
 

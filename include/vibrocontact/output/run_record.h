@@ -3,17 +3,40 @@
 #include <vibrocontact/base/parameter_file.h>
 
 #include <string>
+#include <vector>
 
 namespace vibrocontact
 {
   /// The output folder of a run. Made only after the input has been checked, so that wrong input leaves
   /// nothing: input.prm (bytes as given), used.prm (every value used), log.txt (from here on, with all said
-  /// before). Results of an earlier run in the same folder are removed first: results.json, *.csv,
-  /// figures/*.png, fields/*.{vtu,pvtu} and *.pvd, as far as that run listed them in `files.txt`. To be
-  /// called on all ranks; rank 0 works. Returns the folder.
-  std::string begin_run_record(const std::string &folder, const ParameterFile &file,
-                               const dealii::ParameterHandler &prm);
+  /// before), at the end files.txt, the list of what the run wrote. What an earlier run listed there is
+  /// removed first, so that no old table stands beside new ones. All functions are called on all ranks; rank
+  /// 0 works.
+  class RunRecord
+  {
+  public:
+    /// @throws InputError on every rank if the folder cannot be written to
+    RunRecord(const std::string &folder, const ParameterFile &file, const dealii::ParameterHandler &prm);
 
-  /// Writes files.txt, the list of what this run left in the folder.
-  void end_run_record(const std::string &folder);
+    /// Writes files.txt.
+    void finish() const;
+    /// Input that turns out to be wrong after all (contact reaches the edge of its grid): removes what this
+    /// run wrote, and folders that it made.
+    void discard() const;
+
+    const std::string folder;
+
+  private:
+    /// files in the folder that are not older than this run, relative names
+    std::vector<std::string> own_files() const;
+    /// outermost folder that did not exist before; empty if all did
+    std::string first_made;
+  };
+
+  inline std::string begin_run_record(const std::string &folder, const ParameterFile &file,
+                                      const dealii::ParameterHandler &prm)
+  {
+    return RunRecord(folder, file, prm).folder;
+  }
+  inline void end_run_record(const std::string &) {}
 } // namespace vibrocontact
