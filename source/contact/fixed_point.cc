@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace vibrocontact
@@ -34,6 +35,8 @@ namespace vibrocontact
       }
       return gain;
     }
+
+    constexpr unsigned int iterations_per_check = 100;
 
     /// approach at which the projections of N - rho (gap - shift) sum to the force; shift is added to the
     /// approach
@@ -78,7 +81,9 @@ namespace vibrocontact
     s.iterations = s.factorisations = s.linear_iterations = s.fallbacks = 0;
     s.converged = false;
 
-    const double rho_n = 1 / largest_gain(*problem.A, 0, 1), rho_t = 1 / largest_gain(*problem.A, 1, 3);
+    const double rho_n = 1 / largest_gain(*problem.A, 0, 1);
+    double rho_t = 1 / largest_gain(*problem.A, 1, 3);
+    double largest_change = 0, previous_change = std::numeric_limits<double>::max();
     const ContactResidual residual(problem);
     DenseVector projected;
     contact_response(problem, s.R, s.approach, s.y);
@@ -106,6 +111,19 @@ namespace vibrocontact
       contact_response(problem, s.R, s.approach, s.y);
       if (change <= parameters.force_change * parameters.force_change * size)
         break;
+      largest_change = std::max(largest_change, change / size);
+      if (s.iterations % iterations_per_check == 0)
+      {
+        if (largest_change > 0.8 * previous_change)
+        {
+          rho_t *= 0.5;
+          ++s.fallbacks;
+          previous_change = std::numeric_limits<double>::max();
+        }
+        else
+          previous_change = largest_change;
+        largest_change = 0;
+      }
     }
     s.residual = residual.evaluate(s.R, s.y, projected, s.status);
     s.converged = s.residual <= parameters.tolerance;

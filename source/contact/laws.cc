@@ -25,14 +25,38 @@ namespace vibrocontact
       throw InputError("The exponential penalty law needs a positive amplitude and a positive exponent.");
   }
 
-  NormalLaw::Projection ExponentialPenaltyLaw::project(double, const double gap, double) const
+  double ExponentialPenaltyLaw::stiffness(const double gap) const
+  {
+    return gap >= 0 ? 0. : amplitude * exponent * std::exp(std::min(-gap * exponent, linear_beyond));
+  }
+
+  double ExponentialPenaltyLaw::force(const double gap) const
   {
     const double s = -gap * exponent;
     if (s <= 0)
-      return {0., 0., 0.};
+      return 0.;
     const double at = std::min(s, linear_beyond);
-    const double slope = amplitude * exponent * std::exp(at);
-    return {amplitude * std::expm1(at) + slope * (s - at) / exponent, 0., -slope};
+    return amplitude * (std::expm1(at) + std::exp(at) * (s - at));
+  }
+
+  NormalLaw::Projection ExponentialPenaltyLaw::project(const double N, const double gap,
+                                                       const double rho) const
+  {
+    const double trial = N - rho * gap;
+    if (trial <= 0)
+      return {0., 0., 0.};
+    // f(-d) + rho d = trial is convex and increasing in d: Newton's iteration decreases from the second step
+    // on.
+    double d = std::min(trial / rho, std::log1p(trial / amplitude) / exponent);
+    for (unsigned int iteration = 0; iteration < 100; ++iteration)
+    {
+      const double step = (force(-d) + rho * d - trial) / (stiffness(-d) + rho);
+      d = std::max(d - step, 0.);
+      if (std::abs(step) <= 4e-16 * d)
+        break;
+    }
+    const double slope = d > 0 ? stiffness(-d) : amplitude * exponent, share = slope / (slope + rho);
+    return {force(-d), share, -rho * share};
   }
 
   double ExponentialPenaltyLaw::potential(const double gap) const

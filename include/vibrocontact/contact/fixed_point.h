@@ -8,8 +8,13 @@ namespace vibrocontact
   /// the change of the forces.
   ///
   /// rho is the smallest eigenvalue of the integrator condensed on the contact, that is one over the largest
-  /// of the compliance A, found for the normal and the tangential block by power iteration. A given normal
-  /// force moves the approach so that the projected forces sum to it.
+  /// singular value of the compliance A, found for the normal and the tangential block by power iteration. A
+  /// given normal force moves the approach so that the projected forces sum to it.
+  ///
+  /// In rolling A_t = V d/dx C is far from symmetric: in a large stick zone its eigenvalues have small real
+  /// parts, and with that rho the iteration cycles. Declared strategy: when the largest change of the forces
+  /// over a hundred iterations does not fall by a fifth against the hundred before, the tangential rho is
+  /// halved (counted in ContactSolution::fallbacks).
   class FixedPointSolver : public ContactSolver
   {
   public:

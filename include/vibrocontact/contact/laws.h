@@ -25,7 +25,15 @@ namespace vibrocontact
       double by_force, by_gap;
     };
 
+    /// What create_normal_law() needs to make the law again.
+    struct Description
+    {
+      std::string name;
+      double amplitude, exponent;
+    };
+
     virtual ~NormalLaw() = default;
+    virtual Description description() const = 0;
     virtual Projection project(double force, double gap, double rho) const = 0;
   };
 
@@ -35,21 +43,30 @@ namespace vibrocontact
   class SignoriniLaw : public NormalLaw
   {
   public:
+    Description description() const override { return {"signorini", 0., 0.}; }
     Projection project(double force, double gap, double rho) const override;
   };
 
-  /// Exponential penalty of the axial-bar paper: N = a (exp(alpha d) - 1), d = max(-g, 0)  (Jones & Legrand
-  /// 2014).
+  /// Exponential penalty of the axial-bar paper: N = f(g) = a (exp(alpha d) - 1), d = max(-g, 0)  (Jones &
+  /// Legrand 2014).
   ///
   /// Graph: zero for open gaps, then a curve that leaves the origin with slope a * alpha. Beyond alpha d = 2
   /// it is continued linearly, so that a wild iterate cannot overflow. It tends to Signorini as a grows, the
-  /// penetration being N / (a alpha) to first order. P does not depend on N or rho.
+  /// penetration being N / (a alpha) to first order.
+  ///
+  /// Its projection is the resolvent: the point (N', g') of the graph with N' - rho g' = N - rho g. A plain
+  /// N' = f(g) would satisfy the same law, but a fixed point on it diverges once the law is stiffer than the
+  /// bodies. Tangent: dP/dN = f' / (f' + rho), which tends to Signorini's one.
   class ExponentialPenaltyLaw : public NormalLaw
   {
   public:
     /// @param amplitude a [N], @param exponent alpha [1/m]; both positive
     ExponentialPenaltyLaw(double amplitude, double exponent);
+    Description description() const override { return {"exponential penalty", amplitude, exponent}; }
     Projection project(double force, double gap, double rho) const override;
+    /// f(g) [N] and its stiffness -df/dg [N/m]
+    double force(double gap) const;
+    double stiffness(double gap) const;
     /// energy stored at the gap g, a ((exp(alpha d) - 1) / alpha - d) up to the linear continuation [J]
     double potential(double gap) const;
 

@@ -1,0 +1,301 @@
+/// Stored contact problems, each written to FCLIB's format, read again and solved by every solver.
+
+#include "contact_cases.h"
+
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/problem_file.h>
+
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <unistd.h>
+
+using namespace contact_cases;
+
+namespace
+{
+  std::string folder()
+  {
+    return std::string(TESTS_DIRECTORY) + "/contact_problems/";
+  }
+
+  std::string scratch_file()
+  {
+    return "contact_problem_" + std::to_string(getpid()) + ".h5";
+  }
+
+  /// a line of half_space.csv by column
+  using Description = std::map<std::string, std::string>;
+
+  std::vector<Description> descriptions()
+  {
+    std::ifstream file(folder() + "half_space.csv");
+    std::string line, cell;
+    std::getline(file, line);
+    std::vector<std::string> names;
+    for (std::istringstream header(line); std::getline(header, cell, ',');)
+      names.push_back(cell);
+    std::vector<Description> all;
+    while (std::getline(file, line))
+    {
+      std::istringstream row(line);
+      all.emplace_back();
+      for (const std::string &name : names)
+        std::getline(row, all.back()[name], ',');
+    }
+    return all;
+  }
+
+  /// the problem of a line on its whole grid; creepages scaled by a factor
+  ContactProblem build(const Description &d, const double creep_factor = 1)
+  {
+    const auto number = [&](const std::string &column) { return std::stod(d.at(column)); };
+    ContactParameters contact;
+    contact.spacing = number("spacing_mm") * 1e-3;
+    contact.half_length = 10 * std::min(1e-3, 2 * contact.spacing);
+    contact.half_width = 8 * std::min(1e-3, 2 * contact.spacing);
+    contact.friction = number("mu");
+    contact.normal_law = d.at("law");
+    // a penetration of some micrometres under the mean force of a point
+    contact.penalty_amplitude = 100;
+    contact.penalty_exponent = 1e6;
+    const CreepScheme &scheme = find_creep_scheme(d.at("scheme"));
+    ContactInterface interface = wheel_on_crown(contact.grid());
+    const ContactGrid &grid = interface.grid;
+    for (unsigned int i = 0; i < grid.n_points(); ++i)
+      interface.gap[i] += number("waviness_um") * 1e-6 *
+                          (2 - std::cos(2000 * grid.x(i)) - std::cos(2500 * grid.y(i) + 1000 * grid.x(i)));
+    const HalfSpacePair pair = d.at("pair") == "steel"  ? steel_pair()
+                               : d.at("pair") == "soft" ? dissimilar_pair()
+                                                        : HalfSpacePair({1e3 * 206.9e9, 0.3}, {20e9, 0.});
+    Creepage creepage;
+    creepage.longitudinal = creep_factor * number("longitudinal");
+    creepage.lateral = creep_factor * number("lateral");
+    creepage.spin = creep_factor * number("spin_1_m");
+    ContactProblem problem = rolling_problem(rolling_operator(grid, pair, scheme, creepage.speed), interface,
+                                             scheme, creepage, contact);
+    problem.title = d.at("name");
+    problem.normal_force = number("force_N");
+    return problem;
+  }
+
+  unsigned int contact_points(const ContactSolution &s)
+  {
+    return s.status.size() - std::count(s.status.begin(), s.status.end(), ContactStatus::open);
+  }
+
+  double difference(const DenseVector &a, const DenseVector &b)
+  {
+    DenseVector d = a;
+    d -= b;
+    return d.l2_norm() / b.l2_norm();
+  }
+
+  /// Solves a problem cold and warm by every solver and compares them; @return Newton's solution
+  ContactSolution solve_by_all(const ContactProblem &problem, const ContactSolution &neighbour,
+                               const std::string &variant)
+  {
+    ContactSolution first;
+    for (const ContactSolverEntry &entry : contact_solvers())
+    {
+      ContactSolverParameters parameters;
+      parameters.method = entry.name;
+      const ContactSolution cold = create_contact_solver(parameters)->solve(problem, {});
+      EXPECT_TRUE(cold.converged) << entry.name;
+      EXPECT_LE(cold.residual, 1e-10) << entry.name;
+      const unsigned int points = contact_points(cold);
+      const unsigned int stick = std::count(cold.status.begin(), cold.status.end(), ContactStatus::stick);
+      std::printf("%s, %s, %s: %u points, %u stick; cold %u iterations, fallbacks %u, residual %.1e, %.1f ms",
+                  problem.title.c_str(), variant.c_str(), entry.name.c_str(), points, stick, cold.iterations,
+                  cold.fallbacks, cold.residual, cold.seconds * 1e3);
+      EXPECT_GE(points, 90u);
+      if (first.empty())
+      {
+        first = cold;
+        EXPECT_LE(cold.iterations, 20u);
+        const ContactSolution warm = create_contact_solver(parameters)->solve(problem, neighbour);
+        EXPECT_TRUE(warm.converged);
+        EXPECT_LE(warm.iterations, 12u);
+        EXPECT_LE(difference(warm.R, cold.R), 1e-8);
+        std::printf("; warm %u iterations, %.1f ms\n", warm.iterations, warm.seconds * 1e3);
+      }
+      else
+      {
+        std::printf("; forces differ by %.1e\n", difference(cold.R, first.R));
+        EXPECT_LE(difference(cold.R, first.R), 1e-8) << entry.name;
+      }
+    }
+    return first;
+  }
+} // namespace
+
+class HalfSpaceProblem : public testing::TestWithParam<Description>
+{
+};
+
+TEST_P(HalfSpaceProblem, IsSolvedByEverySolverFromAFile)
+{
+  const ContactProblem whole = build(GetParam());
+  const ContactSolution s = create_contact_solver({})->solve(whole, {});
+  ASSERT_TRUE(s.converged);
+
+  // points in contact and those whose gap is not much above the approach
+  std::vector<unsigned int> points;
+  const double reach = s.approach * 1.25;
+  for (unsigned int i = 0; i < whole.n_points(); ++i)
+    if (whole.b[i] < reach || s.status[i] != ContactStatus::open)
+      points.push_back(i);
+  ContactProblem problem = restrict_to_points(whole, points);
+  const ContactProblem slower = restrict_to_points(build(GetParam(), 0.85), points);
+  const ContactSolution neighbour = create_contact_solver({})->solve(slower, {});
+
+  const std::string file = scratch_file();
+  ContactSolution solution;
+  for (const bool force_given : {true, false})
+  {
+    if (!force_given)
+    {
+      problem.normal_force = 0;
+      problem.approach = s.approach;
+    }
+    write_contact_problem(file, problem, solution);
+    const ContactProblem read = read_contact_problem(file);
+    const ContactSolution stored = read_contact_solution(file, read);
+    std::remove(file.c_str());
+    EXPECT_EQ(read.title, problem.title);
+    EXPECT_EQ(stored.empty(), force_given);
+    if (!force_given)
+      EXPECT_LE(stored.residual, 1e-9);
+    solution = solve_by_all(read, neighbour, force_given ? "force" : "approach");
+    EXPECT_NEAR(solution.approach / s.approach, 1, 1e-8);
+    for (unsigned int k = 0; k < points.size(); ++k)
+      EXPECT_NEAR(solution.R[k], s.R[points[k]], 1e-7 * s.R.linfty_norm());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Stored, HalfSpaceProblem, testing::ValuesIn(descriptions()),
+                         [](const auto &info) { return info.param.at("name"); });
+
+namespace
+{
+  ContactProblem small_problem()
+  {
+    DenseMatrix A(6);
+    for (unsigned int row = 0; row < 6; ++row)
+      for (unsigned int column = 0; column < 6; ++column)
+        A(row, column) = row == column ? 2. : 0.1 * row - 0.02 * column;
+    ContactProblem problem;
+    problem.A = std::make_shared<DenseContactOperator>(std::move(A));
+    problem.title = "two points";
+    problem.b.reinit(6);
+    for (unsigned int row = 0; row < 6; ++row)
+      problem.b[row] = -0.5 + 0.1 * row;
+    problem.mu = {0.2, 0.4};
+    problem.normal_force = 3;
+    problem.approach = 0.25;
+    return problem;
+  }
+
+  /// changes one number of a file, or deletes the set when no value is given
+  void tamper(const std::string &file_name, const std::string &path, const double *value)
+  {
+    const hid_t file = H5Fopen(file_name.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    if (value == nullptr)
+      H5Ldelete(file, path.c_str(), H5P_DEFAULT);
+    else
+    {
+      const hid_t set = H5Dopen2(file, path.c_str(), H5P_DEFAULT);
+      const hid_t space = H5Dget_space(set);
+      std::vector<double> values(H5Sget_simple_extent_npoints(space));
+      H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+      values[0] = *value;
+      H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+      H5Sclose(space);
+      H5Dclose(set);
+    }
+    H5Fclose(file);
+  }
+
+  std::string refusal(const std::string &file_name)
+  {
+    try
+    {
+      read_contact_problem(file_name);
+    }
+    catch (const InputError &error)
+    {
+      return error.what();
+    }
+    return "accepted";
+  }
+} // namespace
+
+TEST(ContactProblemFile, GivesBackWhatWasWritten)
+{
+  const std::string file = scratch_file();
+  ContactProblem problem = small_problem();
+  problem.normal_law = create_normal_law("exponential penalty", 7., 11.);
+  for (const bool force_given : {true, false})
+  {
+    if (!force_given)
+      problem.normal_force = 0;
+    write_contact_problem(file, problem);
+    const ContactProblem read = read_contact_problem(file);
+    EXPECT_EQ(read.title, problem.title);
+    EXPECT_EQ(read.mu, problem.mu);
+    EXPECT_EQ(read.normal_force, problem.normal_force);
+    EXPECT_EQ(read.approach, problem.approach);
+    EXPECT_EQ(read.normal_law->description().name, "exponential penalty");
+    EXPECT_EQ(read.normal_law->description().amplitude, 7.);
+    EXPECT_EQ(read.normal_law->description().exponent, 11.);
+    DenseMatrix ours, theirs;
+    problem.A->extract({0, 1}, ours);
+    read.A->extract({0, 1}, theirs);
+    for (unsigned int row = 0; row < 6; ++row)
+    {
+      EXPECT_NEAR(read.b[row], problem.b[row], 1e-15);
+      for (unsigned int column = 0; column < 6; ++column)
+        EXPECT_EQ(theirs(row, column), ours(row, column));
+    }
+  }
+  std::remove(file.c_str());
+}
+
+TEST(ContactProblemFile, WrongFilesAreRefusedInASentence)
+{
+  const std::string file = scratch_file();
+  EXPECT_THROW(write_contact_problem("/no/such/folder/problem.h5", small_problem()), InputError);
+  EXPECT_NE(refusal("/no/such/file.h5").find("missing or no HDF5 file"), std::string::npos);
+  {
+    std::ofstream(file) << "not HDF5";
+    EXPECT_NE(refusal(file).find("missing or no HDF5 file"), std::string::npos);
+  }
+  const double nan = std::nan(""), negative = -1, seven = 7, zero = 0;
+  const struct
+  {
+    const char *path;
+    const double *value;
+    const char *message;
+  } cases[] = {{"/fclib_local/W/x", &nan, "not a finite number"},
+               {"/fclib_local/vectors/q", &nan, "not a finite number"},
+               {"/fclib_local/vectors/mu", &negative, "negative friction coefficient"},
+               {"/fclib_local/vectors/mu", nullptr, "has no '/fclib_local/vectors/mu'"},
+               {"/fclib_local/W", nullptr, "has no '/fclib_local/W/m'"},
+               {"/fclib_local/W/m", &seven, "not square"},
+               {"/fclib_local/W/i", &seven, "outside its size"},
+               {"/fclib_local/W/p", &negative, "pointers"},
+               {"/fclib_local/W/nz", &negative, "accepted"},
+               {"/fclib_local/spacedim", &zero, "not three-dimensional"},
+               {"/fclib_local/V/x", &seven, "equality constraints"},
+               {"/fclib_local/vectors/s", &zero, "normal force s that is not positive"},
+               {"/fclib_local", nullptr, "has no '/fclib_local/spacedim'"}};
+  for (const auto &one : cases)
+  {
+    write_contact_problem(file, small_problem());
+    tamper(file, one.path, one.value);
+    EXPECT_NE(refusal(file).find(one.message), std::string::npos) << one.path << ": " << refusal(file);
+  }
+  std::remove(file.c_str());
+}
