@@ -88,8 +88,9 @@ namespace vibrocontact
     throw InputError(text.str());
   }
 
-  void attach_wheel_geometry(Triangulation<3> &triangulation, const SectionOutline &outline,
-                             const double axis_height, const double shift)
+  std::vector<unsigned int> attach_wheel_manifolds(Triangulation<3> &triangulation,
+                                                   const SectionOutline &outline, const double axis_height,
+                                                   const double shift)
   {
     const RevolvedManifold revolved(axis_height, shift);
     triangulation.set_all_manifold_ids(0);
@@ -98,6 +99,7 @@ namespace vibrocontact
       if (outline.rows[k].is_arc)
         triangulation.set_manifold(1 + k, RevolvedArcManifold(axis_height, shift, outline.rows[k].centre));
 
+    std::vector<unsigned int> rows;
     for (const auto &cell : triangulation.cell_iterators_on_level(0))
       for (const unsigned int f : cell->face_indices())
       {
@@ -110,17 +112,11 @@ namespace vibrocontact
           const Point<3> chart = revolved.pull_back(face->vertex(v));
           points.emplace_back(chart[0], chart[1]);
         }
-        const unsigned int row = outline.find(points);
-        face->set_all_boundary_ids(surface_id);
-        if (row == outline.rows.size())
-          continue;
-        if (outline.rows[row].part == "bore")
-          face->set_all_boundary_ids(bore_id);
-        if (outline.rows[row].part == "tread")
-          face->set_all_boundary_ids(contact_id);
-        if (outline.rows[row].is_arc)
-          face->set_all_manifold_ids(1 + row);
+        rows.push_back(outline.find(points));
+        if (rows.back() < outline.rows.size() && outline.rows[rows.back()].is_arc)
+          face->set_all_manifold_ids(1 + rows.back());
       }
+    return rows;
   }
 
   BodyMesh<3> make_wheel(const WheelParameters &parameters, const double lateral_position,
@@ -169,7 +165,18 @@ namespace vibrocontact
     mesh.triangulation = std::make_unique<parallel::distributed::Triangulation<3>>(
         communicator, Triangulation<3>::limit_level_difference_at_vertices);
     mesh.triangulation->create_triangulation(vertices, cells, SubCellData());
-    attach_wheel_geometry(*mesh.triangulation, outline, radius, lateral_position);
+    const auto rows = attach_wheel_manifolds(*mesh.triangulation, outline, radius, lateral_position);
+    unsigned int k = 0;
+    for (const auto &cell : mesh.triangulation->cell_iterators_on_level(0))
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary())
+        {
+          const unsigned int row = rows[k++];
+          const std::string part = row < outline.rows.size() ? outline.rows[row].part : "surface";
+          cell->face(f)->set_all_boundary_ids(part == "bore"    ? bore_id
+                                              : part == "tread" ? contact_id
+                                                                : surface_id);
+        }
     mesh.boundaries = {{"surface", surface_id}, {"bore", bore_id}, {"contact", contact_id}};
     mesh.contact_boundaries = {contact_id};
 

@@ -38,10 +38,12 @@ namespace vibrocontact
   BodyMesh<3> make_wheel(const WheelParameters &parameters, const double lateral_position,
                          const ContactGrid *grid, const std::string &name, const MPI_Comm communicator);
 
-  /// Attach manifolds and boundary ids of a body of revolution to a coarse mesh by geometry: also used for a
-  /// wheel that was read from a mesh file.
-  void attach_wheel_geometry(dealii::Triangulation<3> &triangulation, const SectionOutline &outline,
-                             const double axis_height, const double shift);
+  /// Attach the manifolds of a body of revolution to a coarse mesh by geometry: also used for a wheel that
+  /// was read from a mesh file. Returns the outline's row of every boundary face, by cell and face number in
+  /// mesh order.
+  std::vector<unsigned int> attach_wheel_manifolds(dealii::Triangulation<3> &triangulation,
+                                                   const SectionOutline &outline, const double axis_height,
+                                                   const double shift);
 
   /// Radius of the tread at an axial position [m].
   double tread_radius(const SectionOutline &outline, const double lateral_position);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vibrocontact/fe/elastic_body.h>
+
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// One state of a body: displacement of its owned dofs, under a name such as a case number, at a time,
+  /// frequency or case number that orders the set.
+  struct FieldState
+  {
+    const dealii::PETScWrappers::MPI::Vector *displacement = nullptr;
+    double time = 0;
+  };
+
+  /// Write states of a body as <folder>/fields/<set>_<k>.vtu with <folder>/<set>.pvd on top: displacement_m
+  /// and von_mises_Pa in the volume. The whole body is written, hanging and held values filled in;
+  /// collective.
+  template <int dim>
+  void write_fields(const ElasticBody<dim> &body, const std::vector<FieldState> &states,
+                    const std::string &folder, const std::string &set);
+
+  /// The same on the surface alone, displacement only: small files for mode shapes.
+  template <int dim>
+  void write_surface_fields(const ElasticBody<dim> &body, const std::vector<FieldState> &states,
+                            const std::string &folder, const std::string &set);
+} // namespace vibrocontact

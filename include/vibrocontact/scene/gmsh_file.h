@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vibrocontact/scene/body_mesh.h>
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// First-order hexahedra and the named groups of boundary quadrilaterals of a gmsh file (text, format 4.1
+  /// or 2.2).
+  struct GmshFile
+  {
+    /// nodes [unit of the file]; hexahedra and quadrilaterals by node index, in gmsh's order
+    std::vector<dealii::Point<3>> nodes;
+    std::vector<std::array<unsigned int, 8>> hexahedra;
+    std::vector<std::array<unsigned int, 4>> quadrilaterals;
+    /// physical group of each quadrilateral, 0: none; names of the groups of surfaces
+    std::vector<unsigned int> groups;
+    std::map<unsigned int, std::string> names;
+
+    /// @throws InputError if the file is missing, damaged, of another format, or holds elements that are no
+    /// first-order
+    ///   hexahedra (or quadrilaterals of their boundary).
+    static GmshFile read(const std::string &file);
+
+    /// Number of quadrilaterals per named group.
+    std::map<std::string, unsigned int> face_counts() const;
+  };
+
+  /// Write the coarse cells and the named boundaries of a body; manifolds are not part of such a file.
+  /// To be called by one rank.
+  void write_gmsh(const BodyMesh<3> &mesh, const std::string &file);
+} // namespace vibrocontact

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vibrocontact/scene/contact_refinement.h>
+
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// A body from a gmsh file: hexahedra whose boundary groups are found by their physical names.
+  ///
+  /// The file's axes are those of the contact (z up, x the rolling line); its nominal contact point is moved
+  /// to the origin. Faces of no group belong to `surface`.
+  struct MeshFileParameters
+  {
+    /// gmsh file, text format 4.1 or 2.2
+    std::string file;
+    /// length of the file's unit [m]
+    double unit = 1;
+    /// nominal contact point in the file [unit of the file]
+    std::vector<double> contact_point = {0, 0, 0};
+    /// names of the groups
+    std::string contact_group = "contact";
+    std::vector<std::string> held_groups;
+    /// flat: cells as they are; wheel: arcs of a wheel's outline are attached as to the built-in one
+    std::string geometry = "flat";
+    /// for geometry = wheel: outline, empty the built-in one, and similarity factor
+    std::string wheel_outline;
+    double wheel_scale = 1;
+    unsigned int element_degree = 2;
+    ContactRefinement refinement;
+
+    void declare_parameters(dealii::ParameterHandler &prm);
+    void check(const std::string &section) const;
+  };
+
+  /// @param lateral_position used with geometry = wheel: y of the contact in the wheel's section [m]
+  /// @param grid contact grid to refine for; null: the body has no contact, no contact group is needed
+  /// @throws InputError for a missing group (with the names there and their face counts), an inverted cell,
+  /// or a size
+  ///   that looks like another unit.
+  BodyMesh<3> make_mesh_from_file(const MeshFileParameters &parameters, const double lateral_position,
+                                  const ContactGrid *grid, const std::string &name,
+                                  const MPI_Comm communicator);
+} // namespace vibrocontact

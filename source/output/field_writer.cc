@@ -1,0 +1,158 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/output/atomic_file.h>
+#include <vibrocontact/output/field_writer.h>
+
+#include <deal.II/numerics/data_out.h>
+#include <deal.II/numerics/data_out_faces.h>
+#include <deal.II/numerics/data_postprocessor.h>
+
+#include <filesystem>
+#include <sstream>
+
+namespace vibrocontact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Displacement and von Mises stress; 2d: plane strain.
+    template <int dim>
+    class Stress : public DataPostprocessor<dim>
+    {
+    public:
+      explicit Stress(const ElasticMaterial &material) : mu(material.mu()) {}
+
+      std::vector<std::string> get_names() const override
+      {
+        std::vector<std::string> names(dim, "displacement_m");
+        names.emplace_back("von_mises_Pa");
+        return names;
+      }
+
+      std::vector<DataComponentInterpretation::DataComponentInterpretation>
+      get_data_component_interpretation() const override
+      {
+        using namespace DataComponentInterpretation;
+        std::vector<DataComponentInterpretation::DataComponentInterpretation> kinds(
+            dim, component_is_part_of_vector);
+        kinds.push_back(component_is_scalar);
+        return kinds;
+      }
+
+      UpdateFlags get_needed_update_flags() const override { return update_values | update_gradients; }
+
+      void evaluate_vector_field(const DataPostprocessorInputs::Vector<dim> &inputs,
+                                 std::vector<Vector<double>> &computed) const override
+      {
+        for (unsigned int q = 0; q < computed.size(); ++q)
+        {
+          double strain[3][3] = {}, trace = 0, square = 0;
+          for (unsigned int i = 0; i < dim; ++i)
+          {
+            computed[q](i) = inputs.solution_values[q](i);
+            for (unsigned int j = 0; j < dim; ++j)
+              strain[i][j] = (inputs.solution_gradients[q][i][j] + inputs.solution_gradients[q][j][i]) / 2;
+            trace += strain[i][i];
+          }
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int j = 0; j < 3; ++j)
+            {
+              const double deviator = strain[i][j] - (i == j ? trace / 3 : 0.);
+              square += deviator * deviator;
+            }
+          computed[q](dim) = 2 * mu * std::sqrt(1.5 * square);
+        }
+      }
+
+    private:
+      const double mu;
+    };
+
+    /// Write one file under a temporary name in parallel, then rename it.
+    template <typename Output>
+    void write_vtu(const Output &output, const std::string &file, const MPI_Comm communicator)
+    {
+      const std::string temporary = file + ".part";
+      output.write_vtu_in_parallel(temporary, communicator);
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        std::filesystem::rename(temporary, file);
+    }
+
+    template <int dim, typename WriteState>
+    void write_set(const ElasticBody<dim> &body, const std::vector<FieldState> &states,
+                   const std::string &folder, const std::string &set, const WriteState &write_state)
+    {
+      const bool first_rank = Utilities::MPI::this_mpi_process(body.communicator()) == 0;
+      if (first_rank)
+      {
+        std::error_code error;
+        std::filesystem::create_directories(folder + "/fields", error);
+        if (error)
+          throw InputError("Cannot make the folder " + folder + "/fields: " + error.message() + ".");
+      }
+      MPI_Barrier(body.communicator());
+      std::vector<std::pair<double, std::string>> record;
+      for (unsigned int k = 0; k < states.size(); ++k)
+      {
+        const std::string name = "fields/" + set + "_" + Utilities::int_to_string(k, 4) + ".vtu";
+        write_state(body.complete(*states[k].displacement), folder + "/" + name);
+        record.emplace_back(states[k].time, name);
+      }
+      if (first_rank)
+      {
+        std::ostringstream text;
+        DataOutBase::write_pvd_record(text, record);
+        write_file(folder + "/" + set + ".pvd", text.str());
+      }
+    }
+
+    DataOutBase::VtkFlags flags()
+    {
+      DataOutBase::VtkFlags result;
+      result.compression_level = DataOutBase::VtkFlags::best_speed;
+      return result;
+    }
+  } // namespace
+
+  template <int dim>
+  void write_fields(const ElasticBody<dim> &body, const std::vector<FieldState> &states,
+                    const std::string &folder, const std::string &set)
+  {
+    const auto write_state = [&](const PETScWrappers::MPI::Vector &displacement, const std::string &file)
+    {
+      const Stress<dim> stress(body.model.material);
+      DataOut<dim> output;
+      output.set_flags(flags());
+      output.add_data_vector(body.dof_handler, displacement, stress);
+      output.build_patches(body.mapping, body.element.degree, DataOut<dim>::curved_boundary);
+      write_vtu(output, file, body.communicator());
+    };
+    write_set(body, states, folder, set, write_state);
+  }
+
+  template <int dim>
+  void write_surface_fields(const ElasticBody<dim> &body, const std::vector<FieldState> &states,
+                            const std::string &folder, const std::string &set)
+  {
+    const auto write_state = [&](const PETScWrappers::MPI::Vector &displacement, const std::string &file)
+    {
+      DataOutFaces<dim> output(true);
+      output.set_flags(flags());
+      output.add_data_vector(body.dof_handler, displacement, std::vector<std::string>(dim, "displacement"),
+                             std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+                                 dim, DataComponentInterpretation::component_is_part_of_vector));
+      output.build_patches(body.mapping, body.element.degree);
+      write_vtu(output, file, body.communicator());
+    };
+    write_set(body, states, folder, set, write_state);
+  }
+
+  template void write_fields(const ElasticBody<2> &, const std::vector<FieldState> &, const std::string &,
+                             const std::string &);
+  template void write_fields(const ElasticBody<3> &, const std::vector<FieldState> &, const std::string &,
+                             const std::string &);
+  template void write_surface_fields(const ElasticBody<2> &, const std::vector<FieldState> &,
+                                     const std::string &, const std::string &);
+  template void write_surface_fields(const ElasticBody<3> &, const std::vector<FieldState> &,
+                                     const std::string &, const std::string &);
+} // namespace vibrocontact

@@ -1,0 +1,48 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/scene/loads.h>
+
+#include <sstream>
+
+namespace vibrocontact
+{
+  using namespace dealii;
+
+  void LoadParameters::declare_parameters(ParameterHandler &prm)
+  {
+    using Patterns::Double;
+    prm.add_parameter("Gravity", gravity, "Acceleration of gravity along -z; 9.81 on earth. Units: m/s^2.",
+                      Double(-1e4, 1e4));
+    prm.add_parameter("Traction boundary", traction_boundary,
+                      "Boundary under a uniform traction; empty: none. Units: none.", Patterns::Anything());
+    prm.add_parameter("Traction", traction, "Traction on that boundary along x, y, z. Units: Pa.",
+                      Patterns::List(Double(), 3, 3, ","));
+  }
+
+  void LoadParameters::check(const std::string &section) const
+  {
+    const bool is_zero = traction[0] == 0 && traction[1] == 0 && traction[2] == 0;
+    if (!is_zero && traction_boundary.empty())
+      throw InputError(section +
+                       "/Traction is given without Traction boundary: name the boundary it acts on.");
+    for (const double t : traction)
+      if (std::abs(t) > 1e12)
+      {
+        std::ostringstream text;
+        text << section << "/Traction of " << t << " Pa is beyond any material; give it in Pa.";
+        throw InputError(text.str());
+      }
+  }
+
+  void add_loads(ElasticModel<3> &model, const LoadParameters &parameters, const BodyMesh<3> &mesh)
+  {
+    model.gravity[2] = -parameters.gravity;
+    if (parameters.traction_boundary.empty())
+      return;
+    SurfaceTraction<3> load;
+    load.boundary = mesh.boundary_id(parameters.traction_boundary);
+    for (unsigned int d = 0; d < 3; ++d)
+      load.traction[d] = parameters.traction.at(d);
+    if (load.traction.norm() > 0)
+      model.tractions.push_back(load);
+  }
+} // namespace vibrocontact

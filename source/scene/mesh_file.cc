@@ -1,0 +1,220 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/scene/gmsh_file.h>
+#include <vibrocontact/scene/mesh_file.h>
+#include <vibrocontact/scene/wheel.h>
+
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/manifold_lib.h>
+
+#include <fstream>
+#include <functional>
+#include <sstream>
+
+namespace vibrocontact
+{
+  using namespace dealii;
+
+  void MeshFileParameters::declare_parameters(ParameterHandler &prm)
+  {
+    using Patterns::Double;
+    prm.add_parameter("File", file, "gmsh file of hexahedra, text format 4.1 or 2.2. Units: none.",
+                      Patterns::Anything());
+    prm.add_parameter("Unit", unit, "Length of the file's unit; 0.001 for a file in mm. Units: m.",
+                      Double(1e-9, 1e3));
+    prm.add_parameter(
+        "Contact point", contact_point,
+        "Nominal contact point in the file's coordinates; it becomes the origin. Units: unit of the file.",
+        Patterns::List(Double(), 3, 3, ","));
+    prm.add_parameter("Contact group", contact_group,
+                      "Physical name of the boundary that can come into contact. Units: none.",
+                      Patterns::Anything());
+    prm.add_parameter("Held groups", held_groups,
+                      "Physical names of the boundaries that are held; empty: a free body. Units: none.",
+                      Patterns::List(Patterns::Anything(), 0, 100, ","));
+    prm.add_parameter(
+        "Geometry", geometry,
+        "flat: cells as in the file; wheel: the arcs of a wheel's outline are attached again. Units: none.",
+        Patterns::Selection("flat|wheel"));
+    prm.add_parameter(
+        "Wheel outline", wheel_outline,
+        "Outline for the wheel geometry; empty: the one that comes with the program. Units: none.",
+        Patterns::Anything());
+    prm.add_parameter("Wheel scale", wheel_scale, "Factor on the outline's lengths. Units: none.",
+                      Double(0.01, 100));
+    prm.add_parameter("Element degree", element_degree,
+                      "Polynomial degree of the displacements. Units: none.", Patterns::Integer(1, 4));
+    refinement.declare_parameters(prm);
+  }
+
+  void MeshFileParameters::check(const std::string &section) const
+  {
+    refinement.check(section);
+    if (file.empty())
+      throw InputError(section + "/File is empty: give the path of a gmsh file.");
+    if (!std::ifstream(file))
+      throw InputError(section + "/File: cannot read " + file + "; give the path of an existing gmsh file.");
+    for (const auto &group : held_groups)
+      if (group == contact_group)
+        throw InputError(section + "/Held groups contains the contact group '" + group +
+                         "': a held face cannot deform in contact.");
+  }
+
+  namespace
+  {
+    void check_size(const std::vector<Point<3>> &vertices, const MeshFileParameters &parameters)
+    {
+      const BoundingBox<3> box(vertices);
+      const double size = (box.get_boundary_points().second - box.get_boundary_points().first).norm();
+      if (size <= 100 && size >= 1e-3)
+        return;
+      std::ostringstream text;
+      text << "The mesh file " << parameters.file << " describes a body of " << size
+           << " m with Unit = " << parameters.unit
+           << " m; is it in other units? Set Unit (0.001 for a file in mm).";
+      throw InputError(text.str());
+    }
+
+    /// Every corner of a cell has to be right-handed.
+    void check_cells(const std::vector<Point<3>> &vertices, const std::vector<CellData<3>> &cells,
+                     const std::string &file)
+    {
+      unsigned int n_bad = 0, first = 0;
+      Point<3> place;
+      for (unsigned int c = 0; c < cells.size(); ++c)
+      {
+        bool good = true;
+        for (unsigned int v = 0; v < 8; ++v)
+        {
+          const Point<3> &corner = vertices[cells[c].vertices[v]];
+          Tensor<2, 3> edges;
+          double size = 1;
+          for (unsigned int d = 0; d < 3; ++d)
+          {
+            edges[d] = vertices[cells[c].vertices[v ^ (1u << d)]] - corner;
+            if (v & (1u << d))
+              edges[d] *= -1;
+            size *= edges[d].norm();
+          }
+          good = good && determinant(edges) > 1e-6 * size;
+        }
+        if (!good && n_bad++ == 0)
+        {
+          first = c + 1;
+          place = vertices[cells[c].vertices[0]];
+        }
+      }
+      if (n_bad == 0)
+        return;
+      std::ostringstream text;
+      text << "The mesh file " << file << " has " << n_bad
+           << " inverted or degenerate hexahedra, the first is number " << first << " at (" << place
+           << ") m; repair the mesh (gmsh: Tools/Statistics, Mesh.Optimize, ReorientMesh).";
+      throw InputError(text.str());
+    }
+  } // namespace
+
+  BodyMesh<3> make_mesh_from_file(const MeshFileParameters &parameters, const double lateral_position,
+                                  const ContactGrid *grid, const std::string &name,
+                                  const MPI_Comm communicator)
+  {
+    const GmshFile gmsh = GmshFile::read(parameters.file);
+    const bool is_wheel = parameters.geometry == "wheel";
+
+    Point<3> origin;
+    for (unsigned int d = 0; d < 3; ++d)
+      origin[d] = parameters.contact_point.at(d) * parameters.unit;
+    if (is_wheel)
+      origin[1] += lateral_position;
+    std::vector<Point<3>> vertices;
+    for (const Point<3> &node : gmsh.nodes)
+      vertices.push_back(Point<3>(parameters.unit * node - origin));
+
+    std::vector<CellData<3>> cells;
+    for (const auto &hexahedron : gmsh.hexahedra)
+    {
+      CellData<3> cell;
+      const unsigned int order[8] = {0, 1, 3, 2, 4, 5, 7, 6};
+      for (unsigned int v = 0; v < 8; ++v)
+        cell.vertices[v] = hexahedron[order[v]];
+      cells.push_back(cell);
+    }
+    check_cells(vertices, cells, parameters.file);
+
+    BodyMesh<3> mesh;
+    mesh.name = name;
+    mesh.boundaries["surface"] = 0;
+    for (const auto &[tag, group] : gmsh.names)
+      if (group != "surface")
+        mesh.boundaries[group] = tag;
+    const auto counts = gmsh.face_counts();
+    const auto require = [&](const std::string &group, const std::string &entry)
+    {
+      const auto found = counts.find(group);
+      if (found != counts.end() && found->second > 0)
+        return;
+      std::string list;
+      for (const auto &[present, n] : counts)
+        list += (list.empty() ? "" : ", ") + present + " (" + std::to_string(n) + " faces)";
+      throw InputError("The mesh file " + parameters.file + " has no faces in a physical surface named '" +
+                       group + "', asked for by " + name + "/Mesh/" + entry + "; it has " +
+                       (list.empty() ? "no named surface" : list) + ".");
+    };
+    for (const auto &group : parameters.held_groups)
+      require(group, "Held groups");
+    if (grid)
+    {
+      require(parameters.contact_group, "Contact group");
+      mesh.contact_boundaries = {mesh.boundaries.at(parameters.contact_group)};
+    }
+
+    SubCellData boundary;
+    for (unsigned int k = 0; k < gmsh.quadrilaterals.size(); ++k)
+    {
+      const auto named = gmsh.names.find(gmsh.groups[k]);
+      CellData<2> face;
+      const auto &q = gmsh.quadrilaterals[k];
+      face.vertices = {q[0], q[1], q[3], q[2]};
+      face.boundary_id = named == gmsh.names.end() || named->second == "surface" ? 0 : named->first;
+      boundary.boundary_quads.push_back(face);
+    }
+    GridTools::delete_unused_vertices(vertices, cells, boundary);
+    check_size(vertices, parameters);
+    GridTools::consistently_order_cells(cells);
+    mesh.triangulation = std::make_unique<parallel::distributed::Triangulation<3>>(
+        communicator, Triangulation<3>::limit_level_difference_at_vertices);
+    try
+    {
+      mesh.triangulation->create_triangulation(vertices, cells, boundary);
+    }
+    catch (const ExceptionBase &)
+    {
+      throw InputError(
+          "The mesh file " + parameters.file +
+          " is no conforming mesh of hexahedra: cells overlap, or a named quadrilateral is not a face of a "
+          "cell on the boundary; name boundary surfaces only.");
+    }
+
+    mesh.geometry_degree = 1;
+    if (is_wheel)
+    {
+      const SectionOutline outline =
+          SectionOutline::read(parameters.wheel_outline.empty() ? mesh_directory() + "/wheel_outline.txt"
+                                                                : parameters.wheel_outline,
+                               parameters.wheel_scale);
+      attach_wheel_manifolds(*mesh.triangulation, outline, tread_radius(outline, lateral_position),
+                             lateral_position);
+      mesh.geometry_degree = std::max(2u, parameters.element_degree);
+    }
+    std::ostringstream text, content;
+    content << std::ifstream(parameters.file).rdbuf();
+    text.precision(17);
+    text << "mesh " << std::hash<std::string>()(content.str()) << " " << parameters.geometry << " " << origin
+         << " " << parameters.unit << " " << parameters.wheel_outline << " " << parameters.wheel_scale;
+    for (const auto &group : parameters.held_groups)
+      text << " " << group;
+    mesh.description = text.str();
+    if (grid)
+      refine_at_contact(mesh, *grid, parameters.refinement);
+    return mesh;
+  }
+} // namespace vibrocontact
