@@ -18,6 +18,9 @@ namespace vibrocontact
     prm.add_parameter("Half width", half_width,
                       "The grid of potential contact covers y from minus this to plus this. Units: m.",
                       Double(1e-6, 1));
+    prm.add_parameter("Strip length", strip_length,
+                      "Line contact: one row of contact cells of this length along y; 0 for a grid. Units: m.",
+                      Double(0, 1e3));
     prm.add_parameter("Offset x", offset_x,
                       "Shift of the grid against the nominal contact point, in grid spacings. Units: none.",
                       Double(-0.5, 0.5));
@@ -62,6 +65,12 @@ namespace vibrocontact
     grid.spacing_x = grid.spacing_y = spacing;
     grid.x_first = (offset_x - n_x) * spacing;
     grid.y_first = (offset_y - n_y) * spacing;
+    if (strip_length > 0)
+    {
+      grid.n_y = 1;
+      grid.spacing_y = strip_length;
+      grid.y_first = 0;
+    }
     return grid;
   }
 
@@ -117,7 +126,7 @@ namespace vibrocontact
       if (i + 1 == grid.n_x)
         throw InputError("The contact reaches the downstream side of the contact grid (x = " +
                          std::to_string(grid.x(point)) + " m): " + larger_x + " or lower the load.");
-      if (j == 0 || j + 1 == grid.n_y)
+      if (grid.n_y > 1 && (j == 0 || j + 1 == grid.n_y))
         throw InputError("The contact reaches the lateral side of the contact grid (y = " +
                          std::to_string(grid.y(point)) + " m): " + larger_y + " or lower the load.");
     }

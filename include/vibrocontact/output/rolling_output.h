@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vibrocontact/analyses/quasi_static_rolling.h>
+#include <vibrocontact/output/table.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace vibrocontact
+{
+  /// One entry of analyses.quasi_static_rolling.cases[] in results.json.
+  nlohmann::ordered_json rolling_case_json(const RollingResult &result);
+
+  /// The contact patch of one case, a row per grid point: contact_patch_<k>.csv.
+  Table contact_patch_table(const RollingResult &result, const ContactInterface &interface);
+
+  /// Resultants of all cases: rolling.csv.
+  Table rolling_table(const std::vector<RollingResult> &results);
+
+  /// The contact patch as cells of the grid with the columns of its table: a VTU file, written by the calling rank.
+  void write_contact_patch_vtu(const RollingResult &result, const ContactInterface &interface,
+                               const std::string &file_name);
+} // namespace vibrocontact

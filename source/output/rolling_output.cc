@@ -1,0 +1,123 @@
+#include <vibrocontact/output/atomic_file.h>
+#include <vibrocontact/output/rolling_output.h>
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/numerics/data_out.h>
+
+#include <sstream>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    const std::vector<std::string> field_names = {"gap_m", "pressure_Pa", "traction_x_Pa", "traction_y_Pa",
+                                                  "slip_x_m_s",      "slip_y_m_s",   "status"};
+
+    /// values of field_names at a point
+    std::vector<double> patch_values(const RollingResult &result, const ContactGrid &grid, const unsigned int point)
+    {
+      const ContactSolution &s = result.solution;
+      const unsigned int n = grid.n_points();
+      const double area = grid.cell_area();
+      return {s.y[point],
+              s.R[point] / area,
+              s.R[n + point] / area,
+              s.R[2 * n + point] / area,
+              s.y[n + point],
+              s.y[2 * n + point],
+              static_cast<double>(s.status[point])};
+    }
+  } // namespace
+
+  nlohmann::ordered_json rolling_case_json(const RollingResult &result)
+  {
+    const ContactSolution &s = result.solution;
+    nlohmann::ordered_json one;
+    one["curve"] = result.rolling_case.curve;
+    one["longitudinal_creepage"] = result.rolling_case.creepage.longitudinal;
+    one["lateral_creepage"] = result.rolling_case.creepage.lateral;
+    one["spin_1_m"] = result.rolling_case.creepage.spin;
+    one["speed_m_s"] = result.rolling_case.creepage.speed;
+    one["friction"] = result.rolling_case.friction;
+    one["normal_force_N"] = result.normal_force;
+    one["tangential_force_N"] = {result.tangential_force[0], result.tangential_force[1]};
+    one["spin_moment_Nm"] = result.spin_moment;
+    one["utilisation"] = result.utilisation;
+    one["approach_m"] = result.approach;
+    one["max_pressure_Pa"] = result.max_pressure;
+    one["contact_points"] = result.contact_points;
+    one["stick_points"] = result.stick_points;
+    one["slip_points"] = result.slip_points;
+    one["iterations"] = s.iterations;
+    one["factorisations"] = s.factorisations;
+    one["linear_iterations"] = s.linear_iterations;
+    one["fallbacks"] = s.fallbacks;
+    one["residual"] = s.residual;
+    one["seconds"] = s.seconds;
+    one["status"] = s.converged ? "converged" : "not converged";
+    return one;
+  }
+
+  Table contact_patch_table(const RollingResult &result, const ContactInterface &interface)
+  {
+    std::vector<std::string> columns = {"x_m", "y_m"};
+    columns.insert(columns.end(), field_names.begin(), field_names.end());
+    Table table(columns,
+                {"Contact patch, one row per point; origin: nominal contact point; the contact travels towards -x",
+                 "gap > 0 open; pressure > 0 compression; tractions act on body 1; slip = body 1 minus body 2",
+                 "status: 0 open, 1 stick, 2 slip; tractions are constant on the point's cell"});
+    for (unsigned int point = 0; point < interface.grid.n_points(); ++point)
+    {
+      std::vector<Table::Cell> row = {interface.grid.x(point), interface.grid.y(point)};
+      for (const double value : patch_values(result, interface.grid, point))
+        row.emplace_back(value);
+      table.add_row(row);
+    }
+    return table;
+  }
+
+  Table rolling_table(const std::vector<RollingResult> &results)
+  {
+    Table table({"curve", "longitudinal_creepage", "lateral_creepage", "spin_1_m", "friction", "normal_force_N",
+                 "tangential_force_x_N", "tangential_force_y_N", "spin_moment_Nm", "utilisation", "approach_m",
+                 "max_pressure_Pa", "contact_points", "stick_points", "slip_points", "iterations", "residual",
+                 "converged"},
+                {"Quasi-static rolling, one row per case, in the order of results.json",
+                 "forces and moment act on body 1; creepage = (velocity of body 1 - body 2) / speed; "
+                 "converged: 1 yes, 0 no"});
+    for (const RollingResult &r : results)
+      table.add_row({r.rolling_case.curve, r.rolling_case.creepage.longitudinal, r.rolling_case.creepage.lateral,
+                     r.rolling_case.creepage.spin, r.rolling_case.friction, r.normal_force, r.tangential_force[0],
+                     r.tangential_force[1], r.spin_moment, r.utilisation, r.approach, r.max_pressure,
+                     double(r.contact_points), double(r.stick_points), double(r.slip_points),
+                     double(r.solution.iterations), r.solution.residual, double(r.solution.converged)});
+    return table;
+  }
+
+  void write_contact_patch_vtu(const RollingResult &result, const ContactInterface &interface,
+                               const std::string &file_name)
+  {
+    const ContactGrid &grid = interface.grid;
+    dealii::Triangulation<2> cells;
+    const dealii::Point<2> low(grid.x_first - 0.5 * grid.spacing_x, grid.y_first - 0.5 * grid.spacing_y);
+    const dealii::Point<2> high(low[0] + grid.n_x * grid.spacing_x, low[1] + grid.n_y * grid.spacing_y);
+    dealii::GridGenerator::subdivided_hyper_rectangle(cells, {grid.n_x, grid.n_y}, low, high);
+    std::vector<DenseVector> fields(field_names.size(), DenseVector(grid.n_points()));
+    for (const auto &cell : cells.active_cell_iterators())
+    {
+      const unsigned int i = (cell->center()[0] - low[0]) / grid.spacing_x,
+                         j = (cell->center()[1] - low[1]) / grid.spacing_y;
+      const std::vector<double> values = patch_values(result, grid, grid.index(i, j));
+      for (unsigned int k = 0; k < values.size(); ++k)
+        fields[k][cell->active_cell_index()] = values[k];
+    }
+    dealii::DataOut<2> data_out;
+    data_out.attach_triangulation(cells);
+    for (unsigned int k = 0; k < fields.size(); ++k)
+      data_out.add_data_vector(fields[k], field_names[k], dealii::DataOut<2>::type_cell_data);
+    data_out.build_patches();
+    std::ostringstream text;
+    data_out.write_vtu(text);
+    write_file(file_name, text.str());
+  }
+} // namespace vibrocontact
