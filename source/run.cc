@@ -1,3 +1,5 @@
+#include <vibrocontact/analyses/quasi_static_rolling.h>
+#include <vibrocontact/analyses/rolling_scene.h>
 #include <vibrocontact/base/blas.h>
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/base/exceptions.h>
@@ -5,6 +7,7 @@
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/output/output_parameters.h>
 #include <vibrocontact/output/results.h>
+#include <vibrocontact/output/rolling_output.h>
 #include <vibrocontact/output/run_record.h>
 #include <vibrocontact/run.h>
 #include <vibrocontact/scene/scene.h>
@@ -23,6 +26,9 @@ namespace vibrocontact
     {
       Scene scene;
       OutputParameters output;
+      ContactParameters contact;
+      ContactSolverParameters contact_solver;
+      RollingParameters rolling;
 
       void declare(dealii::ParameterHandler &prm)
       {
@@ -34,9 +40,20 @@ namespace vibrocontact
           prm.leave_subsection();
         };
         declare("Output", output);
+        prm.enter_subsection("Contact");
+        contact.declare_parameters(prm);
+        declare("Solver", contact_solver);
+        prm.leave_subsection();
+        if (scene.runs("quasi-static rolling"))
+          declare("Rolling", rolling);
       }
 
-      void check() const { scene.check(); }
+      void check() const
+      {
+        scene.check();
+        if (scene.runs("quasi-static rolling"))
+          rolling.check();
+      }
     };
 
     bool is_first_rank()
@@ -59,6 +76,54 @@ namespace vibrocontact
         log.warning(
             "this BLAS is slow, large factorisations take up to 8 times longer than with OpenBLAS: install "
             "libopenblas0-pthread");
+    }
+
+    /// Quasi-static rolling of body 1 on body 2; rank 0 solves and writes.
+    void run_rolling(const Parameters &parameters, const std::string &folder, Results &results)
+    {
+      if (!is_first_rank())
+        return;
+      Log &log = run_log();
+      log.block("Quasi-static rolling");
+      const RollingScene scene = rolling_scene({&parameters.scene.bodies[0], nullptr},
+                                               {&parameters.scene.bodies[1], nullptr}, parameters.contact);
+      const ContactInterface &interface = scene.interface;
+      log.value("contact points", interface.grid.n_points());
+      const unsigned int n_cases = rolling_cases(parameters.rolling, parameters.contact).size();
+      Progress progress("rolling cases", n_cases);
+      nlohmann::ordered_json cases = nlohmann::ordered_json::array();
+      const auto finished = [&](const RollingResult &result)
+      {
+        const std::string k = std::to_string(cases.size());
+        contact_patch_table(result, interface).write(folder + "/contact_patch_" + k + ".csv");
+        if (parameters.output.fields)
+          write_contact_patch_vtu(result, interface, folder + "/fields/contact_patch_" + k + ".vtu");
+        cases.push_back(rolling_case_json(result));
+        if (!result.solution.converged)
+        {
+          results.converged = false;
+          results.messages.push_back("Case " + k + " of quasi-static rolling did not converge: residual " +
+                                     std::to_string(result.solution.residual) + " after " +
+                                     std::to_string(result.solution.iterations) + " iterations.");
+          log.warning(results.messages.back());
+        }
+        progress.advance();
+      };
+      const std::vector<RollingResult> all =
+          quasi_static_rolling(parameters.rolling, parameters.contact, parameters.contact_solver, interface,
+                               scene.operator_at, finished);
+      rolling_table(all).write(folder + "/rolling.csv");
+      const RollingResult &last = all.back();
+      log.value("cases", n_cases);
+      log.value("normal force", last.normal_force, "N");
+      log.value("tangential force x", last.tangential_force[0], "N");
+      log.value("tangential force y", last.tangential_force[1], "N");
+      log.value("utilisation", last.utilisation);
+      log.value("largest pressure", last.max_pressure * 1e-6, "MPa");
+      log.value("approach", last.approach * 1e3, "mm");
+      log.value("points in contact", last.contact_points);
+      log.value("of these sticking", last.stick_points);
+      results.analyses["quasi_static_rolling"]["cases"] = cases;
     }
 
     /// All parameters of a scene with one body of each type that needs no file, as a valid file.
@@ -99,6 +164,9 @@ namespace vibrocontact
     {
       parameters.scene = read_scene_lists(file);
       parameters.declare(prm);
+      const std::string dropped = file.prefer_option("Rolling", "Normal force", "Hub displacement");
+      if (!dropped.empty())
+        run_log().line("Rolling/" + dropped + " of the file is left out: an option gives its alternative.");
       file.parse(prm);
       parameters.check();
     }
@@ -113,6 +181,8 @@ namespace vibrocontact
     const std::string folder =
         begin_run_record(parameters.output.folder(command_line.output, command_line.file), file, prm);
     Results results;
+    if (parameters.scene.runs("quasi-static rolling"))
+      run_rolling(parameters, folder, results);
     const auto seconds = [&]
     { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
     write_results(results, seconds(), folder);

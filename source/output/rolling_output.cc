@@ -10,11 +10,12 @@ namespace vibrocontact
 {
   namespace
   {
-    const std::vector<std::string> field_names = {"gap_m", "pressure_Pa", "traction_x_Pa", "traction_y_Pa",
-                                                  "slip_x_m_s",      "slip_y_m_s",   "status"};
+    const std::vector<std::string> field_names = {
+        "gap_m", "pressure_Pa", "traction_x_Pa", "traction_y_Pa", "slip_x_m_s", "slip_y_m_s", "status"};
 
     /// values of field_names at a point
-    std::vector<double> patch_values(const RollingResult &result, const ContactGrid &grid, const unsigned int point)
+    std::vector<double> patch_values(const RollingResult &result, const ContactGrid &grid,
+                                     const unsigned int point)
     {
       const ContactSolution &s = result.solution;
       const unsigned int n = grid.n_points();
@@ -62,10 +63,11 @@ namespace vibrocontact
   {
     std::vector<std::string> columns = {"x_m", "y_m"};
     columns.insert(columns.end(), field_names.begin(), field_names.end());
-    Table table(columns,
-                {"Contact patch, one row per point; origin: nominal contact point; the contact travels towards -x",
-                 "gap > 0 open; pressure > 0 compression; tractions act on body 1; slip = body 1 minus body 2",
-                 "status: 0 open, 1 stick, 2 slip; tractions are constant on the point's cell"});
+    Table table(
+        columns,
+        {"Contact patch, one row per point; origin: nominal contact point; the contact travels towards -x",
+         "gap > 0 open; pressure > 0 compression; tractions act on body 1; slip = body 1 minus body 2",
+         "status: 0 open, 1 stick, 2 slip; tractions are constant on the point's cell"});
     for (unsigned int point = 0; point < interface.grid.n_points(); ++point)
     {
       std::vector<Table::Cell> row = {interface.grid.x(point), interface.grid.y(point)};
@@ -78,19 +80,20 @@ namespace vibrocontact
 
   Table rolling_table(const std::vector<RollingResult> &results)
   {
-    Table table({"curve", "longitudinal_creepage", "lateral_creepage", "spin_1_m", "friction", "normal_force_N",
-                 "tangential_force_x_N", "tangential_force_y_N", "spin_moment_Nm", "utilisation", "approach_m",
-                 "max_pressure_Pa", "contact_points", "stick_points", "slip_points", "iterations", "residual",
-                 "converged"},
+    Table table({"curve", "longitudinal_creepage", "lateral_creepage", "spin_1_m", "friction",
+                 "normal_force_N", "tangential_force_x_N", "tangential_force_y_N", "spin_moment_Nm",
+                 "utilisation", "approach_m", "max_pressure_Pa", "contact_points", "stick_points",
+                 "slip_points", "iterations", "residual", "converged"},
                 {"Quasi-static rolling, one row per case, in the order of results.json",
                  "forces and moment act on body 1; creepage = (velocity of body 1 - body 2) / speed; "
                  "converged: 1 yes, 0 no"});
     for (const RollingResult &r : results)
-      table.add_row({r.rolling_case.curve, r.rolling_case.creepage.longitudinal, r.rolling_case.creepage.lateral,
-                     r.rolling_case.creepage.spin, r.rolling_case.friction, r.normal_force, r.tangential_force[0],
-                     r.tangential_force[1], r.spin_moment, r.utilisation, r.approach, r.max_pressure,
-                     double(r.contact_points), double(r.stick_points), double(r.slip_points),
-                     double(r.solution.iterations), r.solution.residual, double(r.solution.converged)});
+      table.add_row({r.rolling_case.curve, r.rolling_case.creepage.longitudinal,
+                     r.rolling_case.creepage.lateral, r.rolling_case.creepage.spin, r.rolling_case.friction,
+                     r.normal_force, r.tangential_force[0], r.tangential_force[1], r.spin_moment,
+                     r.utilisation, r.approach, r.max_pressure, double(r.contact_points),
+                     double(r.stick_points), double(r.slip_points), double(r.solution.iterations),
+                     r.solution.residual, double(r.solution.converged)});
     return table;
   }
 

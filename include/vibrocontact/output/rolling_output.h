@@ -18,7 +18,8 @@ namespace vibrocontact
   /// Resultants of all cases: rolling.csv.
   Table rolling_table(const std::vector<RollingResult> &results);
 
-  /// The contact patch as cells of the grid with the columns of its table: a VTU file, written by the calling rank.
+  /// The contact patch as cells of the grid with the columns of its table: a VTU file, written by the calling
+  /// rank.
   void write_contact_patch_vtu(const RollingResult &result, const ContactInterface &interface,
                                const std::string &file_name);
 } // namespace vibrocontact
