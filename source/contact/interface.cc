@@ -30,9 +30,6 @@ namespace vibrocontact
     prm.add_parameter("Lateral position", lateral_position,
                       "Lateral coordinate of the nominal contact point in the section of body 1. Units: m.",
                       Double(-1, 1));
-    prm.add_parameter("Lateral position on body 2", lateral_position_on_body_2,
-                      "Lateral coordinate of the nominal contact point in the section of body 2. Units: m.",
-                      Double(-1, 1));
     std::string schemes;
     for (const CreepScheme &scheme : creep_schemes())
       schemes += (schemes.empty() ? "" : "|") + scheme.name;

@@ -8,6 +8,8 @@ namespace vibrocontact
   {
     static const std::vector<BodyType> types = {
         {"half-space", "Half-space", "elastic half-space of Hertzian radii, no mesh", false},
+        {"wheel", "Wheel", "section revolved about an axle, bore held", true},
+        {"rail", "Rail", "section extruded along x on pads", true},
         {"block", "Block", "box of hexahedra", true},
     };
     return types;
@@ -42,6 +44,10 @@ namespace vibrocontact
       declare("Half-space", half_space);
     if (type == "block")
       declare("Block", block);
+    if (type == "wheel")
+      declare("Wheel", wheel);
+    if (type == "rail")
+      declare("Rail", rail);
   }
 
   void BodyParameters::check(const std::string &section) const
@@ -51,5 +57,9 @@ namespace vibrocontact
       half_space.check(section + "/Half-space");
     if (type == "block")
       block.check(section + "/Block");
+    if (type == "wheel")
+      wheel.check(section + "/Wheel");
+    if (type == "rail")
+      rail.check(section + "/Rail");
   }
 } // namespace vibrocontact

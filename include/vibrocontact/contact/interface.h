@@ -20,9 +20,8 @@ namespace vibrocontact
     double strip_length = 0;
     /// shift of the grid against the nominal contact point, in spacings [-]
     double offset_x = 0, offset_y = 0;
-    /// lateral position of the nominal contact point on body 1 (wheel section) and on body 2 (from the rail's
-    /// axis) [m]
-    double lateral_position = 0, lateral_position_on_body_2 = 0;
+    /// lateral position of the nominal contact point in the section of body 1 [m]
+    double lateral_position = 0;
     std::string creep_scheme = "second-order upwind";
     /// how tractions are spread over the bodies' elements: "lumped" or "consistent"
     std::string quadrature = "lumped";

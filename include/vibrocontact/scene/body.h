@@ -4,6 +4,8 @@
 #include <vibrocontact/scene/block.h>
 #include <vibrocontact/scene/half_space_body.h>
 #include <vibrocontact/scene/material.h>
+#include <vibrocontact/scene/rail.h>
+#include <vibrocontact/scene/wheel.h>
 
 #include <string>
 #include <vector>
@@ -33,6 +35,8 @@ namespace vibrocontact
     ElasticMaterial material;
     HalfSpaceParameters half_space;
     BlockParameters block;
+    WheelParameters wheel;
+    RailParameters rail;
 
     const BodyType &body_type() const;
     bool is_meshed() const { return body_type().is_meshed; }

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vibrocontact/contact/interface.h>
+#include <vibrocontact/fe/elastic_body.h>
+#include <vibrocontact/scene/body.h>
+
+namespace vibrocontact
+{
+  /// Mesh, material, supports and loads of a meshed body as its parameters say, ready to be assembled.
+  /// @param grid contact grid to refine for; null: a body without contact
+  /// @throws InputError for anything that the mesh makers refuse
+  std::unique_ptr<ElasticBody<3>> make_elastic_body(const BodyParameters &parameters, double lateral_position,
+                                                    const ContactGrid *grid, MPI_Comm communicator);
+} // namespace vibrocontact

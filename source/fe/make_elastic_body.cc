@@ -1,0 +1,34 @@
+#include <vibrocontact/fe/make_elastic_body.h>
+
+namespace vibrocontact
+{
+  std::unique_ptr<ElasticBody<3>> make_elastic_body(const BodyParameters &parameters, const double lateral_position,
+                                                    const ContactGrid *const grid, const MPI_Comm communicator)
+  {
+    ElasticModel<3> model;
+    model.material = parameters.material;
+    BodyMesh<3> mesh;
+    unsigned int degree = 2;
+    if (parameters.type == "wheel")
+    {
+      mesh = make_wheel(parameters.wheel, lateral_position, grid, parameters.name, communicator);
+      model.held = {mesh.boundary_id("bore")};
+      degree = parameters.wheel.element_degree;
+    }
+    else if (parameters.type == "rail")
+    {
+      mesh = make_rail(parameters.rail, grid, parameters.name, communicator);
+      add_supports(model, parameters.rail, mesh);
+      degree = parameters.rail.element_degree;
+    }
+    else if (parameters.type == "block")
+    {
+      mesh = make_block<3>(parameters.block, parameters.name, communicator);
+      for (const std::string &boundary : parameters.block.held)
+        model.held.push_back(mesh.boundary_id(boundary));
+    }
+    else
+      AssertThrow(false, dealii::ExcMessage("Body " + parameters.name + " is not meshed."));
+    return std::make_unique<ElasticBody<3>>(std::move(mesh), model, degree);
+  }
+} // namespace vibrocontact
