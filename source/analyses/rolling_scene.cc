@@ -64,6 +64,10 @@ namespace vibrocontact
     if (body_2.reduced)
       add_load_jump(*body_2.reduced, -1, scene.interface.load_jump);
 
+    if (grid.traction != TractionShape::constant && (!body_1.reduced || !body_2.reduced))
+      throw InputError(
+          "Contact/Quadrature is consistent, but a half-space knows tractions that are constant on each "
+          "cell only: set it to lumped.");
     const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
     if (!body_1.reduced && !body_2.reduced)
     {

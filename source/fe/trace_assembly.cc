@@ -178,6 +178,28 @@ namespace vibrocontact
         return grid.y(i) + (y.points[k / x.size()] - 0.5) * grid.spacing_y;
       }
 
+      /// Points whose traction reaches this quadrature point, with its value there; they sum to one.
+      std::vector<std::pair<unsigned int, double>> tractions(const unsigned int point,
+                                                             const unsigned int k) const
+      {
+        if (grid.traction == TractionShape::constant)
+          return {{point, 1.}};
+        // A hat that would stand outside the grid leaves its share to the point itself.
+        const auto share = [](const double offset, const unsigned int index, const unsigned int size)
+        {
+          const int other = int(index) + (offset < 0 ? -1 : 1);
+          const bool inside = other >= 0 && other < int(size);
+          return std::make_pair(inside ? std::abs(offset) : 0., inside ? unsigned(other) : index);
+        };
+        const unsigned int i = point % grid.n_x, j = point / grid.n_x;
+        const auto [wx, ix] = share(x.points[k % x.size()] - 0.5, i, grid.n_x);
+        const auto [wy, jy] = share(y.points[k / x.size()] - 0.5, j, grid.n_y);
+        return {{point, (1 - wx) * (1 - wy)},
+                {grid.index(ix, j), wx * (1 - wy)},
+                {grid.index(i, jy), (1 - wx) * wy},
+                {grid.index(ix, jy), wx * wy}};
+      }
+
     private:
       struct Line
       {
@@ -380,7 +402,9 @@ namespace vibrocontact
         const Point<dim> unit = map.on_cell(face.number, hits[k].s);
         const double w = quadrature.weight(k % n_q);
         face.cell->get_dof_indices(dofs);
-        surface_height[k / n_q] += w * hits[k].height;
+        const auto tractions = quadrature.tractions(k / n_q, k % n_q);
+        for (const auto &[point, tau] : tractions)
+          surface_height[point] += tau * w * hits[k].height;
         for (unsigned int node = 0; node < scalar.n_dofs_per_cell(); ++node)
         {
           if (!scalar.has_support_on_face(node, face.number))
@@ -400,7 +424,9 @@ namespace vibrocontact
                           " of body " + body.mesh.name +
                           "; make the grid smaller or the refined patch larger (entry Refinement margin).";
           }
-          weights[k / n_q][key] += w * N;
+          for (const auto &[point, tau] : tractions)
+            if (tau > 0)
+              weights[point][key] += tau * w * N;
         }
       }
     throw_together(complaint, communicator);

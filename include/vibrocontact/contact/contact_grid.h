@@ -4,6 +4,15 @@
 
 namespace vibrocontact
 {
+  /// How the traction of a contact point is spread over a meshed body's surface.
+  enum class TractionShape : unsigned char
+  {
+    /// constant on the point's cell ("lumped" quadrature)
+    constant,
+    /// bilinear hat over the neighbouring points ("consistent" quadrature, Lai et al. 2018, Eq. 7)
+    bilinear
+  };
+
   /// Regular grid of potential contact points in the tangent plane z = 0.
   ///
   /// Each point is the centre of a rectangular cell of size spacing_x * spacing_y; that cell is the point's
@@ -25,6 +34,7 @@ namespace vibrocontact
     double spacing_x = 0, spacing_y = 0;
     /// coordinates of the first point (smallest x and y) [m]
     double x_first = 0, y_first = 0;
+    TractionShape traction = TractionShape::constant;
 
     unsigned int n_points() const { return n_x * n_y; }
     unsigned int index(const unsigned int i, const unsigned int j) const { return j * n_x + i; }
