@@ -9,6 +9,7 @@
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/output/rolling_output.h>
 #include <vibrocontact/output/run_record.h>
+#include <vibrocontact/reduction/meshed_body.h>
 #include <vibrocontact/run.h>
 #include <vibrocontact/scene/scene.h>
 
@@ -29,6 +30,8 @@ namespace vibrocontact
       ContactParameters contact;
       ContactSolverParameters contact_solver;
       RollingParameters rolling;
+      /// of the meshed bodies, by name
+      std::map<std::string, ModeParameters> modes;
 
       void declare(dealii::ParameterHandler &prm)
       {
@@ -39,6 +42,14 @@ namespace vibrocontact
           group.declare_parameters(prm);
           prm.leave_subsection();
         };
+        if (scene.runs("modes"))
+          for (const BodyParameters &body : scene.bodies)
+            if (body.is_meshed())
+            {
+              prm.enter_subsection(body.name);
+              declare("Modes", modes[body.name]);
+              prm.leave_subsection();
+            }
         declare("Output", output);
         prm.enter_subsection("Contact");
         contact.declare_parameters(prm);
@@ -51,6 +62,8 @@ namespace vibrocontact
       void check() const
       {
         scene.check();
+        for (const auto &[name, mode] : modes)
+          mode.check(name + "/Modes");
         if (scene.runs("quasi-static rolling"))
           rolling.check();
       }
@@ -78,15 +91,52 @@ namespace vibrocontact
             "libopenblas0-pthread");
     }
 
-    /// Quasi-static rolling of body 1 on body 2; rank 0 solves and writes.
-    void run_rolling(const Parameters &parameters, const std::string &folder, Results &results)
+    /// Natural frequencies, labels and damping of a meshed body.
+    void run_modes(MeshedBody &body, const std::string &folder, Results &results)
     {
-      if (!is_first_rank())
-        return;
+      const ModalReduction &modes = body.modes();
+      const std::string &name = body.parameters.name;
+      nlohmann::ordered_json json;
+      std::vector<double> frequencies;
+      Table table({"frequency_Hz", "damping_ratio", "label"}, {"Natural frequencies of " + name});
+      for (unsigned int k = 0; k < modes.omega.size(); ++k)
+      {
+        frequencies.push_back(modes.omega[k] / (2 * dealii::numbers::PI));
+        table.add_row({frequencies.back(), modes.damping_ratio[k], modes.labels[k]});
+      }
+      json["frequencies_Hz"] = frequencies;
+      json["labels"] = modes.labels;
+      json["damping_ratio"] = modes.damping_ratio;
+      json["n_rigid_modes"] = modes.n_rigid_modes;
+      json["n_dofs"] = modes.n_dofs;
+      json["orthonormality_error"] = modes.orthonormality_error;
+      json["residual"] = modes.residual;
+      json["seconds"] = modes.seconds;
+      results.analyses["modes"][name] = json;
+      if (is_first_rank())
+        table.write(folder + "/modes_" + name + ".csv");
+      run_log().block("Results: modes of " + name);
+      run_log().value("modes", static_cast<unsigned int>(frequencies.size()));
+      if (!frequencies.empty())
+        run_log().value("highest frequency", frequencies.back(), "Hz");
+    }
+
+    /// Quasi-static rolling of body 1 on body 2; rank 0 solves and writes. Returns the last case.
+    RollingResult run_rolling(const Parameters &parameters,
+                              const std::vector<std::unique_ptr<MeshedBody>> &bodies,
+                              const std::string &folder, Results &results)
+    {
+      std::vector<ReducedBody> reduced(2);
+      std::vector<ContactBody> pair;
+      for (unsigned int k = 0; k < 2; ++k)
+      {
+        if (bodies[k])
+          reduced[k] = combine(bodies[k]->statics(), nullptr);
+        pair.push_back({&parameters.scene.bodies[k], bodies[k] ? &reduced[k] : nullptr});
+      }
       Log &log = run_log();
       log.block("Quasi-static rolling");
-      const RollingScene scene = rolling_scene({&parameters.scene.bodies[0], nullptr},
-                                               {&parameters.scene.bodies[1], nullptr}, parameters.contact);
+      const RollingScene scene = rolling_scene(pair[0], pair[1], parameters.contact);
       const ContactInterface &interface = scene.interface;
       log.value("contact points", interface.grid.n_points());
       const unsigned int n_cases = rolling_cases(parameters.rolling, parameters.contact).size();
@@ -95,8 +145,9 @@ namespace vibrocontact
       const auto finished = [&](const RollingResult &result)
       {
         const std::string k = std::to_string(cases.size());
-        contact_patch_table(result, interface).write(folder + "/contact_patch_" + k + ".csv");
-        if (parameters.output.fields)
+        if (is_first_rank())
+          contact_patch_table(result, interface).write(folder + "/contact_patch_" + k + ".csv");
+        if (is_first_rank() && parameters.output.fields)
           write_contact_patch_vtu(result, interface, folder + "/fields/contact_patch_" + k + ".vtu");
         cases.push_back(rolling_case_json(result));
         if (!result.solution.converged)
@@ -112,7 +163,8 @@ namespace vibrocontact
       const std::vector<RollingResult> all =
           quasi_static_rolling(parameters.rolling, parameters.contact, parameters.contact_solver, interface,
                                scene.operator_at, finished);
-      rolling_table(all).write(folder + "/rolling.csv");
+      if (is_first_rank())
+        rolling_table(all).write(folder + "/rolling.csv");
       const RollingResult &last = all.back();
       log.value("cases", n_cases);
       log.value("normal force", last.normal_force, "N");
@@ -124,6 +176,7 @@ namespace vibrocontact
       log.value("points in contact", last.contact_points);
       log.value("of these sticking", last.stick_points);
       results.analyses["quasi_static_rolling"]["cases"] = cases;
+      return last;
     }
 
     /// All parameters of a scene with one body of each type that needs no file, as a valid file.
@@ -178,11 +231,29 @@ namespace vibrocontact
     if (command_line.check)
       return 0;
 
+    const bool with_contact = parameters.scene.runs("quasi-static rolling");
+    const ContactGrid grid = parameters.contact.grid();
+    const DeclaredParameters declared = declared_parameters(prm);
     const std::string folder =
         begin_run_record(parameters.output.folder(command_line.output, command_line.file), file, prm);
     Results results;
-    if (parameters.scene.runs("quasi-static rolling"))
-      run_rolling(parameters, folder, results);
+    const ReductionCache cache(parameters.output.cache_directory, MPI_COMM_WORLD);
+    std::vector<std::unique_ptr<MeshedBody>> bodies;
+    for (const BodyParameters &body : parameters.scene.bodies)
+      bodies.push_back(body.is_meshed()
+                           ? std::make_unique<MeshedBody>(
+                                 body, parameters.modes[body.name], parameters.contact.lateral_position,
+                                 with_contact ? &grid : nullptr,
+                                 body_key(declared, body.name, parameters.contact.lateral_position,
+                                          with_contact ? &grid : nullptr),
+                                 cache, MPI_COMM_WORLD)
+                           : nullptr);
+    if (parameters.scene.runs("modes"))
+      for (const auto &body : bodies)
+        if (body && parameters.modes[body->parameters.name].any())
+          run_modes(*body, folder, results);
+    if (with_contact)
+      run_rolling(parameters, bodies, folder, results);
     const auto seconds = [&]
     { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
     write_results(results, seconds(), folder);

@@ -10,8 +10,8 @@
 
 namespace vibrocontact
 {
-  std::string body_key(const DeclaredParameters &parameters, const std::string &body, const double lateral_position,
-                       const ContactGrid *const grid)
+  std::string body_key(const DeclaredParameters &parameters, const std::string &body,
+                       const double lateral_position, const ContactGrid *const grid)
   {
     std::ostringstream key;
     key.precision(17);
@@ -30,17 +30,17 @@ namespace vibrocontact
       key << "contents: " << content.size() << " bytes, crc " << checksum.checksum() << "\n";
     }
     if (grid)
-      key << "lateral position=" << lateral_position << "\ngrid=" << grid->n_x << " x " << grid->n_y << " from "
-          << grid->x_first << ", " << grid->y_first << " by " << grid->spacing_x << ", " << grid->spacing_y
-          << ", traction " << int(grid->traction) << "\n";
+      key << "lateral position=" << lateral_position << "\ngrid=" << grid->n_x << " x " << grid->n_y
+          << " from " << grid->x_first << ", " << grid->y_first << " by " << grid->spacing_x << ", "
+          << grid->spacing_y << ", traction " << int(grid->traction) << "\n";
     return key.str();
   }
 
-  MeshedBody::MeshedBody(const BodyParameters &parameters, const ModeParameters &modes, const double lateral_position,
-                         const ContactGrid *const grid, const std::string &key, const ReductionCache &cache,
-                         const MPI_Comm communicator)
-      : parameters(parameters), mode_parameters(modes), lateral_position(lateral_position), grid(grid), key(key),
-        cache(cache), communicator(communicator)
+  MeshedBody::MeshedBody(const BodyParameters &parameters, const ModeParameters &modes,
+                         const double lateral_position, const ContactGrid *const grid, const std::string &key,
+                         const ReductionCache &cache, const MPI_Comm communicator)
+      : parameters(parameters), mode_parameters(modes), lateral_position(lateral_position), grid(grid),
+        key(key), cache(cache), communicator(communicator)
   {
   }
 
@@ -119,12 +119,11 @@ namespace vibrocontact
     return *modal_part;
   }
 
-  dealii::PETScWrappers::MPI::Vector MeshedBody::displacement(const std::vector<double> &R,
-                                                              const double hub_displacement)
+  dealii::PETScWrappers::MPI::Vector MeshedBody::displacement(const std::vector<double> &R)
   {
     Flexibility &G = flexibility();
     dealii::PETScWrappers::MPI::Vector force(matrices->locally_owned, communicator),
-      u(matrices->locally_owned, communicator);
+        u(matrices->locally_owned, communicator);
     for (unsigned int row = 0; row < R.size(); ++row)
       if (R[row] != 0)
         for (const auto &[dof, weight] : matrices->trace.rows[row])
@@ -134,14 +133,6 @@ namespace vibrocontact
     if (matrices->has_load)
       force += matrices->load;
     G.vmult(u, force);
-    if (hub_displacement != 0)
-    {
-      AssertThrow(matrices->follows_hub, dealii::ExcMessage("Only a body carried by its held boundary alone follows a hub."));
-      for (unsigned int k = 0; k < matrices->dof_direction.size(); ++k)
-        if (matrices->dof_direction[k] == 2)
-          u(matrices->locally_owned.nth_index_in_set(k)) += hub_displacement;
-      u.compress(dealii::VectorOperation::add);
-    }
     return u;
   }
 } // namespace vibrocontact
