@@ -1,3 +1,4 @@
+#include <vibrocontact/analyses/modal.h>
 #include <vibrocontact/analyses/quasi_static_rolling.h>
 #include <vibrocontact/analyses/rolling_scene.h>
 #include <vibrocontact/base/blas.h>
@@ -94,31 +95,26 @@ namespace vibrocontact
     /// Natural frequencies, labels and damping of a meshed body.
     void run_modes(MeshedBody &body, const std::string &folder, Results &results)
     {
-      const ModalReduction &modes = body.modes();
-      const std::string &name = body.parameters.name;
-      nlohmann::ordered_json json;
-      std::vector<double> frequencies;
-      Table table({"frequency_Hz", "damping_ratio", "label"}, {"Natural frequencies of " + name});
-      for (unsigned int k = 0; k < modes.omega.size(); ++k)
-      {
-        frequencies.push_back(modes.omega[k] / (2 * dealii::numbers::PI));
-        table.add_row({frequencies.back(), modes.damping_ratio[k], modes.labels[k]});
-      }
-      json["frequencies_Hz"] = frequencies;
-      json["labels"] = modes.labels;
-      json["damping_ratio"] = modes.damping_ratio;
-      json["n_rigid_modes"] = modes.n_rigid_modes;
-      json["n_dofs"] = modes.n_dofs;
-      json["orthonormality_error"] = modes.orthonormality_error;
-      json["residual"] = modes.residual;
-      json["seconds"] = modes.seconds;
-      results.analyses["modes"][name] = json;
+      run_log().block("Modes of " + body.parameters.name);
+      const ModalResult modes = modal_analysis(body.reduction);
+      Table table({"frequency_Hz", "damping_ratio", "label"},
+                  {"Natural frequencies of " + modes.body + "; rigid modes have frequency 0"});
+      for (unsigned int k = 0; k < modes.frequencies_Hz.size(); ++k)
+        table.add_row({modes.frequencies_Hz[k], modes.damping_ratio[k], modes.labels[k]});
       if (is_first_rank())
-        table.write(folder + "/modes_" + name + ".csv");
-      run_log().block("Results: modes of " + name);
-      run_log().value("modes", static_cast<unsigned int>(frequencies.size()));
-      if (!frequencies.empty())
-        run_log().value("highest frequency", frequencies.back(), "Hz");
+        table.write(folder + "/modes_" + modes.body + ".csv");
+      nlohmann::ordered_json stages;
+      for (const auto &[stage, seconds] : modes.stages)
+        stages[stage] = seconds;
+      results.analyses["modes"][modes.body] = {{"frequencies_Hz", modes.frequencies_Hz},
+                                               {"labels", modes.labels},
+                                               {"damping_ratio", modes.damping_ratio},
+                                               {"n_rigid_modes", modes.n_rigid_modes},
+                                               {"n_dofs", modes.n_dofs},
+                                               {"orthonormality_error", modes.orthonormality_error},
+                                               {"residual", modes.residual},
+                                               {"stages_s", stages},
+                                               {"seconds", modes.seconds}};
     }
 
     /// Quasi-static rolling of body 1 on body 2; rank 0 solves and writes. Returns the last case.
@@ -131,7 +127,7 @@ namespace vibrocontact
       for (unsigned int k = 0; k < 2; ++k)
       {
         if (bodies[k])
-          reduced[k] = combine(bodies[k]->statics(), nullptr);
+          reduced[k] = bodies[k]->reduction.reduced(false);
         pair.push_back({&parameters.scene.bodies[k], bodies[k] ? &reduced[k] : nullptr});
       }
       Log &log = run_log();
@@ -237,7 +233,6 @@ namespace vibrocontact
     const std::string folder =
         begin_run_record(parameters.output.folder(command_line.output, command_line.file), file, prm);
     Results results;
-    const ReductionCache cache(parameters.output.cache_directory, MPI_COMM_WORLD);
     std::vector<std::unique_ptr<MeshedBody>> bodies;
     for (const BodyParameters &body : parameters.scene.bodies)
       bodies.push_back(body.is_meshed()
@@ -246,7 +241,7 @@ namespace vibrocontact
                                  with_contact ? &grid : nullptr,
                                  body_key(declared, body.name, parameters.contact.lateral_position,
                                           with_contact ? &grid : nullptr),
-                                 cache, MPI_COMM_WORLD)
+                                 parameters.output.cache_directory, MPI_COMM_WORLD)
                            : nullptr);
     if (parameters.scene.runs("modes"))
       for (const auto &body : bodies)

@@ -1,4 +1,3 @@
-#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/reduction/meshed_body.h>
 
@@ -36,11 +35,34 @@ namespace vibrocontact
     return key.str();
   }
 
+  namespace
+  {
+    ReductionRequest request(const BodyParameters &parameters, const ModeParameters &modes,
+                             const double lateral_position, const std::string &key,
+                             const std::string &cache_directory)
+    {
+      ReductionRequest request;
+      request.body = parameters.name;
+      request.key = key;
+      request.modes = modes;
+      request.cache_directory = cache_directory;
+      if (parameters.type == "wheel")
+      {
+        request.wheel.emplace();
+        request.wheel->axle_height = tread_radius(wheel_outline(parameters.wheel), lateral_position);
+        request.wheel->rim_radius = modes.rim_radius;
+      }
+      return request;
+    }
+  } // namespace
+
   MeshedBody::MeshedBody(const BodyParameters &parameters, const ModeParameters &modes,
                          const double lateral_position, const ContactGrid *const grid, const std::string &key,
-                         const ReductionCache &cache, const MPI_Comm communicator)
-      : parameters(parameters), mode_parameters(modes), lateral_position(lateral_position), grid(grid),
-        key(key), cache(cache), communicator(communicator)
+                         const std::string &cache_directory, const MPI_Comm communicator)
+      : parameters(parameters), lateral_position(lateral_position), grid(grid), communicator(communicator),
+        reduction(
+            request(parameters, modes, lateral_position, key, cache_directory),
+            [this]() { return elastic_body().assemble(this->grid); }, communicator)
   {
   }
 
@@ -48,91 +70,11 @@ namespace vibrocontact
   {
     if (!body)
     {
-      run_log().block("Mesh of " + parameters.name);
+      run_log().block("Finite elements of " + parameters.name);
       body = make_elastic_body(parameters, lateral_position, grid, communicator);
       run_log().value("cells", static_cast<unsigned int>(body->mesh.triangulation->n_global_active_cells()));
       run_log().value("dofs", static_cast<unsigned int>(body->dof_handler.n_dofs()));
     }
     return *body;
-  }
-
-  const SecondOrderSystem &MeshedBody::system()
-  {
-    if (!matrices)
-    {
-      elastic_body();
-      run_log().block("Matrices of " + parameters.name);
-      matrices = body->assemble(grid);
-      matrices->body = parameters.name;
-      run_log().value("mass", matrices->total_mass, "kg");
-    }
-    return *matrices;
-  }
-
-  Flexibility &MeshedBody::flexibility()
-  {
-    if (!inverse)
-    {
-      system();
-      run_log().block("Factorisation of " + parameters.name);
-      inverse = std::make_unique<Flexibility>(*matrices);
-      const auto &statistics = inverse->factorization().statistics();
-      run_log().value("memory on the fullest rank", statistics.megabytes_rank, "MB");
-      run_log().value("entries of the factors", statistics.factor_entries);
-    }
-    return *inverse;
-  }
-
-  const StaticReduction &MeshedBody::statics()
-  {
-    if (!static_part)
-      static_part = cache.load_static(parameters.name, key);
-    if (!static_part)
-    {
-      flexibility();
-      run_log().block("Contact compliance of " + parameters.name);
-      static_part = reduce_statically(*matrices, *inverse);
-      cache.save(key, *static_part);
-    }
-    return *static_part;
-  }
-
-  const ModalReduction &MeshedBody::modes()
-  {
-    const std::string modal_key = key + mode_parameters.key();
-    if (!modal_part)
-      modal_part = cache.load_modal(parameters.name, modal_key);
-    if (!modal_part)
-    {
-      flexibility();
-      run_log().block("Modes of " + parameters.name);
-      std::optional<WheelFrame> wheel;
-      if (parameters.type == "wheel")
-      {
-        wheel.emplace();
-        wheel->axle_height = tread_radius(wheel_outline(parameters.wheel), lateral_position);
-        wheel->rim_radius = mode_parameters.rim_radius;
-      }
-      modal_part = reduce_modally(*matrices, *inverse, mode_parameters, wheel);
-      cache.save(parameters.name, modal_key, *modal_part);
-    }
-    return *modal_part;
-  }
-
-  dealii::PETScWrappers::MPI::Vector MeshedBody::displacement(const std::vector<double> &R)
-  {
-    Flexibility &G = flexibility();
-    dealii::PETScWrappers::MPI::Vector force(matrices->locally_owned, communicator),
-        u(matrices->locally_owned, communicator);
-    for (unsigned int row = 0; row < R.size(); ++row)
-      if (R[row] != 0)
-        for (const auto &[dof, weight] : matrices->trace.rows[row])
-          if (matrices->locally_owned.is_element(dof))
-            force(dof) += weight * R[row];
-    force.compress(dealii::VectorOperation::add);
-    if (matrices->has_load)
-      force += matrices->load;
-    G.vmult(u, force);
-    return u;
   }
 } // namespace vibrocontact

@@ -2,11 +2,9 @@
 
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/fe/make_elastic_body.h>
-#include <vibrocontact/reduction/reduction_cache.h>
-#include <vibrocontact/reduction/reduction_parts.h>
+#include <vibrocontact/reduction/body_reduction.h>
 
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace vibrocontact
@@ -16,45 +14,27 @@ namespace vibrocontact
   std::string body_key(const DeclaredParameters &parameters, const std::string &body, double lateral_position,
                        const ContactGrid *grid);
 
-  /// One meshed body on its way from parameters to reduction; every step is taken when first asked for, at
-  /// most once.
-  ///
-  ///   parameters -> ElasticBody -> SecondOrderSystem -> Flexibility -> StaticReduction, ModalReduction
-  ///
-  /// A reduction found in the cache takes none of the earlier steps; fields on the mesh do. All members are
-  /// collective.
+  /// One meshed body of a scene: its finite elements, made when first asked for, and its reduction.
   class MeshedBody
   {
   public:
     /// @param grid contact grid, null if no analysis has contact; @param key see body_key()
     MeshedBody(const BodyParameters &parameters, const ModeParameters &modes, double lateral_position,
-               const ContactGrid *grid, const std::string &key, const ReductionCache &cache,
+               const ContactGrid *grid, const std::string &key, const std::string &cache_directory,
                MPI_Comm communicator);
 
-    /// Makes the mesh, so that everything that can be refused is refused before the expensive steps.
-    void check_mesh() { elastic_body(); }
-    const StaticReduction &statics();
-    const ModalReduction &modes();
-
+    /// Makes mesh and dofs. What is wrong with them is thrown here, before the expensive steps. Collective.
     const ElasticBody<3> &elastic_body();
-    const SecondOrderSystem &system();
-    Flexibility &flexibility();
-    /// Elastic displacement of all dofs under contact forces R on this body (3 n, [N]) and its loads [m].
-    dealii::PETScWrappers::MPI::Vector displacement(const std::vector<double> &R);
 
     const BodyParameters &parameters;
 
   private:
-    const ModeParameters mode_parameters;
     const double lateral_position;
     const ContactGrid *const grid;
-    const std::string key;
-    const ReductionCache &cache;
     const MPI_Comm communicator;
     std::unique_ptr<ElasticBody<3>> body;
-    std::unique_ptr<SecondOrderSystem> matrices;
-    std::unique_ptr<Flexibility> inverse;
-    std::optional<StaticReduction> static_part;
-    std::optional<ModalReduction> modal_part;
+
+  public:
+    BodyReduction reduction;
   };
 } // namespace vibrocontact
