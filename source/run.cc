@@ -6,70 +6,26 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/version.h>
-#include <vibrocontact/output/output_parameters.h>
+#include <vibrocontact/fe/trace_assembly.h>
+#include <vibrocontact/output/figures.h>
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/output/rolling_output.h>
 #include <vibrocontact/output/run_record.h>
+#include <vibrocontact/parameters.h>
 #include <vibrocontact/reduction/meshed_body.h>
 #include <vibrocontact/run.h>
-#include <vibrocontact/scene/scene.h>
+#include <vibrocontact/scene/scene_summary.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 
 namespace vibrocontact
 {
   namespace
   {
-    /// Everything that a parameter file sets.
-    struct Parameters
-    {
-      Scene scene;
-      OutputParameters output;
-      ContactParameters contact;
-      ContactSolverParameters contact_solver;
-      RollingParameters rolling;
-      /// of the meshed bodies, by name
-      std::map<std::string, ModeParameters> modes;
-
-      void declare(dealii::ParameterHandler &prm)
-      {
-        scene.declare_parameters(prm);
-        const auto declare = [&](const std::string &section, auto &group)
-        {
-          prm.enter_subsection(section);
-          group.declare_parameters(prm);
-          prm.leave_subsection();
-        };
-        if (scene.runs("modes"))
-          for (const BodyParameters &body : scene.bodies)
-            if (body.is_meshed())
-            {
-              prm.enter_subsection(body.name);
-              declare("Modes", modes[body.name]);
-              prm.leave_subsection();
-            }
-        declare("Output", output);
-        prm.enter_subsection("Contact");
-        contact.declare_parameters(prm);
-        declare("Solver", contact_solver);
-        prm.leave_subsection();
-        if (scene.runs("quasi-static rolling"))
-          declare("Rolling", rolling);
-      }
-
-      void check() const
-      {
-        scene.check();
-        for (const auto &[name, mode] : modes)
-          mode.check(name + "/Modes");
-        if (scene.runs("quasi-static rolling"))
-          rolling.check();
-      }
-    };
-
     bool is_first_rank()
     {
       return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
@@ -175,20 +131,56 @@ namespace vibrocontact
       return last;
     }
 
-    /// All parameters of a scene with one body of each type that needs no file, as a valid file.
-    std::string all_parameters()
+    /// The meshed bodies of a scene in its order, null for the others; nothing is made yet.
+    std::vector<std::unique_ptr<MeshedBody>>
+    meshed_bodies(Parameters &parameters, const DeclaredParameters &declared, const ContactGrid &grid)
     {
-      std::string lists = "set Analyses = quasi-static rolling\nset Bodies = upper, lower\n";
-      ParameterFile file("", lists + "subsection upper\nset Type = half-space\nend\n"
-                                     "subsection lower\nset Type = block\nend\n");
-      Parameters parameters;
-      parameters.scene = read_scene_lists(file);
-      dealii::ParameterHandler prm;
-      parameters.declare(prm);
-      file.parse(prm);
-      return "# Every parameter of vibrocontact " + version() +
-             "; see README.md for files to start from.\n\n" +
-             print_parameters(declared_parameters(prm), ParameterStyle::documented);
+      const ContactGrid *const contact_grid = parameters.has_contact() ? &grid : nullptr;
+      const double lateral_position = parameters.contact.lateral_position;
+      std::vector<std::unique_ptr<MeshedBody>> bodies;
+      for (const BodyParameters &body : parameters.scene.bodies)
+        bodies.push_back(body.is_meshed()
+                             ? std::make_unique<MeshedBody>(
+                                   body, parameters.modes[body.name], lateral_position, contact_grid,
+                                   body_key(declared, body.name, lateral_position, contact_grid),
+                                   parameters.output.cache_directory, MPI_COMM_WORLD)
+                             : nullptr);
+      return bodies;
+    }
+
+    /// Makes the meshes and lays the contact grid on them, so that what is wrong there is said before the
+    /// expensive steps. Bodies whose reduction is in the cache have passed already.
+    void check_meshes(const Parameters &parameters, const std::vector<std::unique_ptr<MeshedBody>> &bodies,
+                      const ContactGrid &grid, const bool all)
+    {
+      const ReductionCache cache(parameters.output.cache_directory, MPI_COMM_WORLD);
+      for (const auto &body : bodies)
+        if (body)
+        {
+          const ReductionRequest &request = body->reduction.request();
+          const std::string kind = parameters.has_contact() ? "static" : "modes";
+          if (!all && !request.cache_directory.empty() &&
+              std::filesystem::exists(cache.file_name(request.body, kind, request.key)))
+            continue;
+          const ElasticBody<3> &elastic_body = body->elastic_body();
+          if (parameters.has_contact())
+            make_contact_trace(elastic_body, grid);
+        }
+    }
+
+    /// What --check shows.
+    void print_scene(const Parameters &parameters, const std::vector<std::unique_ptr<MeshedBody>> &bodies,
+                     const ContactGrid &grid)
+    {
+      const ContactGrid *const contact_grid = parameters.has_contact() ? &grid : nullptr;
+      for (unsigned int k = 0; k < bodies.size(); ++k)
+        print_body(parameters.scene.bodies[k], bodies[k] ? &bodies[k]->elastic_body() : nullptr,
+                   contact_grid);
+      if (contact_grid)
+        print_contact_grid(grid);
+      run_log().end_block();
+      run_log().line("");
+      run_log().line("The file is valid; nothing was run.");
     }
   } // namespace
 
@@ -209,55 +201,59 @@ namespace vibrocontact
     ParameterFile file(command_line.file, read_file_on_all_ranks(command_line.file), command_line.overrides);
     Parameters parameters;
     dealii::ParameterHandler prm;
+    read_parameters(file, prm, parameters);
+    banner(command_line, parameters.scene);
+
+    const ContactGrid grid = parameters.contact.grid();
+    std::vector<std::unique_ptr<MeshedBody>> bodies;
     try
     {
-      parameters.scene = read_scene_lists(file);
-      parameters.declare(prm);
-      const std::string dropped = file.prefer_option("Rolling", "Normal force", "Hub displacement");
-      if (!dropped.empty())
-        run_log().line("Rolling/" + dropped + " of the file is left out: an option gives its alternative.");
-      file.parse(prm);
-      parameters.check();
+      bodies = meshed_bodies(parameters, declared_parameters(prm), grid);
+      check_meshes(parameters, bodies, grid, command_line.check);
+      if (command_line.check)
+      {
+        print_scene(parameters, bodies, grid);
+        return 0;
+      }
     }
     catch (const InputError &error)
     {
       throw InputError(file.located(error.what()));
     }
-    banner(command_line, parameters.scene);
-    if (command_line.check)
-      return 0;
 
-    const bool with_contact = parameters.scene.runs("quasi-static rolling");
-    const ContactGrid grid = parameters.contact.grid();
-    const DeclaredParameters declared = declared_parameters(prm);
-    const std::string folder =
-        begin_run_record(parameters.output.folder(command_line.output, command_line.file), file, prm);
+    const RunRecord record(parameters.output.folder(command_line.output, command_line.file), file, prm);
     Results results;
-    std::vector<std::unique_ptr<MeshedBody>> bodies;
-    for (const BodyParameters &body : parameters.scene.bodies)
-      bodies.push_back(body.is_meshed()
-                           ? std::make_unique<MeshedBody>(
-                                 body, parameters.modes[body.name], parameters.contact.lateral_position,
-                                 with_contact ? &grid : nullptr,
-                                 body_key(declared, body.name, parameters.contact.lateral_position,
-                                          with_contact ? &grid : nullptr),
-                                 parameters.output.cache_directory, MPI_COMM_WORLD)
-                           : nullptr);
-    if (parameters.scene.runs("modes"))
-      for (const auto &body : bodies)
-        if (body && parameters.modes[body->parameters.name].any())
-          run_modes(*body, folder, results);
-    if (with_contact)
-      run_rolling(parameters, bodies, folder, results);
     const auto seconds = [&]
     { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
-    write_results(results, seconds(), folder);
+    try
+    {
+      if (parameters.scene.runs("modes"))
+        for (const auto &body : bodies)
+          if (body && parameters.modes[body->parameters.name].any())
+            run_modes(*body, record.folder, results);
+      if (parameters.scene.runs("quasi-static rolling"))
+        run_rolling(parameters, bodies, record.folder, results);
+    }
+    catch (const InputError &error)
+    {
+      record.discard();
+      throw InputError(file.located(error.what()));
+    }
+    catch (const ConvergenceError &error)
+    {
+      results.converged = false;
+      results.messages.push_back(error.what());
+      run_log().warning(error.what());
+    }
+    write_results(results, seconds(), record.folder);
+    if (parameters.output.figures)
+      draw_figures(record.folder);
 
     run_log().block("Results");
-    run_log().value("folder", folder);
+    run_log().value("folder", record.folder);
     run_log().value("status", results.converged ? "converged" : "not converged");
     run_log().value("wall time", time_text(seconds()));
-    end_run_record(folder);
+    record.finish();
     return results.converged ? 0 : 2;
   }
 } // namespace vibrocontact

@@ -33,10 +33,4 @@ namespace vibrocontact
     std::string first_made;
   };
 
-  inline std::string begin_run_record(const std::string &folder, const ParameterFile &file,
-                                      const dealii::ParameterHandler &prm)
-  {
-    return RunRecord(folder, file, prm).folder;
-  }
-  inline void end_run_record(const std::string &) {}
 } // namespace vibrocontact

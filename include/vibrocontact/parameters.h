@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vibrocontact/analyses/quasi_static_rolling.h>
+#include <vibrocontact/base/parameter_file.h>
+#include <vibrocontact/contact/interface.h>
+#include <vibrocontact/output/output_parameters.h>
+#include <vibrocontact/reduction/modes.h>
+#include <vibrocontact/scene/scene.h>
+
+#include <map>
+#include <string>
+
+namespace vibrocontact
+{
+  /// Everything that a parameter file sets. Sections of analyses that are not listed may stand in the file;
+  /// their combinations are checked only if the analysis runs.
+  struct Parameters
+  {
+    Scene scene;
+    OutputParameters output;
+    ContactParameters contact;
+    ContactSolverParameters contact_solver;
+    RollingParameters rolling;
+    /// of the meshed bodies, by name
+    std::map<std::string, ModeParameters> modes;
+
+    /// After the first pass, which filled the lists of the scene.
+    void declare(dealii::ParameterHandler &prm);
+    void check() const;
+    /// Whether a contact grid is needed.
+    bool has_contact() const { return scene.runs("quasi-static rolling"); }
+  };
+
+  /// Both passes over a file and all checks that need no mesh. Says in the log which alternative an option
+  /// replaced. The handler refers to the members of @p parameters afterwards.
+  /// @throws InputError with file, line, section and entry
+  void read_parameters(ParameterFile &file, dealii::ParameterHandler &prm, Parameters &parameters);
+
+  /// Every parameter as a valid file: a wheel on a rail; sections of the other kinds of bodies as comments.
+  std::string all_parameters();
+} // namespace vibrocontact

@@ -1,0 +1,121 @@
+#include <vibrocontact/base/declared_parameters.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/version.h>
+#include <vibrocontact/parameters.h>
+
+#include <sstream>
+
+namespace vibrocontact
+{
+  void Parameters::declare(dealii::ParameterHandler &prm)
+  {
+    scene.declare_parameters(prm);
+    const auto declare = [&](const std::string &section, auto &group)
+    {
+      prm.enter_subsection(section);
+      group.declare_parameters(prm);
+      prm.leave_subsection();
+    };
+    for (const BodyParameters &body : scene.bodies)
+      if (body.is_meshed())
+      {
+        prm.enter_subsection(body.name);
+        declare("Modes", modes[body.name]);
+        prm.leave_subsection();
+      }
+    declare("Output", output);
+    prm.enter_subsection("Contact");
+    contact.declare_parameters(prm);
+    declare("Solver", contact_solver);
+    prm.leave_subsection();
+    declare("Rolling", rolling);
+  }
+
+  void Parameters::check() const
+  {
+    scene.check();
+    for (const auto &[name, mode] : modes)
+      mode.check(name + "/Modes");
+    if (scene.runs("modes"))
+    {
+      bool any = false;
+      for (const auto &[name, mode] : modes)
+        any = any || mode.any();
+      if (!any)
+        throw InputError(modes.begin()->first +
+                         "/Modes asks for no modes, nor does any other body, but the analysis "
+                         "\"modes\" is listed; give Upper frequency or Count, or leave it out");
+    }
+    if (scene.runs("quasi-static rolling"))
+      rolling.check();
+  }
+
+  void read_parameters(ParameterFile &file, dealii::ParameterHandler &prm, Parameters &parameters)
+  {
+    try
+    {
+      parameters.scene = read_scene_lists(file);
+      parameters.declare(prm);
+      const std::string dropped = file.prefer_option("Rolling", "Normal force", "Hub displacement");
+      if (!dropped.empty())
+        run_log().line("Rolling/" + dropped + " of the file is left out: an option gives its alternative.");
+      file.parse(prm);
+      parameters.check();
+    }
+    catch (const InputError &error)
+    {
+      throw InputError(file.located(error.what()));
+    }
+  }
+
+  namespace
+  {
+    /// The section of a body as comments: an example for a type that the printed file does not use.
+    std::string commented_body(const BodyType &type)
+    {
+      Parameters parameters;
+      BodyParameters body;
+      body.name = body.type = type.name;
+      parameters.scene.bodies = {body};
+      dealii::ParameterHandler prm;
+      parameters.declare(prm);
+      const DeclaredParameters all = declared_parameters(prm);
+      DeclaredParameters own;
+      const auto belongs = [&](const std::string &section)
+      { return section == body.name || section.compare(0, body.name.size() + 1, body.name + "/") == 0; };
+      for (const auto &entry : all.entries)
+        if (belongs(entry.section))
+          own.entries.push_back(entry);
+      for (const auto &section : all.sections)
+        if (belongs(section))
+          own.sections.push_back(section);
+      std::istringstream lines(print_parameters(own, ParameterStyle::documented));
+      std::string text = "\n\n# A body of type " + type.name + " (" + type.help + ") has these entries:\n#\n";
+      for (std::string line; std::getline(lines, line);)
+        if (!line.empty())
+          text += "# " + line + "\n";
+      return text;
+    }
+  } // namespace
+
+  std::string all_parameters()
+  {
+    ParameterFile file("", "set Title = Wheel on rail\n"
+                           "set Bodies = wheel, rail\n"
+                           "set Analyses = modes, quasi-static rolling\n"
+                           "subsection wheel\n set Type = wheel\n"
+                           " subsection Modes\n set Upper frequency = 8000\n end\nend\n"
+                           "subsection rail\n set Type = rail\nend\n"
+                           "subsection Rolling\n set Hub displacement = 0.35e-3\nend\n");
+    Parameters parameters;
+    dealii::ParameterHandler prm;
+    read_parameters(file, prm, parameters);
+    std::string text = "# Every parameter of vibrocontact " + version() + ", for a wheel on a rail.\n\n" +
+                       print_parameters(declared_parameters(prm), ParameterStyle::documented);
+    for (const BodyType &type : body_types())
+      if (type.name != "wheel" && type.name != "rail")
+        text += commented_body(type);
+    return text;
+  }
+} // namespace vibrocontact
