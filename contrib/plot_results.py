@@ -173,7 +173,7 @@ def plot_curves(folder, cases):
 
 
 def read_vtu(name):
-    """Points, cells (corner indices) and point data of a VTU file as deal.II writes it (ascii or compressed base64)."""
+    """Points, outer quadrilaterals and point data of a VTU file as deal.II writes it (ascii or compressed base64)."""
     root = ElementTree.parse(name).getroot()
     types = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4", "UInt32": "<u4", "Int64": "<i8", "UInt64": "<u8",
              "UInt8": "<u1", "Int8": "<i1"}
@@ -198,11 +198,19 @@ def read_vtu(name):
         n = int(node.get("NumberOfComponents") or 1)
         return values.reshape(-1, n) if n > 1 else values
 
-    piece = root.find(".//Piece")
-    points = array(piece.find("Points/DataArray"))
-    cells = {node.get("Name"): array(node) for node in piece.findall("Cells/DataArray")}
-    data = {node.get("Name"): array(node) for node in piece.findall("PointData/DataArray")}
-    return points.reshape(-1, 3), cells, data
+    # One piece per rank.
+    points, quads, data = [], [], {}
+    n_points = 0
+    for piece in root.iter("Piece"):
+        if int(piece.get("NumberOfCells")) == 0:
+            continue
+        points.append(array(piece.find("Points/DataArray")).reshape(-1, 3))
+        cells = {node.get("Name"): array(node) for node in piece.findall("Cells/DataArray")}
+        quads.append(surface_quads(points[-1], cells) + n_points)
+        n_points += len(points[-1])
+        for node in piece.findall("PointData/DataArray"):
+            data.setdefault(node.get("Name"), []).append(array(node))
+    return np.concatenate(points), np.concatenate(quads), {name: np.concatenate(parts) for name, parts in data.items()}
 
 
 def surface_quads(points, cells):
@@ -222,48 +230,37 @@ def surface_quads(points, cells):
 
 
 def plot_modes(folder, body, modes):
-    """Shapes from fields/<...>modes<...>.vtu whose point data are one vector per mode."""
+    """Deformed shapes from fields/mode_<body>_<number>.vtu: those of the paper's Fig. 3, or else the first six."""
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
-    names = sorted(name for name in glob.glob(os.path.join(folder, "fields", "*.vtu"))
-                   if body in os.path.basename(name) and "mode" in os.path.basename(name))
-    shapes = []
-    for name in names:
-        points, cells, data = read_vtu(name)
-        quads = surface_quads(points, cells)
-        for field, values in data.items():
-            if values.ndim == 2 and values.shape[1] == 3:
-                shapes.append((field, points, quads, values))
-    if not shapes:
-        return
-    # The paper shows axial (0,1), radial (1,5) and axial (0,6); otherwise the first ones.
     frequencies, labels = modes["frequencies_Hz"], modes.get("labels", [])
-
-    def number_of(field):
-        digits = re.findall(r"\d+", field)
-        return int(digits[-1]) if digits else -1
-
-    wanted = [i for want in ("axial(0,1)", "radial(1,5)", "axial(0,6)") if want in labels for i in [labels.index(want)]]
-    chosen = [shape for i in wanted for shape in shapes if number_of(shape[0]) == i] or shapes[:6]
+    files = {int(re.findall(r"\d+", name)[-1]): name
+             for name in glob.glob(os.path.join(folder, "fields", f"mode_{glob.escape(body)}_*.vtu"))}
+    wanted = [labels.index(label) for label in ("axial(0,1)", "radial(1,5)", "axial(0,6)") if label in labels]
+    elastic = [i for i in sorted(files) if i < len(frequencies) and frequencies[i] > 0]
+    chosen = [i for i in wanted if i in files] or elastic[:6]
+    if not chosen:
+        return
     columns = min(3, len(chosen))
     rows = (len(chosen) + columns - 1) // columns
     figure = plt.figure(figsize=(4 * columns, 4 * rows))
-    for position, (field, points, quads, values) in enumerate(chosen):
+    for position, i in enumerate(chosen):
+        points, quads, data = read_vtu(files[i])
+        values = next(v for v in data.values() if v.ndim == 2 and v.shape[1] == 3)
         axis = figure.add_subplot(rows, columns, position + 1, projection="3d")
         amplitude = np.linalg.norm(values, axis=1)
         size = np.ptp(points, axis=0).max()
         moved = points + values * (0.08 * size / max(amplitude.max(), 1e-300))
+        # A wheel is looked at along its axle: y to the front.
+        moved, points = moved[:, [1, 0, 2]], points[:, [1, 0, 2]]
         colour = plt.cm.turbo(amplitude[quads].mean(axis=1) / max(amplitude.max(), 1e-300))
         axis.add_collection3d(Poly3DCollection(moved[quads], facecolors=colour, edgecolors="none", shade=False))
         centre = (points.max(axis=0) + points.min(axis=0)) / 2
         for set_limit, c in zip((axis.set_xlim, axis.set_ylim, axis.set_zlim), centre):
             set_limit(c - size / 2, c + size / 2)
-        axis.set_box_aspect((1, 1, 1), zoom=1.5)
-        axis.view_init(elev=15, azim=-60)
+        axis.set_box_aspect((1, 1, 1), zoom=1.4)
+        axis.view_init(elev=18, azim=-35)
         axis.set_axis_off()
-        i = number_of(field)
-        title = f"{labels[i]}, {frequencies[i]:.1f} Hz" if 0 <= i < len(labels) else \
-            f"{frequencies[i]:.1f} Hz" if 0 <= i < len(frequencies) else field
-        axis.set_title(title)
+        axis.set_title(f"{labels[i]}, {frequencies[i]:.1f} Hz" if i < len(labels) else f"{frequencies[i]:.1f} Hz")
     save(figure, folder, f"mode_shapes_{body}")
 
 
