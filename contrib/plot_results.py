@@ -253,7 +253,7 @@ def plot_modes(folder, body, modes):
         # A wheel is looked at along its axle: y to the front.
         moved, points = moved[:, [1, 0, 2]], points[:, [1, 0, 2]]
         colour = plt.cm.turbo(amplitude[quads].mean(axis=1) / max(amplitude.max(), 1e-300))
-        axis.add_collection3d(Poly3DCollection(moved[quads], facecolors=colour, edgecolors="none", shade=False))
+        axis.add_collection3d(Poly3DCollection(moved[quads], facecolors=colour, edgecolors=colour, linewidths=0.2))
         centre = (points.max(axis=0) + points.min(axis=0)) / 2
         for set_limit, c in zip((axis.set_xlim, axis.set_ylim, axis.set_zlim), centre):
             set_limit(c - size / 2, c + size / 2)
