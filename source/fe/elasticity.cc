@@ -167,9 +167,9 @@ namespace vibrocontact
       SparsityTools::distribute_sparsity_pattern(pattern, body.locally_owned, communicator,
                                                  body.locally_relevant);
       system.stiffness.reinit(body.locally_owned, body.locally_owned, pattern, communicator);
-      system.mass.reinit(body.locally_owned, body.locally_owned, pattern, communicator);
+      system.mass.reinit(system.stiffness);
       if (system.has_loss)
-        system.loss_stiffness.reinit(body.locally_owned, body.locally_owned, pattern, communicator);
+        system.loss_stiffness.reinit(system.stiffness);
     }
     if (system.has_load)
       system.load.reinit(body.locally_owned, communicator);

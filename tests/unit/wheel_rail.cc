@@ -31,7 +31,7 @@ namespace
 
   double seconds()
   {
-    return 1e-9 * std::chrono::steady_clock::now().time_since_epoch().count();
+    return double(clock()) / CLOCKS_PER_SEC;
   }
 
   /// Volume, centre, second moments about the centre (of volume), smallest Jacobian over mean at Gauss
