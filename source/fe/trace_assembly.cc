@@ -285,7 +285,8 @@ namespace vibrocontact
           faces.push_back({cell, f, positions});
         }
 
-    // The grid's quadrature follows the smallest face near z = 0.
+    // The grid's quadrature follows the smallest face near z = 0; where faces end inside sub-cells, many
+    // small ones.
     double nearest = std::numeric_limits<double>::max();
     for (const Face &face : faces)
       nearest = std::min(nearest, std::abs(face.positions[0][dim - 1]));
@@ -303,11 +304,34 @@ namespace vibrocontact
       }
     h_x_min = Utilities::MPI::min(h_x_min, communicator);
     h_y_min = Utilities::MPI::min(h_y_min, communicator);
-    const auto n_sub = [](const double spacing, const double h)
+    const auto n_fitting = [](const double spacing, const double h)
     { return std::min(16u, 2 * std::max(1u, unsigned(std::ceil(spacing / (2 * h) - 0.05)))); };
-    const GridQuadrature quadrature(grid, n_sub(grid.spacing_x, h_x_min),
-                                    dim == 3 ? n_sub(grid.spacing_y, h_y_min) : 1,
-                                    scalar.degree <= 3 ? 2 : 3);
+    unsigned int n_sub_x = n_fitting(grid.spacing_x, h_x_min);
+    unsigned int n_sub_y = dim == 3 ? n_fitting(grid.spacing_y, h_y_min) : 1;
+    bool aligned = true;
+    for (const Face &face : faces)
+      if (std::abs(face.positions[0][dim - 1]) < reach)
+      {
+        const Point<dim> &corner = face.positions.front(), &opposite = face.positions.back();
+        const Point<dim> &along = face.positions[body.mesh.geometry_degree];
+        const auto on_line = [](const double position, const double step)
+        { return std::abs(position / step - std::round(position / step)) < 0.02; };
+        for (const Point<dim> &p : {corner, opposite})
+        {
+          aligned = aligned && on_line(p[0] - x_low, grid.spacing_x / n_sub_x);
+          if (dim == 3)
+            aligned = aligned && on_line(p[1] - y_low, grid.spacing_y / n_sub_y);
+        }
+        if (dim == 3)
+          aligned = aligned && std::min(std::abs(along[0] - corner[0]) / grid.spacing_x,
+                                        std::abs(along[1] - corner[1]) / grid.spacing_y) < 0.02;
+      }
+    if (Utilities::MPI::max(aligned ? 0 : 1, communicator) == 1)
+    {
+      n_sub_x = std::max(n_sub_x, 10u);
+      n_sub_y = dim == 3 ? std::max(n_sub_y, 10u) : 1;
+    }
+    const GridQuadrature quadrature(grid, n_sub_x, n_sub_y, scalar.degree <= 3 ? 2 : 3);
 
     // Find every point; of several faces the one nearest to the tangent plane, then the first rank, has it.
     const unsigned int n_q = quadrature.n_per_cell();

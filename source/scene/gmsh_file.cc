@@ -271,7 +271,7 @@ namespace vibrocontact
     return counts;
   }
 
-  void write_gmsh(const BodyMesh<3> &mesh, const std::string &file)
+  void write_gmsh(const BodyMesh<3> &mesh, const std::string &file, const double shift_y)
   {
     const auto &triangulation = *mesh.triangulation;
     const std::vector<Point<3>> &vertices = triangulation.get_vertices();
@@ -310,7 +310,7 @@ namespace vibrocontact
     for (unsigned int k = 1; k <= n_nodes; ++k)
       text << k << "\n";
     for (const unsigned int v : vertex_of)
-      text << vertices[v] << "\n";
+      text << vertices[v][0] << " " << vertices[v][1] + shift_y << " " << vertices[v][2] << "\n";
     unsigned int n_elements = n_cells, element = 0;
     for (const auto &entry : faces)
       n_elements += entry.second.size();

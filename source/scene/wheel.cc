@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/scene/gmsh_file.h>
 #include <vibrocontact/scene/section_manifolds.h>
 #include <vibrocontact/scene/wheel.h>
 
@@ -27,6 +28,11 @@ namespace vibrocontact
         "Section outline", section_outline,
         "Outline of the half section, lines and arcs (see meshes/README.md); empty: the one that comes "
         "with the program. Units: none.",
+        Patterns::Anything());
+    prm.add_parameter(
+        "Write mesh", write_mesh,
+        "gmsh file to write the coarse hexahedra and named boundaries to, y as in the section; empty: "
+        "none. Units: none.",
         Patterns::Anything());
     prm.add_parameter("Section refinements", section_refinements,
                       "Halvings of the section's cells. Units: none.", Integer(0, 3));
@@ -187,6 +193,8 @@ namespace vibrocontact
     for (const double length : half)
       text << " " << length;
     mesh.description = text.str();
+    if (!parameters.write_mesh.empty() && Utilities::MPI::this_mpi_process(communicator) == 0)
+      write_gmsh(mesh, parameters.write_mesh, lateral_position);
     if (grid)
       refine_at_contact(mesh, *grid, parameters.refinement);
     return mesh;

@@ -31,6 +31,6 @@ namespace vibrocontact
   };
 
   /// Write the coarse cells and the named boundaries of a body; manifolds are not part of such a file.
-  /// To be called by one rank.
-  void write_gmsh(const BodyMesh<3> &mesh, const std::string &file);
+  /// To be called by one rank; @p shift_y is added to y [m].
+  void write_gmsh(const BodyMesh<3> &mesh, const std::string &file, double shift_y = 0);
 } // namespace vibrocontact

@@ -16,6 +16,8 @@ namespace vibrocontact
   {
     /// files of the section; empty: the ones that come with the program
     std::string section_mesh, section_outline;
+    /// gmsh file to write the coarse mesh to; empty: none
+    std::string write_mesh;
     /// halvings of the section's cells
     unsigned int section_refinements = 0;
     /// polynomial degree of the displacements
