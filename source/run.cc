@@ -7,7 +7,9 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/fe/trace_assembly.h>
+#include <vibrocontact/output/field_writer.h>
 #include <vibrocontact/output/figures.h>
+#include <vibrocontact/output/modal_output.h>
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/output/rolling_output.h>
 #include <vibrocontact/output/run_record.h>
@@ -48,29 +50,27 @@ namespace vibrocontact
             "libopenblas0-pthread");
     }
 
-    /// Natural frequencies, labels and damping of a meshed body.
-    void run_modes(MeshedBody &body, const std::string &folder, Results &results)
+    /// Modes of a body: results, table and, if this run has computed them, the shapes on its surface.
+    void run_modes(MeshedBody &body, const bool fields, const std::string &folder, Results &results)
     {
-      run_log().block("Modes of " + body.parameters.name);
+      const std::string &name = body.parameters.name;
+      run_log().block("Modes of " + name);
       const ModalResult modes = modal_analysis(body.reduction);
-      Table table({"frequency_Hz", "damping_ratio", "label"},
-                  {"Natural frequencies of " + modes.body + "; rigid modes have frequency 0"});
-      for (unsigned int k = 0; k < modes.frequencies_Hz.size(); ++k)
-        table.add_row({modes.frequencies_Hz[k], modes.damping_ratio[k], modes.labels[k]});
+      results.analyses["modes"][name] = modal_json(modes);
       if (is_first_rank())
-        table.write(folder + "/modes_" + modes.body + ".csv");
-      nlohmann::ordered_json stages;
-      for (const auto &[stage, seconds] : modes.stages)
-        stages[stage] = seconds;
-      results.analyses["modes"][modes.body] = {{"frequencies_Hz", modes.frequencies_Hz},
-                                               {"labels", modes.labels},
-                                               {"damping_ratio", modes.damping_ratio},
-                                               {"n_rigid_modes", modes.n_rigid_modes},
-                                               {"n_dofs", modes.n_dofs},
-                                               {"orthonormality_error", modes.orthonormality_error},
-                                               {"residual", modes.residual},
-                                               {"stages_s", stages},
-                                               {"seconds", modes.seconds}};
+        modal_table(modes).write(folder + "/modes_" + name + ".csv");
+      if (!fields)
+        return;
+      if (!body.reduction.has_shapes())
+      {
+        run_log().line(
+            "The shapes are not kept in the cache: a run with another Output/Cache directory writes them.");
+        return;
+      }
+      std::vector<FieldState> states;
+      for (unsigned int k = 0; k < modes.frequencies_Hz.size(); ++k)
+        states.push_back({&body.reduction.shapes().shapes[k], modes.frequencies_Hz[k]});
+      write_surface_fields(body.elastic_body(), states, folder, "mode_" + name);
     }
 
     /// Quasi-static rolling of body 1 on body 2; rank 0 solves and writes. Returns the last case.
@@ -94,13 +94,17 @@ namespace vibrocontact
       const unsigned int n_cases = rolling_cases(parameters.rolling, parameters.contact).size();
       Progress progress("rolling cases", n_cases);
       nlohmann::ordered_json cases = nlohmann::ordered_json::array();
+      std::vector<std::pair<double, std::string>> patches;
       const auto finished = [&](const RollingResult &result)
       {
         const std::string k = std::to_string(cases.size());
         if (is_first_rank())
           contact_patch_table(result, interface).write(folder + "/contact_patch_" + k + ".csv");
         if (is_first_rank() && parameters.output.fields)
-          write_contact_patch_vtu(result, interface, folder + "/fields/contact_patch_" + k + ".vtu");
+        {
+          patches.emplace_back(cases.size(), "fields/contact_patch_" + k + ".vtu");
+          write_contact_patch_vtu(result, interface, folder + "/" + patches.back().second);
+        }
         cases.push_back(rolling_case_json(result));
         if (!result.solution.converged)
         {
@@ -117,6 +121,8 @@ namespace vibrocontact
                                scene.operator_at, finished);
       if (is_first_rank())
         rolling_table(all).write(folder + "/rolling.csv");
+      if (is_first_rank() && parameters.output.fields)
+        write_pvd(patches, folder + "/contact_patch.pvd");
       const RollingResult &last = all.back();
       log.value("cases", n_cases);
       log.value("normal force", last.normal_force, "N");
@@ -129,6 +135,27 @@ namespace vibrocontact
       log.value("of these sticking", last.stick_points);
       results.analyses["quasi_static_rolling"]["cases"] = cases;
       return last;
+    }
+
+    /// Deformation and stress of the meshed bodies under the contact forces of a case.
+    void write_deformation(const RollingResult &result,
+                           const std::vector<std::unique_ptr<MeshedBody>> &bodies, const std::string &folder)
+    {
+      for (unsigned int k = 0; k < bodies.size(); ++k)
+        if (bodies[k])
+        {
+          const std::string &name = bodies[k]->parameters.name;
+          run_log().block("Deformation of " + name);
+          DenseVector force = result.solution.R;
+          if (k == 1)
+            force *= -1;
+          dealii::PETScWrappers::MPI::Vector displacement;
+          bodies[k]->reduction.flexibility().static_displacement(displacement, force);
+          const bool follows_hub = k == 0 && bodies[k]->reduction.system().follows_hub;
+          write_fields(bodies[k]->elastic_body(),
+                       {{&displacement, 0., follows_hub ? -result.solution.approach : 0.}}, folder,
+                       "deformation_" + name);
+        }
     }
 
     /// The meshed bodies of a scene in its order, null for the others; nothing is made yet.
@@ -230,9 +257,13 @@ namespace vibrocontact
       if (parameters.scene.runs("modes"))
         for (const auto &body : bodies)
           if (body && parameters.modes[body->parameters.name].any())
-            run_modes(*body, record.folder, results);
-      if (parameters.scene.runs("quasi-static rolling"))
-        run_rolling(parameters, bodies, record.folder, results);
+            run_modes(*body, parameters.output.fields, record.folder, results);
+      if (parameters.has_contact())
+      {
+        const RollingResult last = run_rolling(parameters, bodies, record.folder, results);
+        if (parameters.output.fields)
+          write_deformation(last, bodies, record.folder);
+      }
     }
     catch (const InputError &error)
     {

@@ -2,8 +2,10 @@
 
 namespace vibrocontact
 {
-  std::unique_ptr<ElasticBody<3>> make_elastic_body(const BodyParameters &parameters, const double lateral_position,
-                                                    const ContactGrid *const grid, const MPI_Comm communicator)
+  std::unique_ptr<ElasticBody<3>> make_elastic_body(const BodyParameters &parameters,
+                                                    const double lateral_position,
+                                                    const ContactGrid *const grid,
+                                                    const MPI_Comm communicator)
   {
     ElasticModel<3> model;
     model.material = parameters.material;
@@ -27,8 +29,16 @@ namespace vibrocontact
       for (const std::string &boundary : parameters.block.held)
         model.held.push_back(mesh.boundary_id(boundary));
     }
+    else if (parameters.type == "mesh")
+    {
+      mesh = make_mesh_from_file(parameters.mesh, lateral_position, grid, parameters.name, communicator);
+      for (const std::string &boundary : parameters.mesh.held_groups)
+        model.held.push_back(mesh.boundary_id(boundary));
+      degree = parameters.mesh.element_degree;
+    }
     else
       AssertThrow(false, dealii::ExcMessage("Body " + parameters.name + " is not meshed."));
+    add_loads(model, parameters.loads, mesh);
     return std::make_unique<ElasticBody<3>>(std::move(mesh), model, degree);
   }
 } // namespace vibrocontact

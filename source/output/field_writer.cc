@@ -2,6 +2,7 @@
 #include <vibrocontact/output/atomic_file.h>
 #include <vibrocontact/output/field_writer.h>
 
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_out_faces.h>
 #include <deal.II/numerics/data_postprocessor.h>
@@ -78,6 +79,23 @@ namespace vibrocontact
         std::filesystem::rename(temporary, file);
     }
 
+    /// The displacement with a rigid vertical one added, held nodes included; ghosted like the original.
+    template <int dim>
+    PETScWrappers::MPI::Vector lifted(const ElasticBody<dim> &body,
+                                      const PETScWrappers::MPI::Vector &displacement, const double vertical)
+    {
+      PETScWrappers::MPI::Vector owned(body.locally_owned, body.communicator());
+      owned = displacement;
+      ComponentMask is_vertical(dim, false);
+      is_vertical.set(dim - 1, true);
+      for (const auto dof : DoFTools::extract_dofs(body.dof_handler, is_vertical) & body.locally_owned)
+        owned(dof) += vertical;
+      owned.compress(VectorOperation::add);
+      PETScWrappers::MPI::Vector result(body.locally_owned, body.locally_relevant, body.communicator());
+      result = owned;
+      return result;
+    }
+
     template <int dim, typename WriteState>
     void write_set(const ElasticBody<dim> &body, const std::vector<FieldState> &states,
                    const std::string &folder, const std::string &set, const WriteState &write_state)
@@ -95,7 +113,10 @@ namespace vibrocontact
       for (unsigned int k = 0; k < states.size(); ++k)
       {
         const std::string name = "fields/" + set + "_" + Utilities::int_to_string(k, 4) + ".vtu";
-        write_state(body.complete(*states[k].displacement), folder + "/" + name);
+        PETScWrappers::MPI::Vector displacement = body.complete(*states[k].displacement);
+        if (states[k].vertical != 0)
+          displacement = lifted(body, displacement, states[k].vertical);
+        write_state(displacement, folder + "/" + name);
         record.emplace_back(states[k].time, name);
       }
       if (first_rank)

@@ -318,4 +318,19 @@ namespace vibrocontact
     broadcast(result, system.communicator);
     return result;
   }
+
+  void Flexibility::static_displacement(dealii::PETScWrappers::MPI::Vector &u, const DenseVector &R)
+  {
+    dealii::PETScWrappers::MPI::Vector force(system.locally_owned, system.communicator);
+    for (unsigned int row = 0; row < R.size(); ++row)
+      if (R[row] != 0)
+        for (const auto &[dof, weight] : system.trace.rows[row])
+          if (system.locally_owned.is_element(dof))
+            force(dof) += weight * R[row];
+    force.compress(dealii::VectorOperation::add);
+    if (system.has_load)
+      force += system.load;
+    u.reinit(system.locally_owned, system.communicator);
+    vmult(u, force);
+  }
 } // namespace vibrocontact

@@ -11,6 +11,7 @@ namespace vibrocontact
         {"wheel", "Wheel", "section revolved about an axle, bore held", true},
         {"rail", "Rail", "section extruded along x on pads", true},
         {"block", "Block", "box of hexahedra", true},
+        {"mesh", "Mesh", "hexahedra with named groups from a gmsh file", true},
     };
     return types;
   }
@@ -48,6 +49,10 @@ namespace vibrocontact
       declare("Wheel", wheel);
     if (type == "rail")
       declare("Rail", rail);
+    if (type == "mesh")
+      declare("Mesh", mesh);
+    if (is_meshed())
+      declare("Loads", loads);
   }
 
   void BodyParameters::check(const std::string &section) const
@@ -61,5 +66,9 @@ namespace vibrocontact
       wheel.check(section + "/Wheel");
     if (type == "rail")
       rail.check(section + "/Rail");
+    if (type == "mesh")
+      mesh.check(section + "/Mesh");
+    if (is_meshed())
+      loads.check(section + "/Loads");
   }
 } // namespace vibrocontact

@@ -13,6 +13,8 @@ namespace vibrocontact
   {
     const dealii::PETScWrappers::MPI::Vector *displacement = nullptr;
     double time = 0;
+    /// rigid vertical displacement added to it, that of a hub [m]
+    double vertical = 0;
   };
 
   /// Write states of a body as <folder>/fields/<set>_<k>.vtu with <folder>/<set>.pvd on top: displacement_m

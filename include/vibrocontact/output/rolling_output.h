@@ -22,4 +22,7 @@ namespace vibrocontact
   /// rank.
   void write_contact_patch_vtu(const RollingResult &result, const ContactInterface &interface,
                                const std::string &file_name);
+
+  /// The index of a set of fields for ParaView: (case number, file relative to the .pvd).
+  void write_pvd(const std::vector<std::pair<double, std::string>> &files, const std::string &file_name);
 } // namespace vibrocontact

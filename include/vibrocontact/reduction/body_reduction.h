@@ -40,6 +40,7 @@ namespace vibrocontact
     ReducedBody reduced(bool with_modes);
     /// The shapes themselves: not kept in the cache, computed if this run has not yet done so.
     const Modes &shapes();
+    bool has_shapes() const { return static_cast<bool>(mode_shapes); }
 
     /// The assembled system; assembles it.
     const SecondOrderSystem &system();

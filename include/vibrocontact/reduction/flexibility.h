@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/base/dense.h>
 #include <vibrocontact/fe/second_order_system.h>
 #include <vibrocontact/reduction/symmetric_factorization.h>
 
@@ -41,6 +42,9 @@ namespace vibrocontact
     /// The columns `rows` of P_c G P_c^T by blocked solves: the second method, for checks; replicated.
     DenseMatrix contact_compliance_columns(const std::vector<unsigned int> &rows,
                                            unsigned int block_size = 64);
+
+    /// u = G (P_c^T R + F): static displacement under contact forces on the body (3 n, [N]) and its loads [m]
+    void static_displacement(dealii::PETScWrappers::MPI::Vector &u, const DenseVector &R);
 
     /// Phi_R, mass-orthonormal [1/sqrt(kg)]
     const std::vector<dealii::PETScWrappers::MPI::Vector> &rigid_modes() const { return phi; }

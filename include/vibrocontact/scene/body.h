@@ -3,7 +3,9 @@
 #include <vibrocontact/base/parameter_file.h>
 #include <vibrocontact/scene/block.h>
 #include <vibrocontact/scene/half_space_body.h>
+#include <vibrocontact/scene/loads.h>
 #include <vibrocontact/scene/material.h>
+#include <vibrocontact/scene/mesh_file.h>
 #include <vibrocontact/scene/rail.h>
 #include <vibrocontact/scene/wheel.h>
 
@@ -37,6 +39,8 @@ namespace vibrocontact
     BlockParameters block;
     WheelParameters wheel;
     RailParameters rail;
+    MeshFileParameters mesh;
+    LoadParameters loads;
 
     const BodyType &body_type() const;
     bool is_meshed() const { return body_type().is_meshed; }

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vibrocontact/analyses/modal.h>
+#include <vibrocontact/output/table.h>
+
+#include <nlohmann/json.hpp>
+
+namespace vibrocontact
+{
+  /// analyses.modes.<body> in results.json.
+  nlohmann::ordered_json modal_json(const ModalResult &result);
+
+  /// Frequencies, damping and labels of a body: modes_<body>.csv.
+  Table modal_table(const ModalResult &result);
+} // namespace vibrocontact
