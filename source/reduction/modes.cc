@@ -1,12 +1,10 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
-#include <vibrocontact/reduction/modes.h>
+#include <vibrocontact/reduction/mode_solver.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/timer.h>
-
-#include <slepceps.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,47 +61,35 @@ namespace vibrocontact
     return text.str();
   }
 
+  const std::vector<ModeSolver> &mode_solvers()
+  {
+    static const std::vector<ModeSolver> solvers = {
+        {"block Krylov", "blocks of vectors with Rayleigh-Ritz, several times faster", block_krylov},
+        {"Krylov-Schur", "SLEPc, one vector at a time", krylov_schur}};
+    return solvers;
+  }
+
+  void sort_modes(Modes &modes)
+  {
+    std::vector<unsigned int> order(modes.omega.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](unsigned int a, unsigned int b) { return modes.omega[a] < modes.omega[b]; });
+    std::vector<double> omega;
+    std::vector<Vector> shapes;
+    for (const unsigned int i : order)
+    {
+      omega.push_back(modes.omega[i]);
+      shapes.push_back(modes.shapes[i]);
+    }
+    modes.omega = std::move(omega);
+    modes.shapes = std::move(shapes);
+  }
+
   namespace
   {
     constexpr double pair_tolerance = 1e-3;
-    constexpr double tolerance = 1e-10;
     const double two_pi = 2 * dealii::numbers::PI;
-
-    void check_error(const PetscErrorCode error, const char *what)
-    {
-      AssertThrow(error == 0, dealii::ExcMessage(std::string("SLEPc failed: ") + what));
-    }
-
-    struct InverseContext
-    {
-      const SecondOrderSystem &system;
-      Flexibility &flexibility;
-      Progress &progress;
-      Vector in, out;
-      unsigned int n_solves = 0;
-    };
-
-    PetscErrorCode apply_flexibility(PC pc, Vec x, Vec y)
-    {
-      void *context = nullptr;
-      PCShellGetContext(pc, &context);
-      auto &my = *static_cast<InverseContext *>(context);
-      VecCopy(x, my.in);
-      my.flexibility.vmult(my.out, my.in);
-      VecCopy(my.out, y);
-      ++my.n_solves;
-      return 0;
-    }
-
-    PetscErrorCode report(EPS, PetscInt, PetscInt n_converged, PetscScalar *, PetscScalar *, PetscReal *,
-                          PetscInt, void *context)
-    {
-      auto &[progress, done] = *static_cast<std::pair<Progress *, PetscInt> *>(context);
-      if (n_converged > done)
-        progress->advance(n_converged - done);
-      done = n_converged;
-      return 0;
-    }
 
     // The mass matrix without the zeros that it inherits from the stiffness's pattern (two thirds of it): a
     // third of the time. To be destroyed by the caller.
@@ -138,9 +124,8 @@ namespace vibrocontact
           ++(c >= begin && c < end ? n_own : n_other)[row - begin];
       }
       Mat result;
-      check_error(MatCreateAIJ(PetscObjectComm(reinterpret_cast<PetscObject>(mass)), n_local, n_local, n, n,
-                               0, n_own.data(), 0, n_other.data(), &result),
-                  "MatCreateAIJ");
+      MatCreateAIJ(PetscObjectComm(reinterpret_cast<PetscObject>(mass)), n_local, n_local, n, n, 0,
+                   n_own.data(), 0, n_other.data(), &result);
       for (PetscInt row = begin; row < end; ++row)
       {
         read_row(row);
@@ -149,6 +134,15 @@ namespace vibrocontact
       MatAssemblyBegin(result, MAT_FINAL_ASSEMBLY);
       MatAssemblyEnd(result, MAT_FINAL_ASSEMBLY);
       return result;
+    }
+
+    const ModeSolver &find_solver(const std::string &name)
+    {
+      const auto &all = mode_solvers();
+      const auto found =
+          std::find_if(all.begin(), all.end(), [&](const ModeSolver &s) { return s.name == name; });
+      AssertThrow(found != all.end(), dealii::ExcMessage("unknown mode solver " + name));
+      return *found;
     }
 
     // Number of modes below an angular frequency, rigid ones included.
@@ -162,97 +156,6 @@ namespace vibrocontact
       modes.seconds_count += timer.wall_time();
       modes.megabytes_count = shifted.statistics().megabytes_rank;
       return shifted.n_negative();
-    }
-
-    // The `n_wanted` lowest elastic modes (perhaps some more), ascending, appended to `modes`.
-    void solve(const SecondOrderSystem &system, Flexibility &flexibility, const unsigned int n_wanted,
-               Modes &modes)
-    {
-      dealii::Timer timer;
-      const unsigned int n_first = modes.omega.size();
-      Vector prototype(system.locally_owned, system.communicator);
-      Progress progress(system.body + ": modes", n_wanted);
-      InverseContext inverse{system, flexibility, progress, prototype, prototype};
-      std::pair<Progress *, PetscInt> monitor(&progress, 0);
-
-      EPS eps;
-      ST st;
-      KSP ksp;
-      PC pc;
-      check_error(EPSCreate(system.communicator, &eps), "EPSCreate");
-      Mat mass = compact(system.mass);
-      EPSSetOperators(eps, system.stiffness, mass);
-      EPSSetProblemType(eps, EPS_GHEP);
-      EPSSetType(eps, EPSKRYLOVSCHUR);
-      EPSSetWhichEigenpairs(eps, EPS_TARGET_MAGNITUDE);
-      EPSSetTarget(eps, 0.);
-      EPSGetST(eps, &st);
-      STSetType(st, STSINVERT);
-      STSetMatMode(st, ST_MATMODE_SHELL);
-      STGetKSP(st, &ksp);
-      KSPSetType(ksp, KSPPREONLY);
-      KSPGetPC(ksp, &pc);
-      PCSetType(pc, PCSHELL);
-      PCShellSetContext(pc, &inverse);
-      PCShellSetApply(pc, apply_flexibility);
-      const PetscInt n = system.stiffness.m();
-      // Modes converge at about two solves each. Convergence is looked at when the basis is full; keeping
-      // nearly all of it at a restart makes the steps after that short.
-      const PetscInt basis = std::min<PetscInt>(n, std::max<PetscInt>(1.9 * n_wanted, n_wanted + 20));
-      EPSKrylovSchurSetRestart(eps, 0.9);
-      EPSSetDimensions(eps, n_wanted, basis, PETSC_DEFAULT);
-      EPSSetTolerances(eps, tolerance, 200);
-      EPSMonitorSet(eps, report, &monitor, nullptr);
-
-      Vector start(prototype);
-      for (unsigned int i = 0; i < system.locally_owned.n_elements(); ++i)
-      {
-        const auto dof = system.locally_owned.nth_index_in_set(i);
-        start(dof) = std::sin(1. + n_first + 0.7390851 * dof * (1. + 1e-3 * (dof % 97)));
-      }
-      start.compress(dealii::VectorOperation::insert);
-      system.mass.vmult(inverse.in, start);
-      flexibility.vmult(start, Vector(inverse.in));
-      Vec start_vec = start;
-      EPSSetInitialSpace(eps, 1, &start_vec);
-      std::vector<Vec> known(modes.shapes.begin() + modes.n_rigid_modes, modes.shapes.end());
-      if (!known.empty())
-        EPSSetDeflationSpace(eps, known.size(), known.data());
-
-      check_error(EPSSolve(eps), "EPSSolve");
-      PetscInt n_converged = 0;
-      EPSGetConverged(eps, &n_converged);
-      if (n_converged < static_cast<PetscInt>(n_wanted))
-      {
-        EPSDestroy(&eps);
-        MatDestroy(&mass);
-        throw ConvergenceError("Body '" + system.body + "': only " + std::to_string(n_converged) + " of " +
-                               std::to_string(n_wanted) + " modes converged to " + std::to_string(tolerance) +
-                               ".");
-      }
-      for (PetscInt i = 0; i < n_converged; ++i)
-      {
-        PetscScalar lambda = 0, imaginary = 0;
-        modes.shapes.push_back(prototype);
-        EPSGetEigenpair(eps, i, &lambda, &imaginary, modes.shapes.back(), nullptr);
-        modes.omega.push_back(std::sqrt(lambda));
-      }
-      EPSDestroy(&eps);
-      MatDestroy(&mass);
-      modes.n_solves += inverse.n_solves;
-
-      std::vector<unsigned int> order(modes.omega.size());
-      std::iota(order.begin(), order.end(), 0);
-      std::stable_sort(order.begin(), order.end(),
-                       [&](unsigned int a, unsigned int b) { return modes.omega[a] < modes.omega[b]; });
-      Modes sorted = modes;
-      for (unsigned int i = 0; i < order.size(); ++i)
-      {
-        sorted.omega[i] = modes.omega[order[i]];
-        sorted.shapes[i] = modes.shapes[order[i]];
-      }
-      modes = std::move(sorted);
-      modes.seconds_solver += timer.wall_time();
     }
 
     // Mass-normalises, then measures orthonormality and residuals.
@@ -313,12 +216,18 @@ namespace vibrocontact
                        " modes are more than its " + std::to_string(system.stiffness.m()) +
                        " dofs can tell; ask for fewer.");
 
+    const ModeSolver &solver = find_solver(parameters.solver);
+    const auto destroy = [](Mat matrix) { MatDestroy(&matrix); };
+    const std::unique_ptr<std::remove_pointer_t<Mat>, decltype(destroy)> mass(compact(system.mass), destroy);
+
     // A single Krylov sequence sees one mode of an exactly double frequency: what the count misses is sought
     // again, next to the modes found so far.
     unsigned int n_kept = 0, n_missing = n_below;
     for (unsigned int attempt = 0;; ++attempt)
     {
-      solve(system, flexibility, n_missing + 2, modes);
+      dealii::Timer timer;
+      solver.solve(system, flexibility, mass.get(), n_missing + 2, modes);
+      modes.seconds_solver += timer.wall_time();
       // The pair of the last mode comes along.
       n_kept = n_rigid + n_below;
       while (n_kept > n_rigid && n_kept + 1 < modes.omega.size() &&

@@ -16,8 +16,8 @@ namespace vibrocontact
   {
     constexpr unsigned int max_diameters = 24;
     constexpr unsigned int n_raster = 5; // raster of the rim's section, each way
-    constexpr unsigned int n_web = 28;   // rings of the web
-    constexpr double faint = 0.02;       // of the largest axial motion of the web: no sign is read from less
+    constexpr unsigned int n_web = 40;   // rings from the bore to the tread
+    constexpr double faint = 0.03;       // of the largest axial motion: no sign is read from less
 
     using Complex = std::complex<double>;
 
@@ -76,7 +76,7 @@ namespace vibrocontact
 
     const auto cell = [](const double value, const double low, const double high, const unsigned int n)
     { return std::min<unsigned int>(n - 1, std::max(0., (value - low) / (high - low) * n)); };
-    // rings: 3 components of the rim's raster, then the axial motion of the web
+    // rings: 3 components of the rim's raster, then the axial motion by radius
     constexpr unsigned int n_rim = n_raster * n_raster, n_rings = 3 * n_rim + n_web;
     constexpr unsigned int stride = 1 + 2 * (max_diameters + 1);
 
@@ -116,9 +116,9 @@ namespace vibrocontact
             add(rings[2 * n_rim + k], node, direction == 0 ? node.cosine * u[i] : node.sine * u[i]);
           }
         }
-        else if (direction == 1)
+        if (direction == 1)
         {
-          Ring &ring = rings[3 * n_rim + cell(node.radius, r_min, frame.rim_radius, n_web)];
+          Ring &ring = rings[3 * n_rim + cell(node.radius, r_min, r_max, n_web)];
           add(ring, node, u[i]);
           ring.mass += node.mass;
         }
@@ -152,7 +152,7 @@ namespace vibrocontact
           energy.begin();
       label.family = family == 0 ? "axial" : family == 1 ? "radial" : n == 0 ? "torsion" : "circumferential";
 
-      // The web's axial motion, turned to the phase that holds most of it.
+      // The axial motion along the radius, turned to the phase that holds most of it.
       std::vector<Complex> profile;
       Complex square = 0;
       for (unsigned int k = 0; k < n_web; ++k)

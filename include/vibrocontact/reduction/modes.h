@@ -4,6 +4,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <string>
 #include <vector>
 
 namespace vibrocontact
@@ -19,6 +20,8 @@ namespace vibrocontact
     double damping_0 = 1e-3, damping_1 = 1e-2, damping_2 = 1e-4;
     /// points further than this from the axle are the rim, whose motion names the family of a mode [m]
     double rim_radius = 0.385;
+    /// how the modes are computed, see mode_solvers()
+    std::string solver = "block Krylov";
 
     /// Whether any modes are asked for.
     bool any() const { return upper_frequency > 0 || count > 0; }
@@ -50,16 +53,16 @@ namespace vibrocontact
     double megabytes_count = 0;
   };
 
-  /// Lowest modes by SLEPc's Krylov-Schur method on the flexibility: G M phi = phi / w^2, G from the
-  /// factorisation that the static problem needs anyway (shift 0). A free body's G has the rigid modes in its
-  /// kernel: they are put in front exactly and never disturb the others.
+  /// Lowest modes from the flexibility: G M phi = phi / w^2, G by the factorisation that the static problem
+  /// needs anyway (shift 0). A free body's G has the rigid modes in its kernel: they are put in front exactly
+  /// and never disturb the others.
   ///
   /// - Completeness: one more factorisation, of K - s M without keeping factors, counts the modes below s
   /// (Sylvester's law
   ///   of inertia): before the solution at the frequency limit, which also tells how many modes to ask for,
   ///   or after it in the gap behind the last mode kept.
-  /// - A frequency that is exactly double shows once in a Krylov sequence: what the count misses is sought
-  /// again, deflating
+  /// - A frequency that is exactly double shows once in a single Krylov sequence: what the count misses is
+  /// sought again, deflating
   ///   the modes found.
   /// - A pair (frequencies within 1e-3) is never split: the partner of the last mode is kept too.
   /// - Pairs within 1e-6 are turned until one mode is symmetric and the other antisymmetric to the plane x =

@@ -1,0 +1,129 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/reduction/mode_solver.h>
+
+#include <slepceps.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  using Vector = dealii::PETScWrappers::MPI::Vector;
+
+  namespace
+  {
+    constexpr double tolerance = 1e-10;
+
+    void check_error(const PetscErrorCode error, const char *what)
+    {
+      AssertThrow(error == 0, dealii::ExcMessage(std::string("SLEPc failed: ") + what));
+    }
+
+    struct InverseContext
+    {
+      const SecondOrderSystem &system;
+      Flexibility &flexibility;
+      Progress &progress;
+      Vector in, out;
+      unsigned int n_solves = 0;
+    };
+
+    PetscErrorCode apply_flexibility(PC pc, Vec x, Vec y)
+    {
+      void *context = nullptr;
+      PCShellGetContext(pc, &context);
+      auto &my = *static_cast<InverseContext *>(context);
+      VecCopy(x, my.in);
+      my.flexibility.vmult(my.out, my.in);
+      VecCopy(my.out, y);
+      ++my.n_solves;
+      return 0;
+    }
+
+    PetscErrorCode report(EPS, PetscInt, PetscInt n_converged, PetscScalar *, PetscScalar *, PetscReal *,
+                          PetscInt, void *context)
+    {
+      auto &[progress, done] = *static_cast<std::pair<Progress *, PetscInt> *>(context);
+      if (n_converged > done)
+        progress->advance(n_converged - done);
+      done = n_converged;
+      return 0;
+    }
+  } // namespace
+
+  void krylov_schur(const SecondOrderSystem &system, Flexibility &flexibility, Mat mass,
+                    const unsigned int n_wanted, Modes &modes)
+  {
+    const unsigned int n_first = modes.omega.size();
+    Vector prototype(system.locally_owned, system.communicator);
+    Progress progress(system.body + ": modes", n_wanted);
+    InverseContext inverse{system, flexibility, progress, prototype, prototype};
+    std::pair<Progress *, PetscInt> monitor(&progress, 0);
+
+    EPS eps;
+    ST st;
+    KSP ksp;
+    PC pc;
+    check_error(EPSCreate(system.communicator, &eps), "EPSCreate");
+    EPSSetOperators(eps, system.stiffness, mass);
+    EPSSetProblemType(eps, EPS_GHEP);
+    EPSSetType(eps, EPSKRYLOVSCHUR);
+    EPSSetWhichEigenpairs(eps, EPS_TARGET_MAGNITUDE);
+    EPSSetTarget(eps, 0.);
+    EPSGetST(eps, &st);
+    STSetType(st, STSINVERT);
+    STSetMatMode(st, ST_MATMODE_SHELL);
+    STGetKSP(st, &ksp);
+    KSPSetType(ksp, KSPPREONLY);
+    KSPGetPC(ksp, &pc);
+    PCSetType(pc, PCSHELL);
+    PCShellSetContext(pc, &inverse);
+    PCShellSetApply(pc, apply_flexibility);
+    const PetscInt n = system.stiffness.m();
+    // Modes converge at about two solves each. Convergence is looked at when the basis is full; keeping
+    // nearly all of it at a restart makes the steps after that short.
+    const PetscInt basis = std::min<PetscInt>(n, std::max<PetscInt>(1.9 * n_wanted, n_wanted + 20));
+    EPSKrylovSchurSetRestart(eps, 0.9);
+    EPSSetDimensions(eps, n_wanted, basis, PETSC_DEFAULT);
+    EPSSetTolerances(eps, tolerance, 200);
+    EPSMonitorSet(eps, report, &monitor, nullptr);
+
+    Vector start(prototype);
+    for (unsigned int i = 0; i < system.locally_owned.n_elements(); ++i)
+    {
+      const auto dof = system.locally_owned.nth_index_in_set(i);
+      start(dof) = std::sin(1. + n_first + 0.7390851 * dof * (1. + 1e-3 * (dof % 97)));
+    }
+    start.compress(dealii::VectorOperation::insert);
+    system.mass.vmult(inverse.in, start);
+    flexibility.vmult(start, Vector(inverse.in));
+    Vec start_vec = start;
+    EPSSetInitialSpace(eps, 1, &start_vec);
+    std::vector<Vec> known(modes.shapes.begin() + modes.n_rigid_modes, modes.shapes.end());
+    if (!known.empty())
+      EPSSetDeflationSpace(eps, known.size(), known.data());
+
+    check_error(EPSSolve(eps), "EPSSolve");
+    PetscInt n_converged = 0;
+    EPSGetConverged(eps, &n_converged);
+    if (n_converged < static_cast<PetscInt>(n_wanted))
+    {
+      EPSDestroy(&eps);
+      throw ConvergenceError("Body '" + system.body + "': only " + std::to_string(n_converged) + " of " +
+                             std::to_string(n_wanted) + " modes converged to " + std::to_string(tolerance) +
+                             ".");
+    }
+    for (PetscInt i = 0; i < n_converged; ++i)
+    {
+      PetscScalar lambda = 0, imaginary = 0;
+      modes.shapes.push_back(prototype);
+      EPSGetEigenpair(eps, i, &lambda, &imaginary, modes.shapes.back(), nullptr);
+      modes.omega.push_back(std::sqrt(lambda));
+    }
+    EPSDestroy(&eps);
+    modes.n_solves += inverse.n_solves;
+
+    sort_modes(modes);
+  }
+} // namespace vibrocontact
