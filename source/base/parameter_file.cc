@@ -183,7 +183,11 @@ namespace vibrocontact
         throw InputError(subject + "holds \"" + not_finite_word(entry.value) +
                          "\", which is not a finite number; give " + pattern_in_words(known.pattern) +
                          (unit.empty() ? "" : " in " + unit));
-      if (!set_value(prm, entry))
+      // Names of input files count from the folder of the parameter file.
+      ParameterText::Entry resolved = entry;
+      if (known.pattern.find("[FileName") != std::string::npos && !entry.value.empty())
+        resolved.value = resolved_path(entry.value);
+      if (!set_value(prm, resolved))
         throw InputError(subject + "is \"" + entry.value + "\" but has to be " +
                          pattern_in_words(known.pattern) +
                          (unit.empty() || !is_number ? "" : ", in " + unit) + " (default " +
@@ -264,10 +268,11 @@ namespace vibrocontact
 
   std::string ParameterFile::resolved_path(const std::string &name) const
   {
-    const std::filesystem::path path(name);
-    if (path.is_absolute() || text.file_name.empty())
+    namespace fs = std::filesystem;
+    if (fs::path(name).is_absolute() || text.file_name.empty())
       return name;
-    return (std::filesystem::path(text.file_name).parent_path() / path).lexically_normal().string();
+    const fs::path beside = fs::absolute(fs::path(text.file_name)).parent_path() / name;
+    return fs::exists(beside) || !fs::exists(name) ? beside.lexically_normal().string() : name;
   }
 
   std::string read_file_on_all_ranks(const std::string &file_name, const std::string &what)

@@ -18,7 +18,7 @@ namespace vibrocontact
   {
     using Patterns::Double;
     prm.add_parameter("File", file, "gmsh file of hexahedra, text format 4.1 or 2.2. Units: none.",
-                      Patterns::Anything());
+                      Patterns::FileName());
     prm.add_parameter("Unit", unit, "Length of the file's unit; 0.001 for a file in mm. Units: m.",
                       Double(1e-9, 1e3));
     prm.add_parameter(
@@ -38,7 +38,7 @@ namespace vibrocontact
     prm.add_parameter(
         "Wheel outline", wheel_outline,
         "Outline for the wheel geometry; empty: the one that comes with the program. Units: none.",
-        Patterns::Anything());
+        Patterns::FileName());
     prm.add_parameter("Wheel scale", wheel_scale, "Factor on the outline's lengths. Units: none.",
                       Double(0.01, 100));
     prm.add_parameter("Element degree", element_degree,

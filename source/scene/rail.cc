@@ -92,12 +92,12 @@ namespace vibrocontact
     prm.add_parameter(
         "Section mesh", section_mesh,
         "gmsh file of the section's quadrilaterals (lateral, height; m); empty: 60E1. Units: none.",
-        Patterns::Anything());
+        Patterns::FileName());
     prm.add_parameter(
         "Section outline", section_outline,
         "Outline of the right half of the section, lines and arcs (see meshes/README.md); empty: 60E1. "
         "Units: none.",
-        Patterns::Anything());
+        Patterns::FileName());
     prm.add_parameter("Section refinements", section_refinements,
                       "Halvings of the section's cells. Units: none.", Integer(0, 3));
     prm.add_parameter("Element degree", element_degree,

@@ -23,12 +23,12 @@ namespace vibrocontact
         "Section mesh", section_mesh,
         "gmsh file of the half section's quadrilaterals (axial, radius; m); empty: the one that comes "
         "with the program. Units: none.",
-        Patterns::Anything());
+        Patterns::FileName());
     prm.add_parameter(
         "Section outline", section_outline,
         "Outline of the half section, lines and arcs (see meshes/README.md); empty: the one that comes "
         "with the program. Units: none.",
-        Patterns::Anything());
+        Patterns::FileName());
     prm.add_parameter(
         "Write mesh", write_mesh,
         "gmsh file to write the coarse hexahedra and named boundaries to, y as in the section; empty: "

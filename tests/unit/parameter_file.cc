@@ -148,6 +148,18 @@ TEST(ParameterFile, Where)
   EXPECT_FALSE(file.is_given("Contact", "Creep scheme"));
 }
 
+TEST(ParameterFile, FileNamesCountFromTheFolderOfTheFile)
+{
+  const ParameterFile file("/somewhere/case.prm", "");
+  EXPECT_EQ(file.resolved_path("meshes/../a.msh"), "/somewhere/a.msh");
+  EXPECT_EQ(file.resolved_path("/b.msh"), "/b.msh");
+  std::string name;
+  ParameterHandler prm;
+  prm.add_parameter("File", name, "Mesh. Units: none.", Patterns::FileName());
+  ParameterFile("/somewhere/case.prm", "set File = a.msh").parse(prm);
+  EXPECT_EQ(name, "/somewhere/a.msh");
+}
+
 TEST(ParameterFile, AnOptionReplacesTheAlternativeInTheFile)
 {
   ParameterFile file("case.prm", "subsection Rolling\nset Hub displacement = 0.1\nend",

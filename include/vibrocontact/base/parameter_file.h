@@ -55,7 +55,8 @@ namespace vibrocontact
     std::string prefer_option(const std::string &section, const std::string &entry_1,
                               const std::string &entry_2);
 
-    /// Path of a file named in an entry: relative names count from the folder of the parameter file.
+    /// Path of a file named in an entry: relative names count from the folder of the parameter file, or else
+    /// from the working directory if there is one there. parse() applies it to entries of pattern FileName.
     std::string resolved_path(const std::string &name) const;
     const std::string &file_name() const { return text.file_name; }
     const std::string &bytes() const { return text.bytes; }
