@@ -83,7 +83,15 @@ namespace vibrocontact
             size = std::max(size, cell->face(f)->bounding_box().side_length(d));
     const int n_levels =
         size > 0 ? std::max(0, int(std::ceil(std::log2(size / (1.05 * parameters.cell_size))))) : 0;
-    AssertThrow(n_levels < 12, ExcMessage("Refinement at the contact by more than 11 levels."));
+    if (n_levels > 7)
+    {
+      std::ostringstream text;
+      text << "The coarse cells of body " << mesh.name << " at the contact measure " << size
+           << " m, more than 7 halvings above the cell size of " << parameters.cell_size
+           << " m asked for at the contact: refine the mesh there, or give it in other units (entry Unit of "
+              "a mesh file).";
+      throw InputError(text.str());
+    }
 
     for (int level = 0; level < n_levels; ++level)
     {
