@@ -4,9 +4,10 @@
 
 namespace vibrocontact
 {
-  ContactResidual::ContactResidual(const ContactProblem &problem)
+  ContactResidual::ContactResidual(const ContactProblem &problem, const double tangential_factor)
       : rho_normal(1 / problem.A->mean_diagonal(0)),
-        rho_tangential(2 / (problem.A->mean_diagonal(1) + problem.A->mean_diagonal(2))), problem(problem)
+        rho_tangential(2 * tangential_factor / (problem.A->mean_diagonal(1) + problem.A->mean_diagonal(2))),
+        problem(problem)
   {
     AssertThrow(rho_normal > 0 && rho_tangential > 0,
                 dealii::ExcMessage("The contact operator has a diagonal that is not positive."));

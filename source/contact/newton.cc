@@ -134,6 +134,8 @@ namespace vibrocontact
 
     /// unknowns beyond which GMRES with fast products replaces the dense factorisation
     constexpr unsigned int iterative_above = 700;
+    /// rho_t of the Newton steps over that of the residual by which solutions are judged
+    constexpr double tangential_factor = 0.4;
     constexpr unsigned int fixed_point_steps_in_fallback = 100;
 
     double merit(const ContactProblem &problem, const double residual, const DenseVector &R)
@@ -159,14 +161,15 @@ namespace vibrocontact
     if (s.empty())
       frictionless_start(problem, 1e-3, s);
 
-    const ContactResidual residual(problem);
-    DenseVector projected, dR(3 * n), dy(3 * n), trial_R, trial_y, rhs;
+    const ContactResidual residual(problem, tangential_factor), judge(problem);
+    DenseVector projected, judged, dR(3 * n), dy(3 * n), trial_R, trial_y, rhs;
     DenseMatrix lu;
     std::vector<ContactStatus> status, factorised_status;
     contact_response(problem, s.R, s.approach, s.y);
-    s.residual = merit(problem, residual.evaluate(s.R, s.y, projected, s.status), projected);
+    s.residual = merit(problem, judge.evaluate(s.R, s.y, judged, status), s.R);
+    double current = merit(problem, residual.evaluate(s.R, s.y, projected, s.status), s.R);
     ContactSolution best = s;
-    std::vector<double> history = {s.residual};
+    std::vector<double> history = {current};
     double last_gain = 1;
     unsigned int since_best = 0;
 
@@ -207,7 +210,7 @@ namespace vibrocontact
 
       if (problem.A->fast_product() && J.size() > iterative_above)
       {
-        dealii::SolverControl control(400, std::clamp(0.1 * s.residual, 1e-4, 3e-2) * rhs.l2_norm());
+        dealii::SolverControl control(400, std::clamp(0.1 * current, 1e-4, 3e-2) * rhs.l2_norm());
         dealii::SolverGMRES<DenseVector>::AdditionalData data(102);
         dealii::SolverGMRES<DenseVector> gmres(control, data);
         DenseVector step(J.size());
@@ -254,18 +257,19 @@ namespace vibrocontact
         for (unsigned int i = 0; i < n; ++i)
           trial_y[i] -= step * d_approach;
         trial = merit(problem, residual.evaluate(trial_R, trial_y, projected, status), trial_R);
-        if (trial < bound || trial <= parameters.tolerance)
+        if (trial < bound || trial <= 0.1 * parameters.tolerance)
           break;
       }
-      last_gain = trial / s.residual;
+      last_gain = trial / current;
+      current = trial;
       s.R = trial_R;
       s.y = trial_y;
       s.status = status;
       s.approach += step * d_approach;
-      s.residual = trial;
+      s.residual = merit(problem, judge.evaluate(s.R, s.y, judged, status), s.R);
       history.push_back(trial);
-      since_best = trial < best.residual ? 0 : since_best + 1;
-      if (trial < best.residual)
+      since_best = s.residual < best.residual ? 0 : since_best + 1;
+      if (s.residual < best.residual)
         best = s;
 
       if (trial >= bound || since_best > 8)
@@ -277,8 +281,9 @@ namespace vibrocontact
         s.R = moved.R;
         s.y = moved.y;
         s.approach = moved.approach;
-        s.residual = merit(problem, residual.evaluate(s.R, s.y, projected, s.status), s.R);
-        history = {s.residual};
+        s.residual = merit(problem, judge.evaluate(s.R, s.y, judged, status), s.R);
+        current = merit(problem, residual.evaluate(s.R, s.y, projected, s.status), s.R);
+        history = {current};
         since_best = 0;
         last_gain = 1;
       }
@@ -293,7 +298,7 @@ namespace vibrocontact
     }
     // round-off collected in y over the steps is removed before the final judgement
     contact_response(problem, s.R, s.approach, s.y);
-    s.residual = merit(problem, residual.evaluate(s.R, s.y, projected, s.status), s.R);
+    s.residual = merit(problem, judge.evaluate(s.R, s.y, judged, s.status), s.R);
     s.converged = s.residual <= parameters.tolerance;
     s.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return s;

@@ -65,7 +65,8 @@ namespace vibrocontact
   class ContactResidual
   {
   public:
-    explicit ContactResidual(const ContactProblem &problem);
+    /// @param tangential_factor multiplies rho_t: solvers may look at the same problem with another rho
+    explicit ContactResidual(const ContactProblem &problem, double tangential_factor = 1);
 
     /// Projections of a state: next = (P, Proj), their status, and the relative residual.
     double evaluate(const DenseVector &R, const DenseVector &y, DenseVector &projected,

@@ -4,7 +4,9 @@
 
 namespace vibrocontact
 {
-  /// Semi-smooth Newton on the projections of ContactResidual (Alart & Curnier, CMAME 92 (1991) 353).
+  /// Semi-smooth Newton on the projections (Alart & Curnier, CMAME 92 (1991) 353), with a tangential rho of
+  /// 0.4 of that of ContactResidual: a smaller one takes more steps, a larger one starts to cycle between
+  /// stick and slip (doc/contact.md). Solutions are judged by ContactResidual all the same.
   ///
   /// Only points whose projected normal force is positive enter the linear system: 3 m unknowns, one more if
   /// the normal force is given. Its matrix is factorised by LAPACK and kept while the status of all points
