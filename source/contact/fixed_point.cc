@@ -114,7 +114,7 @@ namespace vibrocontact
       largest_change = std::max(largest_change, change / size);
       if (s.iterations % iterations_per_check == 0)
       {
-        if (largest_change > 0.8 * previous_change)
+        if (largest_change > 0.99 * previous_change)
         {
           rho_t *= 0.5;
           ++s.fallbacks;

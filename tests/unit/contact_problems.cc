@@ -178,6 +178,35 @@ TEST_P(HalfSpaceProblem, IsSolvedByEverySolverFromAFile)
 INSTANTIATE_TEST_SUITE_P(Stored, HalfSpaceProblem, testing::ValuesIn(descriptions()),
                          [](const auto &info) { return info.param.at("name"); });
 
+class FiniteElementProblem : public testing::TestWithParam<std::string>
+{
+};
+
+TEST_P(FiniteElementProblem, IsSolvedByEverySolver)
+{
+  ContactProblem problem = read_contact_problem(folder() + GetParam());
+  ContactProblem slower = problem;
+  for (unsigned int row = problem.n_points(); row < problem.b.size(); ++row)
+    slower.b[row] *= 0.9;
+  const ContactSolution neighbour = create_contact_solver({})->solve(slower, {});
+  const ContactSolution s = solve_by_all(problem, neighbour, problem.force_given() ? "force" : "approach");
+  // the other way of loading has the same solution
+  if (problem.force_given())
+    problem.normal_force = 0;
+  else
+    for (unsigned int i = 0; i < problem.n_points(); ++i)
+      problem.normal_force += s.R[i];
+  problem.approach = s.approach;
+  const ContactSolution other =
+      solve_by_all(problem, neighbour, problem.force_given() ? "force" : "approach");
+  EXPECT_LE(difference(other.R, s.R), 1e-8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Stored, FiniteElementProblem,
+                         testing::Values("blocks_lateral.h5", "blocks_spin.h5", "wheel_on_rail_lateral.h5",
+                                         "wheel_on_rail_spin.h5"),
+                         [](const auto &info) { return info.param.substr(0, info.param.size() - 3); });
+
 namespace
 {
   ContactProblem small_problem()

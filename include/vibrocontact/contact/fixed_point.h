@@ -13,7 +13,7 @@ namespace vibrocontact
   ///
   /// In rolling A_t = V d/dx C is far from symmetric: in a large stick zone its eigenvalues have small real
   /// parts, and with that rho the iteration cycles. Declared strategy: when the largest change of the forces
-  /// over a hundred iterations does not fall by a fifth against the hundred before, the tangential rho is
+  /// over a hundred iterations does not fall by a hundredth against the hundred before, the tangential rho is
   /// halved (counted in ContactSolution::fallbacks).
   class FixedPointSolver : public ContactSolver
   {
