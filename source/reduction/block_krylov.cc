@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/reduction/block_product.h>
 #include <vibrocontact/reduction/mode_solver.h>
 
 #include <deal.II/base/mpi.h>
@@ -52,7 +53,7 @@ namespace vibrocontact
             row_offsets(1, 0), is_host(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
       {
         std::partial_sum(row_sizes.begin(), row_sizes.end(), std::back_inserter(row_offsets));
-        basis.n_rows = n_rows;
+        basis.n_rows = basis_inertia.n_rows = n_rows;
       }
 
       void run(unsigned int n_wanted);
@@ -60,11 +61,14 @@ namespace vibrocontact
     private:
       Columns times_mass(const Columns &x) const;
       Columns times_flexibility(const Columns &x);
-      // w <- w - Q (Q^T M w); the coefficients are added to `coefficients` (n_basis x n), if that is given
-      void remove_basis(Columns &w, DenseMatrix *coefficients) const;
-      // w <- x with x^T M x = 1 and w = x r; directions below `drop` (relative) are left out
-      DenseMatrix normalise(Columns &w, double drop) const;
-      void append(const Columns &w);
+      // w <- w - Q (Q^T M w), inertia = M w follows; the coefficients are set (n_basis x n), if that is given
+      void remove_basis(Columns &w, Columns &inertia, DenseMatrix *coefficients) const;
+      // w <- x with x^T M x = 1 and w = x r, inertia = M w follows; directions below `drop` (relative) are
+      // left out
+      DenseMatrix normalise(Columns &w, Columns &inertia, double drop) const;
+      // Orthonormalises `w` against the basis and in itself, twice; returns r and the coefficients as above.
+      DenseMatrix orthonormalise(Columns &w, Columns &inertia, DenseMatrix *coefficients) const;
+      void append(const Columns &w, const Columns &inertia);
       // Ritz values, descending, and vectors of the new part of the basis
       void ritz(std::vector<double> &theta, DenseMatrix &vectors) const;
 
@@ -76,7 +80,8 @@ namespace vibrocontact
       PetscInt n_rows, n_dofs;
       std::vector<int> row_sizes, row_offsets;
       bool is_host;
-      Columns basis;
+      // Q and M Q
+      Columns basis, basis_inertia;
       // H on the columns of the basis that are not known modes, and where these begin
       unsigned int n_known = 0;
       std::vector<std::vector<double>> projected; // by columns
@@ -84,21 +89,7 @@ namespace vibrocontact
 
     Columns BlockKrylov::times_mass(const Columns &x) const
     {
-      Mat in, out;
-      MatCreateDense(communicator, n_rows, PETSC_DECIDE, n_dofs, x.n(), const_cast<double *>(x.values.data()),
-                     &in);
-      MatMatMult(mass, in, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &out);
-      const PetscScalar *values = nullptr;
-      PetscInt stride = 0;
-      MatDenseGetLDA(out, &stride);
-      MatDenseGetArrayRead(out, &values);
-      Columns result{n_rows, std::vector<double>(x.values.size())};
-      for (PetscInt j = 0; j < x.n(); ++j)
-        std::copy_n(values + j * stride, n_rows, result.column(j));
-      MatDenseRestoreArrayRead(out, &values);
-      MatDestroy(&in);
-      MatDestroy(&out);
-      return result;
+      return {n_rows, block_product(mass, x.values, x.n())};
     }
 
     Columns BlockKrylov::times_flexibility(const Columns &x)
@@ -119,26 +110,24 @@ namespace vibrocontact
       return result;
     }
 
-    void BlockKrylov::remove_basis(Columns &w, DenseMatrix *const coefficients) const
+    void BlockKrylov::remove_basis(Columns &w, Columns &inertia, DenseMatrix *const coefficients) const
     {
       const PetscInt m = basis.n(), n = w.n();
       if (m == 0)
         return;
-      const Columns inertia = times_mass(w);
       std::vector<double> c(m * n);
       gemm('T', m, n, n_rows, 1, basis.values.data(), n_rows, inertia.values.data(), n_rows, 0, c.data(), m);
       MPI_Allreduce(MPI_IN_PLACE, c.data(), c.size(), MPI_DOUBLE, MPI_SUM, communicator);
       gemm('N', n_rows, n, m, -1, basis.values.data(), n_rows, c.data(), m, 1, w.values.data(), n_rows);
+      gemm('N', n_rows, n, m, -1, basis_inertia.values.data(), n_rows, c.data(), m, 1, inertia.values.data(),
+           n_rows);
       if (coefficients)
-        for (PetscInt j = 0; j < n; ++j)
-          for (PetscInt i = 0; i < m; ++i)
-            (*coefficients)(i, j) += c[j * m + i];
+        std::copy(c.begin(), c.end(), &(*coefficients)(0, 0));
     }
 
-    DenseMatrix BlockKrylov::normalise(Columns &w, const double drop) const
+    DenseMatrix BlockKrylov::normalise(Columns &w, Columns &inertia, const double drop) const
     {
       const PetscInt n = w.n();
-      const Columns inertia = times_mass(w);
       std::vector<double> gram(n * n);
       gemm('T', n, n, n_rows, 1, w.values.data(), n_rows, inertia.values.data(), n_rows, 0, gram.data(), n);
       MPI_Allreduce(MPI_IN_PLACE, gram.data(), gram.size(), MPI_DOUBLE, MPI_SUM, communicator);
@@ -168,15 +157,35 @@ namespace vibrocontact
           transform[k * n + i] = v / (scale[i] * root);
           r(k, i) = root * v * scale[i];
         }
-      Columns x{n_rows, std::vector<double>(n_rows * kept)};
-      gemm('N', n_rows, kept, n, 1, w.values.data(), n_rows, transform.data(), n, 0, x.values.data(), n_rows);
-      w = std::move(x);
+      for (Columns *const columns : {&w, &inertia})
+      {
+        Columns x{n_rows, std::vector<double>(n_rows * kept)};
+        gemm('N', n_rows, kept, n, 1, columns->values.data(), n_rows, transform.data(), n, 0, x.values.data(),
+             n_rows);
+        *columns = std::move(x);
+      }
       return r;
     }
 
-    void BlockKrylov::append(const Columns &w)
+    DenseMatrix BlockKrylov::orthonormalise(Columns &w, Columns &inertia,
+                                            DenseMatrix *const coefficients) const
+    {
+      inertia = times_mass(w);
+      remove_basis(w, inertia, coefficients);
+      const DenseMatrix r = normalise(w, inertia, 1e-14);
+      // Once more: what round-off left of the basis; the coefficients do not change by more.
+      inertia = times_mass(w);
+      remove_basis(w, inertia, nullptr);
+      const DenseMatrix correction = normalise(w, inertia, 0);
+      DenseMatrix product(correction.m(), r.n());
+      correction.mmult(product, r);
+      return product;
+    }
+
+    void BlockKrylov::append(const Columns &w, const Columns &inertia)
     {
       basis.values.insert(basis.values.end(), w.values.begin(), w.values.end());
+      basis_inertia.values.insert(basis_inertia.values.end(), inertia.values.begin(), inertia.values.end());
     }
 
     void BlockKrylov::ritz(std::vector<double> &theta, DenseMatrix &vectors) const
@@ -209,6 +218,8 @@ namespace vibrocontact
         VecRestoreArrayRead(modes.shapes[k], &values);
       }
       n_known = basis.n();
+      if (n_known > 0)
+        basis_inertia = times_mass(basis);
 
       Columns block{n_rows, std::vector<double>(n_rows * std::min<PetscInt>(block_size, n_dofs))};
       for (PetscInt j = 0; j < block.n(); ++j)
@@ -218,13 +229,10 @@ namespace vibrocontact
           block.column(j)[i] =
               std::sin(1. + n_known + dof * (0.7390851 + 0.1234567 * j) + 0.01 * std::fmod(dof * dof, 97.));
         }
+      Columns inertia;
       block = times_flexibility(times_mass(block));
-      for (unsigned int pass = 0; pass < 2; ++pass)
-      {
-        remove_basis(block, nullptr);
-        normalise(block, pass == 0 ? 1e-14 : 0);
-      }
-      append(block);
+      orthonormalise(block, inertia, nullptr);
+      append(block, inertia);
 
       Progress progress(system.body + ": modes", n_wanted);
       unsigned int n_reported = 0;
@@ -233,16 +241,9 @@ namespace vibrocontact
       while (true)
       {
         const unsigned int n_before = basis.n() - block.n(), n_now = basis.n(), n_block = block.n();
-        Columns next = times_flexibility(times_mass(block));
+        Columns next = times_flexibility(inertia), next_inertia;
         DenseMatrix coefficients(n_now, n_block);
-        remove_basis(next, &coefficients);
-        DenseMatrix coupling = normalise(next, 1e-14);
-        // Once more: what round-off left of the basis. The coupling changes by round-off only.
-        remove_basis(next, nullptr);
-        const DenseMatrix correction = normalise(next, 0);
-        DenseMatrix product(correction.m(), n_block);
-        correction.mmult(product, coupling);
-        coupling = product;
+        const DenseMatrix coupling = orthonormalise(next, next_inertia, &coefficients);
         for (unsigned int j = 0; j < n_block; ++j)
         {
           projected.emplace_back(n_before - n_known + n_block);
@@ -286,7 +287,8 @@ namespace vibrocontact
                                    std::to_string(m) + " solves.");
         }
         block = std::move(next);
-        append(block);
+        inertia = std::move(next_inertia);
+        append(block, inertia);
       }
 
       const unsigned int m = projected.size();

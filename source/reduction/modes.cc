@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/reduction/block_product.h>
 #include <vibrocontact/reduction/mode_solver.h>
 
 #include <deal.II/base/mpi.h>
@@ -159,24 +160,49 @@ namespace vibrocontact
     }
 
     // Mass-normalises, then measures orthonormality and residuals.
-    void verify(const SecondOrderSystem &system, Modes &modes)
+    void verify(const SecondOrderSystem &system, Mat mass, Modes &modes)
     {
+      constexpr unsigned int block_size = 16;
+      const PetscInt n_rows = system.locally_owned.n_elements();
       Vector mass_shape(system.locally_owned, system.communicator), force(mass_shape);
-      for (unsigned int i = 0; i < modes.shapes.size(); ++i)
+      const auto put = [n_rows](Vector &v, const double *const values)
       {
-        system.mass.vmult(mass_shape, modes.shapes[i]);
-        const double norm = std::sqrt(mass_shape * modes.shapes[i]);
-        modes.shapes[i] /= norm;
-        mass_shape /= norm;
-        for (unsigned int j = 0; j <= i; ++j)
-          modes.orthonormality_error = std::max(modes.orthonormality_error,
-                                                std::abs(mass_shape * modes.shapes[j] - (i == j ? 1. : 0.)));
-        if (i >= modes.n_rigid_modes)
+        PetscScalar *place = nullptr;
+        VecGetArray(v, &place);
+        std::copy_n(values, n_rows, place);
+        VecRestoreArray(v, &place);
+      };
+      for (unsigned int first = 0; first < modes.shapes.size(); first += block_size)
+      {
+        const unsigned int n = std::min<unsigned int>(block_size, modes.shapes.size() - first);
+        std::vector<double> columns;
+        for (unsigned int k = 0; k < n; ++k)
         {
-          const double lambda = modes.omega[i] * modes.omega[i];
-          system.stiffness.vmult(force, modes.shapes[i]);
-          force.add(-lambda, mass_shape);
-          modes.residual = std::max(modes.residual, force.l2_norm() / (lambda * mass_shape.l2_norm()));
+          const PetscScalar *values = nullptr;
+          VecGetArrayRead(modes.shapes[first + k], &values);
+          columns.insert(columns.end(), values, values + n_rows);
+          VecRestoreArrayRead(modes.shapes[first + k], &values);
+        }
+        const auto inertia = block_product(mass, columns, n),
+                   elastic = block_product(system.stiffness, columns, n);
+        for (unsigned int k = 0; k < n; ++k)
+        {
+          const unsigned int i = first + k;
+          put(mass_shape, inertia.data() + k * n_rows);
+          put(force, elastic.data() + k * n_rows);
+          const double norm = std::sqrt(mass_shape * modes.shapes[i]);
+          modes.shapes[i] /= norm;
+          mass_shape /= norm;
+          force /= norm;
+          for (unsigned int j = 0; j <= i; ++j)
+            modes.orthonormality_error = std::max(
+                modes.orthonormality_error, std::abs(mass_shape * modes.shapes[j] - (i == j ? 1. : 0.)));
+          if (i >= modes.n_rigid_modes)
+          {
+            const double lambda = modes.omega[i] * modes.omega[i];
+            force.add(-lambda, mass_shape);
+            modes.residual = std::max(modes.residual, force.l2_norm() / (lambda * mass_shape.l2_norm()));
+          }
         }
       }
       std::ostringstream text;
@@ -254,7 +280,7 @@ namespace vibrocontact
     }
     modes.omega.resize(n_kept);
     modes.shapes.resize(n_kept);
-    verify(system, modes);
+    verify(system, mass.get(), modes);
     orient_modes(system, modes);
     return modes;
   }

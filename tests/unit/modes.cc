@@ -2,7 +2,7 @@
 
 #include "reduction_bodies.h"
 
-#include <vibrocontact/reduction/modes.h>
+#include <vibrocontact/reduction/mode_solver.h>
 
 #include <gtest/gtest.h>
 
@@ -113,5 +113,33 @@ TEST(ModesMpi, OneRankAsTwo)
       scale = std::max(scale, std::abs(u[k]));
     }
     EXPECT_LT(difference, 1e-8 * scale) << "mode " << i;
+  }
+}
+
+TEST(ModesMpi, EverySolverFindsTheSameModes)
+{
+  // A block with square faces has exactly double frequencies, which a single Krylov sequence does not see at
+  // once.
+  for (const bool free : {false, true})
+  {
+    BlockParameters parameters = bar(0.1, 0.1, 0.06, 3);
+    if (free)
+      parameters.held.clear();
+    const Body body = make_body(parameters, ElasticModel<3>(), MPI_COMM_WORLD, 4);
+    Flexibility flexibility(*body.system);
+    std::vector<double> reference;
+    for (const ModeSolver &solver : mode_solvers())
+    {
+      ModeParameters mode_parameters;
+      mode_parameters.count = 15;
+      mode_parameters.solver = solver.name;
+      const Modes modes = compute_modes(*body.system, flexibility, mode_parameters);
+      EXPECT_LT(modes.orthonormality_error, 1e-9) << solver.name;
+      if (reference.empty())
+        reference = modes.omega;
+      ASSERT_EQ(modes.omega.size(), reference.size()) << solver.name;
+      for (unsigned int i = modes.n_rigid_modes; i < reference.size(); ++i)
+        EXPECT_NEAR(modes.omega[i] / reference[i], 1., 1e-9) << solver.name << " mode " << i;
+    }
   }
 }
