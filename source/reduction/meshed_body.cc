@@ -9,6 +9,21 @@
 
 namespace vibrocontact
 {
+  namespace
+  {
+    /// size and checksum of a file, empty if there is none of this name
+    std::string fingerprint(const std::string &file_name)
+    {
+      std::ifstream file(file_name, std::ios::binary);
+      if (file_name.empty() || !file)
+        return "";
+      const std::string content((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+      boost::crc_32_type checksum;
+      checksum.process_bytes(content.data(), content.size());
+      return std::to_string(content.size()) + " bytes, crc " + std::to_string(checksum.checksum());
+    }
+  } // namespace
+
   std::string body_key(const DeclaredParameters &parameters, const std::string &body,
                        const double lateral_position, const ContactGrid *const grid)
   {
@@ -19,15 +34,13 @@ namespace vibrocontact
       const bool own = entry.section == body || entry.section.rfind(body + "/", 0) == 0;
       if (!own || entry.section == body + "/Modes")
         continue;
-      key << entry.section.substr(body.size()) << "/" << entry.name << "=" << entry.value << "\n";
-      std::ifstream file(entry.value, std::ios::binary);
-      if (entry.value.empty() || !file)
-        continue;
-      const std::string content((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-      boost::crc_32_type checksum;
-      checksum.process_bytes(content.data(), content.size());
-      key << "contents: " << content.size() << " bytes, crc " << checksum.checksum() << "\n";
+      key << entry.section.substr(body.size()) << "/" << entry.name << "=" << entry.value << " "
+          << fingerprint(entry.value) << "\n";
     }
+    // sections that come with the program and are named by no entry
+    for (const char *name :
+         {"wheel_section.msh", "wheel_outline.txt", "rail_60e1_section.msh", "rail_60e1_outline.txt"})
+      key << name << " " << fingerprint(mesh_directory() + "/" + name) << "\n";
     if (grid)
       key << "lateral position=" << lateral_position << "\ngrid=" << grid->n_x << " x " << grid->n_y
           << " from " << grid->x_first << ", " << grid->y_first << " by " << grid->spacing_x << ", "
