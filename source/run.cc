@@ -6,6 +6,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/version.h>
+#include <vibrocontact/contact/problem_file.h>
 #include <vibrocontact/fe/trace_assembly.h>
 #include <vibrocontact/output/field_writer.h>
 #include <vibrocontact/output/figures.h>
@@ -23,6 +24,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 
 namespace vibrocontact
 {
@@ -73,7 +75,7 @@ namespace vibrocontact
       write_surface_fields(body.elastic_body(), states, folder, "mode_" + name);
     }
 
-    /// Quasi-static rolling of body 1 on body 2; rank 0 solves and writes. Returns the last case.
+    /// Quasi-static rolling of body 1 on body 2; every rank solves, the first writes. Returns the last case.
     RollingResult run_rolling(const Parameters &parameters,
                               const std::vector<std::unique_ptr<MeshedBody>> &bodies,
                               const std::string &folder, Results &results)
@@ -95,7 +97,7 @@ namespace vibrocontact
       Progress progress("rolling cases", n_cases);
       nlohmann::ordered_json cases = nlohmann::ordered_json::array();
       std::vector<std::pair<double, std::string>> patches;
-      const auto finished = [&](const RollingResult &result)
+      const auto finished = [&](const RollingResult &result, const ContactProblem &problem)
       {
         const std::string k = std::to_string(cases.size());
         if (is_first_rank())
@@ -105,13 +107,19 @@ namespace vibrocontact
           patches.emplace_back(cases.size(), "fields/contact_patch_" + k + ".vtu");
           write_contact_patch_vtu(result, interface, folder + "/" + patches.back().second);
         }
+        if (is_first_rank() && parameters.output.contact_problems)
+        {
+          std::filesystem::create_directories(folder + "/contact_problems");
+          write_contact_problem(folder + "/contact_problems/case_" + k + ".h5", problem, result.solution);
+        }
         cases.push_back(rolling_case_json(result));
         if (!result.solution.converged)
         {
           results.converged = false;
-          results.messages.push_back("Case " + k + " of quasi-static rolling did not converge: residual " +
-                                     std::to_string(result.solution.residual) + " after " +
-                                     std::to_string(result.solution.iterations) + " iterations.");
+          std::ostringstream text;
+          text << "Case " << k << " of quasi-static rolling did not converge: residual "
+               << result.solution.residual << " after " << result.solution.iterations << " iterations.";
+          results.messages.push_back(text.str());
           log.warning(results.messages.back());
         }
         progress.advance();
@@ -139,13 +147,21 @@ namespace vibrocontact
 
     /// Deformation and stress of the meshed bodies under the contact forces of a case.
     void write_deformation(const RollingResult &result,
-                           const std::vector<std::unique_ptr<MeshedBody>> &bodies, const std::string &folder)
+                           const std::vector<std::unique_ptr<MeshedBody>> &bodies, const bool always,
+                           const std::string &folder)
     {
       for (unsigned int k = 0; k < bodies.size(); ++k)
         if (bodies[k])
         {
           const std::string &name = bodies[k]->parameters.name;
           run_log().block("Deformation of " + name);
+          if (!always && !bodies[k]->reduction.was_factorised())
+          {
+            run_log().line("The reduction came from the cache, so nothing is factorised; set "
+                           "Output/Deformation = always "
+                           "to have the deformation all the same.");
+            continue;
+          }
           DenseVector force = result.solution.R;
           if (k == 1)
             force *= -1;
@@ -180,14 +196,11 @@ namespace vibrocontact
     void check_meshes(const Parameters &parameters, const std::vector<std::unique_ptr<MeshedBody>> &bodies,
                       const ContactGrid &grid, const bool all)
     {
-      const ReductionCache cache(parameters.output.cache_directory, MPI_COMM_WORLD);
       for (const auto &body : bodies)
         if (body)
         {
-          const ReductionRequest &request = body->reduction.request();
-          const std::string kind = parameters.has_contact() ? "static" : "modes";
-          if (!all && !request.cache_directory.empty() &&
-              std::filesystem::exists(cache.file_name(request.body, kind, request.key)))
+          const bool with_modes = parameters.scene.runs("modes") && body->reduction.request().modes.any();
+          if (!all && body->reduction.is_cached(parameters.has_contact(), with_modes))
             continue;
           const ElasticBody<3> &elastic_body = body->elastic_body();
           if (parameters.has_contact())
@@ -261,8 +274,8 @@ namespace vibrocontact
       if (parameters.has_contact())
       {
         const RollingResult last = run_rolling(parameters, bodies, record.folder, results);
-        if (parameters.output.fields)
-          write_deformation(last, bodies, record.folder);
+        if (parameters.output.fields && parameters.output.deformation != "never")
+          write_deformation(last, bodies, parameters.output.deformation == "always", record.folder);
       }
     }
     catch (const InputError &error)

@@ -13,11 +13,12 @@ namespace vibrocontact
     prm.add_parameter("Normal force", normal_force,
                       "Resultant normal force, or empty if the hub displacement is given. Units: N.",
                       Anything());
-    prm.add_parameter(
-        "Hub displacement", hub_displacement,
-        "Downward displacement of the hub of body 1 (approach of half-spaces) from first touch, or empty "
-        "if the normal force is given. Units: m.",
-        Anything());
+    prm.add_parameter("Hub displacement", hub_displacement,
+                      "Downward displacement of the hub of body 1 (approach of half-spaces) from the "
+                      "position in which the bodies touch "
+                      "at the nominal contact point, or empty "
+                      "if the normal force is given. Units: m.",
+                      Anything());
     prm.add_parameter("Speed", creepage.speed, "Rolling speed. Units: m/s.", Double(1e-6, 1000));
     prm.add_parameter("Longitudinal creepage", creepage.longitudinal,
                       "Velocity of body 1 minus body 2 along x over the speed. Units: none.", Double(-1, 1));
@@ -57,7 +58,7 @@ namespace vibrocontact
       }
       if (end != text.size() || !(value > 0) || !std::isfinite(value))
         throw InputError("Entry Rolling/" + entry + " is '" + text +
-                         "', but it must be a positive number or empty.");
+                         "', but it must be a positive number or empty: correct it.");
       return value;
     }
   } // namespace
@@ -73,6 +74,12 @@ namespace vibrocontact
     if (!force && !displacement)
       throw InputError(
           "Section Rolling gives neither a normal force nor a hub displacement: set one of them.");
+    const bool single =
+        load(normal_force, "Normal force") > 0 || load(hub_displacement, "Hub displacement") > 0;
+    if (!single && !(sweep.longitudinal.empty() && sweep.lateral.empty() && sweep.spin.empty()))
+      throw InputError(
+          "Section Rolling sweeps a creepage, but gives no load for these curves: set Normal force or Hub "
+          "displacement beside the Sweep.");
     for (const double value : sweep.normal_force)
       if (!(value > 0))
         throw InputError("Entry Rolling/Sweep/Normal force lists a force that is not positive.");
@@ -153,7 +160,7 @@ namespace vibrocontact
   quasi_static_rolling(const RollingParameters &rolling, const ContactParameters &contact,
                        const ContactSolverParameters &solver_parameters, const ContactInterface &interface,
                        const std::function<std::shared_ptr<const ContactOperator>(double)> &operator_at,
-                       const std::function<void(const RollingResult &)> &finished)
+                       const std::function<void(const RollingResult &, const ContactProblem &)> &finished)
   {
     const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
     const std::shared_ptr<const ContactOperator> A = operator_at(rolling.creepage.speed);
@@ -172,10 +179,18 @@ namespace vibrocontact
       ContactSolution solution =
           solver->solve(problem, continues ? results.back().solution : ContactSolution());
       if (continues && !solution.converged)
+      {
+        // declared: a warm start that fails is followed by a cold one, and counts as a fallback
+        const ContactSolution warm = solution;
         solution = solver->solve(problem, {});
-      check_contact_in_grid(interface.grid, solution.status);
+        solution.fallbacks += warm.fallbacks + 1;
+        solution.iterations += warm.iterations;
+        solution.seconds += warm.seconds;
+      }
+      if (solution.converged)
+        check_contact_in_grid(interface.grid, solution.status);
       results.push_back(resultants(one, interface, std::move(solution)));
-      finished(results.back());
+      finished(results.back(), problem);
     }
     return results;
   }

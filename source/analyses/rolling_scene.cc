@@ -60,6 +60,13 @@ namespace vibrocontact
     for (unsigned int i = 0; i < grid.n_points(); ++i)
       scene.interface.gap.push_back(above[i] - below[i]);
     if (body_1.reduced)
+      for (unsigned int i = 0; i < grid.n_points(); ++i)
+        if (std::abs(body_1.reduced->lifting[i] - 1) > 1e-9)
+          throw InputError(
+              "Body " + body_1.parameters->name +
+              " cannot be pressed down by its hub: body 1 must be carried by a held boundary alone, without "
+              "springs; make it body 2 or hold it.");
+    if (body_1.reduced)
       add_load_jump(*body_1.reduced, 1, scene.interface.load_jump);
     if (body_2.reduced)
       add_load_jump(*body_2.reduced, -1, scene.interface.load_jump);

@@ -139,9 +139,11 @@ namespace vibrocontact
         }
         sum += p[i];
       }
+      if (sum == 0)
+        break;
       if (problem.force_given())
         p *= problem.normal_force / sum;
-      if (sum == 0 || (keep == 1 && change < tolerance * sum))
+      if (keep == 1 && change < tolerance * sum)
         break;
     }
   }

@@ -18,9 +18,10 @@ namespace vibrocontact
     prm.add_parameter("Half width", half_width,
                       "The grid of potential contact covers y from minus this to plus this. Units: m.",
                       Double(1e-6, 1));
-    prm.add_parameter("Strip length", strip_length,
-                      "Line contact: one row of contact cells of this length along y; 0 for a grid. Units: m.",
-                      Double(0, 1e3));
+    prm.add_parameter(
+        "Strip length", strip_length,
+        "Line contact: one row of contact cells of this length along y; 0 for a grid. Units: m.",
+        Double(0, 1e3));
     prm.add_parameter("Offset x", offset_x,
                       "Shift of the grid against the nominal contact point, in grid spacings. Units: none.",
                       Double(-0.5, 0.5));

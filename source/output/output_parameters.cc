@@ -19,6 +19,17 @@ namespace vibrocontact
         Anything());
     prm.add_parameter("Fields", fields,
                       "Write fields of the bodies and of the contact patch (VTU). Units: none.", Bool());
+    prm.add_parameter(
+        "Deformation", deformation,
+        "Deformation and stress of meshed bodies under the last case's forces: only if this run has "
+        "factorised them anyway, always (a run that found its reductions then factorises again), or never. "
+        "Units: none.",
+        Selection("when factorised|always|never"));
+    prm.add_parameter(
+        "Contact problems", contact_problems,
+        "Write the discrete contact problem and solution of every case to contact_problems/*.h5 (FCLIB). "
+        "Units: none.",
+        Bool());
     prm.add_parameter("Figures", figures,
                       "Draw figures at the end if Python's matplotlib is there. Units: none.", Bool());
   }

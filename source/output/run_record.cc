@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace vibrocontact
@@ -66,9 +67,23 @@ namespace vibrocontact
   {
     const auto begin = fs::last_write_time(fs::path(folder) / "input.prm");
     std::vector<std::string> names;
-    for (const auto &entry : fs::recursive_directory_iterator(folder))
-      if (entry.is_regular_file() && entry.last_write_time() >= begin)
-        names.push_back(fs::relative(entry.path(), folder).string());
+    const auto collect = [&](const std::string &place, const std::set<std::string> &endings)
+    {
+      if (!fs::is_directory(fs::path(folder) / place))
+        return;
+      for (const auto &entry : fs::directory_iterator(fs::path(folder) / place))
+        if (entry.is_regular_file() && entry.last_write_time() >= begin &&
+            endings.count(entry.path().extension().string()) > 0)
+          names.push_back((fs::path(place) / entry.path().filename()).string());
+    };
+    // only what a run writes: the folder may hold other things, even other runs
+    collect("", {".csv", ".pvd"});
+    for (const char *name : {"input.prm", "used.prm", "log.txt", "results.json"})
+      if (fs::is_regular_file(fs::path(folder) / name))
+        names.push_back(name);
+    collect("fields", {".vtu"});
+    collect("figures", {".png"});
+    collect("contact_problems", {".h5"});
     std::sort(names.begin(), names.end());
     return names;
   }

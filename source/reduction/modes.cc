@@ -36,6 +36,11 @@ namespace vibrocontact
         "Damping ratio 2 nodal diameters", damping_2,
         "Modal damping ratio of a wheel's modes with two or more nodal diameters (Eq. 23). Units: none.",
         Double(0, 1));
+    std::string names;
+    for (const ModeSolver &one : mode_solvers())
+      names += (names.empty() ? "" : "|") + one.name;
+    prm.add_parameter("Solver", solver, "Eigensolver of the modes; all give the same ones. Units: none.",
+                      Selection(names));
     prm.add_parameter(
         "Rim radius", rim_radius,
         "Points of a wheel further than this from its axle are its rim, whose motion names the family of a "
@@ -58,7 +63,7 @@ namespace vibrocontact
     std::ostringstream text;
     text.precision(17);
     text << upper_frequency << ' ' << count << ' ' << damping_0 << ' ' << damping_1 << ' ' << damping_2 << ' '
-         << rim_radius;
+         << rim_radius << ' ' << solver;
     return text.str();
   }
 
@@ -229,7 +234,8 @@ namespace vibrocontact
     unsigned int n_below = 0; // elastic modes wanted
     if (by_frequency)
     {
-      n_below = count_below(system, limit, modes) - n_rigid;
+      const unsigned int n_all = count_below(system, limit, modes);
+      n_below = n_all > n_rigid ? n_all - n_rigid : 0;
       run_log().line(std::to_string(n_below) + " elastic modes below " +
                      std::to_string(parameters.upper_frequency) + " Hz (inertia count, " +
                      time_text(modes.seconds_count) + ")");

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include <exception>
+
 namespace vibrocontact
 {
   namespace
@@ -187,6 +189,9 @@ namespace vibrocontact
 
   SymmetricFactorization::~SymmetricFactorization()
   {
+    // Ending MUMPS is collective: after an exception, which may be this rank's alone, it would wait for ever.
+    if (std::uncaught_exceptions() > 0)
+      return;
     implementation->mumps.job = -2;
     dmumps_c(&implementation->mumps);
   }

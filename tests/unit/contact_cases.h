@@ -53,7 +53,7 @@ namespace contact_cases
           rolling, contact, solver, interface(),
           [&](const double speed)
           { return rolling_operator(contact.grid(), pair, find_creep_scheme(contact.creep_scheme), speed); },
-          [](const RollingResult &) {});
+          [](const RollingResult &, const ContactProblem &) {});
     }
   };
 

@@ -73,5 +73,5 @@ namespace vibrocontact
   quasi_static_rolling(const RollingParameters &rolling, const ContactParameters &contact,
                        const ContactSolverParameters &solver, const ContactInterface &interface,
                        const std::function<std::shared_ptr<const ContactOperator>(double speed)> &operator_at,
-                       const std::function<void(const RollingResult &)> &finished);
+                       const std::function<void(const RollingResult &, const ContactProblem &)> &finished);
 } // namespace vibrocontact

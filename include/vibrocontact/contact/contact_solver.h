@@ -47,7 +47,7 @@ namespace vibrocontact
   /// @throws InputError naming the known methods
   std::unique_ptr<ContactSolver> create_contact_solver(const ContactSolverParameters &parameters);
 
-  /// Frictionless start: the normal forces of problem with the tangential forces held at those of `state`, by
+  /// Frictionless start: the normal forces of problem without tangential forces, by
   /// the constrained conjugate gradients of Polonsky & Keer, Wear 231 (1999) 206. Rough: it serves as a first
   /// guess.
   void frictionless_start(const ContactProblem &problem, double tolerance, ContactSolution &state);

@@ -16,7 +16,8 @@ namespace vibrocontact
     double spacing = 1e-3;
     /// the grid covers at least [-half_length, half_length] x [-half_width, half_width] [m]
     double half_length = 10e-3, half_width = 8e-3;
-    /// 2-D contact of long cylinders: one row of cells of this length along y; 0: a grid in both directions [m]
+    /// 2-D contact of long cylinders: one row of cells of this length along y; 0: a grid in both directions
+    /// [m]
     double strip_length = 0;
     /// shift of the grid against the nominal contact point, in spacings [-]
     double offset_x = 0, offset_y = 0;

@@ -13,12 +13,13 @@ namespace vibrocontact
   ///
   ///   (P_c U)_{c,i} = 1/A_i  int tau_i u_c dS,   c = z (normal), x, y   [m]
   ///
-  /// with tau_i one on the cell (TractionShape::constant) or the hat function of the point (bilinear); int tau_i dS = A_i.
+  /// with tau_i one on the cell (TractionShape::constant) or the hat function of the point (bilinear); int
+  /// tau_i dS = A_i.
   ///
   /// Its transpose spreads a force R_{c,i} = A_i r_{c,i} as the traction tau_i r_{c,i}, so that a uniform
   /// pressure is transmitted exactly whatever the nodes do (patch test), and P_c K^-1 P_c^T is symmetric.
-  /// The directions are the global axes (z up, x along the rail, y lateral) for either body: a body never knows
-  /// whether it is the first or the second. Replicated on all ranks.
+  /// The directions are the global axes (z up, x along the rail, y lateral) for either body: a body never
+  /// knows whether it is the first or the second. Replicated on all ranks.
   struct ContactTrace
   {
     ContactGrid grid;

@@ -12,7 +12,8 @@
 
 namespace vibrocontact
 {
-  /// A body after assembly: M U'' + (1 + i eta) K U = F + P_c^T R, without dimension, mesh or element from here on.
+  /// A body after assembly: M U'' + (1 + i eta) K U = F + P_c^T R, without dimension, mesh or element from
+  /// here on.
   ///
   /// Hanging nodes are condensed and held dofs eliminated: a constrained row keeps its diagonal entry in the
   /// stiffness and has zero mass, so it shows as an infinite eigenvalue and never as a spurious mode.
@@ -23,7 +24,8 @@ namespace vibrocontact
     dealii::IndexSet locally_owned;
     /// M [kg], K [N/m]: symmetric, same sparsity
     dealii::PETScWrappers::MPI::SparseMatrix mass, stiffness;
-    /// imaginary part of the hysteretic stiffness, sum of eta_e K_e over cells and pads [N/m]; empty if lossless
+    /// imaginary part of the hysteretic stiffness, sum of eta_e K_e over cells and pads [N/m]; empty if
+    /// lossless
     dealii::PETScWrappers::MPI::SparseMatrix loss_stiffness;
     bool has_loss = false;
     /// loads on the body (Eq. 6: gravity, surface traction) [N]; empty if there are none
@@ -31,18 +33,21 @@ namespace vibrocontact
     bool has_load = false;
     /// mass of the body from its volume and density [kg]
     double total_mass = 0;
-    /// translations and rotations that cost no energy: 0 for a held body or one on springs, 6 for a free solid
+    /// translations and rotations that cost no energy: 0 for a held body or one on springs, 6 for a free
+    /// solid
     unsigned int n_rigid_modes = 0;
     /// orthonormal (not mass-orthonormal) basis of those motions, n_rigid_modes vectors
     std::vector<dealii::PETScWrappers::MPI::Vector> rigid_motions;
-    /// place [m, contact frame] and direction (0 x, 1 y, 2 z) of each locally owned dof, in their order: what labels
-    /// and the orientation of pairs look at
+    /// place [m, contact frame] and direction (0 x, 1 y, 2 z) of each locally owned dof, in their order: what
+    /// labels and the orientation of pairs look at
     std::vector<dealii::Point<3>> dof_position;
     std::vector<unsigned char> dof_direction;
-    /// a held boundary alone carries the body (no springs): it follows a displacement of that boundary rigidly
+    /// a held boundary alone carries the body (no springs): it follows a displacement of that boundary
+    /// rigidly
     bool follows_hub = false;
     ContactTrace trace;
-    /// hash of everything that determines the matrices and the trace (mesh, material, boundary, grid); cache key
+    /// hash of everything that determines the matrices and the trace (mesh, material, boundary, grid); cache
+    /// key
     std::string key;
   };
 } // namespace vibrocontact

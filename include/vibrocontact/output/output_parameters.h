@@ -15,6 +15,11 @@ namespace vibrocontact
     std::string cache_directory = "cache";
     /// fields of bodies and contact patch as VTU, figures by contrib/plot_results.py
     bool fields = true, figures = true;
+    /// deformation of the bodies: "when factorised" (only if this run has factorised them anyway), "always",
+    /// "never"
+    std::string deformation = "when factorised";
+    /// the discrete contact problem of every case as FCLIB file
+    bool contact_problems = false;
 
     void declare_parameters(dealii::ParameterHandler &prm);
     /// Directory, the option --output, or the default for this parameter file.

@@ -46,7 +46,9 @@ namespace vibrocontact
     const SecondOrderSystem &system();
     /// The factorised system; factorises it.
     Flexibility &flexibility();
-    bool was_assembled() const { return static_cast<bool>(assembled); }
+    bool was_factorised() const { return static_cast<bool>(factorised); }
+    /// Whether the parts asked for are in the cache; they are loaded if so. Collective.
+    bool is_cached(bool with_statics, bool with_modes);
     /// Wall time of each stage that this run did: name and seconds.
     const std::vector<std::pair<std::string, double>> &stages() const { return timings; }
     const ReductionRequest &request() const { return asked; }
