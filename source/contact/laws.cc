@@ -52,7 +52,7 @@ namespace vibrocontact
     {
       const double step = (force(-d) + rho * d - trial) / (stiffness(-d) + rho);
       d = std::max(d - step, 0.);
-      if (std::abs(step) <= 4e-16 * d)
+      if (std::abs(step) <= 1e-10 * d) // quadratic: the next one would be below round-off
         break;
     }
     const double slope = d > 0 ? stiffness(-d) : amplitude * exponent, share = slope / (slope + rho);
