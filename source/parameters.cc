@@ -48,7 +48,16 @@ namespace vibrocontact
                          "\"modes\" is listed; give Upper frequency or Count, or leave it out");
     }
     if (scene.runs("quasi-static rolling"))
+    {
       rolling.check();
+      const ContactGrid grid = contact.grid();
+      constexpr double most_points = 250000;
+      if (double(grid.n_x) * grid.n_y > most_points)
+        throw InputError(
+            "Contact/Grid spacing asks for " + std::to_string(grid.n_x) + " x " + std::to_string(grid.n_y) +
+            " contact points, more than the 250,000 that can be solved; enlarge it or make Half length and "
+            "Half width smaller");
+    }
   }
 
   void read_parameters(ParameterFile &file, dealii::ParameterHandler &prm, Parameters &parameters)

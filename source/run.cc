@@ -30,6 +30,9 @@ namespace vibrocontact
 {
   namespace
   {
+    /// contacts of fewer points than this are reported as coarse
+    constexpr unsigned int coarse_below = 12;
+
     bool is_first_rank()
     {
       return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
@@ -113,6 +116,15 @@ namespace vibrocontact
           write_contact_problem(folder + "/contact_problems/case_" + k + ".h5", problem, result.solution);
         }
         cases.push_back(rolling_case_json(result));
+        if (result.solution.converged && result.contact_points < coarse_below)
+        {
+          std::ostringstream text;
+          text << "Case " << k << ": only " << result.contact_points
+               << " points touch, too few for the numbers to mean much; refine Contact/Grid spacing or raise "
+                  "the load.";
+          cases.back()["warning"] = text.str();
+          log.warning(text.str());
+        }
         if (!result.solution.converged)
         {
           results.converged = false;

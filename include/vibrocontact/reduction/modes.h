@@ -21,7 +21,7 @@ namespace vibrocontact
     /// points further than this from the axle are the rim, whose motion names the family of a mode [m]
     double rim_radius = 0.385;
     /// how the modes are computed, see mode_solvers()
-    std::string solver = "block Krylov";
+    std::string solver = "Krylov-Schur";
 
     /// Whether any modes are asked for.
     bool any() const { return upper_frequency > 0 || count > 0; }
