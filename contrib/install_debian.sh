@@ -6,7 +6,7 @@ packages="
   build-essential cmake ninja-build git ca-certificates pkg-config
   libdeal.ii-dev mpi-default-bin mpi-default-dev
   libopenblas0-pthread
-  nlohmann-json3-dev libboost-program-options-dev libboost-serialization-dev libfftw3-dev
+  nlohmann-json3-dev libboost-program-options-dev libfftw3-dev
   gmsh
   libgtest-dev
   python3 python3-numpy python3-matplotlib
