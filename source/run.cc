@@ -8,16 +8,16 @@
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/contact/problem_file.h>
 #include <vibrocontact/fe/trace_assembly.h>
+#include <vibrocontact/meshed_body.h>
 #include <vibrocontact/output/field_writer.h>
 #include <vibrocontact/output/figures.h>
 #include <vibrocontact/output/modal_output.h>
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/output/rolling_output.h>
 #include <vibrocontact/output/run_record.h>
+#include <vibrocontact/output/scene_summary.h>
 #include <vibrocontact/parameters.h>
-#include <vibrocontact/reduction/meshed_body.h>
 #include <vibrocontact/run.h>
-#include <vibrocontact/scene/scene_summary.h>
 
 #include <deal.II/base/mpi.h>
 

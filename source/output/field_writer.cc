@@ -1,5 +1,5 @@
+#include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/output/atomic_file.h>
 #include <vibrocontact/output/field_writer.h>
 
 #include <deal.II/dofs/dof_tools.h>

@@ -1,5 +1,5 @@
+#include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/version.h>
-#include <vibrocontact/output/atomic_file.h>
 #include <vibrocontact/output/results.h>
 
 #include <deal.II/base/mpi.h>

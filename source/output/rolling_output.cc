@@ -1,4 +1,4 @@
-#include <vibrocontact/output/atomic_file.h>
+#include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/output/rolling_output.h>
 
 #include <deal.II/grid/grid_generator.h>

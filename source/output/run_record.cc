@@ -1,7 +1,7 @@
+#include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
-#include <vibrocontact/output/atomic_file.h>
 #include <vibrocontact/output/run_record.h>
 
 #include <deal.II/base/mpi.h>

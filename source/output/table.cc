@@ -1,4 +1,4 @@
-#include <vibrocontact/output/atomic_file.h>
+#include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/output/table.h>
 
 #include <deal.II/base/exceptions.h>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <vibrocontact/base/dense.h>
-#include <vibrocontact/contact/contact_grid.h>
 #include <vibrocontact/contact/creep.h>
 #include <vibrocontact/contact/half_space.h>
+#include <vibrocontact/scene/contact_grid.h>
 
 #include <memory>
 #include <vector>

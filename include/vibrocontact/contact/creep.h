@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/base/dense.h>
-#include <vibrocontact/contact/contact_grid.h>
+#include <vibrocontact/scene/contact_grid.h>
 
 #include <string>
 #include <vector>

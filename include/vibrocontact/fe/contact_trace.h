@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/contact/contact_grid.h>
+#include <vibrocontact/scene/contact_grid.h>
 
 #include <deal.II/base/types.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vibrocontact/contact/contact_grid.h>
 #include <vibrocontact/fe/second_order_system.h>
 #include <vibrocontact/scene/body_mesh.h>
+#include <vibrocontact/scene/contact_grid.h>
 #include <vibrocontact/scene/elastic_model.h>
 
 #include <deal.II/dofs/dof_handler.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <vibrocontact/contact/contact_grid.h>
 #include <vibrocontact/scene/body_mesh.h>
+#include <vibrocontact/scene/contact_grid.h>
 
 #include <deal.II/base/parameter_handler.h>
 

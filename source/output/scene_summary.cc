@@ -1,5 +1,5 @@
 #include <vibrocontact/base/log.h>
-#include <vibrocontact/scene/scene_summary.h>
+#include <vibrocontact/output/scene_summary.h>
 
 #include <deal.II/grid/grid_tools.h>
 

@@ -1,5 +1,5 @@
 #include <vibrocontact/base/log.h>
-#include <vibrocontact/reduction/meshed_body.h>
+#include <vibrocontact/meshed_body.h>
 
 #include <boost/crc.hpp>
 

@@ -1,5 +1,5 @@
+#include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/output/atomic_file.h>
 
 #include <filesystem>
 #include <fstream>
