@@ -1,11 +1,12 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
-#include <vibrocontact/reduction/mode_solver.h>
+#include <vibrocontact/reduction/krylov_schur.h>
 
 #include <slepceps.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace vibrocontact
 {
@@ -49,6 +50,23 @@ namespace vibrocontact
         progress->advance(n_converged - done);
       done = n_converged;
       return 0;
+    }
+
+    void sort_modes(Modes &modes)
+    {
+      std::vector<unsigned int> order(modes.omega.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::stable_sort(order.begin(), order.end(),
+                       [&](unsigned int a, unsigned int b) { return modes.omega[a] < modes.omega[b]; });
+      std::vector<double> omega;
+      std::vector<Vector> shapes;
+      for (const unsigned int i : order)
+      {
+        omega.push_back(modes.omega[i]);
+        shapes.push_back(modes.shapes[i]);
+      }
+      modes.omega = std::move(omega);
+      modes.shapes = std::move(shapes);
     }
   } // namespace
 

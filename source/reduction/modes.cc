@@ -1,7 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/reduction/block_product.h>
-#include <vibrocontact/reduction/mode_solver.h>
+#include <vibrocontact/reduction/krylov_schur.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 namespace vibrocontact
@@ -36,11 +35,6 @@ namespace vibrocontact
         "Damping ratio 2 nodal diameters", damping_2,
         "Modal damping ratio of a wheel's modes with two or more nodal diameters (Eq. 23). Units: none.",
         Double(0, 1));
-    std::string names;
-    for (const ModeSolver &one : mode_solvers())
-      names += (names.empty() ? "" : "|") + one.name;
-    prm.add_parameter("Solver", solver, "Eigensolver of the modes; all give the same ones. Units: none.",
-                      Selection(names));
     prm.add_parameter(
         "Rim radius", rim_radius,
         "Points of a wheel further than this from its axle are its rim, whose motion names the family of a "
@@ -63,33 +57,8 @@ namespace vibrocontact
     std::ostringstream text;
     text.precision(17);
     text << upper_frequency << ' ' << count << ' ' << damping_0 << ' ' << damping_1 << ' ' << damping_2 << ' '
-         << rim_radius << ' ' << solver;
+         << rim_radius;
     return text.str();
-  }
-
-  const std::vector<ModeSolver> &mode_solvers()
-  {
-    static const std::vector<ModeSolver> solvers = {
-        {"block Krylov", "blocks of vectors with Rayleigh-Ritz, several times faster", block_krylov},
-        {"Krylov-Schur", "SLEPc, one vector at a time", krylov_schur}};
-    return solvers;
-  }
-
-  void sort_modes(Modes &modes)
-  {
-    std::vector<unsigned int> order(modes.omega.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](unsigned int a, unsigned int b) { return modes.omega[a] < modes.omega[b]; });
-    std::vector<double> omega;
-    std::vector<Vector> shapes;
-    for (const unsigned int i : order)
-    {
-      omega.push_back(modes.omega[i]);
-      shapes.push_back(modes.shapes[i]);
-    }
-    modes.omega = std::move(omega);
-    modes.shapes = std::move(shapes);
   }
 
   namespace
@@ -142,15 +111,6 @@ namespace vibrocontact
       return result;
     }
 
-    const ModeSolver &find_solver(const std::string &name)
-    {
-      const auto &all = mode_solvers();
-      const auto found =
-          std::find_if(all.begin(), all.end(), [&](const ModeSolver &s) { return s.name == name; });
-      AssertThrow(found != all.end(), dealii::ExcMessage("unknown mode solver " + name));
-      return *found;
-    }
-
     // Number of modes below an angular frequency, rigid ones included.
     unsigned int count_below(const SecondOrderSystem &system, const double omega, Modes &modes)
     {
@@ -160,7 +120,6 @@ namespace vibrocontact
       options.keep_factors = false;
       const SymmetricFactorization shifted(system.stiffness, &system.mass, omega * omega, options);
       modes.seconds_count += timer.wall_time();
-      modes.megabytes_count = shifted.statistics().megabytes_rank;
       return shifted.n_negative();
     }
 
@@ -248,7 +207,6 @@ namespace vibrocontact
                        " modes are more than its " + std::to_string(system.stiffness.m()) +
                        " dofs can tell; ask for fewer.");
 
-    const ModeSolver &solver = find_solver(parameters.solver);
     const auto destroy = [](Mat matrix) { MatDestroy(&matrix); };
     const std::unique_ptr<std::remove_pointer_t<Mat>, decltype(destroy)> mass(compact(system.mass), destroy);
 
@@ -257,9 +215,7 @@ namespace vibrocontact
     unsigned int n_kept = 0, n_missing = n_below;
     for (unsigned int attempt = 0;; ++attempt)
     {
-      dealii::Timer timer;
-      solver.solve(system, flexibility, mass.get(), n_missing + 2, modes);
-      modes.seconds_solver += timer.wall_time();
+      krylov_schur(system, flexibility, mass.get(), n_missing + 2, modes);
       // The pair of the last mode comes along.
       n_kept = n_rigid + n_below;
       while (n_kept > n_rigid && n_kept + 1 < modes.omega.size() &&

@@ -20,8 +20,6 @@ namespace vibrocontact
     double damping_0 = 1e-3, damping_1 = 1e-2, damping_2 = 1e-4;
     /// points further than this from the axle are the rim, whose motion names the family of a mode [m]
     double rim_radius = 0.385;
-    /// how the modes are computed, see mode_solvers()
-    std::string solver = "Krylov-Schur";
 
     /// Whether any modes are asked for.
     bool any() const { return upper_frequency > 0 || count > 0; }
@@ -47,10 +45,8 @@ namespace vibrocontact
     double residual = 0;
     /// solves with the factorised stiffness [-]
     unsigned int n_solves = 0;
-    /// wall times of the eigensolver and of the count of modes below the limit [s]
-    double seconds_solver = 0, seconds_count = 0;
-    /// memory of the count's factorisation on the fullest rank [MB]
-    double megabytes_count = 0;
+    /// wall time of the count of modes below the limit [s]
+    double seconds_count = 0;
   };
 
   /// Lowest modes from the flexibility: G M phi = phi / w^2, G by the factorisation that the static problem
