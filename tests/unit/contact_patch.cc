@@ -1,14 +1,18 @@
 // Contact patch test: two blocks pressed together by a plane displacement carry a uniform pressure, with
 // matching nodes exactly, with other nodes nearly; through the whole chain of elements, trace, compliance and
-// contact solver.
+// contact solver. Of half-spaces, whose surface does not stay plane under uniform pressure, the undeformed
+// gap is what Love's rectangle takes away.
 
 #include <vibrocontact/contact/contact_solver.h>
+#include <vibrocontact/contact/half_space.h>
 #include <vibrocontact/contact/interface.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/reduction/flexibility.h>
 #include <vibrocontact/scene/block.h>
 
 #include <gtest/gtest.h>
+
+#include <limits>
 
 using namespace vibrocontact;
 using namespace dealii;
@@ -47,33 +51,54 @@ namespace
     return flexibility.contact_compliance();
   }
 
-  /// Smallest and largest pressure over the exact one, all points in contact.
-  std::pair<double, double> pressures(const unsigned int upper, const unsigned int lower,
-                                      const unsigned int degree, const ContactGrid &g)
+  /// Smallest and largest pressure over the one asked for when bodies of this compliance are pressed
+  /// together over a gap by an approach; frictionless.
+  std::pair<double, double> pressures(const std::shared_ptr<const ContactOperator> &A, const ContactGrid &g,
+                                      const std::vector<double> &gap, const double approach,
+                                      const double pressure, const std::string &name)
   {
-    DenseMatrix sum = compliance("bottom", upper, degree, g);
-    sum.add(1., compliance("top", lower, degree, g));
-    const CreepScheme &scheme = creep_schemes().front();
     ContactInterface interface;
     interface.grid = g;
-    interface.gap.assign(g.n_points(), 0.);
+    interface.gap = gap;
     ContactParameters parameters;
     parameters.friction = 0;
-    ContactProblem problem = rolling_problem(rolling_operator(g, std::move(sum), scheme, 1.), interface,
-                                             scheme, Creepage(), parameters);
-    problem.approach = 1e-6;
+    ContactProblem problem = rolling_problem(A, interface, creep_schemes().front(), Creepage(), parameters);
+    problem.approach = approach;
     const ContactSolution solution = create_contact_solver(ContactSolverParameters())->solve(problem, {});
     EXPECT_TRUE(solution.converged);
-    const double exact = young * problem.approach / (2 * height);
     double low = 1e300, high = 0;
     for (unsigned int i = 0; i < g.n_points(); ++i)
     {
-      low = std::min(low, solution.R(i) / g.cell_area() / exact);
-      high = std::max(high, solution.R(i) / g.cell_area() / exact);
+      low = std::min(low, solution.R(i) / g.cell_area() / pressure);
+      high = std::max(high, solution.R(i) / g.cell_area() / pressure);
     }
-    std::cout << upper << " on " << lower << " cells of degree " << degree << ", " << g.n_x
-              << " points: pressure " << low - 1 << " .. " << high - 1 << std::endl;
+    std::cout << name << ", " << g.n_x << " points: pressure " << low - 1 << " .. " << high - 1 << std::endl;
     return {low, high};
+  }
+
+  /// Two blocks of some divisions and degree.
+  std::pair<double, double> blocks(const unsigned int upper, const unsigned int lower,
+                                   const unsigned int degree, const ContactGrid &g)
+  {
+    DenseMatrix sum = compliance("bottom", upper, degree, g);
+    sum.add(1., compliance("top", lower, degree, g));
+    const double approach = 1e-6;
+    return pressures(rolling_operator(g, std::move(sum), creep_schemes().front(), 1.), g,
+                     std::vector<double>(g.n_points(), 0.), approach, young * approach / (2 * height),
+                     std::to_string(upper) + " on " + std::to_string(lower) + " cells of degree " +
+                         std::to_string(degree));
+  }
+
+  const HalfSpaceMaterial rigid{std::numeric_limits<double>::infinity(), 0.3};
+
+  /// Gap that uniform pressure on the whole square closes: approach less the displacements at the points.
+  std::vector<double> gap_of_uniform_pressure(const HalfSpacePair &pair, const ContactGrid &g,
+                                              const double force, const double approach)
+  {
+    std::vector<double> gap;
+    for (unsigned int i = 0; i < g.n_points(); ++i)
+      gap.push_back(approach - force * pair.influence(g.x(i), g.y(i), width, width)[0][0]);
+    return gap;
   }
 } // namespace
 
@@ -81,7 +106,7 @@ TEST(ContactPatch, matching_nodes)
 {
   for (const unsigned int degree : {1, 2})
   {
-    const auto [low, high] = pressures(11, 11, degree, grid(11));
+    const auto [low, high] = blocks(11, 11, degree, grid(11));
     EXPECT_NEAR(low, 1, 1e-10);
     EXPECT_NEAR(high, 1, 1e-10);
   }
@@ -91,8 +116,40 @@ TEST(ContactPatch, interpolated_nodes)
 {
   for (const unsigned int lower : {8, 9, 10})
   {
-    const auto [low, high] = pressures(11, lower, 2, grid(11));
+    const auto [low, high] = blocks(11, lower, 2, grid(11));
     EXPECT_NEAR(low, 1, 1e-2);
     EXPECT_NEAR(high, 1, 1e-2);
+  }
+}
+
+TEST(ContactPatch, half_spaces)
+{
+  const ContactGrid g = grid(11);
+  const HalfSpacePair pair({young, 0.3}, {0.7 * young, 0.25});
+  const double pressure = 1e8, force = pressure * width * width, approach = 3e-5;
+  const auto [low, high] =
+      pressures(rolling_operator(g, pair, creep_schemes().front(), 1.), g,
+                gap_of_uniform_pressure(pair, g, force, approach), approach, pressure, "half-spaces");
+  EXPECT_NEAR(low, 1, 1e-10);
+  EXPECT_NEAR(high, 1, 1e-10);
+}
+
+TEST(ContactPatch, block_on_half_space)
+{
+  const ContactGrid g = grid(11);
+  const HalfSpacePair pair(rigid, {young, 0.3});
+  const double pressure = 1e8, force = pressure * width * width,
+               approach = 3e-5 + pressure * height / young; // the block gives way as a whole
+  const auto gap = gap_of_uniform_pressure(pair, g, force, 3e-5);
+  for (const unsigned int divisions : {11, 9})
+  {
+    DenseMatrix sum = compliance("bottom", divisions, 2, g);
+    sum.add(1., half_space_compliance(g, pair));
+    const auto [low, high] =
+        pressures(rolling_operator(g, std::move(sum), creep_schemes().front(), 1.), g, gap, approach,
+                  pressure, "block of " + std::to_string(divisions) + " cells on a half-space");
+    const double tolerance = divisions == g.n_x ? 1e-10 : 1e-2;
+    EXPECT_NEAR(low, 1, tolerance);
+    EXPECT_NEAR(high, 1, tolerance);
   }
 }

@@ -110,7 +110,7 @@ namespace
       std::printf("%s, %s, %s: %u points, %u stick; cold %u iterations, fallbacks %u, residual %.1e, %.1f ms",
                   problem.title.c_str(), variant.c_str(), entry.name.c_str(), points, stick, cold.iterations,
                   cold.fallbacks, cold.residual, cold.seconds * 1e3);
-      EXPECT_GE(points, 90u);
+      EXPECT_GE(points, problem.title == "four_hundred_points" ? 400u : 90u);
       if (first.empty())
       {
         first = cold;
