@@ -6,4 +6,6 @@ program=${VIBROCONTACT:-$(dirname "$0")/../build/vibrocontact}
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 # one BLAS thread per rank
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
+# one rank needs no mpirun
+[ "$ranks" = 1 ] && exec "$program" "$@"
 exec mpirun -q --oversubscribe --bind-to none -n "$ranks" "$program" "$@"

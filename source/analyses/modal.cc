@@ -1,7 +1,7 @@
 #include <vibrocontact/analyses/modal.h>
-#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/numbers.h>
 
 #include <cstdio>
@@ -10,10 +10,7 @@ namespace vibrocontact
 {
   ModalResult modal_analysis(BodyReduction &body)
   {
-    if (!body.request().modes.any())
-      throw InputError(
-          "Section '" + body.request().body +
-          "/Modes': the analysis 'modes' is asked for, but neither Upper frequency nor Count is set.");
+    Assert(body.request().modes.any(), dealii::ExcInternalError());
     const ModalReduction &modal = body.modal();
     ModalResult result;
     result.body = body.request().body;

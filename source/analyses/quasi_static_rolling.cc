@@ -2,6 +2,7 @@
 #include <vibrocontact/base/exceptions.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 namespace vibrocontact
@@ -10,15 +11,16 @@ namespace vibrocontact
   {
     using namespace dealii::Patterns;
     const auto list = [](const double low) { return List(Double(low), 0, 10000); };
+    const List positive_or_empty(Double(DBL_MIN), 0, 1);
     prm.add_parameter("Normal force", normal_force,
                       "Resultant normal force, or empty if the hub displacement is given. Units: N.",
-                      Anything());
+                      positive_or_empty);
     prm.add_parameter("Hub displacement", hub_displacement,
                       "Downward displacement of the hub of body 1 (approach of half-spaces) from the "
                       "position in which the bodies touch "
                       "at the nominal contact point, or empty "
                       "if the normal force is given. Units: m.",
-                      Anything());
+                      positive_or_empty);
     prm.add_parameter("Speed", creepage.speed, "Rolling speed. Units: m/s.", Double(1e-6, 1000));
     prm.add_parameter("Longitudinal creepage", creepage.longitudinal,
                       "Velocity of body 1 minus body 2 along x over the speed. Units: none.", Double(-1, 1));
@@ -40,49 +42,26 @@ namespace vibrocontact
     prm.leave_subsection();
   }
 
-  namespace
-  {
-    double load(const std::string &text, const std::string &entry)
-    {
-      if (text.empty())
-        return 0;
-      std::size_t end = 0;
-      double value = 0;
-      try
-      {
-        value = std::stod(text, &end);
-      }
-      catch (const std::exception &)
-      {
-        end = std::string::npos;
-      }
-      if (end != text.size() || !(value > 0) || !std::isfinite(value))
-        throw InputError("Entry Rolling/" + entry + " is '" + text +
-                         "', but it must be a positive number or empty: correct it.");
-      return value;
-    }
-  } // namespace
-
   void RollingParameters::check() const
   {
-    const bool force = load(normal_force, "Normal force") > 0 || !sweep.normal_force.empty();
-    const bool displacement =
-        load(hub_displacement, "Hub displacement") > 0 || !sweep.hub_displacement.empty();
+    const auto name = [](const std::vector<double> &single, const std::string &entry)
+    { return (single.empty() ? "Rolling/Sweep/" : "Rolling/") + entry; };
+    const bool force = !normal_force.empty() || !sweep.normal_force.empty();
+    const bool displacement = !hub_displacement.empty() || !sweep.hub_displacement.empty();
     if (force && displacement)
-      throw InputError(
-          "Section Rolling gives both a normal force and a hub displacement: empty one of them.");
+      throw InputError(name(normal_force, "Normal force") + " and " +
+                       name(hub_displacement, "Hub displacement") +
+                       " are both given, but one follows from the other: empty one of them.");
     if (!force && !displacement)
-      throw InputError(
-          "Section Rolling gives neither a normal force nor a hub displacement: set one of them.");
-    const bool single =
-        load(normal_force, "Normal force") > 0 || load(hub_displacement, "Hub displacement") > 0;
-    if (!single && !(sweep.longitudinal.empty() && sweep.lateral.empty() && sweep.spin.empty()))
-      throw InputError(
-          "Section Rolling sweeps a creepage, but gives no load for these curves: set Normal force or Hub "
-          "displacement beside the Sweep.");
+      throw InputError("Rolling/Normal force and Rolling/Hub displacement are neither of them given: set one "
+                       "of them.");
+    if (normal_force.empty() && hub_displacement.empty() &&
+        !(sweep.longitudinal.empty() && sweep.lateral.empty() && sweep.spin.empty()))
+      throw InputError("Rolling/Sweep lists a creepage, but there is no load for these curves: set "
+                       "Rolling/Normal force or Rolling/Hub displacement beside the sweep.");
     for (const double value : sweep.normal_force)
       if (!(value > 0))
-        throw InputError("Entry Rolling/Sweep/Normal force lists a force that is not positive.");
+        throw InputError("Rolling/Sweep/Normal force lists a force that is not positive: take it out.");
   }
 
   std::vector<RollingCase> rolling_cases(const RollingParameters &rolling, const ContactParameters &contact)
@@ -91,8 +70,8 @@ namespace vibrocontact
     base.curve = "single";
     base.creepage = rolling.creepage;
     base.friction = contact.friction;
-    base.normal_force = load(rolling.normal_force, "Normal force");
-    base.hub_displacement = load(rolling.hub_displacement, "Hub displacement");
+    base.normal_force = rolling.normal_force.empty() ? 0. : rolling.normal_force.front();
+    base.hub_displacement = rolling.hub_displacement.empty() ? 0. : rolling.hub_displacement.front();
 
     const std::vector<double> frictions =
         rolling.sweep.friction.empty() ? std::vector<double>{contact.friction} : rolling.sweep.friction;

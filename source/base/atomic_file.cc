@@ -3,27 +3,52 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 namespace vibrocontact
 {
-  void write_file(const std::string &file_name, const std::string &content)
+  namespace
   {
     namespace fs = std::filesystem;
-    const fs::path path(file_name), part(file_name + ".part");
-    std::error_code error;
-    if (path.has_parent_path())
-      fs::create_directories(path.parent_path(), error);
-    std::ofstream file(part, std::ios::binary);
-    file << content;
-    file.close();
-    if (file)
-      fs::rename(part, path, error);
-    if (!file || error)
+
+    /// @param fill writes the file under the name given and returns whether that went well
+    void write_whole(const std::string &file_name, const std::function<bool(const fs::path &)> &fill)
     {
-      fs::remove(part, error);
-      throw InputError(
-          "the file \"" + file_name + "\" cannot be written" +
-          "; give a folder with write permission and free space, with --output or Output/Directory");
+      const fs::path path(file_name), part(file_name + ".part");
+      std::error_code error;
+      if (path.has_parent_path())
+        fs::create_directories(path.parent_path(), error);
+      const bool filled = fill(part);
+      if (filled)
+        fs::rename(part, path, error);
+      if (filled && !error)
+        return;
+      std::error_code ignored;
+      fs::remove(part, ignored);
+      throw OutputError("the file \"" + file_name +
+                        "\" cannot be written; give a folder with write permission and free space");
     }
+  } // namespace
+
+  void write_file(const std::string &file_name, const std::string &content)
+  {
+    write_whole(file_name,
+                [&](const fs::path &part)
+                {
+                  std::ofstream file(part, std::ios::binary);
+                  file << content;
+                  file.close();
+                  return static_cast<bool>(file);
+                });
+  }
+
+  void copy_file(const std::string &from, const std::string &to)
+  {
+    write_whole(to,
+                [&](const fs::path &part)
+                {
+                  std::error_code error;
+                  return fs::copy_file(from, part, fs::copy_options::overwrite_existing, error);
+                });
   }
 } // namespace vibrocontact

@@ -36,7 +36,7 @@ namespace vibrocontact
     text << "vibrocontact FILE.prm [options]\nmpirun -n 2 vibrocontact FILE.prm [options]\n\n"
          << visible_options()
          << "\nExit code: 0 all analyses converged; 1 wrong input; 2 a computation did not converge;\n"
-            "3 a fault of the program.\n";
+            "3 a fault of the program, or results that cannot be written.\n";
     return text.str();
   }
 

@@ -45,7 +45,7 @@ namespace vibrocontact
       H5Dclose(set);
       H5Sclose(space);
       if (error < 0)
-        throw InputError("Cannot write '" + name + "' to an HDF5 file; is the disk full?");
+        throw OutputError("Cannot write '" + name + "' to an HDF5 file; is the disk full?");
     }
 
     // Sizes of a set, then its data.
@@ -74,7 +74,7 @@ namespace vibrocontact
     silence();
     file = H5Fcreate((file_name + ".part").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
     if (file < 0)
-      throw InputError("Cannot write the file '" + file_name + ".part'; check the folder and its rights.");
+      throw OutputError("Cannot write the file '" + file_name + ".part'; check the folder and its rights.");
   }
 
   Hdf5Writer::~Hdf5Writer()
@@ -122,7 +122,7 @@ namespace vibrocontact
     if (written < 0 || closed < 0 || std::rename((file_name + ".part").c_str(), file_name.c_str()) != 0)
     {
       std::remove((file_name + ".part").c_str());
-      throw InputError("Cannot write the file '" + file_name + "'; is the disk full?");
+      throw OutputError("Cannot write the file '" + file_name + "'; is the disk full?");
     }
   }
 

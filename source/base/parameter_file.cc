@@ -219,45 +219,45 @@ namespace vibrocontact
     if (text.file_name.empty() || message.find(text.file_name) != std::string::npos ||
         message.compare(0, 5, "--set") == 0)
       return message;
-    // The entry, or else the section, that the message names; the longest path wins.
-    std::string found, front = text.file_name + ": ";
-    const auto consider = [&](const std::string &path, const std::string &location)
+    const auto named = [&](const std::string &path) { return message.find(path) != std::string::npos; };
+    // Every option that the message names ...
+    std::string where;
+    for (const auto &option : options)
+      if (named(joined_path(option.section, option.name)))
+        where += (where.empty() ? "" : " and ") + location(option);
+    // ... and of the file the entry, or else the section: the longest path wins.
+    std::string found, in_file;
+    const auto consider = [&](const std::string &path, const unsigned int line)
     {
-      if (path.size() > found.size() && message.find(path) != std::string::npos)
+      if (path.size() > found.size() && named(path))
       {
         found = path;
-        front = location + ": ";
+        in_file = text.file_name + ":" + std::to_string(line);
       }
     };
-    for (const auto &section : text.sections)
-      consider(section.path, text.file_name + ":" + std::to_string(section.line));
     for (const auto &entry : text.entries)
       if (!find_option(entry.section, entry.name))
-        consider(joined_path(entry.section, entry.name), location(entry));
-    for (const auto &option : options)
-      consider(joined_path(option.section, option.name), location(option));
-    return front + message;
+        consider(joined_path(entry.section, entry.name), entry.line);
+    if (where.empty())
+      for (const auto &section : text.sections)
+        consider(section.path, section.line);
+    if (where.empty() && found.empty())
+      in_file = text.file_name;
+    if (!where.empty() && !in_file.empty())
+      where += " and ";
+    return where + in_file + ": " + message;
   }
 
-  bool ParameterFile::is_given(const std::string &section, const std::string &entry) const
+  std::string ParameterFile::prefer_option(const std::string &path_1, const std::string &path_2)
   {
-    return find_option(section, entry) || text.find(section, entry);
-  }
-
-  bool ParameterFile::is_given_by_option(const std::string &section, const std::string &entry) const
-  {
-    return find_option(section, entry);
-  }
-
-  std::string ParameterFile::prefer_option(const std::string &section, const std::string &entry_1,
-                                           const std::string &entry_2)
-  {
-    for (const auto &[kept, dropped] : {std::make_pair(entry_1, entry_2), std::make_pair(entry_2, entry_1)})
+    for (const auto &[kept, dropped] : {std::make_pair(path_1, path_2), std::make_pair(path_2, path_1)})
     {
-      const auto *option = find_option(section, kept);
-      const auto *in_file = text.find(section, dropped);
+      const auto [kept_section, kept_name] = split_path(kept);
+      const auto [section, name] = split_path(dropped);
+      const auto *option = find_option(kept_section, kept_name);
+      const auto *in_file = text.find(section, name);
       if (option && !option->value.empty() && in_file && !in_file->value.empty() &&
-          !find_option(section, dropped))
+          !find_option(section, name))
       {
         text.entries.erase(text.entries.begin() + (in_file - text.entries.data()));
         return dropped;

@@ -83,7 +83,9 @@ namespace vibrocontact
     // A subsection that begins no further right than the one around it hints at the "end" that was forgotten.
     std::string missing_end;
 
-    std::istringstream stream(bytes);
+    // Editors put a byte-order mark in front of UTF-8; it means nothing here.
+    const std::string mark = "\xef\xbb\xbf";
+    std::istringstream stream(bytes.compare(0, mark.size(), mark) == 0 ? bytes.substr(mark.size()) : bytes);
     unsigned int line_number = 0;
     for (std::string raw; std::getline(stream, raw);)
     {

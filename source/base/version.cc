@@ -2,6 +2,8 @@
 
 #include <deal.II/base/config.h>
 
+#include <vibrocontact_commit.h>
+
 namespace vibrocontact
 {
   std::string version()

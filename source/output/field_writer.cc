@@ -1,5 +1,5 @@
 #include <vibrocontact/base/atomic_file.h>
-#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/collective.h>
 #include <vibrocontact/output/field_writer.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -7,7 +7,6 @@
 #include <deal.II/numerics/data_out_faces.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
-#include <filesystem>
 #include <sstream>
 
 namespace vibrocontact
@@ -69,15 +68,40 @@ namespace vibrocontact
       const double mu;
     };
 
-    /// Write one file under a temporary name in parallel, then rename it.
-    template <typename Output>
-    void write_vtu(const Output &output, const std::string &file, const MPI_Comm communicator)
+    DataOutBase::VtkFlags flags()
     {
-      const std::string temporary = file + ".part";
-      output.write_vtu_in_parallel(temporary, communicator);
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        std::filesystem::rename(temporary, file);
+      DataOutBase::VtkFlags result;
+      result.compression_level = DataOutBase::VtkFlags::best_speed;
+      return result;
     }
+
+    /// Output whose ranks give their pieces to rank 0, which writes the file whole or not at all: with MPI
+    /// input-output a full disk may meet some ranks only.
+    template <typename Output>
+    class Gathered : public Output
+    {
+    public:
+      using Output::Output;
+
+      void write(const std::string &file, const MPI_Comm communicator) const
+      {
+        std::ostringstream piece;
+        DataOutBase::write_vtu_main(this->get_patches(), this->get_dataset_names(),
+                                    this->get_nonscalar_data_ranges(), flags(), piece);
+        const std::vector<std::string> pieces = Utilities::MPI::gather(communicator, piece.str());
+        on_first_rank(
+            [&]
+            {
+              std::ostringstream text;
+              DataOutBase::write_vtu_header(text, flags());
+              for (const std::string &one : pieces)
+                text << one;
+              DataOutBase::write_vtu_footer(text);
+              write_file(file, text.str());
+            },
+            communicator);
+      }
+    };
 
     /// The displacement with a rigid vertical one added, held nodes included; ghosted like the original.
     template <int dim>
@@ -100,40 +124,26 @@ namespace vibrocontact
     void write_set(const ElasticBody<dim> &body, const std::vector<FieldState> &states,
                    const std::string &folder, const std::string &set, const WriteState &write_state)
     {
-      const bool first_rank = Utilities::MPI::this_mpi_process(body.communicator()) == 0;
-      if (first_rank)
-      {
-        std::error_code error;
-        std::filesystem::create_directories(folder + "/fields", error);
-        if (error)
-          throw InputError("Cannot make the folder " + folder + "/fields: " + error.message() + ".");
-      }
-      MPI_Barrier(body.communicator());
       std::vector<std::pair<double, std::string>> record;
       for (unsigned int k = 0; k < states.size(); ++k)
       {
-        const std::string name = "fields/" + set + "_" + Utilities::int_to_string(k, 4) + ".vtu";
+        const std::string name = field_name(set, k);
         PETScWrappers::MPI::Vector displacement = body.complete(*states[k].displacement);
         if (states[k].vertical != 0)
           displacement = lifted(body, displacement, states[k].vertical);
         write_state(displacement, folder + "/" + name);
         record.emplace_back(states[k].time, name);
       }
-      if (first_rank)
-      {
-        std::ostringstream text;
-        DataOutBase::write_pvd_record(text, record);
-        write_file(folder + "/" + set + ".pvd", text.str());
-      }
-    }
-
-    DataOutBase::VtkFlags flags()
-    {
-      DataOutBase::VtkFlags result;
-      result.compression_level = DataOutBase::VtkFlags::best_speed;
-      return result;
+      std::ostringstream text;
+      DataOutBase::write_pvd_record(text, record);
+      on_first_rank([&] { write_file(folder + "/" + set + ".pvd", text.str()); }, body.communicator());
     }
   } // namespace
+
+  std::string field_name(const std::string &set, const unsigned int k)
+  {
+    return "fields/" + set + "_" + Utilities::int_to_string(k, 4) + ".vtu";
+  }
 
   template <int dim>
   void write_fields(const ElasticBody<dim> &body, const std::vector<FieldState> &states,
@@ -142,11 +152,10 @@ namespace vibrocontact
     const auto write_state = [&](const PETScWrappers::MPI::Vector &displacement, const std::string &file)
     {
       const Stress<dim> stress(body.model.material);
-      DataOut<dim> output;
-      output.set_flags(flags());
+      Gathered<DataOut<dim>> output;
       output.add_data_vector(body.dof_handler, displacement, stress);
       output.build_patches(body.mapping, body.element.degree, DataOut<dim>::curved_boundary);
-      write_vtu(output, file, body.communicator());
+      output.write(file, body.communicator());
     };
     write_set(body, states, folder, set, write_state);
   }
@@ -157,13 +166,12 @@ namespace vibrocontact
   {
     const auto write_state = [&](const PETScWrappers::MPI::Vector &displacement, const std::string &file)
     {
-      DataOutFaces<dim> output(true);
-      output.set_flags(flags());
+      Gathered<DataOutFaces<dim>> output(true);
       output.add_data_vector(body.dof_handler, displacement, std::vector<std::string>(dim, "displacement"),
                              std::vector<DataComponentInterpretation::DataComponentInterpretation>(
                                  dim, DataComponentInterpretation::component_is_part_of_vector));
       output.build_patches(body.mapping, body.element.degree);
-      write_vtu(output, file, body.communicator());
+      output.write(file, body.communicator());
     };
     write_set(body, states, folder, set, write_state);
   }

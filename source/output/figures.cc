@@ -1,8 +1,7 @@
+#include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/output/figures.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <filesystem>
 #include <spawn.h>
@@ -29,28 +28,31 @@ namespace vibrocontact
         return -1;
       return WEXITSTATUS(status);
     }
+
+    void draw(const std::string &folder)
+    {
+      const std::string script = source_directory() + "/contrib/plot_results.py";
+      if (!std::filesystem::exists(script))
+      {
+        run_log().line("no figures: " + script + " is not there");
+        return;
+      }
+      // The exit code 4 says that this Python has no matplotlib; Debian's own may have it.
+      int code = -1;
+      for (const char *python : {"python3", "/usr/bin/python3"})
+        if (code == -1 || code == 4 || code == 127)
+          code = run_program({python, script, folder});
+      if (code == 0)
+        run_log().value("figures", folder + "/figures");
+      else
+        run_log().line(code == 4 || code == -1 || code == 127
+                           ? "no figures: Python's matplotlib is not installed (python3-matplotlib)"
+                           : "no figures: " + script + " left with code " + std::to_string(code));
+    }
   } // namespace
 
   void draw_figures(const std::string &folder)
   {
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
-      return;
-    const std::string script = source_directory() + "/contrib/plot_results.py";
-    if (!std::filesystem::exists(script))
-    {
-      run_log().line("no figures: " + script + " is not there");
-      return;
-    }
-    // The exit code 4 says that this Python has no matplotlib; Debian's own may have it.
-    int code = -1;
-    for (const char *python : {"python3", "/usr/bin/python3"})
-      if (code == -1 || code == 4 || code == 127)
-        code = run_program({python, script, folder});
-    if (code == 0)
-      run_log().value("figures", folder + "/figures");
-    else
-      run_log().line(code == 4 || code == -1 || code == 127
-                         ? "no figures: Python's matplotlib is not installed (python3-matplotlib)"
-                         : "no figures: " + script + " left with code " + std::to_string(code));
+    on_first_rank([&] { draw(folder); });
   }
 } // namespace vibrocontact

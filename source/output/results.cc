@@ -1,8 +1,8 @@
-#include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/output/results.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <cmath>
 
@@ -30,18 +30,25 @@ namespace vibrocontact
                       {"commit", commit()},
                       {"dealii", dealii_version()},
                       {"ranks", dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)}};
-    top["status"] = results.converged ? "converged" : "not converged";
+    top["status"] = results.converged && results.complete ? "converged" : "not converged";
+    top["complete"] = results.complete;
     top["wall_s"] = wall_seconds;
+    if (results.figures_seconds >= 0)
+      top["figures_s"] = results.figures_seconds;
+    if (!results.peak_memory.empty())
+      top["peak_memory_MB"] = results.peak_memory;
     if (!results.messages.empty())
       top["messages"] = results.messages;
     top["analyses"] = results.analyses;
+    if (!results.reductions.empty())
+      top["reductions"] = results.reductions;
     return top.dump(2) + "\n";
   }
 
-  void write_results(const Results &results, const double wall_seconds, const std::string &folder)
+  std::vector<double> peak_memory_of_ranks()
   {
-    const std::string text = results_text(results, wall_seconds);
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      write_file(folder + "/results.json", text);
+    dealii::Utilities::System::MemoryStats memory;
+    dealii::Utilities::System::get_memory_stats(memory);
+    return dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, memory.VmHWM * 1024e-6);
   }
 } // namespace vibrocontact

@@ -78,22 +78,48 @@ namespace vibrocontact
     return table;
   }
 
-  Table rolling_table(const std::vector<RollingResult> &results)
+  Table rolling_table(const nlohmann::ordered_json &cases)
   {
-    Table table({"curve", "longitudinal_creepage", "lateral_creepage", "spin_1_m", "friction",
-                 "normal_force_N", "tangential_force_x_N", "tangential_force_y_N", "spin_moment_Nm",
-                 "utilisation", "approach_m", "max_pressure_Pa", "contact_points", "stick_points",
-                 "slip_points", "iterations", "residual", "converged"},
-                {"Quasi-static rolling, one row per case, in the order of results.json",
-                 "forces and moment act on body 1; creepage = (velocity of body 1 - body 2) / speed; "
-                 "converged: 1 yes, 0 no"});
-    for (const RollingResult &r : results)
-      table.add_row({r.rolling_case.curve, r.rolling_case.creepage.longitudinal,
-                     r.rolling_case.creepage.lateral, r.rolling_case.creepage.spin, r.rolling_case.friction,
-                     r.normal_force, r.tangential_force[0], r.tangential_force[1], r.spin_moment,
-                     r.utilisation, r.approach, r.max_pressure, double(r.contact_points),
-                     double(r.stick_points), double(r.slip_points), double(r.solution.iterations),
-                     r.solution.residual, double(r.solution.converged)});
+    // column and where its value stands in a case
+    const std::vector<std::pair<std::string, std::string>> columns = {
+        {"curve", "/curve"},
+        {"longitudinal_creepage", "/longitudinal_creepage"},
+        {"lateral_creepage", "/lateral_creepage"},
+        {"spin_1_m", "/spin_1_m"},
+        {"friction", "/friction"},
+        {"normal_force_N", "/normal_force_N"},
+        {"tangential_force_x_N", "/tangential_force_N/0"},
+        {"tangential_force_y_N", "/tangential_force_N/1"},
+        {"spin_moment_Nm", "/spin_moment_Nm"},
+        {"utilisation", "/utilisation"},
+        {"approach_m", "/approach_m"},
+        {"max_pressure_Pa", "/max_pressure_Pa"},
+        {"contact_points", "/contact_points"},
+        {"stick_points", "/stick_points"},
+        {"slip_points", "/slip_points"},
+        {"iterations", "/iterations"},
+        {"residual", "/residual"}};
+    std::vector<std::string> names;
+    for (const auto &[name, place] : columns)
+      names.push_back(name);
+    names.emplace_back("converged");
+    Table table(names, {"Quasi-static rolling, one row per case, in the order of results.json",
+                        "forces and moment act on body 1; creepage = (velocity of body 1 - body 2) / speed; "
+                        "converged: 1 yes, 0 no"});
+    for (const auto &one : cases)
+    {
+      std::vector<Table::Cell> row;
+      for (const auto &[name, place] : columns)
+      {
+        const auto &value = one.at(nlohmann::ordered_json::json_pointer(place));
+        if (value.is_string())
+          row.emplace_back(value.get<std::string>());
+        else
+          row.emplace_back(value.get<double>());
+      }
+      row.emplace_back(one.at("status") == "converged" ? 1. : 0.);
+      table.add_row(row);
+    }
     return table;
   }
 

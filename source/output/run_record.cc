@@ -1,10 +1,9 @@
 #include <vibrocontact/base/atomic_file.h>
+#include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/output/run_record.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -20,11 +19,6 @@ namespace vibrocontact
   {
     const char *list_name = "files.txt";
 
-    bool is_first_rank()
-    {
-      return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-    }
-
     void remove_earlier_results(const fs::path &folder)
     {
       std::ifstream list(folder / list_name);
@@ -33,7 +27,8 @@ namespace vibrocontact
         // Names in the list are relative to the folder and stay inside it.
         if (!name.empty() && name[0] != '/' && name.find("..") == std::string::npos)
           fs::remove(folder / name, ignored);
-      fs::remove(folder / "results.json", ignored);
+      for (const char *name : {"results.json", "results.json.part"})
+        fs::remove(folder / name, ignored);
     }
   } // namespace
 
@@ -41,26 +36,27 @@ namespace vibrocontact
                        const dealii::ParameterHandler &prm)
       : folder(folder)
   {
-    std::string problem;
-    if (is_first_rank())
-      try
-      {
-        for (fs::path path = fs::absolute(folder).lexically_normal(); !fs::exists(path);
-             path = path.parent_path())
-          first_made = path.string();
-        remove_earlier_results(folder);
-        write_file(folder + "/input.prm", file.bytes());
-        write_file(folder + "/used.prm",
-                   print_parameters(declared_parameters(prm), ParameterStyle::values_only));
-        run_log().open_file(folder + "/log.txt");
-      }
-      catch (const InputError &error)
-      {
-        problem = error.what();
-      }
-    problem = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, problem);
-    if (!problem.empty())
-      throw InputError(problem);
+    on_first_rank(
+        [&]
+        {
+          try
+          {
+            for (fs::path path = fs::absolute(folder).lexically_normal(); !fs::exists(path);
+                 path = path.parent_path())
+              first_made = path.string();
+            remove_earlier_results(folder);
+            write_file(folder + "/input.prm", file.bytes());
+            write_file(folder + "/used.prm",
+                       print_parameters(declared_parameters(prm), ParameterStyle::values_only));
+            write(Results(), 0.);
+          }
+          catch (const OutputError &error)
+          {
+            // nothing is computed yet: another folder is all it takes
+            throw InputError(std::string(error.what()) + ", with --output or Output/Directory");
+          }
+          run_log().open_file(folder + "/log.txt");
+        });
   }
 
   std::vector<std::string> RunRecord::own_files() const
@@ -88,33 +84,51 @@ namespace vibrocontact
     return names;
   }
 
-  void RunRecord::finish() const
+  void RunRecord::write(const Results &results, const double wall_seconds)
   {
-    if (!is_first_rank())
-      return;
-    std::string text;
+    write_file(folder + "/results.json", results_text(results, wall_seconds));
+    std::string names;
     for (const auto &name : own_files())
-      text += name + "\n";
-    write_file(folder + "/" + list_name, text);
+      names += name + "\n";
+    write_file(folder + "/" + list_name, names);
+    last_saved = std::chrono::steady_clock::now();
+  }
+
+  void RunRecord::save(const Results &results, const double wall_seconds)
+  {
+    on_first_rank([&] { write(results, wall_seconds); });
+  }
+
+  void RunRecord::save_sometimes(const Results &results, const double wall_seconds)
+  {
+    on_first_rank(
+        [&]
+        {
+          if (std::chrono::steady_clock::now() - last_saved > std::chrono::seconds(1))
+            write(results, wall_seconds);
+        });
   }
 
   void RunRecord::discard() const
   {
-    if (!is_first_rank())
-      return;
-    run_log().open_file("");
-    std::error_code ignored;
-    for (const auto &name : own_files())
-    {
-      fs::remove(folder / fs::path(name), ignored);
-      // Folders go when they are empty; fs::remove() leaves others alone.
-      fs::remove((folder / fs::path(name)).parent_path(), ignored);
-    }
-    if (first_made.empty())
-      return;
-    const fs::path last = fs::path(first_made).parent_path();
-    for (fs::path path = fs::absolute(folder).lexically_normal(); path != last && path.has_relative_path();
-         path = path.parent_path())
-      fs::remove(path, ignored);
+    on_first_rank(
+        [&]
+        {
+          run_log().open_file("");
+          std::error_code ignored;
+          for (const auto &name : own_files())
+          {
+            fs::remove(folder / fs::path(name), ignored);
+            // Folders go when they are empty; fs::remove() leaves others alone.
+            fs::remove((folder / fs::path(name)).parent_path(), ignored);
+          }
+          fs::remove(fs::path(folder) / list_name, ignored);
+          if (first_made.empty())
+            return;
+          const fs::path last = fs::path(first_made).parent_path();
+          for (fs::path path = fs::absolute(folder).lexically_normal();
+               path != last && path.has_relative_path(); path = path.parent_path())
+            fs::remove(path, ignored);
+        });
   }
 } // namespace vibrocontact

@@ -50,6 +50,13 @@ namespace vibrocontact
     return (!with_statics || static_part) && (!with_modes || modal_part);
   }
 
+  std::string BodyReduction::modes_file() const
+  {
+    return asked.cache_directory.empty()
+               ? ""
+               : cache.file_name(asked.body, "modes", asked.key + "\nmodes " + asked.modes.key());
+  }
+
   const StaticReduction &BodyReduction::statics()
   {
     if (!static_part)

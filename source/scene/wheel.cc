@@ -1,3 +1,4 @@
+#include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/scene/gmsh_file.h>
 #include <vibrocontact/scene/section_manifolds.h>
@@ -193,8 +194,8 @@ namespace vibrocontact
     for (const double length : half)
       text << " " << length;
     mesh.description = text.str();
-    if (!parameters.write_mesh.empty() && Utilities::MPI::this_mpi_process(communicator) == 0)
-      write_gmsh(mesh, parameters.write_mesh, lateral_position);
+    if (!parameters.write_mesh.empty())
+      on_first_rank([&] { write_gmsh(mesh, parameters.write_mesh, lateral_position); }, communicator);
     if (grid)
       refine_at_contact(mesh, *grid, parameters.refinement);
     return mesh;

@@ -44,7 +44,7 @@ namespace contact_cases
     Case()
     {
       contact.creep_scheme = "first-order upwind";
-      rolling.normal_force = "66000";
+      rolling.normal_force = {66000};
     }
     ContactInterface interface() const { return wheel_on_crown(contact.grid()); }
     std::vector<RollingResult> run() const

@@ -73,7 +73,7 @@ namespace
     if (which == 'F')
     {
       one.pair = dissimilar_pair();
-      one.rolling.normal_force = "10000";
+      one.rolling.normal_force = {10000};
     }
     return one;
   }

@@ -2,10 +2,11 @@
 #include <vibrocontact/base/blas.h>
 #include <vibrocontact/base/command_line.h>
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/output/results.h>
+#include <vibrocontact/output/run_record.h>
 #include <vibrocontact/output/table.h>
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
 
 #include <gtest/gtest.h>
 
@@ -53,12 +54,15 @@ TEST(Table, FilesAppearWhole)
   EXPECT_EQ(row, "1.5");
   EXPECT_FALSE(std::filesystem::exists("table_test/deep/table.csv.part"));
   std::filesystem::remove_all("table_test");
-  EXPECT_THROW(table.write("/proc/nowhere/table.csv"), InputError);
+  EXPECT_THROW(table.write("/proc/nowhere/table.csv"), OutputError);
 }
 
 TEST(Results, NamesOfTheInterface)
 {
   Results results;
+  EXPECT_EQ(nlohmann::json::parse(results_text(results, 0))["status"], "not converged");
+  EXPECT_EQ(nlohmann::json::parse(results_text(results, 0))["complete"], false);
+  results.complete = true;
   results.analyses["modes"]["wheel"]["frequencies_Hz"] = {136.3, 334.1};
   const auto json = nlohmann::json::parse(results_text(results, 1.5));
   EXPECT_EQ(json["status"], "converged");
@@ -70,6 +74,31 @@ TEST(Results, NamesOfTheInterface)
   EXPECT_EQ(nlohmann::json::parse(results_text(results, 0))["status"], "not converged");
   results.analyses["wrong"] = {1., std::numeric_limits<double>::infinity()};
   EXPECT_THROW(results_text(results, 0), dealii::ExceptionBase);
+}
+
+TEST(RunRecordMpi, TheFolderSaysWhatItIsFromTheBeginning)
+{
+  const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+  const std::string folder = "run_record_test";
+  const auto status = [&]
+  {
+    if (rank > 0)
+      return std::string();
+    std::ifstream file(folder + "/results.json");
+    return nlohmann::json::parse(file)["status"].get<std::string>();
+  };
+  dealii::ParameterHandler prm;
+  RunRecord record(folder, ParameterFile("case.prm", "# nothing\n"), prm);
+  EXPECT_EQ(status(), rank > 0 ? "" : "not converged");
+  Results results;
+  results.complete = true;
+  record.save_sometimes(results, 1.);
+  EXPECT_EQ(status(), rank > 0 ? "" : "not converged") << "written twice within a second";
+  record.save(results, 1.);
+  EXPECT_EQ(status(), rank > 0 ? "" : "converged");
+  record.discard();
+  EXPECT_FALSE(std::filesystem::exists(folder));
+  EXPECT_THROW(RunRecord("/proc/nowhere", ParameterFile("case.prm", ""), prm), InputError);
 }
 
 TEST(CommandLine, OptionsOfTheInterface)

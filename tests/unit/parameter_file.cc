@@ -144,8 +144,26 @@ TEST(ParameterFile, Where)
             "case.prm:3, section Contact, entry \"Friction coefficient\"");
   EXPECT_EQ(file.where("Rolling", "Normal force"), "--set \"Rolling/Normal force\"");
   EXPECT_EQ(file.where_section("Contact"), "case.prm:2, section Contact");
-  EXPECT_TRUE(file.is_given_by_option("Rolling", "Normal force"));
-  EXPECT_FALSE(file.is_given("Contact", "Creep scheme"));
+}
+
+TEST(ParameterFile, MessagesNameTheOptionsThatCausedThem)
+{
+  const ParameterFile file("case.prm", "\nsubsection Rolling\nset Speed = 1\nend",
+                           {"Rolling/Normal force=3", "Rolling/Hub displacement=1"});
+  EXPECT_EQ(file.located("Rolling/Normal force and Rolling/Hub displacement are both given"),
+            "--set \"Rolling/Normal force\" and --set \"Rolling/Hub displacement\": "
+            "Rolling/Normal force and Rolling/Hub displacement are both given");
+  EXPECT_SAYS(file.located("Rolling/Normal force at Rolling/Speed"),
+              "--set \"Rolling/Normal force\" and case.prm:3: Rolling/Normal force at");
+  EXPECT_SAYS(file.located("Rolling/Speed is 1"), "case.prm:3: Rolling/Speed");
+  EXPECT_SAYS(file.located("Rolling makes no sense"), "case.prm:2: Rolling makes");
+  EXPECT_SAYS(file.located("nothing known"), "case.prm: nothing");
+}
+
+TEST(ParameterFile, AByteOrderMarkIsSkipped)
+{
+  EXPECT_EQ(parse("\xef\xbb\xbfsubsection Contact\nset Friction coefficient = 0.25\nend").friction, 0.25);
+  EXPECT_SAYS(error("\xef\xbb\xbfset Bodys = a"), "case.prm:1: ");
 }
 
 TEST(ParameterFile, FileNamesCountFromTheFolderOfTheFile)
@@ -164,9 +182,10 @@ TEST(ParameterFile, AnOptionReplacesTheAlternativeInTheFile)
 {
   ParameterFile file("case.prm", "subsection Rolling\nset Hub displacement = 0.1\nend",
                      {"Rolling/Normal force=3"});
-  EXPECT_EQ(file.prefer_option("Rolling", "Normal force", "Hub displacement"), "Hub displacement");
-  EXPECT_FALSE(file.is_given("Rolling", "Hub displacement"));
-  EXPECT_EQ(file.prefer_option("Rolling", "Normal force", "Hub displacement"), "");
+  EXPECT_EQ(file.prefer_option("Rolling/Normal force", "Rolling/Hub displacement"),
+            "Rolling/Hub displacement");
+  EXPECT_EQ(file.raw_value("Rolling", "Hub displacement"), "");
+  EXPECT_EQ(file.prefer_option("Rolling/Normal force", "Rolling/Hub displacement"), "");
 }
 
 TEST(ParameterFile, PrintedParametersAreAValidFileWithTheSameValues)

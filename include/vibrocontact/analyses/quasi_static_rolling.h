@@ -14,9 +14,9 @@ namespace vibrocontact
   /// `subsection Rolling`: load and kinematics of steady rolling, and what is swept.
   struct RollingParameters
   {
-    /// exactly one of the two is given, the other is empty: resultant normal force [N], downward displacement
-    /// of the hub (the approach of two half-spaces) [m]
-    std::string normal_force, hub_displacement;
+    /// exactly one of the two holds a number, the other is empty: resultant normal force [N], downward
+    /// displacement of the hub (the approach of two half-spaces) [m]
+    std::vector<double> normal_force, hub_displacement;
     Creepage creepage;
 
     /// Values of the sweep; an empty list leaves the entry at its single value. Each of the first five lists

@@ -6,6 +6,9 @@ namespace vibrocontact
 {
   /// Writes a file so that it appears whole or not at all: under a temporary name first, then renamed.
   /// Folders on the way are made. To be called by one rank.
-  /// @throws InputError if the folder cannot be written to (full disk, no permission)
+  /// @throws OutputError if that is impossible (full disk, no permission)
   void write_file(const std::string &file_name, const std::string &content);
+
+  /// Copies a file in the same way. @throws OutputError
+  void copy_file(const std::string &from, const std::string &to);
 } // namespace vibrocontact

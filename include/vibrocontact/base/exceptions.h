@@ -13,6 +13,14 @@ namespace vibrocontact
     using std::runtime_error::runtime_error;
   };
 
+  /// Results that cannot be written (full disk, lost permission): one sentence. What was written so far is
+  /// kept; exit code 3.
+  class OutputError : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
   /// A computation that did not converge. What was computed so far is kept and marked; exit code 2.
   class ConvergenceError : public std::runtime_error
   {

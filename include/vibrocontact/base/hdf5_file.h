@@ -15,7 +15,7 @@ namespace vibrocontact
   class Hdf5Writer
   {
   public:
-    /// @throws InputError if the file cannot be written
+    /// @throws OutputError if the file cannot be written
     explicit Hdf5Writer(const std::string &file_name);
     ~Hdf5Writer();
     Hdf5Writer(const Hdf5Writer &) = delete;

@@ -43,17 +43,15 @@ namespace vibrocontact
     std::string where(const std::string &section, const std::string &entry) const;
     /// Where a section begins: `file.prm:12, section wheel`.
     std::string where_section(const std::string &path) const;
-    /// A message that names an entry by its path ("wheel/Material/Density is -1: ...") with file and line in
-    /// front, for checks that do not know the file. Messages that say where already are left alone.
+    /// A message that names entries by their paths ("wheel/Material/Density is -1: ...") with the options
+    /// that set them, file and line in front, for checks that do not know the file. Messages that say where
+    /// already are left alone.
     std::string located(const std::string &message) const;
-    /// Whether the file or an option gives this entry, and whether an option does.
-    bool is_given(const std::string &section, const std::string &entry) const;
-    bool is_given_by_option(const std::string &section, const std::string &entry) const;
 
-    /// Of two entries of which one is to be given: if the file gives one and an option the other, drops the
-    /// file's and returns its name; otherwise returns an empty text and changes nothing. Before parse().
-    std::string prefer_option(const std::string &section, const std::string &entry_1,
-                              const std::string &entry_2);
+    /// Of two entries of which one is to be given, named by their paths: if the file gives one and an option
+    /// the other, drops the file's and returns its path; otherwise returns an empty text and changes
+    /// nothing. Before parse().
+    std::string prefer_option(const std::string &path_1, const std::string &path_2);
 
     /// Path of a file named in an entry: relative names count from the folder of the parameter file, or else
     /// from the working directory if there is one there. parse() applies it to entries of pattern FileName.

@@ -12,8 +12,8 @@ namespace vibrocontact
   ///       set Friction coefficient = 0.3
   ///     end
   ///
-  /// A line that ends in a backslash continues on the next. Sections are named by their path: wheel/Material;
-  /// the top level has the empty path.
+  /// A line that ends in a backslash continues on the next; a byte-order mark of UTF-8 is skipped. Sections
+  /// are named by their path: wheel/Material; the top level has the empty path.
   struct ParameterText
   {
     struct Entry

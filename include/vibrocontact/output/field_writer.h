@@ -17,9 +17,12 @@ namespace vibrocontact
     double vertical = 0;
   };
 
+  /// fields/<set>_<k>.vtu: the k-th file of a set, relative to the output folder.
+  std::string field_name(const std::string &set, unsigned int k);
+
   /// Write states of a body as <folder>/fields/<set>_<k>.vtu with <folder>/<set>.pvd on top: displacement_m
-  /// and von_mises_Pa in the volume. The whole body is written, hanging and held values filled in;
-  /// collective.
+  /// and von_mises_Pa in the volume. The whole body is written, hanging and held values filled in.
+  /// Collective. @throws OutputError
   template <int dim>
   void write_fields(const ElasticBody<dim> &body, const std::vector<FieldState> &states,
                     const std::string &folder, const std::string &set);

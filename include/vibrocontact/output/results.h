@@ -3,27 +3,36 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 namespace vibrocontact
 {
-  /// results.json: program (version, commit, dealii, ranks), status, wall_s, analyses with one object per
-  /// analysis.
+  /// results.json: program (version, commit, dealii, ranks), status, complete, wall_s, analyses with one
+  /// object per analysis, reductions with one per meshed body.
   ///
   /// Analyses fill `analyses` ("modes", "quasi_static_rolling", ...) with plain numbers, lists and objects
   /// under the names of the interface, SI units in the names; Hz for frequencies. Filled on every rank,
-  /// written by rank 0.
+  /// written by rank 0 through RunRecord.
   struct Results
   {
     nlohmann::ordered_json analyses = nlohmann::ordered_json::object();
+    /// what the reductions of meshed bodies took, see reductions_json()
+    nlohmann::ordered_json reductions = nlohmann::ordered_json::object();
     /// false as soon as a computation did not converge; exit code 2
     bool converged = true;
+    /// whether the run has come to its end; until then its status is "not converged"
+    bool complete = false;
     /// sentences about what did not converge; written as "messages" if there are any
     std::vector<std::string> messages;
+    /// part of wall_s that the figures took; negative: none were drawn [s]
+    double figures_seconds = -1;
+    /// per rank, at the end of the run; empty before [MB]
+    std::vector<double> peak_memory;
   };
 
   /// Text of results.json. @throws dealii::ExceptionBase if a number is not finite
   std::string results_text(const Results &results, double wall_seconds);
 
-  /// Writes results.json whole or not at all; only rank 0 does.
-  void write_results(const Results &results, double wall_seconds, const std::string &folder);
+  /// Largest resident memory of each rank so far, on every rank [MB]. Collective.
+  std::vector<double> peak_memory_of_ranks();
 } // namespace vibrocontact

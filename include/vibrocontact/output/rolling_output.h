@@ -15,8 +15,8 @@ namespace vibrocontact
   /// The contact patch of one case, a row per grid point: contact_patch_<k>.csv.
   Table contact_patch_table(const RollingResult &result, const ContactInterface &interface);
 
-  /// Resultants of all cases: rolling.csv.
-  Table rolling_table(const std::vector<RollingResult> &results);
+  /// Resultants of all cases, the entries of cases[]: rolling.csv.
+  Table rolling_table(const nlohmann::ordered_json &cases);
 
   /// The contact patch as cells of the grid with the columns of its table: a VTU file, written by the calling
   /// rank.

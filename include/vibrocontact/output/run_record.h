@@ -1,7 +1,9 @@
 #pragma once
 
 #include <vibrocontact/base/parameter_file.h>
+#include <vibrocontact/output/results.h>
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -9,17 +11,21 @@ namespace vibrocontact
 {
   /// The output folder of a run. Made only after the input has been checked, so that wrong input leaves
   /// nothing: input.prm (bytes as given), used.prm (every value used), log.txt (from here on, with all said
-  /// before), at the end files.txt, the list of what the run wrote. What an earlier run listed there is
-  /// removed first, so that no old table stands beside new ones. All functions are called on all ranks; rank
-  /// 0 works.
+  /// before), results.json and files.txt, the list of what the run wrote. What an earlier run listed there
+  /// is removed first, so that no old table stands beside new ones.
+  ///
+  /// results.json is there from the beginning and follows the run, so that the folder of a run that was
+  /// killed says so ("complete": false). All functions are collective; rank 0 works.
   class RunRecord
   {
   public:
     /// @throws InputError on every rank if the folder cannot be written to
     RunRecord(const std::string &folder, const ParameterFile &file, const dealii::ParameterHandler &prm);
 
-    /// Writes files.txt.
-    void finish() const;
+    /// Writes results.json and files.txt. @throws OutputError
+    void save(const Results &results, double wall_seconds);
+    /// The same, but at most once a second: after each case of a long sweep.
+    void save_sometimes(const Results &results, double wall_seconds);
     /// Input that turns out to be wrong after all (contact reaches the edge of its grid): removes what this
     /// run wrote, and folders that it made.
     void discard() const;
@@ -29,8 +35,10 @@ namespace vibrocontact
   private:
     /// files in the folder that are not older than this run, relative names
     std::vector<std::string> own_files() const;
+    void write(const Results &results, double wall_seconds);
+
     /// outermost folder that did not exist before; empty if all did
     std::string first_made;
+    std::chrono::steady_clock::time_point last_saved;
   };
-
 } // namespace vibrocontact

@@ -49,6 +49,8 @@ namespace vibrocontact
     bool was_factorised() const { return static_cast<bool>(factorised); }
     /// Whether the parts asked for are in the cache; they are loaded if so. Collective.
     bool is_cached(bool with_statics, bool with_modes);
+    /// File that keeps the modes between runs; empty without a cache.
+    std::string modes_file() const;
     /// Wall time of each stage that this run did: name and seconds.
     const std::vector<std::pair<std::string, double>> &stages() const { return timings; }
     const ReductionRequest &request() const { return asked; }

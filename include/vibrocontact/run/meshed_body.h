@@ -5,6 +5,7 @@
 #include <vibrocontact/reduction/body_reduction.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace vibrocontact
@@ -25,6 +26,11 @@ namespace vibrocontact
 
     /// Makes mesh and dofs. What is wrong with them is thrown here, before the expensive steps. Collective.
     const ElasticBody<3> &elastic_body();
+    /// Lays the contact grid on the body, if there is one, and keeps the trace for the assembly. What is
+    /// wrong with it is thrown here, before the expensive steps. Collective.
+    void check_contact();
+    /// The body if this run has made it, null otherwise.
+    const ElasticBody<3> *made() const { return body.get(); }
 
     const BodyParameters &parameters;
 
@@ -33,6 +39,9 @@ namespace vibrocontact
     const ContactGrid *const grid;
     const MPI_Comm communicator;
     std::unique_ptr<ElasticBody<3>> body;
+    std::optional<ContactTrace> trace;
+
+    std::unique_ptr<SecondOrderSystem> assemble();
 
   public:
     BodyReduction reduction;

@@ -2,7 +2,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/version.h>
-#include <vibrocontact/parameters.h>
+#include <vibrocontact/run/parameters.h>
 
 #include <sstream>
 
@@ -50,6 +50,11 @@ namespace vibrocontact
     if (scene.runs("quasi-static rolling"))
     {
       rolling.check();
+      // a single value left at its default is not given; used.prm of a sweep has to be valid
+      if (!rolling.sweep.friction.empty() && contact.friction != ContactParameters().friction)
+        throw InputError(
+            "Contact/Friction coefficient and Rolling/Sweep/Friction coefficient are both given, "
+            "but the sweep takes the place of the single value: leave one of them out.");
       const ContactGrid grid = contact.grid();
       constexpr double most_points = 250000;
       if (double(grid.n_x) * grid.n_y > most_points)
@@ -66,9 +71,14 @@ namespace vibrocontact
     {
       parameters.scene = read_scene_lists(file);
       parameters.declare(prm);
-      const std::string dropped = file.prefer_option("Rolling", "Normal force", "Hub displacement");
-      if (!dropped.empty())
-        run_log().line("Rolling/" + dropped + " of the file is left out: an option gives its alternative.");
+      for (const auto &[entry, alternative] :
+           {std::make_pair("Rolling/Normal force", "Rolling/Hub displacement"),
+            std::make_pair("Contact/Friction coefficient", "Rolling/Sweep/Friction coefficient")})
+      {
+        const std::string dropped = file.prefer_option(entry, alternative);
+        if (!dropped.empty())
+          run_log().line(dropped + " of the file is left out: an option gives its alternative.");
+      }
       file.parse(prm);
       parameters.check();
     }

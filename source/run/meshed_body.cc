@@ -1,5 +1,6 @@
 #include <vibrocontact/base/log.h>
-#include <vibrocontact/meshed_body.h>
+#include <vibrocontact/fe/trace_assembly.h>
+#include <vibrocontact/run/meshed_body.h>
 
 #include <boost/crc.hpp>
 
@@ -34,8 +35,10 @@ namespace vibrocontact
       const bool own = entry.section == body || entry.section.rfind(body + "/", 0) == 0;
       if (!own || entry.section == body + "/Modes")
         continue;
-      key << entry.section.substr(body.size()) << "/" << entry.name << "=" << entry.value << " "
-          << fingerprint(entry.value) << "\n";
+      // a file that is written changes nothing of the body
+      const std::string value = entry.name == "Write mesh" ? "" : entry.value;
+      key << entry.section.substr(body.size()) << "/" << entry.name << "=" << value << " "
+          << fingerprint(value) << "\n";
     }
     // sections that come with the program and are named by no entry
     for (const char *name :
@@ -75,8 +78,26 @@ namespace vibrocontact
       : parameters(parameters), lateral_position(lateral_position), grid(grid), communicator(communicator),
         reduction(
             request(parameters, modes, lateral_position, key, cache_directory),
-            [this]() { return elastic_body().assemble(this->grid); }, communicator)
+            [this]() { return assemble(); }, communicator)
   {
+  }
+
+  std::unique_ptr<SecondOrderSystem> MeshedBody::assemble()
+  {
+    std::unique_ptr<SecondOrderSystem> system = elastic_body().assemble();
+    if (grid)
+    {
+      check_contact();
+      system->trace = std::move(*trace);
+      trace.reset();
+    }
+    return system;
+  }
+
+  void MeshedBody::check_contact()
+  {
+    if (grid && !trace)
+      trace = make_contact_trace(elastic_body(), *grid);
   }
 
   const ElasticBody<3> &MeshedBody::elastic_body()

@@ -1,0 +1,175 @@
+#include <vibrocontact/base/blas.h>
+#include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/declared_parameters.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/version.h>
+#include <vibrocontact/output/figures.h>
+#include <vibrocontact/output/run_record.h>
+#include <vibrocontact/run/prepare_bodies.h>
+#include <vibrocontact/run/run.h>
+#include <vibrocontact/run/run_modes.h>
+#include <vibrocontact/run/run_rolling.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <chrono>
+#include <iostream>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// What the run has taken so far.
+    class Clock
+    {
+    public:
+      double seconds() const
+      {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      }
+
+    private:
+      const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+    };
+
+    void print_text(const CommandLine &command_line)
+    {
+      const std::string text = command_line.help      ? command_line_help()
+                               : command_line.version ? "vibrocontact " + version() + " (" + commit() + ")\n"
+                                                      : all_parameters();
+      on_first_rank([&] { std::cout << text; });
+    }
+
+    void banner(const CommandLine &command_line, const Scene &scene)
+    {
+      Log &log = run_log();
+      log.block("Vibrocontact " + version() + " (" + commit() + "), deal.II " + dealii_version());
+      log.value("parameter file", command_line.file);
+      if (!scene.title.empty())
+        log.value("title", scene.title);
+      log.value("ranks", dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+      const Blas blas = measure_blas();
+      log.value("BLAS", blas.library);
+      log.value("BLAS speed per rank", blas.gflops, "Gflop/s");
+      if (blas.is_slow())
+        log.warning(
+            "this BLAS is slow, large factorisations take up to 8 times longer than with OpenBLAS: install "
+            "libopenblas0-pthread");
+    }
+
+    void run_analyses(Parameters &parameters, const MeshedBodies &bodies, RunRecord &record, Results &results,
+                      const Clock &clock)
+    {
+      const OutputParameters &output = parameters.output;
+      if (parameters.scene.runs("modes"))
+        for (const auto &body : bodies)
+          if (body && parameters.modes[body->parameters.name].any())
+          {
+            run_modes(*body, output.fields, record.folder, results);
+            results.reductions = reductions_json(bodies);
+            record.save(results, clock.seconds());
+          }
+      if (!parameters.has_contact())
+        return;
+      const RollingResult last = run_rolling(parameters, bodies, record.folder, results,
+                                             [&] { record.save_sometimes(results, clock.seconds()); });
+      if (output.fields && output.deformation != "never")
+        write_deformation(last, bodies, output.deformation == "always", record.folder);
+    }
+
+    /// The end of the record: final results, then the figures, which read them, then the time with these.
+    void finish(const bool figures, RunRecord &record, Results &results, const Clock &clock)
+    {
+      results.complete = true;
+      results.peak_memory = peak_memory_of_ranks();
+      record.save(results, clock.seconds());
+      if (figures)
+      {
+        const Clock drawing;
+        draw_figures(record.folder);
+        results.figures_seconds = drawing.seconds();
+      }
+      run_log().block("Results");
+      run_log().value("folder", record.folder);
+      run_log().value("status", results.converged ? "converged" : "not converged");
+      run_log().value("wall time", time_text(clock.seconds()));
+      record.save(results, clock.seconds());
+    }
+  } // namespace
+
+  int run(const CommandLine &command_line)
+  {
+    const Clock clock;
+    run_log().set_screen(!command_line.quiet);
+    if (command_line.help || command_line.version || command_line.parameters)
+    {
+      print_text(command_line);
+      return 0;
+    }
+
+    ParameterFile file(command_line.file, read_file_on_all_ranks(command_line.file), command_line.overrides);
+    Parameters parameters;
+    dealii::ParameterHandler prm;
+    read_parameters(file, prm, parameters);
+    banner(command_line, parameters.scene);
+    if (command_line.check)
+      for (BodyParameters &body : parameters.scene.bodies)
+        body.wheel.write_mesh.clear();
+
+    const ContactGrid grid = parameters.contact.grid();
+    MeshedBodies bodies;
+    try
+    {
+      bodies = meshed_bodies(parameters, declared_parameters(prm), grid);
+      check_meshes(parameters, bodies, command_line.check);
+      if (command_line.check)
+      {
+        print_scene(parameters, bodies, grid);
+        return 0;
+      }
+    }
+    catch (const InputError &error)
+    {
+      throw InputError(file.located(error.what()));
+    }
+    catch (const OutputError &error)
+    {
+      throw InputError("Write mesh: " + std::string(error.what()));
+    }
+
+    RunRecord record(parameters.output.folder(command_line.output, command_line.file), file, prm);
+    Results results;
+    try
+    {
+      run_analyses(parameters, bodies, record, results, clock);
+    }
+    catch (const InputError &error)
+    {
+      record.discard();
+      throw InputError(file.located(error.what()));
+    }
+    catch (const ConvergenceError &error)
+    {
+      results.converged = false;
+      results.messages.push_back(error.what());
+      run_log().warning(error.what());
+    }
+    catch (const OutputError &error)
+    {
+      // what was written stays, and says that it is not all
+      results.messages.push_back(error.what());
+      try
+      {
+        record.save(results, clock.seconds());
+      }
+      catch (const OutputError &)
+      {
+      }
+      throw;
+    }
+    results.reductions = reductions_json(bodies);
+    finish(parameters.output.figures, record, results, clock);
+    return results.converged ? 0 : 2;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,78 @@
+#include <vibrocontact/analyses/modal.h>
+#include <vibrocontact/base/atomic_file.h>
+#include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/output/field_writer.h>
+#include <vibrocontact/output/modal_output.h>
+#include <vibrocontact/run/run_modes.h>
+
+#include <filesystem>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// Copies a set of n fields; its .pvd, which says that the set is complete, comes last.
+    void copy_fields(const std::string &from, const std::string &to, const std::string &set,
+                     const unsigned int n)
+    {
+      for (unsigned int k = 0; k < n; ++k)
+      {
+        const std::string name = field_name(set, k);
+        copy_file(from + "/" + name, to + "/" + name);
+      }
+      copy_file(from + "/" + set + ".pvd", to + "/" + set + ".pvd");
+    }
+
+    void write_shapes(MeshedBody &body, const ModalResult &modes, const std::string &folder)
+    {
+      const std::string set = "mode_" + body.parameters.name;
+      const unsigned int n = modes.frequencies_Hz.size();
+      const std::string modes_file = body.reduction.modes_file();
+      const std::string kept = modes_file.empty() ? "" : modes_file + ".shapes";
+      if (!body.reduction.has_shapes())
+      {
+        on_first_rank(
+            [&]
+            {
+              if (std::filesystem::exists(kept + "/" + set + ".pvd"))
+                copy_fields(kept, folder, set, n);
+              else
+                run_log().line("No shapes: the run that computed these modes had Output/Fields = false; "
+                               "another Output/Cache directory computes them anew.");
+            });
+        return;
+      }
+      std::vector<FieldState> states;
+      for (unsigned int k = 0; k < n; ++k)
+        states.push_back({&body.reduction.shapes().shapes[k], modes.frequencies_Hz[k]});
+      write_surface_fields(body.elastic_body(), states, folder, set);
+      if (kept.empty())
+        return;
+      on_first_rank(
+          [&]
+          {
+            try
+            {
+              copy_fields(folder, kept, set, n);
+            }
+            catch (const std::exception &error)
+            {
+              // like the reductions: a cache that cannot be written is no reason to stop
+              run_log().warning("The mode shapes are not kept: " + std::string(error.what()));
+            }
+          });
+    }
+  } // namespace
+
+  void run_modes(MeshedBody &body, const bool fields, const std::string &folder, Results &results)
+  {
+    const std::string &name = body.parameters.name;
+    run_log().block("Modes of " + name);
+    const ModalResult modes = modal_analysis(body.reduction);
+    results.analyses["modes"][name] = modal_json(modes);
+    on_first_rank([&] { modal_table(modes).write(folder + "/modes_" + name + ".csv"); });
+    if (fields)
+      write_shapes(body, modes, folder);
+  }
+} // namespace vibrocontact

@@ -1,0 +1,159 @@
+#include <vibrocontact/analyses/rolling_scene.h>
+#include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/contact/problem_file.h>
+#include <vibrocontact/output/field_writer.h>
+#include <vibrocontact/output/rolling_output.h>
+#include <vibrocontact/run/run_rolling.h>
+
+#include <filesystem>
+#include <sstream>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// contacts of fewer points than this are reported as coarse
+    constexpr unsigned int coarse_below = 12;
+
+    void write_problem(const std::string &folder, const std::string &k, const ContactProblem &problem,
+                       const ContactSolution &solution)
+    {
+      std::error_code ignored;
+      std::filesystem::create_directories(folder + "/contact_problems", ignored);
+      try
+      {
+        write_contact_problem(folder + "/contact_problems/case_" + k + ".h5", problem, solution);
+      }
+      catch (const InputError &error)
+      {
+        throw OutputError(error.what());
+      }
+    }
+
+    void write_case(const std::string &folder, const unsigned int k, const RollingResult &result,
+                    const ContactProblem &problem, const ContactInterface &interface,
+                    const OutputParameters &output)
+    {
+      const std::string number = std::to_string(k);
+      contact_patch_table(result, interface).write(folder + "/contact_patch_" + number + ".csv");
+      if (output.fields)
+        write_contact_patch_vtu(result, interface, folder + "/fields/contact_patch_" + number + ".vtu");
+      if (output.contact_problems)
+        write_problem(folder, number, problem, result.solution);
+    }
+
+    /// Says what is doubtful about case k, in the log and in the results.
+    void judge(const RollingResult &result, const unsigned int k, nlohmann::ordered_json &one,
+               Results &results)
+    {
+      std::ostringstream text;
+      if (!result.solution.converged)
+      {
+        text << "Case " << k << " of quasi-static rolling did not converge: residual "
+             << result.solution.residual << " after " << result.solution.iterations << " iterations.";
+        results.converged = false;
+        results.messages.push_back(text.str());
+      }
+      else if (result.contact_points < coarse_below)
+      {
+        text << "Case " << k << ": only " << result.contact_points
+             << " points touch, too few for the numbers to mean much; refine Contact/Grid spacing or raise "
+                "the load.";
+        one["warning"] = text.str();
+      }
+      if (!text.str().empty())
+        run_log().warning(text.str());
+    }
+
+    void print(const RollingResult &last, const unsigned int n_cases)
+    {
+      Log &log = run_log();
+      log.value("cases", n_cases);
+      log.value("normal force", last.normal_force, "N");
+      log.value("tangential force x", last.tangential_force[0], "N");
+      log.value("tangential force y", last.tangential_force[1], "N");
+      log.value("utilisation", last.utilisation);
+      log.value("largest pressure", last.max_pressure * 1e-6, "MPa");
+      log.value("approach", last.approach * 1e3, "mm");
+      log.value("points in contact", last.contact_points);
+      log.value("of these sticking", last.stick_points);
+    }
+  } // namespace
+
+  RollingResult run_rolling(const Parameters &parameters, const MeshedBodies &bodies,
+                            const std::string &folder, Results &results, const std::function<void()> &save)
+  {
+    std::vector<ReducedBody> reduced(2);
+    std::vector<ContactBody> pair;
+    for (unsigned int k = 0; k < 2; ++k)
+    {
+      if (bodies[k])
+        reduced[k] = bodies[k]->reduction.reduced(false);
+      pair.push_back({&parameters.scene.bodies[k], bodies[k] ? &reduced[k] : nullptr});
+    }
+    results.reductions = reductions_json(bodies);
+    save();
+
+    run_log().block("Quasi-static rolling");
+    const RollingScene scene = rolling_scene(pair[0], pair[1], parameters.contact);
+    const ContactInterface &interface = scene.interface;
+    run_log().value("contact points", interface.grid.n_points());
+    const unsigned int n_cases = rolling_cases(parameters.rolling, parameters.contact).size();
+    Progress progress("rolling cases", n_cases);
+    nlohmann::ordered_json &cases = results.analyses["quasi_static_rolling"]["cases"];
+    cases = nlohmann::ordered_json::array();
+    const auto finished = [&](const RollingResult &result, const ContactProblem &problem)
+    {
+      const unsigned int k = cases.size();
+      on_first_rank([&] { write_case(folder, k, result, problem, interface, parameters.output); });
+      cases.push_back(rolling_case_json(result));
+      judge(result, k, cases.back(), results);
+      save();
+      progress.advance();
+    };
+    const RollingResult last =
+        quasi_static_rolling(parameters.rolling, parameters.contact, parameters.contact_solver, interface,
+                             scene.operator_at, finished)
+            .back();
+    on_first_rank(
+        [&]
+        {
+          rolling_table(cases).write(folder + "/rolling.csv");
+          std::vector<std::pair<double, std::string>> patches;
+          for (unsigned int k = 0; k < n_cases; ++k)
+            patches.emplace_back(k, "fields/contact_patch_" + std::to_string(k) + ".vtu");
+          if (parameters.output.fields)
+            write_pvd(patches, folder + "/contact_patch.pvd");
+        });
+    print(last, n_cases);
+    return last;
+  }
+
+  void write_deformation(const RollingResult &result, const MeshedBodies &bodies, const bool always,
+                         const std::string &folder)
+  {
+    for (unsigned int k = 0; k < bodies.size(); ++k)
+      if (bodies[k])
+      {
+        const std::string &name = bodies[k]->parameters.name;
+        run_log().block("Deformation of " + name);
+        if (!always && !bodies[k]->reduction.was_factorised())
+        {
+          run_log().line("The reduction came from the cache, so nothing is factorised; set "
+                         "Output/Deformation = always to have the deformation all the same.");
+          continue;
+        }
+        DenseVector force = result.solution.R;
+        if (k == 1)
+          force *= -1;
+        dealii::PETScWrappers::MPI::Vector displacement;
+        bodies[k]->reduction.flexibility().static_displacement(displacement, force);
+        const bool follows_hub = k == 0 && bodies[k]->reduction.system().follows_hub;
+        write_fields(bodies[k]->elastic_body(),
+                     {{&displacement, 0., follows_hub ? -result.solution.approach : 0.}}, folder,
+                     "deformation_" + name);
+      }
+  }
+} // namespace vibrocontact
