@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Errors of the wheel's frequencies against those of its section; see README.md.
 
-usage: run.py [PROGRAM] [--upper FREQUENCY] [--fine]
+usage: run.py [PROGRAM] [--upper FREQUENCY] [--only "MESH;..."]
 """
 import argparse
 import json
@@ -23,13 +23,13 @@ SECTION = [("axial(0,1)", 136.3), ("axial(0,0)", 197.6), ("axial(0,2)", 334.1), 
            ("radial(1,5)", 3278.0), ("axial(0,6)", 3413.0), ("axial(0,7)", 4336.9), ("axial(0,10)", 7170.0)]
 # name, coarse division [m], contact division [m], degree, section refinements
 MESHES = [("coarse", 0.24, 0.24, 2, 0), ("middle", 0.12, 0.12, 2, 0), ("default", 0.055, 0.008, 2, 0),
-          ("cubic", 0.16, 0.16, 3, 0)]
+          ("cubic, 10 cells around", 0.16, 0.16, 3, 0), ("cubic, 19 cells around", 0.08, 0.08, 3, 0)]
 
 table = open(os.path.join(here, "wheel_frequencies.csv"), "w")
 table.write("# Frequencies of the wheel by finite elements against the section's, bore held, no contact patch; errors in %\n")
 table.write("mesh,n_dofs,seconds,n_modes," + ",".join(name.replace(",", " ") + " " + str(f) + " Hz" for name, f in SECTION) + "\n")
 for name, coarse, contact, degree, refinements in MESHES:
-    if options.only and name not in options.only.split(","):
+    if options.only and name not in options.only.split(";"):
         continue
     with tempfile.TemporaryDirectory() as folder:
         entries = {"wheel/Modes/Upper frequency": options.upper, "wheel/Wheel/Coarse division": coarse,

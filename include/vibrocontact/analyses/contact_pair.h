@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vibrocontact/contact/interface.h>
+#include <vibrocontact/reduction/reduced_body.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// Two reduced bodies as one contact sees them: the jump of the contact displacements (body 1 minus body 2)
+  /// and the modes of both,
+  ///
+  ///   du = Psi q + W~ R + load_jump,      q'' + 2 zeta w q' + w^2 q = Psi^T R + load
+  ///
+  /// R: forces on body 1. The opposite force on body 2 and its share of the jump are in the sign of its
+  /// columns of Psi, so that nothing after this distinguishes the bodies (Lai et al. 2018, Eqs 8-14).
+  struct ContactPair
+  {
+    ContactInterface interface;
+    /// angular frequencies [rad/s], damping ratios [-], names as body:label; bodies (1 or 2); modes of body 1
+    /// first
+    std::vector<double> omega, damping_ratio;
+    std::vector<std::string> labels;
+    std::vector<unsigned int> body;
+    /// Psi: +Psi_1, -Psi_2; 3 n x n_modes [1/sqrt(kg)]
+    DenseMatrix modal_trace;
+    /// modal loads [N/sqrt(kg)]; n_modes
+    std::vector<double> modal_load;
+    /// what unit translations of the whole body along x, y, z are in its modes, phi^T M e [sqrt(kg)]; n_modes
+    std::vector<std::array<double, 3>> participation;
+    /// W~ of both bodies: residual flexibilities, the whole compliance of half-spaces, nothing of rigid
+    /// bodies; 3 n square [m/N]
+    DenseMatrix residual_flexibility;
+
+    unsigned int n_points() const { return interface.grid.n_points(); }
+    unsigned int n_modes() const { return omega.size(); }
+  };
+
+  /// W~ + Psi diag(w^-2) Psi^T: what a static analysis sees; 3 n square [m/N].
+  /// @throws InputError if a body can move freely
+  DenseMatrix static_compliance(const ContactPair &pair);
+} // namespace vibrocontact

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <vibrocontact/analyses/energy_account.h>
+#include <vibrocontact/analyses/quasi_static_rolling.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <functional>
+#include <string>
+
+namespace vibrocontact
+{
+  /// `subsection Transient`
+  struct TransientParameters
+  {
+    /// h, end of the run [s]
+    double time_step = 1e-6, end_time = 1e-2;
+    /// "theta method" or "exact propagator"; theta
+    std::string integrator = "theta method";
+    double theta = 0.5;
+    /// "as other forces" or "end of step", see ReactionWeighting
+    std::string reaction = "as other forces";
+    /// "quasi-static": the equilibrium of section Rolling, at rest in the moving frame; "undeformed": bodies
+    /// without stress, apart by initial_gap, body 1 moving with initial_velocity
+    std::string initial_state = "quasi-static";
+    /// [m]; along z, positive upwards [m/s]
+    double initial_gap = 0, initial_velocity = 0;
+    /// stated perturbation of the initial state: name of a mode (body:label), its largest displacement in the
+    /// contact [m] and velocity [m/s]
+    std::string perturbed_mode;
+    double perturbation = 0, perturbation_velocity = 0;
+    /// expressions of the time t that replace the constants of section Rolling; empty: constant
+    std::string longitudinal_creepage, lateral_creepage, spin, normal_force, hub_displacement;
+    /// distance of the lines of the histories [s], 0: every step
+    double history_interval = 0;
+
+    void declare_parameters(dealii::ParameterHandler &prm);
+    /// @throws InputError for combinations that make no sense
+    void check() const;
+  };
+
+  /// Sums over a run and how it went.
+  struct TransientResult
+  {
+    unsigned long steps = 0, iterations = 0, factorisations = 0, fallbacks = 0;
+    double time = 0, seconds = 0;
+    /// normal impulse over the run [Ns]
+    double impulse = 0;
+    /// least gap seen, negative: penetration [m]
+    double smallest_gap = 0;
+    EnergyAccount energy;
+    bool converged = true;
+  };
+
+  /// What moves the bodies at a time [s].
+  using DriveFunction = std::function<Drive(double time)>;
+
+  /// The drive that sections Rolling (by its only case) and Transient describe.
+  /// @throws InputError for an expression that cannot be read
+  DriveFunction drive_function(const TransientParameters &transient, const RollingCase &constant);
+
+  /// One ModalStep per mode of the pair.
+  std::vector<ModalStep> modal_steps(const TransientParameters &parameters, const ContactPair &pair);
+
+  /// State at time zero, by TransientParameters::initial_state. The quasi-static one is the equilibrium under
+  /// the drive at time zero, q = diag(w^-2) Psi^T R, v = 0.
+  /// @throws InputError, ConvergenceError
+  DynamicState initial_state(const TransientParameters &transient, const ContactParameters &contact,
+                             const ContactSolverParameters &solver, const ContactPair &pair,
+                             const Drive &drive);
+
+  /// Steps from `state` to the end time (Lai et al. 2018, section 5). A step whose contact does not converge
+  /// ends the run, with converged = false and the states so far.
+  /// @param observe called with the state at the start and after every step; false: stop
+  TransientResult
+  transient(const TransientParameters &parameters, const ContactParameters &contact,
+            const ContactSolverParameters &solver, const ContactPair &pair, const DriveFunction &drive,
+            DynamicState &state,
+            const std::function<bool(const DynamicState &, const TransientResult &)> &observe);
+} // namespace vibrocontact
