@@ -1,0 +1,241 @@
+// The linearised contact against full matrices with the constraint eliminated (all modes: the same; some
+// modes: nearly), and against the growth of its own transient.
+
+#include <vibrocontact/analyses/linearised_contact.h>
+#include <vibrocontact/analyses/transient.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace vibrocontact;
+
+namespace
+{
+  /// A random structure of many dofs whose first 3 n dofs are the contact's: n points in a row along x.
+  struct Structure
+  {
+    unsigned int n_dofs, n_points;
+    DenseMatrix stiffness;
+    std::vector<double> omega;
+    std::vector<dealii::Vector<double>> modes;
+  };
+
+  Structure structure(const unsigned int n_dofs, const unsigned int n_points)
+  {
+    Structure s{n_dofs,
+                n_points,
+                DenseMatrix(n_dofs),
+                {},
+                std::vector<dealii::Vector<double>>(n_dofs, dealii::Vector<double>(n_dofs))};
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    // a chain of springs with random couplings: unit mass
+    DenseMatrix factor(n_dofs);
+    for (unsigned int i = 0; i < n_dofs; ++i)
+      for (unsigned int j = 0; j < n_dofs; ++j)
+        factor(i, j) = (i == j ? 3 + 40. * i / n_dofs : 0) + uniform(random) * 8 / std::sqrt(n_dofs);
+    factor.mTmult(s.stiffness, factor);
+    s.stiffness *= 1e4;
+    DenseMatrix K = s.stiffness, M(n_dofs);
+    for (unsigned int i = 0; i < n_dofs; ++i)
+      M(i, i) = 1;
+    K.compute_generalized_eigenvalues_symmetric(M, s.modes);
+    for (unsigned int i = 0; i < n_dofs; ++i)
+      s.omega.push_back(std::sqrt(K.eigenvalue(i).real()));
+    return s;
+  }
+
+  ContactPair reduce(const Structure &s, const unsigned int n_modes, const double zeta)
+  {
+    ContactPair pair;
+    ContactGrid &grid = pair.interface.grid;
+    grid.n_x = s.n_points;
+    grid.n_y = 1;
+    grid.spacing_x = grid.spacing_y = 1e-3;
+    pair.interface.gap.assign(s.n_points, 0.);
+    const unsigned int rows = 3 * s.n_points;
+    pair.modal_trace.reinit(rows, n_modes);
+    pair.residual_flexibility.reinit(rows, rows);
+    for (unsigned int k = 0; k < s.n_dofs; ++k)
+    {
+      if (k < n_modes)
+      {
+        pair.omega.push_back(s.omega[k]);
+        pair.damping_ratio.push_back(zeta);
+        pair.labels.push_back("body:" + std::to_string(k));
+        pair.body.push_back(1);
+        pair.modal_load.push_back(0);
+        pair.participation.push_back({{0, 0, 0}});
+        for (unsigned int i = 0; i < rows; ++i)
+          pair.modal_trace(i, k) = s.modes[k][i];
+      }
+      else
+        for (unsigned int i = 0; i < rows; ++i)
+          for (unsigned int j = 0; j < rows; ++j)
+            pair.residual_flexibility(i, j) += s.modes[k][i] * s.modes[k][j] / (s.omega[k] * s.omega[k]);
+    }
+    return pair;
+  }
+
+  /// All points slide along -y with a slip velocity and a normal force.
+  RollingEquilibrium sliding(const unsigned int n, const double mu, const double force, const double slip)
+  {
+    RollingEquilibrium e;
+    e.contact.R.reinit(3 * n);
+    e.contact.y.reinit(3 * n);
+    e.contact.status.assign(n, ContactStatus::slip);
+    e.friction.assign(n, mu);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      e.contact.R[i] = force;
+      e.contact.y[2 * n + i] = slip;
+      e.contact.R[2 * n + i] = -mu * force;
+    }
+    return e;
+  }
+} // namespace
+
+TEST(LinearisedContact, PaperProblemAgainstEliminatedConstraint)
+{
+  const Structure s = structure(90, 4);
+  const double mu = 0.4;
+  const unsigned int n = s.n_points;
+  const RollingEquilibrium equilibrium = sliding(n, mu, 100, 0.5);
+  LinearisationOptions paper;
+  paper.convection = paper.residual_rate = false;
+
+  // U_n = 0 on the contact: the free dofs are all others, and N follows from the rows of the normal dofs; N
+  // acts with friction on the y dofs: K_ff - (friction rows) (K_n f), C_b on the x dofs.
+  const unsigned int m = s.n_dofs - n;
+  DenseMatrix A(2 * m);
+  for (unsigned int i = 0; i < m; ++i)
+  {
+    A(i, m + i) = 1;
+    const unsigned int row = i + n;
+    for (unsigned int j = 0; j < m; ++j)
+    {
+      A(m + i, j) = -s.stiffness(row, j + n);
+      // T_y = -mu N on the y dof of the point, N = K_n U
+      if (row >= 2 * n && row < 3 * n)
+        A(m + i, j) -= mu * s.stiffness(row - 2 * n, j + n);
+    }
+    if (row >= n && row < 2 * n)
+      A(m + i, m + i) = -mu * 100 / 0.5;
+  }
+  const ContactPair whole = reduce(s, 90, 0), part = reduce(s, 40, 0);
+  A.compute_eigenvalues();
+  std::vector<std::complex<double>> exact;
+  for (unsigned int k = 0; k < A.m(); ++k)
+    if (A.eigenvalue(k).imag() > 0)
+      exact.push_back(A.eigenvalue(k));
+  std::sort(exact.begin(), exact.end(), [](const auto &a, const auto &b) { return a.imag() < b.imag(); });
+
+  const auto roots =
+      stability_roots(part, linearised_contact(part, creep_schemes().front(), equilibrium, paper));
+  ASSERT_GE(roots.size(), 8u);
+  double worst = 0;
+  for (unsigned int k = 0; k < 8; ++k)
+  {
+    const std::complex<double> lambda(roots[k].growth, 2 * dealii::numbers::PI * roots[k].frequency);
+    worst = std::max(worst, std::abs(lambda - exact[k]) / std::abs(exact[k]));
+  }
+  std::cout << "40 of 90 modes: largest relative difference of eight roots " << worst << std::endl;
+  EXPECT_LT(worst, 1e-4);
+}
+
+namespace
+{
+  /// lambda of the one oscillation that dominates equally spaced samples: x_{k+1} = a x_k + b x_{k-1} by
+  /// least squares
+  std::complex<double> fit(const std::vector<double> &x, const double spacing)
+  {
+    double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
+    for (unsigned int k = 1; k + 1 < x.size(); ++k)
+    {
+      xx += x[k] * x[k];
+      xy += x[k] * x[k - 1];
+      yy += x[k - 1] * x[k - 1];
+      xz += x[k] * x[k + 1];
+      yz += x[k - 1] * x[k + 1];
+    }
+    const double det = xx * yy - xy * xy, a = (xz * yy - yz * xy) / det, b = (yz * xx - xz * xy) / det;
+    const std::complex<double> root = (a + std::sqrt(std::complex<double>(a * a + 4 * b))) / 2.;
+    return std::log(root) / spacing;
+  }
+} // namespace
+
+TEST(LinearisedContact, GrowthOfTheTransient)
+{
+  const Structure s = structure(90, 6);
+  const ContactPair pair = reduce(s, 30, 2e-3);
+  ContactParameters contact;
+  contact.friction = 0.6;
+  contact.creep_scheme = "first-order upwind";
+  ContactSolverParameters solver;
+  solver.tolerance = 1e-12;
+  const double speed = 0.2;
+  const DriveFunction drive = [&](double)
+  {
+    Drive d;
+    d.creepage.speed = speed;
+    d.creepage.lateral = 0.5;
+    d.creepage.longitudinal = 0.1;
+    d.approach = 1e-3;
+    return d;
+  };
+  TransientParameters parameters;
+  const DynamicState rest = initial_state(parameters, contact, solver, pair, drive(0));
+  RollingEquilibrium equilibrium;
+  equilibrium.contact = rest.contact;
+  equilibrium.friction.assign(s.n_points, contact.friction);
+  equilibrium.speed = speed;
+  const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
+  LinearisationOptions paper;
+  paper.convection = paper.residual_rate = false;
+  const auto most_unstable = [](const std::vector<StabilityRoot> &roots)
+  {
+    return *std::max_element(roots.begin(), roots.end(),
+                             [](const auto &a, const auto &b) { return a.growth < b.growth; });
+  };
+  const StabilityRoot consistent = most_unstable(
+                          stability_roots(pair, linearised_contact(pair, scheme, equilibrium, {}))),
+                      simple = most_unstable(
+                          stability_roots(pair, linearised_contact(pair, scheme, equilibrium, paper)));
+  ASSERT_GT(consistent.growth, 0);
+
+  const unsigned int k =
+      std::find(pair.labels.begin(), pair.labels.end(), consistent.label) - pair.labels.begin();
+  const auto growth = [&](const double step)
+  {
+    parameters.time_step = step;
+    parameters.end_time = 7 / consistent.growth;
+    const unsigned int every = std::lround(0.15 / consistent.frequency / step);
+    DynamicState state = rest;
+    state.q[k] *= 1 + 1e-6;
+    std::vector<double> samples;
+    unsigned int count = 0;
+    const TransientResult result =
+        transient(parameters, contact, solver, pair, drive, state,
+                  [&](const DynamicState &now, const TransientResult &)
+                  {
+                    if (now.time > 0.6 * parameters.end_time && ++count % every == 0)
+                      samples.push_back(now.q[k] - rest.q[k]);
+                    return true;
+                  });
+    EXPECT_TRUE(result.converged);
+    const std::complex<double> lambda = fit(samples, every * step);
+    std::printf("step %.0e s: growth %.6g 1/s, %.6g Hz; consistent linearisation %.6g, %.6g; the paper's "
+                "%.6g, %.6g\n",
+                step, lambda.real(), lambda.imag() / 2 / dealii::numbers::PI, consistent.growth,
+                consistent.frequency, simple.growth, simple.frequency);
+    return lambda;
+  };
+  // the backward rate of the residual displacements leaves an error of first order
+  const std::complex<double> coarse = growth(4e-6), fine = growth(2e-6), limit = 2. * fine - coarse;
+  EXPECT_NEAR(limit.real() / consistent.growth, 1, 5e-3);
+  EXPECT_NEAR(limit.imag() / (2 * dealii::numbers::PI * consistent.frequency), 1, 5e-4);
+  EXPECT_LT(std::abs(fine.real() / consistent.growth - 1),
+            0.55 * std::abs(coarse.real() / consistent.growth - 1));
+}
