@@ -23,7 +23,7 @@ SECTION = [("axial(0,1)", 136.3), ("axial(0,0)", 197.6), ("axial(0,2)", 334.1), 
            ("radial(1,5)", 3278.0), ("axial(0,6)", 3413.0), ("axial(0,7)", 4336.9), ("axial(0,10)", 7170.0)]
 # name, coarse division [m], contact division [m], degree, section refinements
 MESHES = [("coarse", 0.24, 0.24, 2, 0), ("middle", 0.12, 0.12, 2, 0), ("default", 0.055, 0.008, 2, 0),
-          ("cubic, 10 cells around", 0.16, 0.16, 3, 0), ("cubic, 19 cells around", 0.08, 0.08, 3, 0)]
+          ("cubic 10 cells around", 0.16, 0.16, 3, 0), ("cubic 19 cells around", 0.08, 0.08, 3, 0)]
 
 table = open(os.path.join(here, "wheel_frequencies.csv"), "w")
 table.write("# Frequencies of the wheel by finite elements against the section's, bore held, no contact patch; errors in %\n")
