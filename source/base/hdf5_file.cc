@@ -3,8 +3,10 @@
 
 #include <hdf5.h>
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <cstdio>
-#include <stdexcept>
 
 namespace vibrocontact
 {
@@ -13,22 +15,42 @@ namespace vibrocontact
     constexpr unsigned long long checksum_start = 1469598103934665603ull;
 
     // FNV on words of eight bytes: 10 ms for a compliance of 1,800 rows.
-    void add_to(unsigned long long &checksum, const double *values, const std::size_t n)
+    void add_to(unsigned long long &checksum, const void *const data, const std::size_t n_bytes)
     {
-      const auto *words = reinterpret_cast<const unsigned char *>(values);
-      for (std::size_t i = 0; i < n; ++i)
+      const auto *const bytes = static_cast<const unsigned char *>(data);
+      for (std::size_t i = 0; i < n_bytes; i += 8)
       {
         unsigned long long word = 0;
-        std::copy_n(words + 8 * i, 8, reinterpret_cast<unsigned char *>(&word));
+        std::copy_n(bytes + i, std::min<std::size_t>(8, n_bytes - i),
+                    reinterpret_cast<unsigned char *>(&word));
         checksum = (checksum ^ word) * 1099511628211ull;
       }
     }
 
-    void add_to(unsigned long long &checksum, const std::string &text)
+    template <typename T>
+    void add_to(unsigned long long &checksum, const std::vector<T> &values)
     {
-      for (const unsigned char c : text)
-        checksum = (checksum ^ c) * 1099511628211ull;
+      add_to(checksum, values.data(), values.size() * sizeof(T));
     }
+
+    /// An identifier of HDF5 that is given back at the end of the scope.
+    class Handle
+    {
+    public:
+      Handle(const hid_t id, herr_t (*const close)(hid_t)) : id(id), close(close) {}
+      ~Handle()
+      {
+        if (id >= 0)
+          close(id);
+      }
+      Handle(const Handle &) = delete;
+      Handle &operator=(const Handle &) = delete;
+      operator hid_t() const { return id; }
+
+    private:
+      const hid_t id;
+      herr_t (*const close)(hid_t);
+    };
 
     // HDF5 prints its own stack of errors otherwise.
     void silence()
@@ -36,45 +58,70 @@ namespace vibrocontact
       H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     }
 
-    void write_array(const hid_t file, const std::string &name, const hid_t type, const void *data,
-                     const int rank, const hsize_t *sizes)
+    void write_set(const hid_t file, const std::string &file_name, const std::string &name,
+                   const hid_t memory_type, const hid_t file_type, const void *data,
+                   const std::vector<hsize_t> &sizes, const bool compressed)
     {
-      const hid_t space = H5Screate_simple(rank, sizes, nullptr);
-      const hid_t set = H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-      const herr_t error = set < 0 ? -1 : H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data);
-      H5Dclose(set);
-      H5Sclose(space);
-      if (error < 0)
-        throw OutputError("Cannot write '" + name + "' to an HDF5 file; is the disk full?");
+      const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose), kept(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+      H5Pset_create_intermediate_group(links, 1);
+      if (compressed && sizes.size() == 1 && sizes[0] > 1000)
+      {
+        const hsize_t chunk = std::min<hsize_t>(sizes[0], 1u << 16);
+        H5Pset_chunk(kept, 1, &chunk);
+        H5Pset_shuffle(kept);
+        H5Pset_deflate(kept, 6);
+      }
+      const Handle space(sizes.empty() ? H5Screate(H5S_SCALAR)
+                                       : H5Screate_simple(sizes.size(), sizes.data(), nullptr),
+                         H5Sclose);
+      const Handle set(H5Dcreate2(file, name.c_str(), file_type, space, links, kept, H5P_DEFAULT), H5Dclose);
+      if (set < 0 || H5Dwrite(set, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0)
+        throw OutputError("Cannot write '" + name + "' to the file '" + file_name +
+                         "': the disk may be full; free some space or choose another folder.");
+    }
+
+    hid_t open_set(const hid_t file, const std::string &file_name, const std::string &name, const bool there)
+    {
+      const hid_t set = there ? H5Dopen2(file, name.c_str(), H5P_DEFAULT) : -1;
+      if (set < 0)
+        throw InputError("The file '" + file_name + "' has no '" + name +
+                         "': it is damaged or was written for something else; write it anew.");
+      return set;
     }
 
     // Sizes of a set, then its data.
     template <typename T>
-    std::vector<T> read_array(const hid_t file, const std::string &file_name, const std::string &name,
-                              const hid_t type, std::vector<hsize_t> &sizes)
+    std::vector<T> read_set(const hid_t set_id, const std::string &file_name, const std::string &name,
+                            const hid_t type, const std::size_t size, std::vector<hsize_t> &sizes)
     {
-      const hid_t set = H5Dopen2(file, name.c_str(), H5P_DEFAULT);
-      if (set < 0)
-        throw std::runtime_error("'" + file_name + "' has no '" + name + "'");
-      const hid_t space = H5Dget_space(set);
-      sizes.resize(H5Sget_simple_extent_ndims(space));
+      const Handle set(set_id, H5Dclose), space(H5Dget_space(set), H5Sclose);
+      sizes.resize(std::max(0, H5Sget_simple_extent_ndims(space)));
       H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
       std::vector<T> data(H5Sget_simple_extent_npoints(space));
-      const herr_t error = data.empty() ? 0 : H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data());
-      H5Sclose(space);
-      H5Dclose(set);
-      if (error < 0)
-        throw std::runtime_error("'" + name + "' in '" + file_name + "' cannot be read");
+      if (size > 0 && data.size() != size)
+        throw InputError("'" + name + "' in the file '" + file_name + "' has " + std::to_string(data.size()) +
+                         " values where " + std::to_string(size) + " are due; write the file anew.");
+      if (!data.empty() && H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()) < 0)
+        throw InputError("'" + name + "' in the file '" + file_name +
+                         "' cannot be read as numbers; write the file anew.");
       return data;
+    }
+
+    std::string unique_part(const std::string &file_name)
+    {
+      char host[256] = "host";
+      gethostname(host, sizeof(host) - 1);
+      return file_name + "." + host + "-" + std::to_string(getpid()) + ".part";
     }
   } // namespace
 
-  Hdf5Writer::Hdf5Writer(const std::string &file_name) : file_name(file_name), checksum(checksum_start)
+  Hdf5Writer::Hdf5Writer(const std::string &file_name)
+      : file_name(file_name), part_name(unique_part(file_name)), checksum(checksum_start)
   {
     silence();
-    file = H5Fcreate((file_name + ".part").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    file = H5Fcreate(part_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
     if (file < 0)
-      throw OutputError("Cannot write the file '" + file_name + ".part'; check the folder and its rights.");
+      throw OutputError("Cannot write the file '" + file_name + "'; check the folder and its rights.");
   }
 
   Hdf5Writer::~Hdf5Writer()
@@ -82,47 +129,75 @@ namespace vibrocontact
     if (file >= 0)
     {
       H5Fclose(file);
-      std::remove((file_name + ".part").c_str());
+      std::remove(part_name.c_str());
     }
   }
 
-  void Hdf5Writer::write(const std::string &name, const std::vector<double> &values)
+  void Hdf5Writer::write(const std::string &name, const std::vector<double> &values,
+                         const Hdf5Storage &storage)
   {
-    const hsize_t size = values.size();
-    write_array(file, name, H5T_NATIVE_DOUBLE, values.data(), 1, &size);
-    add_to(checksum, values.data(), values.size());
+    // the checksum is of what a reader gets back
+    std::vector<double> kept = values;
+    if (storage.single_precision)
+      for (double &value : kept)
+        value = static_cast<float>(value);
+    write_set(file, file_name, name, H5T_NATIVE_DOUBLE,
+              storage.single_precision ? H5T_IEEE_F32LE : H5T_IEEE_F64LE, kept.data(), {kept.size()},
+              storage.compressed);
+    add_to(checksum, kept);
+  }
+
+  void Hdf5Writer::write(const std::string &name, const std::vector<int> &values, const Hdf5Storage &storage)
+  {
+    write_set(file, file_name, name, H5T_NATIVE_INT, H5T_STD_I32LE, values.data(), {values.size()},
+              storage.compressed);
+    add_to(checksum, values);
+  }
+
+  void Hdf5Writer::write(const std::string &name, const double value)
+  {
+    write(name, std::vector<double>{value});
+  }
+
+  void Hdf5Writer::write(const std::string &name, const int value)
+  {
+    write(name, std::vector<int>{value});
   }
 
   void Hdf5Writer::write(const std::string &name, const DenseMatrix &matrix)
   {
     // HDF5 counts rows first: the file holds the transposed, column by column, so that columns are
     // contiguous.
-    const hsize_t sizes[2] = {matrix.n(), matrix.m()};
+    const std::vector<hsize_t> sizes = {matrix.n(), matrix.m()};
     const double *const data = matrix.m() * matrix.n() > 0 ? &matrix(0, 0) : nullptr;
-    write_array(file, name, H5T_NATIVE_DOUBLE, data, 2, sizes);
-    add_to(checksum, data, sizes[0] * sizes[1]);
+    write_set(file, file_name, name, H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, data, sizes, false);
+    add_to(checksum, data, sizes[0] * sizes[1] * sizeof(double));
   }
 
   void Hdf5Writer::write(const std::string &name, const std::string &text)
   {
-    const hsize_t size = text.size();
-    write_array(file, name, H5T_NATIVE_CHAR, text.data(), 1, &size);
-    add_to(checksum, text);
+    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(type, text.size() + 1);
+    write_set(file, file_name, name, type, type, text.c_str(), {}, false);
+    add_to(checksum, text.data(), text.size());
   }
 
   void Hdf5Writer::finish()
   {
-    const hid_t space = H5Screate(H5S_SCALAR);
-    const hid_t attribute = H5Acreate2(file, "checksum", H5T_NATIVE_ULLONG, space, H5P_DEFAULT, H5P_DEFAULT);
-    const herr_t written = H5Awrite(attribute, H5T_NATIVE_ULLONG, &checksum);
-    H5Aclose(attribute);
-    H5Sclose(space);
+    bool written = false;
+    {
+      const Handle space(H5Screate(H5S_SCALAR), H5Sclose),
+          attribute(H5Acreate2(file, "checksum", H5T_NATIVE_ULLONG, space, H5P_DEFAULT, H5P_DEFAULT),
+                    H5Aclose);
+      written = attribute >= 0 && H5Awrite(attribute, H5T_NATIVE_ULLONG, &checksum) >= 0;
+    }
     const herr_t closed = H5Fclose(file);
     file = -1;
-    if (written < 0 || closed < 0 || std::rename((file_name + ".part").c_str(), file_name.c_str()) != 0)
+    if (!written || closed < 0 || std::rename(part_name.c_str(), file_name.c_str()) != 0)
     {
-      std::remove((file_name + ".part").c_str());
-      throw OutputError("Cannot write the file '" + file_name + "'; is the disk full?");
+      std::remove(part_name.c_str());
+      throw OutputError("Cannot write the file '" + file_name +
+                       "': check the folder and its rights, and the space on the disk.");
     }
   }
 
@@ -131,7 +206,8 @@ namespace vibrocontact
     silence();
     file = H5Fopen(file_name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     if (file < 0)
-      throw std::runtime_error("'" + file_name + "' is not a readable HDF5 file");
+      throw InputError("The file '" + file_name +
+                       "' is missing or no HDF5 file; give the path of an existing one.");
   }
 
   Hdf5Reader::~Hdf5Reader()
@@ -139,21 +215,40 @@ namespace vibrocontact
     H5Fclose(file);
   }
 
-  std::vector<double> Hdf5Reader::vector(const std::string &name)
+  bool Hdf5Reader::has(const std::string &name) const
+  {
+    for (std::size_t slash = name.find('/', 1); slash != std::string::npos; slash = name.find('/', slash + 1))
+      if (H5Lexists(file, name.substr(0, slash).c_str(), H5P_DEFAULT) <= 0)
+        return false;
+    return H5Lexists(file, name.c_str(), H5P_DEFAULT) > 0;
+  }
+
+  std::vector<double> Hdf5Reader::numbers(const std::string &name, const std::size_t size)
   {
     std::vector<hsize_t> sizes;
-    const auto values = read_array<double>(file, file_name, name, H5T_NATIVE_DOUBLE, sizes);
-    add_to(checksum, values.data(), values.size());
+    const auto values = read_set<double>(open_set(file, file_name, name, has(name)), file_name, name,
+                                         H5T_NATIVE_DOUBLE, size, sizes);
+    add_to(checksum, values);
+    return values;
+  }
+
+  std::vector<int> Hdf5Reader::integers(const std::string &name, const std::size_t size)
+  {
+    std::vector<hsize_t> sizes;
+    const auto values = read_set<int>(open_set(file, file_name, name, has(name)), file_name, name,
+                                      H5T_NATIVE_INT, size, sizes);
+    add_to(checksum, values);
     return values;
   }
 
   DenseMatrix Hdf5Reader::matrix(const std::string &name)
   {
     std::vector<hsize_t> sizes;
-    const auto values = read_array<double>(file, file_name, name, H5T_NATIVE_DOUBLE, sizes);
+    const auto values = read_set<double>(open_set(file, file_name, name, has(name)), file_name, name,
+                                         H5T_NATIVE_DOUBLE, 0, sizes);
     if (sizes.size() != 2)
-      throw std::runtime_error("'" + name + "' in '" + file_name + "' is no matrix");
-    add_to(checksum, values.data(), values.size());
+      throw InputError("'" + name + "' in the file '" + file_name + "' is no matrix; write the file anew.");
+    add_to(checksum, values);
     DenseMatrix result(sizes[1], sizes[0]);
     if (!values.empty())
       std::copy(values.begin(), values.end(), &result(0, 0));
@@ -162,20 +257,28 @@ namespace vibrocontact
 
   std::string Hdf5Reader::text(const std::string &name)
   {
-    std::vector<hsize_t> sizes;
-    const auto bytes = read_array<char>(file, file_name, name, H5T_NATIVE_CHAR, sizes);
-    const std::string result(bytes.begin(), bytes.end());
-    add_to(checksum, result);
-    return result;
+    const Handle set(open_set(file, file_name, name, has(name)), H5Dclose), type(H5Dget_type(set), H5Tclose);
+    const bool variable = H5Tis_variable_str(type) > 0;
+    char *there = nullptr;
+    std::string text(H5Tget_class(type) == H5T_STRING && !variable ? H5Tget_size(type) : 0, '\0');
+    void *const place = variable ? static_cast<void *>(&there) : text.data();
+    if ((!variable && text.empty()) || H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, place) < 0)
+      throw InputError("'" + name + "' in the file '" + file_name + "' is no text; write the file anew.");
+    if (there)
+    {
+      text = there;
+      H5free_memory(there);
+    }
+    text.resize(std::min(text.find('\0'), text.size()));
+    add_to(checksum, text.data(), text.size());
+    return text;
   }
 
   void Hdf5Reader::verify() const
   {
     unsigned long long written = 0;
-    const hid_t attribute = H5Aopen(file, "checksum", H5P_DEFAULT);
-    const herr_t error = attribute < 0 ? -1 : H5Aread(attribute, H5T_NATIVE_ULLONG, &written);
-    H5Aclose(attribute);
-    if (error < 0 || written != checksum)
-      throw std::runtime_error("the contents of '" + file_name + "' are damaged");
+    const Handle attribute(H5Aopen(file, "checksum", H5P_DEFAULT), H5Aclose);
+    if (attribute < 0 || H5Aread(attribute, H5T_NATIVE_ULLONG, &written) < 0 || written != checksum)
+      throw InputError("The contents of the file '" + file_name + "' are damaged; write it anew.");
   }
 } // namespace vibrocontact

@@ -1,9 +1,29 @@
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/contact_problem.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vibrocontact
 {
+  void check_finite(const ContactProblem &problem)
+  {
+    const auto finite = [](const double x) { return std::isfinite(x); };
+    if (!std::all_of(problem.b.begin(), problem.b.end(), finite) ||
+        !std::all_of(problem.mu.begin(), problem.mu.end(), finite) || !finite(problem.normal_force) ||
+        !finite(problem.approach))
+      throw ConvergenceError(
+          "The contact problem '" + problem.title +
+          "' holds numbers that are not finite; check the loads, creepages and bodies that "
+          "it is made of.");
+  }
+
+  bool ContactSolution::is_finite() const
+  {
+    return std::isfinite(approach) &&
+           std::all_of(R.begin(), R.end(), [](const double force) { return std::isfinite(force); });
+  }
+
   ContactResidual::ContactResidual(const ContactProblem &problem, const double tangential_factor)
       : rho_normal(1 / problem.A->mean_diagonal(0)),
         rho_tangential(2 * tangential_factor / (problem.A->mean_diagonal(1) + problem.A->mean_diagonal(2))),

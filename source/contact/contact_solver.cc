@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/contact/contact_solver.h>
 #include <vibrocontact/contact/fixed_point.h>
 #include <vibrocontact/contact/newton.h>
@@ -45,15 +46,15 @@ namespace vibrocontact
 
   std::unique_ptr<ContactSolver> create_contact_solver(const ContactSolverParameters &parameters)
   {
-    std::string known;
+    std::vector<std::string> names;
     for (const ContactSolverEntry &entry : contact_solvers())
     {
       if (entry.name == parameters.method)
         return entry.create(parameters);
-      known += (known.empty() ? "" : ", ") + entry.name;
+      names.push_back(entry.name);
     }
-    throw InputError("There is no contact solver called '" + parameters.method +
-                     "'; the known ones are: " + known + ".");
+    throw InputError("There is no contact solver called \"" + parameters.method + "\"; " +
+                     name_suggestion(parameters.method, names));
   }
 
   void frictionless_start(const ContactProblem &problem, const double tolerance, ContactSolution &state)

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/contact/creep.h>
 
 namespace vibrocontact
@@ -13,14 +14,14 @@ namespace vibrocontact
 
   const CreepScheme &find_creep_scheme(const std::string &name)
   {
-    std::string known;
+    std::vector<std::string> names;
     for (const CreepScheme &scheme : creep_schemes())
     {
       if (scheme.name == name)
         return scheme;
-      known += (known.empty() ? "" : ", ") + scheme.name;
+      names.push_back(scheme.name);
     }
-    throw InputError("There is no creep scheme called '" + name + "'; the known ones are: " + known + ".");
+    throw InputError("There is no creep scheme called \"" + name + "\"; " + name_suggestion(name, names));
   }
 
   DenseVector rigid_slip(const ContactGrid &grid, const CreepScheme &scheme, const Creepage &creepage)

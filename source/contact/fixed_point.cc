@@ -1,40 +1,89 @@
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/fixed_point.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace vibrocontact
 {
   namespace
   {
-    /// Largest singular value of the block of A that takes components [first, last) to themselves.
-    double largest_gain(const ContactOperator &A, const unsigned int first, const unsigned int last)
+    /// Largest singular value of the block of A that takes components [first, last) at some points to
+    /// themselves.
+    double largest_gain(const ContactOperator &A, const std::vector<unsigned int> &points,
+                        const unsigned int first, const unsigned int last)
     {
       const unsigned int n = A.n_points();
-      std::vector<unsigned int> all(n);
-      std::iota(all.begin(), all.end(), 0);
       DenseVector v(3 * n), image(3 * n);
-      for (unsigned int k = first * n; k < last * n; ++k)
-        v[k] = 1;
+      for (unsigned int c = first; c < last; ++c)
+        for (const unsigned int i : points)
+          v[c * n + i] = 1;
       v /= v.l2_norm();
       double gain = 0;
       for (unsigned int iteration = 0; iteration < 60; ++iteration)
       {
-        A.vmult(image, v, all);
-        for (unsigned int k = 0; k < 3 * n; ++k)
-          if (k < first * n || k >= last * n)
-            image[k] = 0;
+        A.vmult(image, v, points);
+        v = 0;
+        for (unsigned int c = first; c < last; ++c)
+          for (const unsigned int i : points)
+            v[c * n + i] = image[c * n + i];
         const double previous = gain;
-        gain = image.l2_norm();
-        v.equ(1 / gain, image);
+        gain = v.l2_norm();
+        if (!(gain > 0) || !std::isfinite(gain))
+          throw ConvergenceError("The contact operator has no finite compliance; check the bodies that it is "
+                                 "made of.");
+        v /= gain;
         if (std::abs(gain - previous) < 1e-3 * gain)
           break;
       }
       return gain;
     }
+
+    /// The points that carry forces, and the constant rho that goes with them.
+    class Steps
+    {
+    public:
+      explicit Steps(const ContactProblem &problem) : A(*problem.A), n(problem.n_points()), carries(n, true)
+      {
+        find();
+      }
+
+      /// Takes loaded points in that were not there; what has no force for a while is left out by `shrink`.
+      void follow(const DenseVector &R, const bool shrink)
+      {
+        bool changes = false;
+        for (unsigned int i = 0; i < n; ++i)
+          if (R[i] > 0 ? !carries[i] : shrink && carries[i])
+          {
+            carries[i] = !carries[i];
+            changes = true;
+          }
+        if (changes)
+          find();
+      }
+
+      double normal = 0, tangential = 0;
+      double tangential_factor = 1;
+
+    private:
+      void find()
+      {
+        std::vector<unsigned int> points;
+        for (unsigned int i = 0; i < n; ++i)
+          if (carries[i])
+            points.push_back(i);
+        if (points.empty())
+          return;
+        normal = 1 / largest_gain(A, points, 0, 1);
+        tangential = 1 / largest_gain(A, points, 1, 3);
+      }
+
+      const ContactOperator &A;
+      const unsigned int n;
+      std::vector<bool> carries;
+    };
 
     constexpr unsigned int iterations_per_check = 100;
 
@@ -70,7 +119,8 @@ namespace vibrocontact
   {
     const auto begin = std::chrono::steady_clock::now();
     const unsigned int n = problem.n_points();
-    ContactSolution s = start;
+    check_finite(problem);
+    ContactSolution s = start.is_finite() ? start : ContactSolution();
     if (s.empty())
     {
       s.R.reinit(3 * n);
@@ -81,8 +131,7 @@ namespace vibrocontact
     s.iterations = s.factorisations = s.linear_iterations = s.fallbacks = 0;
     s.converged = false;
 
-    const double rho_n = 1 / largest_gain(*problem.A, 0, 1);
-    double rho_t = 1 / largest_gain(*problem.A, 1, 3);
+    Steps rho(problem);
     double largest_change = 0, previous_change = std::numeric_limits<double>::max();
     const ContactResidual residual(problem);
     DenseVector projected;
@@ -90,6 +139,7 @@ namespace vibrocontact
     while (s.iterations < parameters.max_fixed_point_iterations)
     {
       ++s.iterations;
+      const double rho_n = rho.normal, rho_t = rho.tangential_factor * rho.tangential;
       const double shift = problem.force_given() ? shift_for_force(problem, s.R, s.y, rho_n) : 0;
       s.approach += shift;
       double change = 0, size = 0;
@@ -109,6 +159,8 @@ namespace vibrocontact
         }
       }
       contact_response(problem, s.R, s.approach, s.y);
+      if (!std::isfinite(change))
+        break;
       if (change <= parameters.force_change * parameters.force_change * size)
         break;
       largest_change = std::max(largest_change, change / size);
@@ -116,7 +168,7 @@ namespace vibrocontact
       {
         if (largest_change > 0.99 * previous_change)
         {
-          rho_t *= 0.5;
+          rho.tangential_factor *= 0.5;
           ++s.fallbacks;
           previous_change = std::numeric_limits<double>::max();
         }
@@ -124,8 +176,12 @@ namespace vibrocontact
           previous_change = largest_change;
         largest_change = 0;
       }
+      rho.follow(s.R, s.iterations % iterations_per_check == 0);
     }
     s.residual = residual.evaluate(s.R, s.y, projected, s.status);
+    if (!std::isfinite(s.residual))
+      throw ConvergenceError("The fixed point of the contact problem '" + problem.title +
+                             "' left the finite numbers; use Contact/Solver/Method = semi-smooth newton.");
     s.converged = s.residual <= parameters.tolerance;
     s.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return s;

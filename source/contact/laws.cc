@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/contact/laws.h>
 
 #include <cmath>
@@ -22,7 +23,8 @@ namespace vibrocontact
       : amplitude(amplitude), exponent(exponent)
   {
     if (!(amplitude > 0 && exponent > 0))
-      throw InputError("The exponential penalty law needs a positive amplitude and a positive exponent.");
+      throw InputError("The exponential penalty law needs a positive amplitude and a positive exponent; "
+                       "give Contact/Penalty amplitude and Contact/Penalty exponent.");
   }
 
   double ExponentialPenaltyLaw::stiffness(const double gap) const
@@ -98,10 +100,10 @@ namespace vibrocontact
       return std::make_shared<SignoriniLaw>();
     if (name == "exponential penalty")
       return std::make_shared<ExponentialPenaltyLaw>(amplitude, exponent);
-    std::string known;
+    std::vector<std::string> names;
     for (const NormalLawEntry &entry : normal_laws())
-      known += (known.empty() ? "" : ", ") + entry.name;
-    throw InputError("There is no normal contact law called '" + name + "'; the known ones are: " + known +
-                     ".");
+      names.push_back(entry.name);
+    throw InputError("There is no normal contact law called \"" + name + "\"; " +
+                     name_suggestion(name, names));
   }
 } // namespace vibrocontact

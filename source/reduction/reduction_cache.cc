@@ -8,13 +8,14 @@
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
+#include <type_traits>
 
 namespace vibrocontact
 {
   namespace
   {
     // To be raised when the formulation, not the input, changes what is kept.
-    const std::string formulation = "vibrocontact reduction 1\n";
+    const std::string formulation = "vibrocontact reduction 2\n";
 
     std::string joined(const std::vector<std::string> &texts)
     {
@@ -33,145 +34,146 @@ namespace vibrocontact
       return result;
     }
 
-    // The order of write() and read() is the same: the checksum depends on it.
-    void write(Hdf5Writer &file, const StaticReduction &part)
+    // What a part is made of, named once for saving, loading and replicating; the checksum depends on the
+    // order.
+    template <typename Archive, typename Part>
+    void visit_static(Archive &archive, Part &part)
     {
-      const ContactGrid &g = part.grid;
-      file.write("name", part.name);
-      file.write("grid", std::vector<double>{double(g.n_x), double(g.n_y), g.spacing_x, g.spacing_y,
-                                             g.x_first, g.y_first});
-      file.write("n_dofs", std::vector<double>{double(part.n_dofs)});
-      file.write("compliance_m_N", part.compliance);
-      file.write("load_response_m", part.load_response);
-      file.write("lifting", part.lifting);
-      file.write("surface_height_m", part.surface_height);
-      file.write("rigid_trace", part.rigid_trace);
-      file.write("rigid_load", part.rigid_load);
+      archive("name", part.name);
+      archive("grid/n_x", part.grid.n_x);
+      archive("grid/n_y", part.grid.n_y);
+      archive("grid/spacing_x_m", part.grid.spacing_x);
+      archive("grid/spacing_y_m", part.grid.spacing_y);
+      archive("grid/x_first_m", part.grid.x_first);
+      archive("grid/y_first_m", part.grid.y_first);
+      archive("grid/traction", part.grid.traction);
+      archive("n_dofs", part.n_dofs);
+      archive("compliance_m_N", part.compliance);
+      archive("load_response_m", part.load_response);
+      archive("lifting", part.lifting);
+      archive("surface_height_m", part.surface_height);
+      archive("rigid_trace", part.rigid_trace);
+      archive("rigid_load", part.rigid_load);
     }
 
-    void read(Hdf5Reader &file, StaticReduction &part)
+    template <typename Archive, typename Part>
+    void visit_modal(Archive &archive, Part &part)
     {
-      ContactGrid &g = part.grid;
-      part.name = file.text("name");
-      const auto grid = file.vector("grid");
-      g.n_x = grid.at(0);
-      g.n_y = grid.at(1);
-      g.spacing_x = grid.at(2);
-      g.spacing_y = grid.at(3);
-      g.x_first = grid.at(4);
-      g.y_first = grid.at(5);
-      part.n_dofs = file.vector("n_dofs").at(0);
-      part.compliance = file.matrix("compliance_m_N");
-      part.load_response = file.vector("load_response_m");
-      part.lifting = file.vector("lifting");
-      part.surface_height = file.vector("surface_height_m");
-      part.rigid_trace = file.matrix("rigid_trace");
-      part.rigid_load = file.vector("rigid_load");
+      archive("n_rigid_modes", part.n_rigid_modes);
+      archive("n_dofs", part.n_dofs);
+      archive("orthonormality_error", part.orthonormality_error);
+      archive("residual", part.residual);
+      archive("seconds", part.seconds);
+      archive("omega_rad_s", part.omega);
+      archive("damping_ratio", part.damping_ratio);
+      archive("labels", part.labels);
+      archive("trace", part.trace);
+      archive("load", part.load);
     }
 
-    void write(Hdf5Writer &file, const ModalReduction &part)
+    template <typename Archive, typename Part>
+    void visit(Archive &archive, Part &part)
     {
-      file.write("numbers", std::vector<double>{double(part.n_rigid_modes), double(part.n_dofs),
-                                                part.orthonormality_error, part.residual, part.seconds});
-      file.write("omega_rad_s", part.omega);
-      file.write("damping_ratio", part.damping_ratio);
-      file.write("labels", joined(part.labels));
-      file.write("trace", part.trace);
-      file.write("load", part.load);
+      if constexpr (std::is_same_v<std::remove_const_t<Part>, StaticReduction>)
+        visit_static(archive, part);
+      else
+        visit_modal(archive, part);
     }
 
-    void read(Hdf5Reader &file, ModalReduction &part)
+    class Save
     {
-      const auto numbers = file.vector("numbers");
-      part.n_rigid_modes = numbers.at(0);
-      part.n_dofs = numbers.at(1);
-      part.orthonormality_error = numbers.at(2);
-      part.residual = numbers.at(3);
-      part.seconds = numbers.at(4);
-      part.omega = file.vector("omega_rad_s");
-      part.damping_ratio = file.vector("damping_ratio");
-      part.labels = split(file.text("labels"));
-      part.trace = file.matrix("trace");
-      part.load = file.vector("load");
-    }
+    public:
+      explicit Save(Hdf5Writer &file) : file(file) {}
+      template <typename T>
+      void operator()(const std::string &name, const T &value) const
+      {
+        if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>)
+          file.write(name, static_cast<double>(value));
+        else if constexpr (std::is_same_v<T, std::vector<std::string>>)
+          file.write(name, joined(value));
+        else
+          file.write(name, value);
+      }
 
-    // Replication of the parts: an archive that knows only what they are made of.
+    private:
+      Hdf5Writer &file;
+    };
+
+    class Load
+    {
+    public:
+      explicit Load(Hdf5Reader &file) : file(file) {}
+      template <typename T>
+      void operator()(const std::string &name, T &value) const
+      {
+        if constexpr (std::is_enum_v<T>)
+          value = static_cast<T>(static_cast<unsigned char>(file.number(name)));
+        else if constexpr (std::is_arithmetic_v<T>)
+          value = file.number(name);
+        else if constexpr (std::is_same_v<T, std::string>)
+          value = file.text(name);
+        else if constexpr (std::is_same_v<T, std::vector<std::string>>)
+          value = split(file.text(name));
+        else if constexpr (std::is_same_v<T, DenseMatrix>)
+          value = file.matrix(name);
+        else
+          value = file.numbers(name);
+      }
+
+    private:
+      Hdf5Reader &file;
+    };
+
+    /// From rank 0 to all.
     class Broadcast
     {
     public:
       explicit Broadcast(MPI_Comm communicator) : communicator(communicator) {}
+      template <typename T>
+      void operator()(const std::string &, T &value) const
+      {
+        all(value);
+      }
 
-      template <typename Number, typename = std::enable_if_t<std::is_arithmetic_v<Number>>>
-      void operator()(Number &value) const
+    private:
+      template <typename Number>
+      std::enable_if_t<std::is_arithmetic_v<Number> || std::is_enum_v<Number>> all(Number &value) const
       {
         MPI_Bcast(&value, sizeof(Number), MPI_BYTE, 0, communicator);
       }
-      void operator()(std::string &text) const
+      void all(std::string &text) const
       {
         unsigned long long size = text.size();
-        (*this)(size);
+        all(size);
         text.resize(size);
         MPI_Bcast(text.data(), size, MPI_CHAR, 0, communicator);
       }
-      void operator()(std::vector<double> &values) const
+      void all(std::vector<double> &values) const
       {
         unsigned long long size = values.size();
-        (*this)(size);
+        all(size);
         values.resize(size);
         MPI_Bcast(values.data(), size, MPI_DOUBLE, 0, communicator);
       }
-      void operator()(std::vector<std::string> &texts) const
+      void all(std::vector<std::string> &texts) const
       {
         std::string text = joined(texts);
-        (*this)(text);
+        all(text);
         texts = split(text);
       }
-      void operator()(DenseMatrix &matrix) const
+      void all(DenseMatrix &matrix) const
       {
         unsigned int m = matrix.m(), n = matrix.n();
-        (*this)(m);
-        (*this)(n);
+        all(m);
+        all(n);
         if (matrix.m() != m || matrix.n() != n)
           matrix.reinit(m, n);
         for (unsigned int j = 0; j < n && m > 0; ++j)
           MPI_Bcast(&matrix(0, j), m, MPI_DOUBLE, 0, communicator);
       }
 
-    private:
       MPI_Comm communicator;
     };
-
-    void replicate(const Broadcast &all, StaticReduction &part)
-    {
-      all(part.name);
-      all(part.grid.n_x);
-      all(part.grid.n_y);
-      all(part.grid.spacing_x);
-      all(part.grid.spacing_y);
-      all(part.grid.x_first);
-      all(part.grid.y_first);
-      all(part.n_dofs);
-      all(part.compliance);
-      all(part.load_response);
-      all(part.lifting);
-      all(part.surface_height);
-      all(part.rigid_trace);
-      all(part.rigid_load);
-    }
-
-    void replicate(const Broadcast &all, ModalReduction &part)
-    {
-      all(part.n_rigid_modes);
-      all(part.n_dofs);
-      all(part.omega);
-      all(part.damping_ratio);
-      all(part.labels);
-      all(part.trace);
-      all(part.load);
-      all(part.orthonormality_error);
-      all(part.residual);
-      all(part.seconds);
-    }
 
     template <typename Part>
     std::optional<Part> load(const std::string &file_name, const std::string &key, const bool is_host,
@@ -179,50 +181,51 @@ namespace vibrocontact
     {
       Part part;
       unsigned int found = 0;
-      if (is_host && std::filesystem::exists(file_name))
+      if (is_host)
         try
         {
-          Hdf5Reader file(file_name);
-          if (file.text("key") != formulation + key)
-            throw std::runtime_error("'" + file_name + "' belongs to another model");
-          read(file, part);
-          file.verify();
-          found = 1;
+          if (std::filesystem::exists(file_name))
+          {
+            Hdf5Reader file(file_name);
+            if (file.text("key") != formulation + key)
+              throw InputError("The file '" + file_name + "' belongs to another model.");
+            const Load archive(file);
+            visit(archive, part);
+            file.verify();
+            found = 1;
+          }
         }
         catch (const std::exception &error)
         {
-          run_log().warning("Cached reduction not used: " + std::string(error.what()) +
-                            "; it is computed again.");
+          run_log().warning("A cached reduction is not used but computed again. " +
+                            std::string(error.what()));
         }
       const Broadcast all(communicator);
-      all(found);
+      all("found", found);
       if (found == 0)
         return {};
-      replicate(all, part);
+      visit(all, part);
       return part;
     }
 
+    // The reduction itself is done and results do not depend on the cache: what cannot be kept is reported.
+    // Only the host is here, and no exception leaves this function, so no rank waits for another.
     template <typename Part>
-    void save_part(const std::string &file_name, const std::string &key, const Part &part)
-    {
-      std::filesystem::create_directories(std::filesystem::path(file_name).parent_path());
-      Hdf5Writer file(file_name);
-      file.write("key", formulation + key);
-      write(file, part);
-      file.finish();
-    }
-
-    // The reduction itself is done: a cache that cannot be written is no reason to stop.
-    template <typename Part>
-    void try_to_save(const std::string &file_name, const std::string &key, const Part &part)
+    void save_on_host(const std::string &file_name, const std::string &key, const Part &part) noexcept
     {
       try
       {
-        save_part(file_name, key, part);
+        std::filesystem::create_directories(std::filesystem::path(file_name).parent_path());
+        Hdf5Writer file(file_name);
+        file.write("key", formulation + key);
+        const Save archive(file);
+        visit(archive, part);
+        file.finish();
       }
       catch (const std::exception &error)
       {
-        run_log().warning("The reduction is not kept: " + std::string(error.what()));
+        run_log().warning("The reduction is not kept in Output/Cache directory: " +
+                          std::string(error.what()));
       }
     }
   } // namespace
@@ -263,12 +266,12 @@ namespace vibrocontact
   void ReductionCache::save(const std::string &key, const StaticReduction &part) const
   {
     if (!folder.empty() && is_host)
-      try_to_save(file_name(part.name, "static", key), key, part);
+      save_on_host(file_name(part.name, "static", key), key, part);
   }
 
   void ReductionCache::save(const std::string &body, const std::string &key, const ModalReduction &part) const
   {
     if (!folder.empty() && is_host)
-      try_to_save(file_name(body, "modes", key), key, part);
+      save_on_host(file_name(body, "modes", key), key, part);
   }
 } // namespace vibrocontact

@@ -7,46 +7,67 @@
 
 namespace vibrocontact
 {
+  /// How the numbers of a set are kept in a file.
+  struct Hdf5Storage
+  {
+    /// four bytes per number instead of eight
+    bool single_precision = false;
+    /// sets of more than a thousand numbers are compressed without loss
+    bool compressed = false;
+  };
+
   /// Named arrays and texts in an HDF5 file, serially, by whoever calls (rank 0). HDF5's C interface is used
-  /// because deal.II's wrappers check nothing in release mode.
+  /// because deal.II's wrappers check nothing in release mode. Names may be paths (`/group/set`), groups are
+  /// made as needed.
   ///
-  /// The writer fills `name`.part and renames it when it is complete: a file appears whole or not at all. A
-  /// checksum of all that was written is kept in the attribute `checksum` of the file's root.
+  /// The writer fills a file beside `name` whose name holds host and process, so that two runs never write to
+  /// the same one, and renames it when it is complete: a file appears whole or not at all. A checksum of all
+  /// that was written is kept in the attribute `checksum` of the file's root.
   class Hdf5Writer
   {
   public:
-    /// @throws OutputError if the file cannot be written
+    /// @throws OutputError if the file cannot be written; so do all members
     explicit Hdf5Writer(const std::string &file_name);
     ~Hdf5Writer();
     Hdf5Writer(const Hdf5Writer &) = delete;
     Hdf5Writer &operator=(const Hdf5Writer &) = delete;
 
-    void write(const std::string &name, const std::vector<double> &values);
+    void write(const std::string &name, const std::vector<double> &values, const Hdf5Storage &storage = {});
+    void write(const std::string &name, const std::vector<int> &values, const Hdf5Storage &storage = {});
+    /// sets of one number
+    void write(const std::string &name, double value);
+    void write(const std::string &name, int value);
     void write(const std::string &name, const DenseMatrix &matrix);
     void write(const std::string &name, const std::string &text);
     /// Closes the file and gives it its name.
     void finish();
 
   private:
-    std::string file_name;
+    std::string file_name, part_name;
     long long file = -1;
     unsigned long long checksum;
   };
 
-  /// Reads what Hdf5Writer wrote.
+  /// Reads what Hdf5Writer or another program wrote. A set's shape and kind of number do not matter: it is
+  /// converted to what is asked for.
   class Hdf5Reader
   {
   public:
-    /// @throws std::runtime_error saying what is wrong with the file
+    /// @throws InputError if the file is missing or no HDF5 file; so do all members for what they do not find
     explicit Hdf5Reader(const std::string &file_name);
     ~Hdf5Reader();
     Hdf5Reader(const Hdf5Reader &) = delete;
     Hdf5Reader &operator=(const Hdf5Reader &) = delete;
 
-    std::vector<double> vector(const std::string &name);
+    bool has(const std::string &name) const;
+    /// @param size number of values that there must be, 0 for any
+    std::vector<double> numbers(const std::string &name, std::size_t size = 0);
+    std::vector<int> integers(const std::string &name, std::size_t size = 0);
+    double number(const std::string &name) { return numbers(name, 1).front(); }
+    int integer(const std::string &name) { return integers(name, 1).front(); }
     DenseMatrix matrix(const std::string &name);
     std::string text(const std::string &name);
-    /// Whether everything read, in the order written, is what was written. @throws std::runtime_error if not
+    /// Whether everything read, in the order written, is what was written. @throws InputError if not
     void verify() const;
 
   private:

@@ -36,6 +36,10 @@ namespace vibrocontact
     bool force_given() const { return normal_force > 0; }
   };
 
+  /// @throws ConvergenceError if gaps, slips, friction coefficients or loads of the problem are not finite:
+  /// they would pass for open points
+  void check_finite(const ContactProblem &problem);
+
   enum class ContactStatus : unsigned char
   {
     open = 0,
@@ -57,6 +61,8 @@ namespace vibrocontact
     unsigned int iterations = 0, factorisations = 0, linear_iterations = 0, fallbacks = 0;
     double seconds = 0;
     bool empty() const { return R.size() == 0; }
+    /// whether all forces and the approach are finite numbers: what can be started from
+    bool is_finite() const;
   };
 
   /// The residual by which all solvers are judged: R minus its projections with rho = 1 / mean diagonal of A.

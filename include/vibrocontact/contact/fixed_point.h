@@ -8,7 +8,9 @@ namespace vibrocontact
   /// the change of the forces.
   ///
   /// rho is the smallest eigenvalue of the integrator condensed on the contact, that is one over the largest
-  /// singular value of the compliance A, found for the normal and the tangential block by power iteration. A
+  /// singular value of the compliance A, found for the normal and the tangential block by power iteration
+  /// over the points that carry forces: free points around the contact would only make it smaller. (A point
+  /// that becomes loaded joins them at once, those without force are left out every hundred iterations.) A
   /// given normal force moves the approach so that the projected forces sum to it.
   ///
   /// In rolling A_t = V d/dx C is far from symmetric: in a large stick zone its eigenvalues have small real

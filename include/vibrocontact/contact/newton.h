@@ -14,8 +14,10 @@ namespace vibrocontact
   /// instead.
   ///
   /// Declared fallback: a step that does not lower the residual below the largest of the last four is halved;
-  /// if six halvings fail, or the iteration stalls, fixed-point iterations run from the best state and Newton
-  /// resumes (counted in ContactSolution::fallbacks).
+  /// if six halvings fail, the iteration stalls, the matrix is singular, or nothing touches although a force
+  /// is given, fixed-point iterations run from the best state and Newton resumes (counted in
+  /// ContactSolution::fallbacks). What is returned is finite; a start that is not counts as none.
+  /// @throws ConvergenceError for a problem whose numbers are not finite
   class NewtonSolver : public ContactSolver
   {
   public:

@@ -25,7 +25,7 @@ namespace vibrocontact
 
   /// The matrix is written densely, compressed without loss. The file appears whole or not at all.
   /// @param solution written too unless it is empty
-  /// @throws InputError if the file cannot be written
+  /// @throws OutputError if the file cannot be written
   void write_contact_problem(const std::string &file_name, const ContactProblem &problem,
                              const ContactSolution &solution = {}, const ContactFileOptions &options = {});
 

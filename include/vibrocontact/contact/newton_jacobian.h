@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vibrocontact/contact/contact_problem.h>
+
+#include <array>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// The generalised Jacobian of R - projections at a state (R, y), on the points whose projected normal
+  /// force is positive (the active ones); its rows are scaled like forces.
+  ///
+  ///   normal row      dN - dP,                        dP = P_N dN + P_g dgap
+  ///   tangential rows dT - D (dT - rho_t ds) - mu r dP,   D, r: derivatives of the projection on the disc
+  ///   last row        sum dN                          (only if the normal force is given)
+  ///
+  /// with (dgap, ds) = A dR - d_approach e_n. Unknowns: 3 m changes of forces (normal of all active points,
+  /// x, y), then, if the normal force is given, the approach divided by approach_scale(), which makes it a
+  /// force.
+  class NewtonJacobian
+  {
+  public:
+    /// @param rho_normal, rho_tangential those of the projections [N/m, N s/m]
+    NewtonJacobian(const ContactProblem &problem, double rho_normal, double rho_tangential,
+                   const DenseVector &R, const DenseVector &y);
+
+    /// active points, ascending
+    const std::vector<unsigned int> &points() const { return active; }
+    unsigned int size() const { return 3 * active.size() + (problem.force_given() ? 1 : 0); }
+    /// [m/N]
+    double approach_scale() const;
+
+    /// The three rows of active point k for changes of its own forces and responses.
+    std::array<double, 3> apply(unsigned int k, double dN, double dTx, double dTy, double dgap, double dsx,
+                                double dsy) const;
+    /// dst = J src without forming J; what GMRES calls.
+    void vmult(DenseVector &dst, const DenseVector &src) const;
+    void assemble(DenseMatrix &J) const;
+    /// Values at the active points into a full vector of 3 n.
+    void scatter(const DenseVector &values, DenseVector &full) const;
+
+  private:
+    struct Row
+    {
+      double by_force, by_gap;
+      std::array<CoulombLaw::Vector2, 2> by_trial;
+      CoulombLaw::Vector2 by_radius;
+    };
+    const ContactProblem &problem;
+    const unsigned int n;
+    const double rho_t;
+    std::vector<unsigned int> active;
+    std::vector<Row> rows;
+    mutable DenseVector dR, dy;
+  };
+} // namespace vibrocontact

@@ -1,0 +1,99 @@
+// Newton's solver where its linear systems fail: singular matrices, nothing in touch, numbers that are not
+// finite. Truth: closed forms, and the fixed point.
+
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/contact_solver.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace vibrocontact;
+
+namespace
+{
+  /// Points that do not feel each other: compliance 2 everywhere, gaps 0, 0.1, 0.2, ...
+  ContactProblem springs(const unsigned int n, const double coupling = 0)
+  {
+    DenseMatrix A(3 * n);
+    for (unsigned int i = 0; i < 3 * n; ++i)
+      for (unsigned int j = 0; j < 3 * n; ++j)
+        A(i, j) = i == j ? 2 : i / n == j / n ? coupling : 0;
+    ContactProblem problem;
+    problem.title = "springs";
+    problem.A = std::make_shared<DenseContactOperator>(std::move(A));
+    problem.b.reinit(3 * n);
+    for (unsigned int i = 0; i < n; ++i)
+      problem.b[i] = 0.1 * i;
+    problem.mu.assign(n, 0.3);
+    return problem;
+  }
+} // namespace
+
+TEST(Newton, BeginsAgainWhereNothingTouches)
+{
+  // A start without forces and far apart: no point answers to the approach, the fallback closes the gap.
+  // Then forces F on the first two points: 2 N1 = d, 2 N2 = d - 0.1.
+  ContactProblem problem = springs(4);
+  problem.normal_force = 0.1;
+  ContactSolution start;
+  start.R.reinit(12);
+  start.approach = -1;
+  const ContactSolution s = create_contact_solver({})->solve(problem, start);
+  EXPECT_TRUE(s.converged);
+  EXPECT_GE(s.fallbacks, 1u);
+  EXPECT_NEAR(s.R[0], 0.075, 1e-10);
+  EXPECT_NEAR(s.R[1], 0.025, 1e-10);
+  EXPECT_NEAR(s.approach, 0.15, 1e-10);
+  EXPECT_EQ(s.status[2], ContactStatus::open);
+}
+
+TEST(Newton, SingularMatrixGoesToTheFallback)
+{
+  // Two points whose normal compliance has rank one share a given approach in any proportion; the sum is
+  // determined: 2 (N1 + N2) = 0.3.
+  ContactProblem problem = springs(2, 2.);
+  problem.b[1] = 0;
+  problem.approach = 0.3;
+  problem.mu = {0, 0};
+  const ContactSolution s = create_contact_solver({})->solve(problem, {});
+  for (const double x : s.R)
+    EXPECT_TRUE(std::isfinite(x));
+  EXPECT_TRUE(s.converged);
+  EXPECT_NEAR(s.R[0] + s.R[1], 0.15, 1e-10);
+}
+
+TEST(Newton, NoOpenContactIsAnAnswer)
+{
+  ContactProblem problem = springs(3);
+  problem.approach = -0.5;
+  const ContactSolution s = create_contact_solver({})->solve(problem, {});
+  EXPECT_TRUE(s.converged);
+  EXPECT_EQ(s.R.l2_norm(), 0.);
+  EXPECT_NEAR(s.y[0], 0.5, 1e-14);
+}
+
+TEST(Newton, NotANumberStaysOutside)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  ContactProblem problem = springs(4);
+  problem.normal_force = 0.1;
+  // a start that is not finite is none
+  ContactSolution start;
+  start.R.reinit(12);
+  start.R[5] = nan;
+  for (const ContactSolverEntry &entry : contact_solvers())
+  {
+    ContactSolverParameters parameters;
+    parameters.method = entry.name;
+    const auto solver = create_contact_solver(parameters);
+    const ContactSolution s = solver->solve(problem, start);
+    EXPECT_TRUE(s.converged) << entry.name;
+    EXPECT_NEAR(s.R[0], 0.075, 1e-10) << entry.name;
+    // a problem that is not finite has no answer
+    ContactProblem broken = problem;
+    broken.b[1] = nan;
+    EXPECT_THROW(solver->solve(broken, {}), ConvergenceError) << entry.name;
+  }
+}
