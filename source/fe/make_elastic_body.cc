@@ -15,13 +15,13 @@ namespace vibrocontact
     {
       mesh = make_wheel(parameters.wheel, lateral_position, grid, parameters.name, communicator);
       model.held = {mesh.boundary_id("bore")};
-      degree = parameters.wheel.element_degree;
+      degree = parameters.wheel.section.element_degree;
     }
     else if (parameters.type == "rail")
     {
       mesh = make_rail(parameters.rail, grid, parameters.name, communicator);
       add_supports(model, parameters.rail, mesh);
-      degree = parameters.rail.element_degree;
+      degree = parameters.rail.section.element_degree;
     }
     else if (parameters.type == "block")
     {
@@ -32,8 +32,7 @@ namespace vibrocontact
     else if (parameters.type == "mesh")
     {
       mesh = make_mesh_from_file(parameters.mesh, lateral_position, grid, parameters.name, communicator);
-      for (const std::string &boundary : parameters.mesh.held_groups)
-        model.held.push_back(mesh.boundary_id(boundary));
+      add_supports(model, parameters.mesh, mesh);
       degree = parameters.mesh.element_degree;
     }
     else

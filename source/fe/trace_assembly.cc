@@ -1,8 +1,8 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/fe/face_map.h>
+#include <vibrocontact/fe/grid_quadrature.h>
 #include <vibrocontact/fe/trace_assembly.h>
 
-#include <deal.II/base/polynomial.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <limits>
@@ -14,212 +14,6 @@ namespace vibrocontact
 
   namespace
   {
-    /// Polynomial map of a cell's face, from face coordinates s (the cell's other axes, ascending) to space.
-    template <int dim>
-    class FaceMap
-    {
-    public:
-      FaceMap(const unsigned int degree)
-          : n(degree + 1), nodes(QGaussLobatto<1>(degree + 1).get_points()),
-            basis(Polynomials::generate_complete_Lagrange_basis(nodes)), value(n, 2), slope(n, 2)
-      {
-      }
-
-      /// Unit points on face @p f of the cell at which reinit() wants the positions.
-      Quadrature<dim> support(const unsigned int f) const
-      {
-        std::vector<Point<dim>> points;
-        for (unsigned int k = 0; k < Utilities::pow(n, dim - 1); ++k)
-        {
-          Point<dim - 1> s;
-          s[0] = nodes[k % n][0];
-          if (dim == 3)
-            s[dim - 2] = nodes[k / n][0];
-          points.push_back(on_cell(f, s));
-        }
-        return Quadrature<dim>(points);
-      }
-
-      static Point<dim> on_cell(const unsigned int f, const Point<dim - 1> &s)
-      {
-        Point<dim> p;
-        p[f / 2] = f % 2;
-        for (unsigned int d = 0, k = 0; d < dim; ++d)
-          if (d != f / 2)
-            p[d] = s[k++];
-        return p;
-      }
-
-      void reinit(const std::vector<Point<dim>> &positions) { x = positions; }
-
-      /// Position and derivatives with respect to s.
-      void evaluate(const Point<dim - 1> &s, Point<dim> &position,
-                    Tensor<1, dim - 1, Tensor<1, dim>> &derivative)
-      {
-        double v[2];
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          for (unsigned int k = 0; k < n; ++k)
-          {
-            basis[k].value(s[d], 1, v);
-            value(k, d) = v[0];
-            slope(k, d) = v[1];
-          }
-        position = Point<dim>();
-        derivative = Tensor<1, dim - 1, Tensor<1, dim>>();
-        for (unsigned int k = 0; k < x.size(); ++k)
-        {
-          const unsigned int i = k % n, j = k / n;
-          const double vj = dim == 3 ? value(j, 1) : 1.;
-          position += value(i, 0) * vj * x[k];
-          derivative[0] += slope(i, 0) * vj * x[k];
-          if (dim == 3)
-            derivative[dim - 2] += value(i, 0) * slope(j, 1) * x[k];
-        }
-      }
-
-      /// Find s with the tangential coordinates of @p target. False if the point is not on the face.
-      bool invert(const Point<dim - 1> &target, Point<dim - 1> &s, double &height)
-      {
-        Point<dim> position;
-        Tensor<1, dim - 1, Tensor<1, dim>> derivative;
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          s[d] = 0.5;
-        for (unsigned int iteration = 0; iteration < 25; ++iteration)
-        {
-          evaluate(s, position, derivative);
-          Tensor<2, dim - 1> J;
-          Tensor<1, dim - 1> r;
-          double size = 0;
-          for (unsigned int i = 0; i < dim - 1; ++i)
-          {
-            r[i] = target[i] - position[i];
-            for (unsigned int d = 0; d < dim - 1; ++d)
-            {
-              J[i][d] = derivative[d][i];
-              size = std::max(size, derivative[d].norm());
-            }
-          }
-          if (std::abs(determinant(J)) < 1e-3 * Utilities::fixed_power<dim - 1>(size))
-            return false;
-          const Tensor<1, dim - 1> step = dealii::invert(J) * r;
-          for (unsigned int d = 0; d < dim - 1; ++d)
-            s[d] = std::min(2., std::max(-1., s[d] + step[d]));
-          if (step.norm() < 1e-13)
-            break;
-        }
-        height = position[dim - 1];
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          if (s[d] < -1e-9 || s[d] > 1 + 1e-9)
-            return false;
-        return true;
-      }
-
-      /// Lengths of the face along x (and y) through its centre [m].
-      std::array<double, 2> extent()
-      {
-        Point<dim> position;
-        Tensor<1, dim - 1, Tensor<1, dim>> derivative;
-        Point<dim - 1> centre;
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          centre[d] = 0.5;
-        evaluate(centre, position, derivative);
-        Tensor<2, dim - 1> J;
-        for (unsigned int i = 0; i < dim - 1; ++i)
-          for (unsigned int d = 0; d < dim - 1; ++d)
-            J[i][d] = derivative[d][i];
-        std::array<double, 2> length = {{0, 0}};
-        if (std::abs(determinant(J)) < 1e-30)
-          return length;
-        const Tensor<2, dim - 1> inverse = dealii::invert(J);
-        for (unsigned int i = 0; i < dim - 1; ++i)
-        {
-          double largest = 0;
-          for (unsigned int d = 0; d < dim - 1; ++d)
-            largest = std::max(largest, std::abs(inverse[d][i]));
-          length[i] = 1 / largest;
-        }
-        return length;
-      }
-
-      std::vector<Point<dim>> x;
-
-    private:
-      const unsigned int n;
-      const std::vector<Point<1>> nodes;
-      const std::vector<Polynomials::Polynomial<double>> basis;
-      FullMatrix<double> value, slope;
-    };
-
-    /// Where a quadrature point of the grid was found.
-    template <int dim>
-    struct Hit
-    {
-      unsigned int face = numbers::invalid_unsigned_int;
-      double height = 0;
-      Point<dim - 1> s;
-    };
-
-    /// Quadrature points of all contact cells: point, then sub-cell point.
-    struct GridQuadrature
-    {
-      GridQuadrature(const ContactGrid &grid, const unsigned int n_sub_x, const unsigned int n_sub_y,
-                     const unsigned int n_gauss)
-          : grid(grid), x(n_sub_x, n_gauss), y(n_sub_y, n_gauss)
-      {
-      }
-      unsigned int n_per_cell() const { return x.size() * y.size(); }
-      double weight(const unsigned int k) const { return x.weights[k % x.size()] * y.weights[k / x.size()]; }
-      double px(const unsigned int i, const unsigned int k) const
-      {
-        return grid.x(i) + (x.points[k % x.size()] - 0.5) * grid.spacing_x;
-      }
-      double py(const unsigned int i, const unsigned int k) const
-      {
-        return grid.y(i) + (y.points[k / x.size()] - 0.5) * grid.spacing_y;
-      }
-
-      /// Points whose traction reaches this quadrature point, with its value there; they sum to one.
-      std::vector<std::pair<unsigned int, double>> tractions(const unsigned int point,
-                                                             const unsigned int k) const
-      {
-        if (grid.traction == TractionShape::constant)
-          return {{point, 1.}};
-        // A hat that would stand outside the grid leaves its share to the point itself.
-        const auto share = [](const double offset, const unsigned int index, const unsigned int size)
-        {
-          const int other = int(index) + (offset < 0 ? -1 : 1);
-          const bool inside = other >= 0 && other < int(size);
-          return std::make_pair(inside ? std::abs(offset) : 0., inside ? unsigned(other) : index);
-        };
-        const unsigned int i = point % grid.n_x, j = point / grid.n_x;
-        const auto [wx, ix] = share(x.points[k % x.size()] - 0.5, i, grid.n_x);
-        const auto [wy, jy] = share(y.points[k / x.size()] - 0.5, j, grid.n_y);
-        return {{point, (1 - wx) * (1 - wy)},
-                {grid.index(ix, j), wx * (1 - wy)},
-                {grid.index(i, jy), (1 - wx) * wy},
-                {grid.index(ix, jy), wx * wy}};
-      }
-
-    private:
-      struct Line
-      {
-        Line(const unsigned int n_sub, const unsigned int n_gauss)
-        {
-          const QGauss<1> gauss(n_gauss);
-          for (unsigned int s = 0; s < n_sub; ++s)
-            for (unsigned int q = 0; q < n_gauss; ++q)
-            {
-              points.push_back((s + gauss.point(q)[0]) / n_sub);
-              weights.push_back(gauss.weight(q) / n_sub);
-            }
-        }
-        unsigned int size() const { return points.size(); }
-        std::vector<double> points, weights;
-      };
-      const ContactGrid &grid;
-      const Line x, y;
-    };
-
     /// Throw on all ranks if a rank has something to complain of.
     void throw_together(const std::string &message, const MPI_Comm communicator)
     {
@@ -235,254 +29,326 @@ namespace vibrocontact
       return {std::max(0, int(std::floor((low - first) / spacing + 0.5))),
               std::min(int(n) - 1, int(std::floor((high - first) / spacing + 0.5)))};
     }
+    /// One trace in the making: the steps of make_contact_trace() and what they hand to each other.
+    template <int dim>
+    class TraceMaker
+    {
+    public:
+      TraceMaker(const ElasticBody<dim> &body, const ContactGrid &grid)
+          : body(body), grid(grid), communicator(body.communicator()),
+            rank(Utilities::MPI::this_mpi_process(communicator)), scalar(body.element.base_element(0)),
+            n(grid.n_points()), x_low(grid.x_first - grid.spacing_x / 2),
+            x_high(x_low + grid.n_x * grid.spacing_x), y_low(grid.y_first - grid.spacing_y / 2),
+            y_high(y_low + grid.n_y * grid.spacing_y), map(body.mesh.geometry_degree)
+      {
+      }
+
+      ContactTrace make()
+      {
+        find_faces();
+        const GridQuadrature quadrature = fitting_quadrature();
+        find_points(quadrature);
+        check_points(quadrature);
+        find_weights(quadrature);
+        return joined_trace();
+      }
+
+    private:
+      /// A contact face of this rank over or under the grid.
+      struct Face
+      {
+        typename DoFHandler<dim>::active_cell_iterator cell;
+        unsigned int number;
+        std::vector<Point<dim>> positions;
+      };
+      /// Where a quadrature point of the grid was found.
+      struct Hit
+      {
+        unsigned int face = numbers::invalid_unsigned_int;
+        double height = 0;
+        Point<dim - 1> s;
+      };
+      /// the three (two) dofs of a node
+      using Key = std::array<types::global_dof_index, 3>;
+
+      static BoundingBox<dim> box(const std::vector<Point<dim>> &positions)
+      {
+        BoundingBox<dim> result(std::make_pair(positions[0], positions[0]));
+        for (const auto &p : positions)
+          result.merge_with(BoundingBox<dim>(std::make_pair(p, p)));
+        result.extend(0.05 *
+                      (result.get_boundary_points().second - result.get_boundary_points().first).norm());
+        return result;
+      }
+
+      void find_faces()
+      {
+        std::vector<std::unique_ptr<FEValues<dim>>> face_nodes;
+        for (const unsigned int f : GeometryInfo<dim>::face_indices())
+          face_nodes.push_back(std::make_unique<FEValues<dim>>(body.mapping, scalar, map.support(f),
+                                                               update_quadrature_points));
+        for (const auto &cell : body.dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned() && cell->at_boundary())
+            for (const unsigned int f : cell->face_indices())
+            {
+              if (!cell->face(f)->at_boundary() ||
+                  body.mesh.contact_boundaries.count(cell->face(f)->boundary_id()) == 0)
+                continue;
+              face_nodes[f]->reinit(typename Triangulation<dim>::active_cell_iterator(cell));
+              const auto &positions = face_nodes[f]->get_quadrature_points();
+              const BoundingBox<dim> bounds = box(positions);
+              if (bounds.upper_bound(0) < x_low || bounds.lower_bound(0) > x_high ||
+                  (dim == 3 && (bounds.upper_bound(1) < y_low || bounds.lower_bound(1) > y_high)))
+                continue;
+              faces.push_back({cell, f, positions});
+            }
+      }
+
+      GridQuadrature fitting_quadrature()
+      {
+        // The grid's quadrature follows the smallest face near z = 0; where faces end inside sub-cells, many
+        // small ones.
+        double nearest = std::numeric_limits<double>::max();
+        for (const Face &face : faces)
+          nearest = std::min(nearest, std::abs(face.positions[0][dim - 1]));
+        double h_x_min = 1e30, h_y_min = 1e30;
+        nearest = Utilities::MPI::min(nearest, communicator);
+        reach = nearest + (x_high - x_low) + (dim == 3 ? y_high - y_low : 0.);
+        for (const Face &face : faces)
+          if (std::abs(face.positions[0][dim - 1]) < reach)
+          {
+            map.reinit(face.positions);
+            const auto length = map.extent();
+            if (length[0] <= 0)
+              continue;
+            h_x_min = std::min(h_x_min, length[0]);
+            h_y_min = std::min(h_y_min, dim == 3 ? length[1] : grid.spacing_y);
+          }
+        h_x_min = Utilities::MPI::min(h_x_min, communicator);
+        h_y_min = Utilities::MPI::min(h_y_min, communicator);
+        const auto n_fitting = [](const double spacing, const double h)
+        { return std::min(16u, 2 * std::max(1u, unsigned(std::ceil(spacing / (2 * h) - 0.05)))); };
+        unsigned int n_sub_x = n_fitting(grid.spacing_x, h_x_min);
+        unsigned int n_sub_y = dim == 3 ? n_fitting(grid.spacing_y, h_y_min) : 1;
+        bool aligned = true;
+        for (const Face &face : faces)
+          if (std::abs(face.positions[0][dim - 1]) < reach)
+          {
+            const Point<dim> &corner = face.positions.front(), &opposite = face.positions.back();
+            const Point<dim> &along = face.positions[body.mesh.geometry_degree];
+            const auto on_line = [](const double position, const double step)
+            { return std::abs(position / step - std::round(position / step)) < 0.02; };
+            for (const Point<dim> &p : {corner, opposite})
+            {
+              aligned = aligned && on_line(p[0] - x_low, grid.spacing_x / n_sub_x);
+              if (dim == 3)
+                aligned = aligned && on_line(p[1] - y_low, grid.spacing_y / n_sub_y);
+            }
+            if (dim == 3)
+              aligned = aligned && std::min(std::abs(along[0] - corner[0]) / grid.spacing_x,
+                                            std::abs(along[1] - corner[1]) / grid.spacing_y) < 0.02;
+          }
+        if (Utilities::MPI::max(aligned ? 0 : 1, communicator) == 1)
+        {
+          n_sub_x = std::max(n_sub_x, 10u);
+          n_sub_y = dim == 3 ? std::max(n_sub_y, 10u) : 1;
+        }
+        return GridQuadrature(grid, n_sub_x, n_sub_y, scalar.degree <= 3 ? 2 : 3);
+      }
+
+      void find_points(const GridQuadrature &quadrature)
+      {
+        // Find every point; of several faces the one nearest to the tangent plane, then the first rank, has
+        // it.
+        const unsigned int n_q = quadrature.n_per_cell();
+        hits.resize(n * n_q);
+        std::vector<double> height(n * n_q, std::numeric_limits<double>::max());
+        for (unsigned int k = 0; k < faces.size(); ++k)
+        {
+          map.reinit(faces[k].positions);
+          const BoundingBox<dim> bounds = box(faces[k].positions);
+          const auto [i0, i1] = cell_range(bounds.lower_bound(0), bounds.upper_bound(0), grid.x_first,
+                                           grid.spacing_x, grid.n_x);
+          const auto [j0, j1] = dim == 3 ? cell_range(bounds.lower_bound(1), bounds.upper_bound(1),
+                                                      grid.y_first, grid.spacing_y, grid.n_y)
+                                         : std::pair<int, int>(0, 0);
+          bool used = false;
+          for (int j = j0; j <= j1; ++j)
+            for (int i = i0; i <= i1; ++i)
+              for (unsigned int q = 0; q < n_q; ++q)
+              {
+                const unsigned int point = grid.index(i, j);
+                Point<dim - 1> target;
+                target[0] = quadrature.px(point, q);
+                if (dim == 3)
+                  target[dim - 2] = quadrature.py(point, q);
+                bool inside = true;
+                for (unsigned int d = 0; d < dim - 1; ++d)
+                  inside = inside && target[d] >= bounds.lower_bound(d) && target[d] <= bounds.upper_bound(d);
+                Hit hit;
+                if (!inside || !map.invert(target, hit.s, hit.height))
+                  continue;
+                double &best = height[point * n_q + q];
+                if (std::abs(hit.height) < best - 1e-9)
+                {
+                  best = std::abs(hit.height);
+                  hit.face = k;
+                  hits[point * n_q + q] = hit;
+                  used = true;
+                }
+              }
+          if (used && std::abs(faces[k].positions[0][dim - 1]) < reach)
+          {
+            h_x = std::max(h_x, map.extent()[0]);
+            h_y = std::max(h_y, map.extent()[1]);
+          }
+        }
+        std::vector<double> lowest(height.size());
+        Utilities::MPI::min(height, communicator, lowest);
+        std::vector<unsigned int> claim(height.size(), numbers::invalid_unsigned_int);
+        owner.resize(height.size());
+        for (unsigned int k = 0; k < height.size(); ++k)
+          if (hits[k].face != numbers::invalid_unsigned_int && height[k] <= lowest[k] + 1e-9)
+            claim[k] = rank;
+        Utilities::MPI::min(claim, communicator, owner);
+      }
+
+      void check_points(const GridQuadrature &quadrature) const
+      {
+        const unsigned int n_q = quadrature.n_per_cell();
+        for (unsigned int k = 0; k < owner.size(); ++k)
+          if (owner[k] == numbers::invalid_unsigned_int)
+          {
+            std::ostringstream text;
+            text << "The contact grid leaves the surface of body " << body.mesh.name
+                 << ": there is no contact face at x = " << 1e3 * quadrature.px(k / n_q, k % n_q)
+                 << " mm, y = " << 1e3 * quadrature.py(k / n_q, k % n_q)
+                 << " mm; make the grid smaller or move the contact (Contact/Lateral position).";
+            throw InputError(text.str());
+          }
+        const auto refuse_fine = [&](const double spacing, const double h, const char *axis)
+        {
+          const double cell = Utilities::MPI::max(h, communicator);
+          if (spacing * scalar.degree >= 0.95 * cell)
+            return;
+          std::ostringstream text;
+          text
+              << "Contact/Grid spacing is too fine for the mesh of body " << body.mesh.name << ": "
+              << 1e3 * spacing << " mm along " << axis << " where its cells of degree " << scalar.degree
+              << " measure " << 1e3 * cell
+              << " mm, so that several contact points share one node; refine the mesh at the contact or take "
+              << 1e3 * cell / scalar.degree << " mm or more.";
+          throw InputError(text.str());
+        };
+        refuse_fine(grid.spacing_x, h_x, "x");
+        if (dim == 3)
+          refuse_fine(grid.spacing_y, h_y, "y");
+      }
+
+      void find_weights(const GridQuadrature &quadrature)
+      {
+        const unsigned int n_q = quadrature.n_per_cell();
+        weights.resize(n);
+        surface_height.assign(n, 0.);
+        std::vector<types::global_dof_index> dofs(body.element.n_dofs_per_cell());
+        std::string complaint;
+        for (unsigned int k = 0; k < owner.size(); ++k)
+          if (owner[k] == rank)
+          {
+            const Face &face = faces[hits[k].face];
+            const Point<dim> unit = map.on_cell(face.number, hits[k].s);
+            const double w = quadrature.weight(k % n_q);
+            face.cell->get_dof_indices(dofs);
+            const auto tractions = quadrature.tractions(k / n_q, k % n_q);
+            for (const auto &[point, tau] : tractions)
+              surface_height[point] += tau * w * hits[k].height;
+            for (unsigned int node = 0; node < scalar.n_dofs_per_cell(); ++node)
+            {
+              if (!scalar.has_support_on_face(node, face.number))
+                continue;
+              const double N = scalar.shape_value(node, unit);
+              if (N == 0)
+                continue;
+              Key key = {{0, 0, 0}};
+              for (unsigned int c = 0; c < dim; ++c)
+              {
+                key[c] = dofs[body.element.component_to_system_index(c, node)];
+                if (body.constraints.is_constrained(key[c]) && complaint.empty())
+                  complaint =
+                      "The contact grid touches " +
+                      std::string(body.constraints.get_constraint_entries(key[c])->empty()
+                                      ? "the held boundary"
+                                      : "hanging nodes at the edge of the refined patch") +
+                      " of body " + body.mesh.name +
+                      "; make the grid smaller or the refined patch larger (entry Refinement margin).";
+              }
+              for (const auto &[point, tau] : tractions)
+                if (tau > 0)
+                  weights[point][key] += tau * w * N;
+            }
+          }
+        throw_together(complaint, communicator);
+      }
+
+      ContactTrace joined_trace() const
+      {
+        ContactTrace trace;
+        trace.grid = grid;
+        trace.surface_height.resize(n);
+        Utilities::MPI::sum(surface_height, communicator, trace.surface_height);
+        trace.rows.resize(3 * n);
+        const auto all = Utilities::MPI::all_gather(communicator, weights);
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          std::map<Key, double> merged;
+          for (const auto &part : all)
+            for (const auto &entry : part[i])
+              merged[entry.first] += entry.second;
+          double sum = 0;
+          for (const auto &entry : merged)
+            sum += entry.second;
+          AssertThrow(std::abs(sum - 1) < 1e-10,
+                      ExcMessage("The weights of a contact point do not sum to one."));
+          for (unsigned int c = 0; c < 3; ++c)
+          {
+            if (dim == 2 && c == 2)
+              continue;
+            auto &row = trace.rows[contact_row(n, c, i)];
+            for (const auto &entry : merged)
+              if (std::abs(entry.second) > 1e-15)
+                row.emplace_back(entry.first[c == 0 ? dim - 1 : c - 1], entry.second);
+            std::sort(row.begin(), row.end());
+          }
+        }
+        return trace;
+      }
+
+      const ElasticBody<dim> &body;
+      const ContactGrid &grid;
+      const MPI_Comm communicator;
+      const unsigned int rank;
+      const FiniteElement<dim> &scalar;
+      const unsigned int n;
+      /// the rectangle that the grid covers [m]
+      const double x_low, x_high, y_low, y_high;
+      FaceMap<dim> map;
+      std::vector<Face> faces;
+      /// faces further than this from z = 0 are another part of the surface; largest faces used [m]
+      double reach = 0, h_x = 0, h_y = 0;
+      /// per quadrature point: the face of this rank, and the rank whose face counts
+      std::vector<Hit> hits;
+      std::vector<unsigned int> owner;
+      /// this rank's share of the weights of the scalar shape functions and of the heights [m]
+      std::vector<std::map<Key, double>> weights;
+      std::vector<double> surface_height;
+    };
   } // namespace
 
   template <int dim>
   ContactTrace make_contact_trace(const ElasticBody<dim> &body, const ContactGrid &grid)
   {
     AssertThrow(dim == 3 || grid.n_y == 1, ExcMessage("The contact of a plane body is a line: n_y = 1."));
-    const MPI_Comm communicator = body.communicator();
-    const FiniteElement<dim> &scalar = body.element.base_element(0);
-    const unsigned int n = grid.n_points();
-
-    // Contact faces of this rank over or under the grid.
-    struct Face
-    {
-      typename DoFHandler<dim>::active_cell_iterator cell;
-      unsigned int number;
-      std::vector<Point<dim>> positions;
-    };
-    std::vector<Face> faces;
-    FaceMap<dim> map(body.mesh.geometry_degree);
-    std::vector<std::unique_ptr<FEValues<dim>>> face_nodes;
-    for (const unsigned int f : GeometryInfo<dim>::face_indices())
-      face_nodes.push_back(
-          std::make_unique<FEValues<dim>>(body.mapping, scalar, map.support(f), update_quadrature_points));
-    const double x_low = grid.x_first - grid.spacing_x / 2, x_high = x_low + grid.n_x * grid.spacing_x;
-    const double y_low = grid.y_first - grid.spacing_y / 2, y_high = y_low + grid.n_y * grid.spacing_y;
-    const auto box = [&](const std::vector<Point<dim>> &positions)
-    {
-      BoundingBox<dim> result(std::make_pair(positions[0], positions[0]));
-      for (const auto &p : positions)
-        result.merge_with(BoundingBox<dim>(std::make_pair(p, p)));
-      result.extend(0.05 * (result.get_boundary_points().second - result.get_boundary_points().first).norm());
-      return result;
-    };
-    double h_x = 0, h_y = 0, h_x_min = 1e30, h_y_min = 1e30;
-    for (const auto &cell : body.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned() && cell->at_boundary())
-        for (const unsigned int f : cell->face_indices())
-        {
-          if (!cell->face(f)->at_boundary() ||
-              body.mesh.contact_boundaries.count(cell->face(f)->boundary_id()) == 0)
-            continue;
-          face_nodes[f]->reinit(typename Triangulation<dim>::active_cell_iterator(cell));
-          const auto &positions = face_nodes[f]->get_quadrature_points();
-          const BoundingBox<dim> bounds = box(positions);
-          if (bounds.upper_bound(0) < x_low || bounds.lower_bound(0) > x_high ||
-              (dim == 3 && (bounds.upper_bound(1) < y_low || bounds.lower_bound(1) > y_high)))
-            continue;
-          faces.push_back({cell, f, positions});
-        }
-
-    // The grid's quadrature follows the smallest face near z = 0; where faces end inside sub-cells, many
-    // small ones.
-    double nearest = std::numeric_limits<double>::max();
-    for (const Face &face : faces)
-      nearest = std::min(nearest, std::abs(face.positions[0][dim - 1]));
-    nearest = Utilities::MPI::min(nearest, communicator);
-    const double reach = nearest + (x_high - x_low) + (dim == 3 ? y_high - y_low : 0.);
-    for (const Face &face : faces)
-      if (std::abs(face.positions[0][dim - 1]) < reach)
-      {
-        map.reinit(face.positions);
-        const auto length = map.extent();
-        if (length[0] <= 0)
-          continue;
-        h_x_min = std::min(h_x_min, length[0]);
-        h_y_min = std::min(h_y_min, dim == 3 ? length[1] : grid.spacing_y);
-      }
-    h_x_min = Utilities::MPI::min(h_x_min, communicator);
-    h_y_min = Utilities::MPI::min(h_y_min, communicator);
-    const auto n_fitting = [](const double spacing, const double h)
-    { return std::min(16u, 2 * std::max(1u, unsigned(std::ceil(spacing / (2 * h) - 0.05)))); };
-    unsigned int n_sub_x = n_fitting(grid.spacing_x, h_x_min);
-    unsigned int n_sub_y = dim == 3 ? n_fitting(grid.spacing_y, h_y_min) : 1;
-    bool aligned = true;
-    for (const Face &face : faces)
-      if (std::abs(face.positions[0][dim - 1]) < reach)
-      {
-        const Point<dim> &corner = face.positions.front(), &opposite = face.positions.back();
-        const Point<dim> &along = face.positions[body.mesh.geometry_degree];
-        const auto on_line = [](const double position, const double step)
-        { return std::abs(position / step - std::round(position / step)) < 0.02; };
-        for (const Point<dim> &p : {corner, opposite})
-        {
-          aligned = aligned && on_line(p[0] - x_low, grid.spacing_x / n_sub_x);
-          if (dim == 3)
-            aligned = aligned && on_line(p[1] - y_low, grid.spacing_y / n_sub_y);
-        }
-        if (dim == 3)
-          aligned = aligned && std::min(std::abs(along[0] - corner[0]) / grid.spacing_x,
-                                        std::abs(along[1] - corner[1]) / grid.spacing_y) < 0.02;
-      }
-    if (Utilities::MPI::max(aligned ? 0 : 1, communicator) == 1)
-    {
-      n_sub_x = std::max(n_sub_x, 10u);
-      n_sub_y = dim == 3 ? std::max(n_sub_y, 10u) : 1;
-    }
-    const GridQuadrature quadrature(grid, n_sub_x, n_sub_y, scalar.degree <= 3 ? 2 : 3);
-
-    // Find every point; of several faces the one nearest to the tangent plane, then the first rank, has it.
-    const unsigned int n_q = quadrature.n_per_cell();
-    std::vector<Hit<dim>> hits(n * n_q);
-    std::vector<double> height(n * n_q, std::numeric_limits<double>::max());
-    for (unsigned int k = 0; k < faces.size(); ++k)
-    {
-      map.reinit(faces[k].positions);
-      const BoundingBox<dim> bounds = box(faces[k].positions);
-      const auto [i0, i1] =
-          cell_range(bounds.lower_bound(0), bounds.upper_bound(0), grid.x_first, grid.spacing_x, grid.n_x);
-      const auto [j0, j1] = dim == 3 ? cell_range(bounds.lower_bound(1), bounds.upper_bound(1), grid.y_first,
-                                                  grid.spacing_y, grid.n_y)
-                                     : std::pair<int, int>(0, 0);
-      bool used = false;
-      for (int j = j0; j <= j1; ++j)
-        for (int i = i0; i <= i1; ++i)
-          for (unsigned int q = 0; q < n_q; ++q)
-          {
-            const unsigned int point = grid.index(i, j);
-            Point<dim - 1> target;
-            target[0] = quadrature.px(point, q);
-            if (dim == 3)
-              target[dim - 2] = quadrature.py(point, q);
-            bool inside = true;
-            for (unsigned int d = 0; d < dim - 1; ++d)
-              inside = inside && target[d] >= bounds.lower_bound(d) && target[d] <= bounds.upper_bound(d);
-            Hit<dim> hit;
-            if (!inside || !map.invert(target, hit.s, hit.height))
-              continue;
-            double &best = height[point * n_q + q];
-            if (std::abs(hit.height) < best - 1e-9)
-            {
-              best = std::abs(hit.height);
-              hit.face = k;
-              hits[point * n_q + q] = hit;
-              used = true;
-            }
-          }
-      if (used && std::abs(faces[k].positions[0][dim - 1]) < reach)
-      {
-        h_x = std::max(h_x, map.extent()[0]);
-        h_y = std::max(h_y, map.extent()[1]);
-      }
-    }
-    std::vector<double> lowest(height.size());
-    Utilities::MPI::min(height, communicator, lowest);
-    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
-    std::vector<unsigned int> claim(height.size(), numbers::invalid_unsigned_int), owner(height.size());
-    for (unsigned int k = 0; k < height.size(); ++k)
-      if (hits[k].face != numbers::invalid_unsigned_int && height[k] <= lowest[k] + 1e-9)
-        claim[k] = rank;
-    Utilities::MPI::min(claim, communicator, owner);
-
-    for (unsigned int k = 0; k < owner.size(); ++k)
-      if (owner[k] == numbers::invalid_unsigned_int)
-      {
-        std::ostringstream text;
-        text << "The contact grid leaves the surface of body " << body.mesh.name
-             << ": there is no contact face at x = " << 1e3 * quadrature.px(k / n_q, k % n_q)
-             << " mm, y = " << 1e3 * quadrature.py(k / n_q, k % n_q)
-             << " mm; make the grid smaller or move the contact (Contact/Lateral position).";
-        throw InputError(text.str());
-      }
-    const auto refuse_fine = [&](const double spacing, const double h, const char *axis)
-    {
-      const double cell = Utilities::MPI::max(h, communicator);
-      if (spacing * scalar.degree >= 0.95 * cell)
-        return;
-      std::ostringstream text;
-      text << "Contact/Grid spacing is too fine for the mesh of body " << body.mesh.name << ": "
-           << 1e3 * spacing << " mm along " << axis << " where its cells of degree " << scalar.degree
-           << " measure " << 1e3 * cell
-           << " mm, so that several contact points share one node; refine the mesh at the contact or take "
-           << 1e3 * cell / scalar.degree << " mm or more.";
-      throw InputError(text.str());
-    };
-    refuse_fine(grid.spacing_x, h_x, "x");
-    if (dim == 3)
-      refuse_fine(grid.spacing_y, h_y, "y");
-
-    // Weights of the scalar shape functions, by the three (two) dofs of a node.
-    using Key = std::array<types::global_dof_index, 3>;
-    std::vector<std::map<Key, double>> weights(n);
-    std::vector<double> surface_height(n, 0.), sums(n, 0.);
-    std::vector<types::global_dof_index> dofs(body.element.n_dofs_per_cell());
-    std::string complaint;
-    for (unsigned int k = 0; k < owner.size(); ++k)
-      if (owner[k] == rank)
-      {
-        const Face &face = faces[hits[k].face];
-        const Point<dim> unit = map.on_cell(face.number, hits[k].s);
-        const double w = quadrature.weight(k % n_q);
-        face.cell->get_dof_indices(dofs);
-        const auto tractions = quadrature.tractions(k / n_q, k % n_q);
-        for (const auto &[point, tau] : tractions)
-          surface_height[point] += tau * w * hits[k].height;
-        for (unsigned int node = 0; node < scalar.n_dofs_per_cell(); ++node)
-        {
-          if (!scalar.has_support_on_face(node, face.number))
-            continue;
-          const double N = scalar.shape_value(node, unit);
-          if (N == 0)
-            continue;
-          Key key = {{0, 0, 0}};
-          for (unsigned int c = 0; c < dim; ++c)
-          {
-            key[c] = dofs[body.element.component_to_system_index(c, node)];
-            if (body.constraints.is_constrained(key[c]) && complaint.empty())
-              complaint = "The contact grid touches " +
-                          std::string(body.constraints.get_constraint_entries(key[c])->empty()
-                                          ? "the held boundary"
-                                          : "hanging nodes at the edge of the refined patch") +
-                          " of body " + body.mesh.name +
-                          "; make the grid smaller or the refined patch larger (entry Refinement margin).";
-          }
-          for (const auto &[point, tau] : tractions)
-            if (tau > 0)
-              weights[point][key] += tau * w * N;
-        }
-      }
-    throw_together(complaint, communicator);
-
-    ContactTrace trace;
-    trace.grid = grid;
-    trace.surface_height.resize(n);
-    Utilities::MPI::sum(surface_height, communicator, trace.surface_height);
-    trace.rows.resize(3 * n);
-    const auto all = Utilities::MPI::all_gather(communicator, weights);
-    for (unsigned int i = 0; i < n; ++i)
-    {
-      std::map<Key, double> merged;
-      for (const auto &part : all)
-        for (const auto &entry : part[i])
-          merged[entry.first] += entry.second;
-      double sum = 0;
-      for (const auto &entry : merged)
-        sum += entry.second;
-      AssertThrow(std::abs(sum - 1) < 1e-10, ExcMessage("The weights of a contact point do not sum to one."));
-      for (unsigned int c = 0; c < 3; ++c)
-      {
-        if (dim == 2 && c == 2)
-          continue;
-        auto &row = trace.rows[contact_row(n, c, i)];
-        for (const auto &entry : merged)
-          if (std::abs(entry.second) > 1e-15)
-            row.emplace_back(entry.first[c == 0 ? dim - 1 : c - 1], entry.second);
-        std::sort(row.begin(), row.end());
-      }
-    }
-    return trace;
+    return TraceMaker<dim>(body, grid).make();
   }
 
   template ContactTrace make_contact_trace(const ElasticBody<2> &, const ContactGrid &);

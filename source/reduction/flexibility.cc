@@ -244,6 +244,7 @@ namespace vibrocontact
     }
 
     DenseMatrix result;
+    bool is_good = true;
     if (dealii::Utilities::MPI::this_mpi_process(system.communicator) == 0)
     {
       std::vector<std::vector<std::pair<unsigned int, double>>> rows(n);
@@ -256,9 +257,9 @@ namespace vibrocontact
       for (unsigned int r = 0; r < n; ++r)
         for (const auto &[k, weight] : rows[r])
           columns(k, r) += weight;
-      factor.set_property(dealii::LAPACKSupport::symmetric);
-      factor.compute_cholesky_factorization();
-      factor.solve(columns);
+      is_good = factorise_cholesky(factor);
+      if (is_good)
+        factor.solve(columns);
       result.reinit(n, n);
       for (unsigned int c = 0; c < n; ++c)
         for (unsigned int r = 0; r < n; ++r)
@@ -284,9 +285,13 @@ namespace vibrocontact
           asymmetry = std::max(asymmetry, std::abs(result(r, c) - result(c, r)));
           result(r, c) = result(c, r) = (result(r, c) + result(c, r)) / 2;
         }
-      AssertThrow(asymmetry <= 1e-8 * largest, dealii::ExcMessage("The contact compliance of body '" +
-                                                                  system.body + "' is not symmetric."));
+      is_good = is_good && asymmetry <= 1e-8 * largest;
     }
+    if (!dealii::Utilities::MPI::broadcast(system.communicator, is_good))
+      throw ConvergenceError(
+          "The contact compliance of body '" + system.body +
+          "' is not symmetric and positive definite: its mesh has badly shaped cells or its "
+          "material numbers are out of range; mend those.");
     broadcast(result, system.communicator);
     return result;
   }

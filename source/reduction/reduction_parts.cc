@@ -160,17 +160,10 @@ namespace vibrocontact
     DenseMatrix shifted = body.residual_flexibility;
     for (unsigned int i = 0; i < n; ++i)
       shifted(i, i) += 1e-8 * largest;
-    shifted.set_property(dealii::LAPACKSupport::symmetric);
-    try
-    {
-      shifted.compute_cholesky_factorization();
-    }
-    catch (const dealii::ExceptionBase &)
-    {
+    if (!factorise_cholesky(shifted))
       throw ConvergenceError("Body '" + body.name +
                              "': the residual flexibility of the contact is not positive " +
                              "semi-definite to 1e-8; the modes are not those of the matrices.");
-    }
     return body;
   }
 } // namespace vibrocontact

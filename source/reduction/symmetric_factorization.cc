@@ -171,6 +171,7 @@ namespace vibrocontact
     my.values.clear();
     my.values.shrink_to_fit();
 
+    bool is_definite = true;
     if (!schur_dofs.empty() && my.is_host)
     {
       // What MUMPS writes by rows is the transposed of our storage by columns.
@@ -181,10 +182,14 @@ namespace vibrocontact
       if (options.keep_factors && options.definite)
       {
         my.schur_factor = my.schur;
-        my.schur_factor.set_property(dealii::LAPACKSupport::symmetric);
-        my.schur_factor.compute_cholesky_factorization();
+        is_definite = factorise_cholesky(my.schur_factor);
       }
     }
+    if (!dealii::Utilities::MPI::broadcast(my.communicator, is_definite))
+      throw ConvergenceError(
+          "The stiffness condensed on the contact is not positive definite in a matrix of " +
+          std::to_string(my.n) +
+          " dofs: is the body held, and does its mesh have cells of reasonable shape?");
   }
 
   SymmetricFactorization::~SymmetricFactorization()
@@ -263,11 +268,6 @@ namespace vibrocontact
   unsigned int SymmetricFactorization::n_negative() const
   {
     return entry(implementation->mumps.infog, 12);
-  }
-
-  unsigned int SymmetricFactorization::n_dofs() const
-  {
-    return implementation->n;
   }
 
   const SymmetricFactorization::Statistics &SymmetricFactorization::statistics() const

@@ -62,12 +62,8 @@ namespace vibrocontact
       request.key = key;
       request.modes = modes;
       request.cache_directory = cache_directory;
-      if (parameters.type == "wheel")
-      {
-        request.wheel.emplace();
-        request.wheel->axle_height = tread_radius(wheel_outline(parameters.wheel), lateral_position);
-        request.wheel->rim_radius = modes.rim_radius;
-      }
+      if (const auto height = parameters.axle_height(lateral_position))
+        request.wheel = WheelFrame{*height, modes.rim_radius};
       return request;
     }
   } // namespace

@@ -78,13 +78,6 @@ namespace vibrocontact
     mesh.boundaries["bottom"] = 2 * dim - 2;
     mesh.boundaries["top"] = 2 * dim - 1;
     mesh.contact_boundaries = {mesh.boundaries.at(parameters.contact_face)};
-
-    std::ostringstream text;
-    text.precision(17);
-    text << "block " << low << " " << high;
-    for (const unsigned int n : divisions)
-      text << " " << n;
-    mesh.description = text.str();
     return mesh;
   }
 

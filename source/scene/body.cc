@@ -71,4 +71,13 @@ namespace vibrocontact
     if (is_meshed())
       loads.check(section + "/Loads");
   }
+
+  std::optional<double> BodyParameters::axle_height(const double lateral_position) const
+  {
+    if (type == "wheel")
+      return tread_radius(wheel.section.read_outline(wheel.scale), lateral_position);
+    if (type == "mesh" && mesh.is_wheel())
+      return tread_radius(wheel_outline(mesh), lateral_position);
+    return {};
+  }
 } // namespace vibrocontact

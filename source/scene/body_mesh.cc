@@ -20,8 +20,9 @@ namespace vibrocontact
     for (const auto &entry : boundaries)
       list +=
           (list.empty() ? "" : ", ") + entry.first + " (" + std::to_string(n_faces[entry.second]) + " faces)";
-    throw InputError("Body " + name + " has no boundary named '" + boundary + "'; its mesh has " +
-                     (list.empty() ? "no named boundary" : list) + ".");
+    throw InputError("Body " + name + " has no boundary named '" + boundary + "'; " +
+                     (list.empty() ? "its mesh has no named boundary: name one in the mesh."
+                                   : "use one of those that its mesh has: " + list + "."));
   }
 
   template struct BodyMesh<2>;

@@ -104,11 +104,6 @@ namespace vibrocontact
           active->set_refine_flag();
       triangulation.execute_coarsening_and_refinement();
     }
-    std::ostringstream text;
-    text.precision(17);
-    text << " refined " << n_levels << " " << parameters.margin << " " << parameters.depth << " " << low
-         << " " << high;
-    mesh.description += text.str();
   }
 
   std::vector<double> graded_divisions(const double total, const double fine, const double fine_length,

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <sstream>
+#include <type_traits>
 #include <unordered_map>
 
 namespace vibrocontact
@@ -12,6 +13,9 @@ namespace vibrocontact
 
   namespace
   {
+    /// no count or tag of a file that could be read is larger
+    constexpr long long largest_count = 2000000000;
+
     class Reader
     {
     public:
@@ -40,7 +44,7 @@ namespace vibrocontact
             skip_to("$End" + section.substr(1));
         }
         if (version == 0)
-          damaged("has no $MeshFormat: it is no gmsh file");
+          damaged("has no $MeshFormat: it is no gmsh file; give one that gmsh saved as text, format 4.1");
         if (result.hexahedra.empty())
           damaged("holds no hexahedra: in gmsh recombine the surfaces and extrude, or set "
                   "Mesh.SubdivisionAlgorithm = 2");
@@ -56,10 +60,16 @@ namespace vibrocontact
       template <typename T>
       T next()
       {
-        T value;
+        // a stream turns "-1" into a huge unsigned number without complaint
+        using Read = std::conditional_t<std::is_unsigned_v<T>, long long, T>;
+        Read value;
         if (!(stream >> value))
-          damaged("ends too early or holds text where a number is due");
-        return value;
+          damaged("ends too early or holds text where a number is due; save it again with gmsh");
+        if constexpr (std::is_unsigned_v<T>)
+          if (value < 0 || value > largest_count)
+            damaged("holds " + std::to_string(value) +
+                    " where a count, a tag or a type is due; save it again with gmsh");
+        return static_cast<T>(value);
       }
 
       void skip_to(const std::string &end)
@@ -68,7 +78,7 @@ namespace vibrocontact
         while (stream >> word)
           if (word == end)
             return;
-        damaged("ends too early: " + end + " is missing");
+        damaged("ends too early: " + end + " is missing; save it again with gmsh");
       }
 
       void read_format()
@@ -90,7 +100,7 @@ namespace vibrocontact
           std::getline(stream, text);
           const auto open = text.find('"'), close = text.rfind('"');
           if (open == close)
-            damaged("has a physical name without quotes");
+            damaged("has a physical name without quotes; save it again with gmsh");
           if (dim == 2)
             result.names[tag] = text.substr(open + 1, close - open - 1);
         }
@@ -122,7 +132,7 @@ namespace vibrocontact
       {
         for (unsigned int d = 0; d < 3; ++d)
           if (!std::isfinite(p[d]))
-            damaged("has a node whose coordinates are not finite");
+            damaged("has a node whose coordinates are not finite; repair it in gmsh");
         index[tag] = result.nodes.size();
         result.nodes.push_back(p);
       }
@@ -155,9 +165,9 @@ namespace vibrocontact
           next<int>();
           if (next<int>() != 0)
             damaged("holds parametric coordinates; save it with Mesh.SaveParametric = 0");
-          std::vector<unsigned long> tags(next<unsigned int>());
-          for (auto &tag : tags)
-            tag = next<unsigned long>();
+          std::vector<unsigned long> tags; // grows with what is there, not with what the file claims
+          for (unsigned int n = next<unsigned int>(); n > 0; --n)
+            tags.push_back(next<unsigned long>());
           for (const auto tag : tags)
             add_node(tag, next_point());
         }
@@ -170,7 +180,7 @@ namespace vibrocontact
         {
           const auto found = index.find(next<unsigned long>());
           if (found == index.end())
-            damaged("has an element with a node that does not exist");
+            damaged("has an element with a node that does not exist; save it again with gmsh");
           nodes[v] = found->second;
         }
         if (type == 5)

@@ -6,6 +6,7 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
+#include <algorithm>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -31,6 +32,15 @@ namespace vibrocontact
     prm.add_parameter("Held groups", held_groups,
                       "Physical names of the boundaries that are held; empty: a free body. Units: none.",
                       Patterns::List(Patterns::Anything(), 0, 100, ","));
+    prm.add_parameter("Foundation groups", foundation_groups,
+                      "Physical names of the boundaries that stand on springs to rigid ground, such as the "
+                      "pads' areas under a rail's foot; empty: none. Units: none.",
+                      Patterns::List(Patterns::Anything(), 0, 100, ","));
+    prm.add_parameter("Foundation stiffness", foundation_stiffness,
+                      "Stiffness per area of these springs along x, y, z. Units: N/m^3.",
+                      Patterns::List(Double(0, 1e18), 3, 3, ","));
+    prm.add_parameter("Foundation loss factor", foundation_loss_factor,
+                      "Hysteretic loss factor of these springs. Units: none.", Double(0, 10));
     prm.add_parameter(
         "Geometry", geometry,
         "flat: cells as in the file; wheel: the arcs of a wheel's outline are attached again. Units: none.",
@@ -56,7 +66,29 @@ namespace vibrocontact
     for (const auto &group : held_groups)
       if (group == contact_group)
         throw InputError(section + "/Held groups contains the contact group '" + group +
-                         "': a held face cannot deform in contact.");
+                         "': a held face cannot deform in contact; take it out of the list.");
+    const bool some = std::any_of(foundation_stiffness.begin(), foundation_stiffness.end(),
+                                  [](const double k) { return k > 0; });
+    const bool all = std::all_of(foundation_stiffness.begin(), foundation_stiffness.end(),
+                                 [](const double k) { return k > 0; });
+    if (some && foundation_groups.empty())
+      throw InputError(section + "/Foundation stiffness is given without Foundation groups: name the groups "
+                                 "that stand on springs.");
+    if (!foundation_groups.empty() && !(held_groups.empty() ? all : some))
+      throw InputError(section + "/Foundation stiffness must be positive " +
+                       (held_groups.empty()
+                            ? "along x, y and z: a body that can slide in one direction has no "
+                              "static response."
+                            : "in one direction at least, or leave Foundation groups empty."));
+    for (const auto &group : foundation_groups)
+    {
+      if (group == contact_group)
+        throw InputError(section + "/Foundation groups contains the contact group '" + group +
+                         "': one surface cannot do both; take it out of the list.");
+      if (std::find(held_groups.begin(), held_groups.end(), group) != held_groups.end())
+        throw InputError(section + "/Foundation groups contains '" + group +
+                         "', which Held groups holds rigidly; take it out of one of the lists.");
+    }
   }
 
   namespace
@@ -118,12 +150,11 @@ namespace vibrocontact
                                   const MPI_Comm communicator)
   {
     const GmshFile gmsh = GmshFile::read(parameters.file);
-    const bool is_wheel = parameters.geometry == "wheel";
 
     Point<3> origin;
     for (unsigned int d = 0; d < 3; ++d)
       origin[d] = parameters.contact_point.at(d) * parameters.unit;
-    if (is_wheel)
+    if (parameters.is_wheel())
       origin[1] += lateral_position;
     std::vector<Point<3>> vertices;
     for (const Point<3> &node : gmsh.nodes)
@@ -156,11 +187,14 @@ namespace vibrocontact
       for (const auto &[present, n] : counts)
         list += (list.empty() ? "" : ", ") + present + " (" + std::to_string(n) + " faces)";
       throw InputError("The mesh file " + parameters.file + " has no faces in a physical surface named '" +
-                       group + "', asked for by " + name + "/Mesh/" + entry + "; it has " +
-                       (list.empty() ? "no named surface" : list) + ".");
+                       group + "', asked for by " + name + "/Mesh/" + entry + "; " +
+                       (list.empty() ? "it has no named surface: name one in gmsh."
+                                     : "name one of those it has: " + list + "."));
     };
     for (const auto &group : parameters.held_groups)
       require(group, "Held groups");
+    for (const auto &group : parameters.foundation_groups)
+      require(group, "Foundation groups");
     if (grid)
     {
       require(parameters.contact_group, "Contact group");
@@ -195,26 +229,37 @@ namespace vibrocontact
     }
 
     mesh.geometry_degree = 1;
-    if (is_wheel)
+    if (parameters.is_wheel())
     {
-      const SectionOutline outline =
-          SectionOutline::read(parameters.wheel_outline.empty() ? mesh_directory() + "/wheel_outline.txt"
-                                                                : parameters.wheel_outline,
-                               parameters.wheel_scale);
+      const SectionOutline outline = wheel_outline(parameters);
       attach_wheel_manifolds(*mesh.triangulation, outline, tread_radius(outline, lateral_position),
                              lateral_position);
       mesh.geometry_degree = std::max(2u, parameters.element_degree);
     }
-    std::ostringstream text, content;
-    content << std::ifstream(parameters.file).rdbuf();
-    text.precision(17);
-    text << "mesh " << std::hash<std::string>()(content.str()) << " " << parameters.geometry << " " << origin
-         << " " << parameters.unit << " " << parameters.wheel_outline << " " << parameters.wheel_scale;
-    for (const auto &group : parameters.held_groups)
-      text << " " << group;
-    mesh.description = text.str();
     if (grid)
       refine_at_contact(mesh, *grid, parameters.refinement);
     return mesh;
+  }
+
+  void add_supports(ElasticModel<3> &model, const MeshFileParameters &parameters, const BodyMesh<3> &mesh)
+  {
+    for (const std::string &group : parameters.held_groups)
+      model.held.push_back(mesh.boundary_id(group));
+    for (const std::string &group : parameters.foundation_groups)
+    {
+      SpringBed<3> bed;
+      bed.boundary = mesh.boundary_id(group);
+      for (unsigned int d = 0; d < 3; ++d)
+        bed.stiffness_per_area[d] = parameters.foundation_stiffness.at(d);
+      bed.loss_factor = parameters.foundation_loss_factor;
+      model.springs.push_back(bed);
+    }
+  }
+
+  SectionOutline wheel_outline(const MeshFileParameters &parameters)
+  {
+    return SectionOutline::read(parameters.wheel_outline.empty() ? mesh_directory() + "/wheel_outline.txt"
+                                                                 : parameters.wheel_outline,
+                                parameters.wheel_scale);
   }
 } // namespace vibrocontact

@@ -88,20 +88,7 @@ namespace vibrocontact
   void RailParameters::declare_parameters(ParameterHandler &prm)
   {
     using Patterns::Double;
-    using Patterns::Integer;
-    prm.add_parameter(
-        "Section mesh", section_mesh,
-        "gmsh file of the section's quadrilaterals (lateral, height; m); empty: 60E1. Units: none.",
-        Patterns::FileName());
-    prm.add_parameter(
-        "Section outline", section_outline,
-        "Outline of the right half of the section, lines and arcs (see meshes/README.md); empty: 60E1. "
-        "Units: none.",
-        Patterns::FileName());
-    prm.add_parameter("Section refinements", section_refinements,
-                      "Halvings of the section's cells. Units: none.", Integer(0, 3));
-    prm.add_parameter("Element degree", element_degree,
-                      "Polynomial degree of the displacements. Units: none.", Integer(1, 4));
+    section.declare_parameters(prm, "lateral, height; outline of the right half");
     prm.add_parameter("Length", length, "Length of the rail; the contact is at its middle. Units: m.",
                       Double(0));
     prm.add_parameter("Lateral position", lateral_position,
@@ -139,38 +126,37 @@ namespace vibrocontact
     refinement.declare_parameters(prm);
   }
 
-  void RailParameters::check(const std::string &section) const
+  void RailParameters::check(const std::string &path) const
   {
-    refinement.check(section);
+    section.check(path);
+    refinement.check(path);
     const double anechoic = std::accumulate(anechoic_lengths.begin(), anechoic_lengths.end(), 0.);
     const bool some = has_pads(), all = pad_stiffness_x > 0 && pad_stiffness_y > 0 && pad_stiffness_z > 0;
     std::ostringstream text;
     if (!(length > 0.05) || length > 200)
-      text << section << "/Length is " << length << " m: give a length between 0.05 and 200 m.";
+      text << path << "/Length is " << length << " m: give a length between 0.05 and 200 m.";
     else if (!(contact_division > 0) || !(coarse_division >= contact_division))
-      text << section << "/Contact division (" << contact_division
+      text << path << "/Contact division (" << contact_division
            << " m) must be positive and not above Coarse division (" << coarse_division << " m).";
     else if (some && !all)
-      text << section
+      text << path
            << "/Pad stiffness x, y and z must be all positive, or all zero for a free rail: a rail that can "
            << "slide in one direction has no static response.";
     else if (some && !(sleeper_spacing > 0))
-      text << section << "/Sleeper spacing is " << sleeper_spacing << " m: it must be positive.";
+      text << path << "/Sleeper spacing is " << sleeper_spacing << " m: it must be positive.";
     else if (some && !(pad_length > 0 && pad_length <= sleeper_spacing))
-      text << section << "/Pad length is " << pad_length
+      text << path << "/Pad length is " << pad_length
            << " m: it must be positive and not above Sleeper spacing (" << sleeper_spacing << " m).";
     else if (some && supports().size() < 2)
-      text << section << "/Length " << length << " m holds fewer than two supports at Sleeper spacing "
+      text << path << "/Length " << length << " m holds fewer than two supports at Sleeper spacing "
            << sleeper_spacing << " m; make the rail longer.";
     else if (2 * anechoic > length)
-      text << section << "/Anechoic lengths add up to " << anechoic
+      text << path << "/Anechoic lengths add up to " << anechoic
            << " m at each end, more than the rail's half length " << length / 2 << " m.";
     else if (!anechoic_lengths.empty() &&
              (anechoic_loss_first <= 0 || anechoic_loss_last < anechoic_loss_first))
-      text << section << "/Anechoic loss factor first (" << anechoic_loss_first
+      text << path << "/Anechoic loss factor first (" << anechoic_loss_first
            << ") must be positive and not above the last (" << anechoic_loss_last << ").";
-    else if (!section_mesh.empty() && section_outline.empty())
-      text << section << "/Section mesh is given without Section outline: give both or none.";
     if (!text.str().empty())
       throw InputError(text.str());
   }
@@ -191,14 +177,8 @@ namespace vibrocontact
   BodyMesh<3> make_rail(const RailParameters &parameters, const ContactGrid *grid, const std::string &name,
                         const MPI_Comm communicator)
   {
-    const SectionOutline outline =
-        SectionOutline::read(parameters.section_outline.empty() ? mesh_directory() + "/rail_60e1_outline.txt"
-                                                                : parameters.section_outline);
-    const std::string section_file = parameters.section_mesh.empty()
-                                         ? mesh_directory() + "/rail_60e1_section.msh"
-                                         : parameters.section_mesh;
-    const SectionMesh section =
-        SectionMesh::read(section_file, 1., parameters.section_refinements, outline, true);
+    const SectionOutline outline = parameters.section.read_outline();
+    const SectionMesh section = parameters.section.read_mesh(outline, true);
     std::vector<SectionOutline::Row> crown;
     double reach = 0;
     for (const auto &row : outline.rows)
@@ -211,7 +191,7 @@ namespace vibrocontact
     {
       std::ostringstream text;
       text << "Rail/Lateral position " << parameters.lateral_position << " m of body " << name
-           << " is not on the crown, which reaches to " << reach << " m on either side.";
+           << " is not on the crown; give one between " << -reach << " and " << reach << " m.";
       throw InputError(text.str());
     }
     const double shift_y = parameters.lateral_position, shift_z = CrownManifold::height(crown, shift_y);
@@ -261,7 +241,7 @@ namespace vibrocontact
 
     BodyMesh<3> mesh;
     mesh.name = name;
-    mesh.geometry_degree = std::max(2u, parameters.element_degree);
+    mesh.geometry_degree = std::max(2u, parameters.section.element_degree);
     mesh.triangulation = std::make_unique<parallel::distributed::Triangulation<3>>(
         communicator, Triangulation<3>::limit_level_difference_at_vertices);
     mesh.triangulation->create_triangulation(vertices, cells, SubCellData());
@@ -273,12 +253,6 @@ namespace vibrocontact
                        {"end right", right_id}};
     mesh.contact_boundaries = {contact_id};
 
-    std::ostringstream text;
-    text.precision(17);
-    text << "rail " << section_file << " " << parameters.section_refinements << " " << shift_y;
-    for (const double position : x)
-      text << " " << position;
-    mesh.description = text.str();
     if (grid)
       refine_at_contact(mesh, *grid, parameters.refinement);
     return mesh;

@@ -92,7 +92,8 @@ namespace vibrocontact
     scene.analyses = file.list("Analyses");
     const std::vector<std::string> known = names_of(analysis_types());
     if (scene.analyses.empty())
-      throw InputError(file.where("", "Analyses") + ": no analysis is listed; valid are " +
+      throw InputError(file.where("", "Analyses") +
+                       ": no analysis is listed; write \"set Analyses = ...\" with one or more of " +
                        quoted_list(known, "and"));
     for (const auto &analysis : scene.analyses)
     {
@@ -100,7 +101,8 @@ namespace vibrocontact
         throw InputError(file.where("", "Analyses") + ": there is no analysis \"" + analysis + "\"; " +
                          name_suggestion(analysis, known));
       if (std::count(scene.analyses.begin(), scene.analyses.end(), analysis) > 1)
-        throw InputError(file.where("", "Analyses") + ": the analysis \"" + analysis + "\" is listed twice");
+        throw InputError(file.where("", "Analyses") + ": the analysis \"" + analysis +
+                         "\" is listed twice; list it once");
     }
     return scene;
   }
@@ -151,11 +153,11 @@ namespace vibrocontact
                            "/Block/Held is empty, so that the body is free to fall under the contact "
                            "force; hold at least one boundary, for instance Held = " +
                            (body.block.contact_face == "top" ? "bottom" : "top"));
-        else if (body.type == "mesh" && body.mesh.held_groups.empty())
+        else if (body.type == "mesh" && !body.mesh.is_supported())
           throw InputError(
               body.name +
-              "/Mesh/Held groups is empty, so that the body is free to fall under the contact force; hold "
-              "at least one of the file's groups");
+              "/Mesh/Held groups and Foundation groups are empty, so that the body is free to fall under the "
+              "contact force; hold at least one of the file's groups or put it on springs");
         else if (body.type == "rail" && !body.rail.has_pads())
           throw InputError(body.name +
                            "/Rail has no pad stiffness, so that the rail is free to fall under the contact "

@@ -52,7 +52,8 @@ namespace vibrocontact
       outline.rows.push_back(row);
     }
     if (outline.rows.empty())
-      throw InputError("The section outline " + file + " holds no curve.");
+      throw InputError("The section outline " + file +
+                       " holds no curve; it needs rows such as: line|arc a1 b1 a2 b2 ac bc R part (mm).");
     return outline;
   }
 
@@ -82,14 +83,6 @@ namespace vibrocontact
         return k;
     }
     return rows.size();
-  }
-
-  double SectionOutline::size() const
-  {
-    double largest = 0;
-    for (const Row &row : rows)
-      largest = std::max({largest, row.start.norm(), row.end.norm()});
-    return largest;
   }
 
   SectionMesh SectionMesh::read(const std::string &file, const double scale, const unsigned int refinements,

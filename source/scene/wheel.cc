@@ -19,26 +19,12 @@ namespace vibrocontact
   void WheelParameters::declare_parameters(ParameterHandler &prm)
   {
     using Patterns::Double;
-    using Patterns::Integer;
-    prm.add_parameter(
-        "Section mesh", section_mesh,
-        "gmsh file of the half section's quadrilaterals (axial, radius; m); empty: the one that comes "
-        "with the program. Units: none.",
-        Patterns::FileName());
-    prm.add_parameter(
-        "Section outline", section_outline,
-        "Outline of the half section, lines and arcs (see meshes/README.md); empty: the one that comes "
-        "with the program. Units: none.",
-        Patterns::FileName());
+    section.declare_parameters(prm, "half of it: axial, radius");
     prm.add_parameter(
         "Write mesh", write_mesh,
         "gmsh file to write the coarse hexahedra and named boundaries to, y as in the section; empty: "
         "none. Units: none.",
         Patterns::Anything());
-    prm.add_parameter("Section refinements", section_refinements,
-                      "Halvings of the section's cells. Units: none.", Integer(0, 3));
-    prm.add_parameter("Element degree", element_degree,
-                      "Polynomial degree of the displacements. Units: none.", Integer(1, 4));
     prm.add_parameter("Scale", scale, "All lengths of the section times this factor. Units: none.",
                       Double(0.01, 100));
     prm.add_parameter("Contact division", contact_division,
@@ -54,27 +40,19 @@ namespace vibrocontact
     refinement.declare_parameters(prm);
   }
 
-  void WheelParameters::check(const std::string &section) const
+  void WheelParameters::check(const std::string &path) const
   {
-    refinement.check(section);
+    section.check(path);
+    refinement.check(path);
     std::ostringstream text;
     if (!(contact_division > 0) || !(coarse_division >= contact_division))
-      text << section << "/Contact division (" << contact_division
+      text << path << "/Contact division (" << contact_division
            << " m) must be positive and not above Coarse division (" << coarse_division << " m).";
     else if (coarse_division > 0.5 * scale)
-      text << section << "/Coarse division is " << coarse_division
+      text << path << "/Coarse division is " << coarse_division
            << " m, fewer than six cells around the wheel; give it in metres.";
-    else if (!section_mesh.empty() && section_outline.empty())
-      text << section << "/Section mesh is given without Section outline: give both or none.";
     if (!text.str().empty())
       throw InputError(text.str());
-  }
-
-  SectionOutline wheel_outline(const WheelParameters &parameters)
-  {
-    return SectionOutline::read(parameters.section_outline.empty() ? mesh_directory() + "/wheel_outline.txt"
-                                                                   : parameters.section_outline,
-                                parameters.scale);
   }
 
   double tread_radius(const SectionOutline &outline, const double lateral_position)
@@ -91,7 +69,7 @@ namespace vibrocontact
       }
     std::ostringstream text;
     text << "Contact/Lateral position " << lateral_position
-         << " m is not on the wheel's tread, which reaches from " << low << " to " << high << " m.";
+         << " m is not on the wheel's tread; give one between " << low << " and " << high << " m.";
     throw InputError(text.str());
   }
 
@@ -129,12 +107,9 @@ namespace vibrocontact
   BodyMesh<3> make_wheel(const WheelParameters &parameters, const double lateral_position,
                          const ContactGrid *grid, const std::string &name, const MPI_Comm communicator)
   {
-    const SectionOutline outline = wheel_outline(parameters);
+    const SectionOutline outline = parameters.section.read_outline(parameters.scale);
     const double radius = tread_radius(outline, lateral_position);
-    const std::string section_file =
-        parameters.section_mesh.empty() ? mesh_directory() + "/wheel_section.msh" : parameters.section_mesh;
-    const SectionMesh section =
-        SectionMesh::read(section_file, parameters.scale, parameters.section_refinements, outline, false);
+    const SectionMesh section = parameters.section.read_mesh(outline, false, parameters.scale);
 
     // Angles of the sections, symmetric about the contact at phi = 0.
     const auto half = graded_divisions(numbers::PI * radius, parameters.contact_division,
@@ -168,7 +143,7 @@ namespace vibrocontact
 
     BodyMesh<3> mesh;
     mesh.name = name;
-    mesh.geometry_degree = std::max(2u, parameters.element_degree);
+    mesh.geometry_degree = std::max(2u, parameters.section.element_degree);
     mesh.triangulation = std::make_unique<parallel::distributed::Triangulation<3>>(
         communicator, Triangulation<3>::limit_level_difference_at_vertices);
     mesh.triangulation->create_triangulation(vertices, cells, SubCellData());
@@ -187,13 +162,6 @@ namespace vibrocontact
     mesh.boundaries = {{"surface", surface_id}, {"bore", bore_id}, {"contact", contact_id}};
     mesh.contact_boundaries = {contact_id};
 
-    std::ostringstream text;
-    text.precision(17);
-    text << "wheel " << lateral_position << " " << parameters.scale << " " << parameters.section_refinements
-         << " " << section_file << " " << vertices.size();
-    for (const double length : half)
-      text << " " << length;
-    mesh.description = text.str();
     if (!parameters.write_mesh.empty())
       on_first_rank([&] { write_gmsh(mesh, parameters.write_mesh, lateral_position); }, communicator);
     if (grid)

@@ -5,6 +5,7 @@
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/output/field_writer.h>
 #include <vibrocontact/reduction/modes.h>
+#include <vibrocontact/scene/body.h>
 #include <vibrocontact/scene/gmsh_file.h>
 #include <vibrocontact/scene/loads.h>
 #include <vibrocontact/scene/mesh_file.h>
@@ -125,7 +126,7 @@ TEST(MeshFile, wheel_written_and_read_back_has_the_same_frequencies)
 {
   WheelParameters wheel;
   wheel.contact_division = wheel.coarse_division = 0.24;
-  wheel.element_degree = 1;
+  wheel.section.element_degree = 1;
   const BodyMesh<3> original = make_wheel(wheel, 0., nullptr, "wheel", MPI_COMM_WORLD);
   MeshFileParameters parameters;
   parameters.file = folder() + "/wheel.msh";
@@ -145,17 +146,71 @@ TEST(MeshFile, wheel_written_and_read_back_has_the_same_frequencies)
     EXPECT_NEAR(g[k] / f[k], 1, 1e-9);
 }
 
+TEST(MeshFile, foundation_under_a_named_group)
+{
+  // The block on springs instead of held: a vertical translation stretches nothing but them, and a much
+  // stiffer block moves on them as a rigid body: z = -mg / (k area), loss factor of its lowest mode 0.3.
+  MeshFileParameters parameters = foreign_block();
+  parameters.held_groups.clear();
+  EXPECT_FALSE(parameters.is_supported());
+  parameters.foundation_groups = {"Einspannung"};
+  parameters.foundation_stiffness = {1e8, 1e8, 0};
+  EXPECT_THROW(parameters.check("rail/Mesh"), InputError);
+  parameters.foundation_stiffness = {1e8, 1e8, 2e8};
+  parameters.foundation_loss_factor = 0.3;
+  parameters.check("rail/Mesh");
+  EXPECT_TRUE(parameters.is_supported());
+  BodyMesh<3> mesh = make_mesh_from_file(parameters, 0, nullptr, "rail", MPI_COMM_WORLD);
+  ElasticModel<3> model;
+  add_supports(model, parameters, mesh);
+  model.gravity[2] = -9.81;
+  const ElasticBody<3> body(std::move(mesh), model, 1);
+  const auto system = body.assemble();
+  EXPECT_EQ(system->n_rigid_modes, 0u);
+  const double area = 0.06 * 0.04;
+  PETScWrappers::MPI::Vector lift = rigid_motions(body)[2], force(lift);
+  lift /= lift.linfty_norm();
+  system->stiffness.vmult(force, lift);
+  EXPECT_NEAR(lift * force / (2e8 * area), 1, 1e-9);
+  Flexibility flexibility(*system);
+  PETScWrappers::MPI::Vector u(system->load);
+  flexibility.vmult(u, system->load);
+  EXPECT_NEAR((u * system->load) * 2e8 * area / std::pow(9.81 * system->total_mass, 2), 1, 1e-2);
+  ModeParameters modes;
+  modes.count = 3;
+  const auto zeta = strain_energy_damping(*system, compute_modes(*system, flexibility, modes));
+  EXPECT_NEAR(zeta[0], 0.15, 1e-3);
+
+  parameters.foundation_groups = {"base"};
+  EXPECT_THROW(make_mesh_from_file(parameters, 0, nullptr, "rail", MPI_COMM_WORLD), InputError);
+}
+
+TEST(MeshFile, wheel_from_a_file_is_labelled_as_a_wheel)
+{
+  BodyParameters built_in, from_file, foreign;
+  built_in.type = "wheel";
+  from_file.type = foreign.type = "mesh";
+  from_file.mesh.geometry = "wheel";
+  foreign.mesh = foreign_block();
+  ASSERT_TRUE(from_file.axle_height(0.01).has_value());
+  EXPECT_EQ(*from_file.axle_height(0.01), *built_in.axle_height(0.01));
+  EXPECT_NEAR(*from_file.axle_height(0), 0.46, 1e-6);
+  EXPECT_FALSE(foreign.axle_height(0).has_value());
+}
+
 TEST(MeshFile, wrong_files_are_refused_with_a_sentence)
 {
   const auto expect = [](const std::string &text, const std::string &part)
   { EXPECT_NE(text.find(part), std::string::npos) << "got: " << text; };
-  expect(complaint("\"Lauffläche\"", "\"Schiene\""), "it has Einspannung (");
+  expect(complaint("\"Lauffläche\"", "\"Schiene\""), "those it has: Einspannung (25 faces)");
   expect(complaint("$MeshFormat\n4.1 0 8", "$MeshFormat\n4.0 0 8"), "format 4.0");
   expect(complaint("$MeshFormat\n4.1 0 8", "$MeshFormat\n4.1 1 8"), "binary");
   expect(complaint("$EndElements", "\n"), "");
   expect(complaint("3 1 5 ", "3 1 4 "), "tetrahedra");
   expect(complaint("3 1 5 ", "3 1 17 "), "second-order");
   expect(complaint("$MeshFormat", "solid"), "no $MeshFormat");
+  expect(complaint("$Elements\n", "$Elements\n-"), "holds -");
+  expect(complaint("$Nodes\n", "$Nodes\n-"), "where a count");
 
   MeshFileParameters parameters = foreign_block();
   parameters.unit = 10;

@@ -183,6 +183,54 @@ TEST(ReductionMpi, TwoRanksAsOne)
   }
 }
 
+TEST(ReductionMpi, RanksWithoutCells)
+{
+  // One cell: on two ranks the second has no dofs, and everything comes out as on one.
+  BlockParameters parameters;
+  parameters.divisions_x = parameters.divisions_y = parameters.divisions_z = 1;
+  ElasticModel<3> model;
+  model.material.loss_factor = 0.02;
+  model.gravity[2] = -9.81;
+  for (const bool free : {false, true})
+  {
+    if (free)
+      parameters.held.clear();
+    const Body together = make_body(parameters, model, MPI_COMM_WORLD, 2),
+               alone = make_body(parameters, model, MPI_COMM_SELF, 2);
+    Flexibility a(*together.system), b(*alone.system);
+    const Parts p = reduce(together, a, 4), q = reduce(alone, b, 4);
+    ASSERT_EQ(p.modal.omega.size(), q.modal.omega.size());
+    for (unsigned int k = p.modal.n_rigid_modes; k < p.modal.omega.size(); ++k)
+      EXPECT_NEAR(p.modal.omega[k] / q.modal.omega[k], 1., 1e-9);
+    EXPECT_LT(difference(p.statics.compliance, q.statics.compliance), 1e-9);
+    EXPECT_LT(difference(combine(p.statics, &p.modal).residual_flexibility,
+                         combine(q.statics, &q.modal).residual_flexibility),
+              1e-8);
+  }
+}
+
+TEST(ReductionMpi, CacheThatCannotBeWrittenIsAWarning)
+{
+  // A file stands where the folder should be: rank 0 alone fails, no rank waits for it.
+  const std::string place =
+      "no_folder_" + std::to_string(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+  const bool is_host = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  if (is_host)
+    std::ofstream(place) << "a file";
+  MPI_Barrier(MPI_COMM_WORLD);
+  StaticReduction part;
+  part.name = "block";
+  const unsigned int warnings = run_log().n_warnings();
+  const ReductionCache cache(place, MPI_COMM_WORLD);
+  cache.save("a model", part);
+  EXPECT_FALSE(cache.load_static("block", "a model").has_value());
+  if (is_host)
+  {
+    EXPECT_GT(run_log().n_warnings(), warnings);
+    std::filesystem::remove(place);
+  }
+}
+
 TEST(ReductionMpi, CacheReturnsWhatWasSaved)
 {
   const std::string folder =
@@ -193,7 +241,8 @@ TEST(ReductionMpi, CacheReturnsWhatWasSaved)
   MPI_Barrier(MPI_COMM_WORLD);
   const Body body = block(false, MPI_COMM_WORLD, true);
   Flexibility flexibility(*body.system);
-  const Parts parts = reduce(body, flexibility, 5);
+  Parts parts = reduce(body, flexibility, 5);
+  parts.statics.grid.traction = TractionShape::bilinear;
 
   const ReductionCache cache(folder, MPI_COMM_WORLD);
   EXPECT_FALSE(cache.load_static("block", "a model").has_value());
@@ -208,6 +257,7 @@ TEST(ReductionMpi, CacheReturnsWhatWasSaved)
   EXPECT_EQ(statics->load_response, parts.statics.load_response);
   EXPECT_EQ(statics->lifting, parts.statics.lifting);
   EXPECT_EQ(statics->grid.n_x, parts.statics.grid.n_x);
+  EXPECT_EQ(statics->grid.traction, TractionShape::bilinear);
   EXPECT_EQ(statics->grid.spacing_x, parts.statics.grid.spacing_x);
   EXPECT_EQ(modal->omega, parts.modal.omega);
   EXPECT_EQ(modal->labels, parts.modal.labels);

@@ -19,12 +19,13 @@ namespace
     std::string label;
   };
 
-  /// Labels near these frequencies of a coarse wheel (18 cells round the tread).
+  /// Labels near these frequencies of a coarse wheel: 14 cells round the tread, enough for six nodal
+  /// diameters.
   void check_wheel(const double scale, const double upper_frequency, const std::vector<Named> &expected)
   {
     WheelParameters parameters;
     parameters.scale = scale;
-    parameters.contact_division = parameters.coarse_division = 0.16 * scale;
+    parameters.contact_division = parameters.coarse_division = 0.21 * scale;
     BodyMesh<3> mesh = make_wheel(parameters, 0, nullptr, "wheel", MPI_COMM_WORLD);
     ElasticModel<3> model;
     model.held.push_back(mesh.boundary_id("bore"));
@@ -43,7 +44,7 @@ namespace
       const auto found = std::find(texts.begin(), texts.end(), label);
       ASSERT_NE(found, texts.end()) << label;
       const unsigned int i = found - texts.begin(), n = labels[i].nodal_diameters;
-      EXPECT_NEAR(modes.omega[i] / (2 * std::acos(-1.)) * scale / frequency, 1, 0.03) << label;
+      EXPECT_NEAR(modes.omega[i] / (2 * std::acos(-1.)) * scale / frequency, 1, 0.08) << label;
       EXPECT_EQ(damping[i], n == 0 ? 1e-3 : n == 1 ? 1e-2 : 1e-4);
       // the second of the pair follows
       if (n > 0)
@@ -54,7 +55,7 @@ namespace
 
 TEST(WheelLabels, NamedModes)
 {
-  check_wheel(1, 3500,
+  check_wheel(1, 3750,
               {{136.3, "axial(0,1)"},
                {197.6, "axial(0,0)"},
                {334.1, "axial(0,2)"},

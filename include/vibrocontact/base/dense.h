@@ -9,4 +9,20 @@ namespace vibrocontact
   /// steps.
   using DenseMatrix = dealii::LAPACKFullMatrix<double>;
   using DenseVector = dealii::Vector<double>;
+
+  /// Factorises a symmetric matrix in place by Cholesky. Returns false if it is not positive definite (or not
+  /// finite): deal.II's own function throws what no caller expects.
+  inline bool factorise_cholesky(DenseMatrix &matrix)
+  {
+    matrix.set_property(dealii::LAPACKSupport::symmetric);
+    try
+    {
+      matrix.compute_cholesky_factorization();
+    }
+    catch (const dealii::ExceptionBase &)
+    {
+      return false;
+    }
+    return true;
+  }
 } // namespace vibrocontact

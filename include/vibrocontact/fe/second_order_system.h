@@ -46,8 +46,5 @@ namespace vibrocontact
     /// rigidly
     bool follows_hub = false;
     ContactTrace trace;
-    /// hash of everything that determines the matrices and the trace (mesh, material, boundary, grid); cache
-    /// key
-    std::string key;
   };
 } // namespace vibrocontact

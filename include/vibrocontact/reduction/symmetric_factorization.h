@@ -68,7 +68,6 @@ namespace vibrocontact
     const DenseMatrix &schur_complement() const;
     /// Number of negative eigenvalues of A (Sylvester): the modes below `shift`.
     unsigned int n_negative() const;
-    unsigned int n_dofs() const;
     const Statistics &statistics() const;
 
   private:

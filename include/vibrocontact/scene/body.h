@@ -9,6 +9,7 @@
 #include <vibrocontact/scene/rail.h>
 #include <vibrocontact/scene/wheel.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,5 +49,9 @@ namespace vibrocontact
     /// Inside the body's subsection; the type has to be set before.
     void declare_parameters(dealii::ParameterHandler &prm);
     void check(const std::string &section) const;
+
+    /// Height of the axle above the contact point [m] if the body is a wheel, built in or from a mesh file
+    /// with Geometry = wheel; nothing for other bodies. Its modes have labels and Eq. 23's damping.
+    std::optional<double> axle_height(double lateral_position) const;
   };
 } // namespace vibrocontact

@@ -28,8 +28,6 @@ namespace vibrocontact
     std::set<dealii::types::boundary_id> contact_boundaries;
     /// polynomial degree of the mapping
     unsigned int geometry_degree = 2;
-    /// everything that determined the mesh, as text; part of the cache key
-    std::string description;
 
     /// @throws InputError listing the names that exist if @p boundary is none of them.
     dealii::types::boundary_id boundary_id(const std::string &boundary) const;

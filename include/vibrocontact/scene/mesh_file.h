@@ -1,6 +1,9 @@
 #pragma once
 
 #include <vibrocontact/scene/contact_refinement.h>
+#include <vibrocontact/scene/elastic_model.h>
+
+#include <vibrocontact/scene/section.h>
 
 #include <string>
 #include <vector>
@@ -22,6 +25,11 @@ namespace vibrocontact
     /// names of the groups
     std::string contact_group = "contact";
     std::vector<std::string> held_groups;
+    /// groups that stand on springs to rigid ground (the pads of a rail), stiffness per area in x, y, z
+    /// [N/m^3], hysteretic loss factor [-]
+    std::vector<std::string> foundation_groups;
+    std::vector<double> foundation_stiffness = {0, 0, 0};
+    double foundation_loss_factor = 0;
     /// flat: cells as they are; wheel: arcs of a wheel's outline are attached as to the built-in one
     std::string geometry = "flat";
     /// for geometry = wheel: outline, empty the built-in one, and similarity factor
@@ -32,6 +40,9 @@ namespace vibrocontact
 
     void declare_parameters(dealii::ParameterHandler &prm);
     void check(const std::string &section) const;
+    bool is_wheel() const { return geometry == "wheel"; }
+    /// held, or on springs that resist every direction: no motion without force
+    bool is_supported() const { return !held_groups.empty() || !foundation_groups.empty(); }
   };
 
   /// @param lateral_position used with geometry = wheel: y of the contact in the wheel's section [m]
@@ -42,4 +53,11 @@ namespace vibrocontact
   BodyMesh<3> make_mesh_from_file(const MeshFileParameters &parameters, const double lateral_position,
                                   const ContactGrid *grid, const std::string &name,
                                   const MPI_Comm communicator);
+
+  /// Held groups and foundation of the body, to be added to the model of @p mesh (a mesh of
+  /// make_mesh_from_file).
+  void add_supports(ElasticModel<3> &model, const MeshFileParameters &parameters, const BodyMesh<3> &mesh);
+
+  /// The outline of a mesh with geometry = wheel.
+  SectionOutline wheel_outline(const MeshFileParameters &parameters);
 } // namespace vibrocontact

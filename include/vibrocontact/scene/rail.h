@@ -2,7 +2,7 @@
 
 #include <vibrocontact/scene/contact_refinement.h>
 #include <vibrocontact/scene/elastic_model.h>
-#include <vibrocontact/scene/section.h>
+#include <vibrocontact/scene/section_parameters.h>
 
 namespace vibrocontact
 {
@@ -16,10 +16,7 @@ namespace vibrocontact
   /// Boundaries: foot (underside), contact (the crown), end left, end right, surface (all else).
   struct RailParameters
   {
-    /// files of the section; empty: the 60E1 that comes with the program
-    std::string section_mesh, section_outline;
-    unsigned int section_refinements = 0;
-    unsigned int element_degree = 2;
+    SectionParameters section{"rail_60e1"};
     /// length of the rail [m]; the contact is at its middle
     double length = 12;
     /// position of the contact on the crown, from the symmetry plane [m]
@@ -42,7 +39,7 @@ namespace vibrocontact
     ContactRefinement refinement;
 
     void declare_parameters(dealii::ParameterHandler &prm);
-    void check(const std::string &section) const;
+    void check(const std::string &path) const;
     bool has_pads() const { return pad_stiffness_x > 0 || pad_stiffness_y > 0 || pad_stiffness_z > 0; }
     /// x of the supports' centres on the rail [m]
     std::vector<double> supports() const;

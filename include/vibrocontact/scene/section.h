@@ -31,9 +31,6 @@ namespace vibrocontact
     /// The row on which all points lie, or rows.size() if there is none.
     unsigned int find(const std::vector<dealii::Point<2>> &points) const;
 
-    /// Largest distance of a point of the outline from the origin [m].
-    double size() const;
-
     std::vector<Row> rows;
 
   private:

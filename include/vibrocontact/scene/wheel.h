@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/scene/contact_refinement.h>
-#include <vibrocontact/scene/section.h>
+#include <vibrocontact/scene/section_parameters.h>
 
 namespace vibrocontact
 {
@@ -14,14 +14,9 @@ namespace vibrocontact
   ///       ---+---  tread, z = 0
   struct WheelParameters
   {
-    /// files of the section; empty: the ones that come with the program
-    std::string section_mesh, section_outline;
+    SectionParameters section{"wheel"};
     /// gmsh file to write the coarse mesh to; empty: none
     std::string write_mesh;
-    /// halvings of the section's cells
-    unsigned int section_refinements = 0;
-    /// polynomial degree of the displacements
-    unsigned int element_degree = 2;
     /// similar wheels: all lengths times this factor
     double scale = 1;
     /// circumferential lengths of cells on the tread: at the contact, and largest far from it [m]; growth
@@ -31,7 +26,7 @@ namespace vibrocontact
     ContactRefinement refinement;
 
     void declare_parameters(dealii::ParameterHandler &prm);
-    void check(const std::string &section) const;
+    void check(const std::string &path) const;
   };
 
   /// @param lateral_position y of the contact in the section [m]
@@ -49,6 +44,4 @@ namespace vibrocontact
 
   /// Radius of the tread at an axial position [m].
   double tread_radius(const SectionOutline &outline, const double lateral_position);
-
-  SectionOutline wheel_outline(const WheelParameters &parameters);
 } // namespace vibrocontact

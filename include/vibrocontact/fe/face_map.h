@@ -1,0 +1,147 @@
+#pragma once
+
+#include <deal.II/base/polynomial.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <array>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// Polynomial map of a cell's face, from face coordinates s (the cell's other axes, ascending) to space.
+  template <int dim>
+  class FaceMap
+  {
+  public:
+    FaceMap(const unsigned int degree)
+        : n(degree + 1), nodes(dealii::QGaussLobatto<1>(degree + 1).get_points()),
+          basis(dealii::Polynomials::generate_complete_Lagrange_basis(nodes)), value(n, 2), slope(n, 2)
+    {
+    }
+
+    /// Unit points on face @p f of the cell at which reinit() wants the positions.
+    dealii::Quadrature<dim> support(const unsigned int f) const
+    {
+      std::vector<dealii::Point<dim>> points;
+      for (unsigned int k = 0; k < dealii::Utilities::pow(n, dim - 1); ++k)
+      {
+        dealii::Point<dim - 1> s;
+        s[0] = nodes[k % n][0];
+        if (dim == 3)
+          s[dim - 2] = nodes[k / n][0];
+        points.push_back(on_cell(f, s));
+      }
+      return dealii::Quadrature<dim>(points);
+    }
+
+    static dealii::Point<dim> on_cell(const unsigned int f, const dealii::Point<dim - 1> &s)
+    {
+      dealii::Point<dim> p;
+      p[f / 2] = f % 2;
+      for (unsigned int d = 0, k = 0; d < dim; ++d)
+        if (d != f / 2)
+          p[d] = s[k++];
+      return p;
+    }
+
+    void reinit(const std::vector<dealii::Point<dim>> &positions) { x = positions; }
+
+    /// Position and derivatives with respect to s.
+    void evaluate(const dealii::Point<dim - 1> &s, dealii::Point<dim> &position,
+                  dealii::Tensor<1, dim - 1, dealii::Tensor<1, dim>> &derivative)
+    {
+      double v[2];
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        for (unsigned int k = 0; k < n; ++k)
+        {
+          basis[k].value(s[d], 1, v);
+          value(k, d) = v[0];
+          slope(k, d) = v[1];
+        }
+      position = dealii::Point<dim>();
+      derivative = dealii::Tensor<1, dim - 1, dealii::Tensor<1, dim>>();
+      for (unsigned int k = 0; k < x.size(); ++k)
+      {
+        const unsigned int i = k % n, j = k / n;
+        const double vj = dim == 3 ? value(j, 1) : 1.;
+        position += value(i, 0) * vj * x[k];
+        derivative[0] += slope(i, 0) * vj * x[k];
+        if (dim == 3)
+          derivative[dim - 2] += value(i, 0) * slope(j, 1) * x[k];
+      }
+    }
+
+    /// Find s with the tangential coordinates of @p target. False if the point is not on the face.
+    bool invert(const dealii::Point<dim - 1> &target, dealii::Point<dim - 1> &s, double &height)
+    {
+      dealii::Point<dim> position;
+      dealii::Tensor<1, dim - 1, dealii::Tensor<1, dim>> derivative;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        s[d] = 0.5;
+      for (unsigned int iteration = 0; iteration < 25; ++iteration)
+      {
+        evaluate(s, position, derivative);
+        dealii::Tensor<2, dim - 1> J;
+        dealii::Tensor<1, dim - 1> r;
+        double size = 0;
+        for (unsigned int i = 0; i < dim - 1; ++i)
+        {
+          r[i] = target[i] - position[i];
+          for (unsigned int d = 0; d < dim - 1; ++d)
+          {
+            J[i][d] = derivative[d][i];
+            size = std::max(size, derivative[d].norm());
+          }
+        }
+        if (std::abs(dealii::determinant(J)) < 1e-3 * dealii::Utilities::fixed_power<dim - 1>(size))
+          return false;
+        const dealii::Tensor<1, dim - 1> step = dealii::invert(J) * r;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          s[d] = std::min(2., std::max(-1., s[d] + step[d]));
+        if (step.norm() < 1e-13)
+          break;
+      }
+      height = position[dim - 1];
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        if (s[d] < -1e-9 || s[d] > 1 + 1e-9)
+          return false;
+      return true;
+    }
+
+    /// Lengths of the face along x (and y) through its centre [m].
+    std::array<double, 2> extent()
+    {
+      dealii::Point<dim> position;
+      dealii::Tensor<1, dim - 1, dealii::Tensor<1, dim>> derivative;
+      dealii::Point<dim - 1> centre;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        centre[d] = 0.5;
+      evaluate(centre, position, derivative);
+      dealii::Tensor<2, dim - 1> J;
+      for (unsigned int i = 0; i < dim - 1; ++i)
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          J[i][d] = derivative[d][i];
+      std::array<double, 2> length = {{0, 0}};
+      if (std::abs(dealii::determinant(J)) < 1e-30)
+        return length;
+      const dealii::Tensor<2, dim - 1> inverse = dealii::invert(J);
+      for (unsigned int i = 0; i < dim - 1; ++i)
+      {
+        double largest = 0;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          largest = std::max(largest, std::abs(inverse[d][i]));
+        length[i] = 1 / largest;
+      }
+      return length;
+    }
+
+    std::vector<dealii::Point<dim>> x;
+
+  private:
+    const unsigned int n;
+    const std::vector<dealii::Point<1>> nodes;
+    const std::vector<dealii::Polynomials::Polynomial<double>> basis;
+    dealii::FullMatrix<double> value, slope;
+  };
+} // namespace vibrocontact

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vibrocontact/scene/section.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace vibrocontact
+{
+  /// The cross-section of a wheel or a rail and its elements: the entries that both have in common.
+  struct SectionParameters
+  {
+    /// @param built_in name of the section that comes with the program (meshes/<name>_section.msh and
+    /// <name>_outline.txt): wheel, rail_60e1
+    explicit SectionParameters(const std::string &built_in) : built_in(built_in) {}
+
+    /// files; empty: the section that comes with the program
+    std::string mesh, outline;
+    /// halvings of the section's cells
+    unsigned int refinements = 0;
+    /// polynomial degree of the displacements
+    unsigned int element_degree = 2;
+
+    /// Entries `Section mesh`, `Section outline`, `Section refinements`, `Element degree`.
+    /// @param coordinates what the two coordinates of the section are, for the reader of the file
+    void declare_parameters(dealii::ParameterHandler &prm, const std::string &coordinates);
+    void check(const std::string &section) const;
+
+    /// @param scale factor on all lengths
+    SectionOutline read_outline(double scale = 1) const;
+    /// @param mirrored the outline is one half of the section
+    SectionMesh read_mesh(const SectionOutline &outline, bool mirrored, double scale = 1) const;
+
+  private:
+    std::string built_in;
+  };
+} // namespace vibrocontact
