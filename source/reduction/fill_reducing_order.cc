@@ -1,3 +1,5 @@
+#include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/reduction/fill_reducing_order.h>
 
 #include <deal.II/base/exceptions.h>
@@ -43,6 +45,58 @@ namespace vibrocontact
       MPI_Allgatherv(local.data(), local.size(), MPI_INT, all.data(), sizes.data(), offsets.data(), MPI_INT,
                      communicator);
       return all;
+    }
+
+    /// Place of every dof in the order (from 1), from the compressed graph: neighbours of each
+    /// representative, in the order of their numbers. By rank 0.
+    std::vector<int> positions(const std::vector<int> &representative, const std::vector<char> &is_last,
+                               const std::vector<int> &sizes, const std::vector<int> &neighbours)
+    {
+      const int n = representative.size();
+      std::vector<idx_t> vertex(n, -1), weight, start(1, 0), adjacency;
+      std::vector<int> vertices;
+      for (int dof = 0; dof < n; ++dof)
+        if (!is_last[dof] && representative[dof] == dof)
+        {
+          vertex[dof] = vertices.size();
+          vertices.push_back(dof);
+          weight.push_back(0);
+        }
+      for (int dof = 0; dof < n; ++dof)
+        if (!is_last[dof])
+          ++weight[vertex[representative[dof]]];
+      AssertThrow(vertices.size() == sizes.size(), dealii::ExcInternalError());
+      for (const int size : sizes)
+        start.push_back(start.back() + size);
+      adjacency.reserve(neighbours.size());
+      for (const int dof : neighbours)
+        adjacency.push_back(vertex[dof]);
+
+      idx_t n_vertices = vertices.size();
+      std::vector<idx_t> permutation(n_vertices), inverse(n_vertices), options(METIS_NOPTIONS);
+      METIS_SetDefaultOptions(options.data());
+      options[METIS_OPTION_NUMBERING] = 0;
+      options[METIS_OPTION_COMPRESS] = 0;
+      options[METIS_OPTION_SEED] = 1;
+      const int error = n_vertices == 0
+                            ? int(METIS_OK)
+                            : METIS_NodeND(&n_vertices, start.data(), adjacency.data(), weight.data(),
+                                           options.data(), permutation.data(), inverse.data());
+      if (error != METIS_OK)
+        throw ConvergenceError("METIS cannot order a matrix of " + std::to_string(n) + " dofs (error " +
+                               std::to_string(error) + "); is there enough memory?");
+
+      // Positions: representatives in METIS's order, each followed by its dofs, then the last ones.
+      std::vector<int> next(n_vertices), position(n);
+      int count = 0;
+      for (idx_t k = 0; k < n_vertices; ++k)
+      {
+        next[permutation[k]] = count;
+        count += weight[permutation[k]];
+      }
+      for (int dof = 0; dof < n; ++dof)
+        position[dof] = is_last[dof] ? ++count : ++next[vertex[representative[dof]]];
+      return position;
     }
   } // namespace
 
@@ -98,48 +152,8 @@ namespace vibrocontact
       }
     sizes = gather_all(sizes, communicator);
     neighbours = gather_all(neighbours, communicator);
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
-      return {};
-
-    std::vector<idx_t> vertex(n, -1), weight, start(1, 0), adjacency;
-    std::vector<int> vertices;
-    for (int dof = 0; dof < n; ++dof)
-      if (!is_last[dof] && representative[dof] == dof)
-      {
-        vertex[dof] = vertices.size();
-        vertices.push_back(dof);
-        weight.push_back(0);
-      }
-    for (int dof = 0; dof < n; ++dof)
-      if (!is_last[dof])
-        ++weight[vertex[representative[dof]]];
-    AssertThrow(vertices.size() == sizes.size(), dealii::ExcInternalError());
-    for (const int size : sizes)
-      start.push_back(start.back() + size);
-    adjacency.reserve(neighbours.size());
-    for (const int dof : neighbours)
-      adjacency.push_back(vertex[dof]);
-
-    idx_t n_vertices = vertices.size();
-    std::vector<idx_t> permutation(n_vertices), inverse(n_vertices), options(METIS_NOPTIONS);
-    METIS_SetDefaultOptions(options.data());
-    options[METIS_OPTION_NUMBERING] = 0;
-    options[METIS_OPTION_COMPRESS] = 0;
-    options[METIS_OPTION_SEED] = 1;
-    const int error = METIS_NodeND(&n_vertices, start.data(), adjacency.data(), weight.data(), options.data(),
-                                   permutation.data(), inverse.data());
-    AssertThrow(error == METIS_OK, dealii::ExcMessage("METIS cannot order the matrix."));
-
-    // Positions: representatives in METIS's order, each followed by its dofs, then the last ones.
-    std::vector<int> next(n_vertices), position(n);
-    int count = 0;
-    for (idx_t k = 0; k < n_vertices; ++k)
-    {
-      next[permutation[k]] = count;
-      count += weight[permutation[k]];
-    }
-    for (int dof = 0; dof < n; ++dof)
-      position[dof] = is_last[dof] ? ++count : ++next[vertex[representative[dof]]];
+    std::vector<int> position;
+    on_first_rank([&] { position = positions(representative, is_last, sizes, neighbours); }, communicator);
     return position;
   }
 } // namespace vibrocontact
