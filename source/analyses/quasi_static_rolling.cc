@@ -38,7 +38,9 @@ namespace vibrocontact
     prm.add_parameter("Hub displacement", sweep.hub_displacement, "Values of a load curve. Units: m.",
                       list(-1));
     prm.add_parameter("Friction coefficient", sweep.friction,
-                      "Every curve is repeated for these. Units: none.", list(0));
+                      "Every curve is repeated for these, which take the place of Contact/Friction "
+                      "coefficient. Units: none.",
+                      list(0));
     prm.leave_subsection();
   }
 

@@ -38,8 +38,9 @@ namespace vibrocontact
               if (std::filesystem::exists(kept + "/" + set + ".pvd"))
                 copy_fields(kept, folder, set, n);
               else
-                run_log().line("No shapes: the run that computed these modes had Output/Fields = false; "
-                               "another Output/Cache directory computes them anew.");
+                run_log().line(
+                    "No shapes: they were not kept when these modes were computed (Output/Fields = false?); "
+                    "another Output/Cache directory computes them anew.");
             });
         return;
       }
