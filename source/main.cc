@@ -1,6 +1,7 @@
 #include <vibrocontact/base/blas.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/fault.h>
+#include <vibrocontact/base/lone_start.h>
 #include <vibrocontact/run/run.h>
 
 #include <deal.II/base/mpi.h>
@@ -9,8 +10,7 @@ int main(int argc, char **argv)
 {
   using namespace vibrocontact;
   setlocale(LC_ALL, "C");
-  // Started without mpirun, Open MPI would start a daemon of its own, which now and then stalls.
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  const LoneStart start;
   // PETSc would take --help and --version for its own: it gets no arguments.
   int n_arguments = 1;
   dealii::Utilities::MPI::MPI_InitFinalize mpi(n_arguments, argv, 1);

@@ -1,3 +1,5 @@
+#include <vibrocontact/base/lone_start.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <gtest/gtest.h>
@@ -9,7 +11,7 @@ int main(int argc, char **argv)
   if (testing::GTEST_FLAG(list_tests))
     return RUN_ALL_TESTS();
 
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  const vibrocontact::LoneStart start;
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
   if (rank != 0)
