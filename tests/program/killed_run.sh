@@ -1,5 +1,7 @@
 # A run that is killed leaves a folder that says so.
 program=$1 files=$3
+# what Open MPI leaves of a killed process stays here
+export TMPDIR=$PWD
 "$program" "$files/examples/creep_curves.prm" --quiet --output results --set "Contact/Grid spacing=0.25e-3" \
   --set Output/Figures=false &
 process=$!
