@@ -1,6 +1,5 @@
 #include <vibrocontact/analyses/rolling_scene.h>
 #include <vibrocontact/base/collective.h>
-#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/contact/problem_file.h>
 #include <vibrocontact/output/field_writer.h>
@@ -17,21 +16,6 @@ namespace vibrocontact
     /// contacts of fewer points than this are reported as coarse
     constexpr unsigned int coarse_below = 12;
 
-    void write_problem(const std::string &folder, const std::string &k, const ContactProblem &problem,
-                       const ContactSolution &solution)
-    {
-      std::error_code ignored;
-      std::filesystem::create_directories(folder + "/contact_problems", ignored);
-      try
-      {
-        write_contact_problem(folder + "/contact_problems/case_" + k + ".h5", problem, solution);
-      }
-      catch (const InputError &error)
-      {
-        throw OutputError(error.what());
-      }
-    }
-
     void write_case(const std::string &folder, const unsigned int k, const RollingResult &result,
                     const ContactProblem &problem, const ContactInterface &interface,
                     const OutputParameters &output)
@@ -41,7 +25,12 @@ namespace vibrocontact
       if (output.fields)
         write_contact_patch_vtu(result, interface, folder + "/fields/contact_patch_" + number + ".vtu");
       if (output.contact_problems)
-        write_problem(folder, number, problem, result.solution);
+      {
+        const std::string problems = folder + "/contact_problems";
+        std::error_code ignored; // the file itself will say so
+        std::filesystem::create_directories(problems, ignored);
+        write_contact_problem(problems + "/case_" + number + ".h5", problem, result.solution);
+      }
     }
 
     /// Says what is doubtful about case k, in the log and in the results.
