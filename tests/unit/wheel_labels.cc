@@ -19,11 +19,11 @@ namespace
     Modes modes;
   };
 
-  /// Modes up to 2,600 Hz of a coarse wheel: 16 cells round the tread, enough for five nodal diameters.
+  /// Modes up to 1,800 Hz of a coarse wheel: 14 cells round the tread, enough for four nodal diameters.
   Solved solve_wheel()
   {
     WheelParameters parameters;
-    parameters.contact_division = parameters.coarse_division = 0.185;
+    parameters.contact_division = parameters.coarse_division = 0.21;
     BodyMesh<3> mesh = make_wheel(parameters, 0, nullptr, "wheel", MPI_COMM_WORLD);
     ElasticModel<3> model;
     model.held.push_back(mesh.boundary_id("bore"));
@@ -32,7 +32,7 @@ namespace
     solved.system = body.assemble();
     Flexibility flexibility(*solved.system);
     ModeParameters wanted;
-    wanted.upper_frequency = 2600;
+    wanted.upper_frequency = 1800;
     solved.modes = compute_modes(*solved.system, flexibility, wanted);
     return solved;
   }
@@ -46,11 +46,11 @@ namespace
 
 TEST(WheelLabels, NamedModesOfTheWheelAndOfOneTwiceAsLarge)
 {
-  // Radial (1,5) and axial (0,6), 3.3 and 3.4 kHz, are seen by
+  // Axial (0,5), radial (1,5) and axial (0,6), 2.5 to 3.4 kHz, are seen by
   // parameter_files/verification/wheel_frequencies.
-  const std::vector<Named> expected = {{136.3, "axial(0,1)"},   {197.6, "axial(0,0)"}, {334.1, "axial(0,2)"},
-                                       {510.7, "torsion(0,0)"}, {918.0, "axial(0,3)"}, {1670.1, "axial(0,4)"},
-                                       {2515.8, "axial(0,5)"}};
+  const std::vector<Named> expected = {{136.3, "axial(0,1)"}, {197.6, "axial(0,0)"},
+                                       {334.1, "axial(0,2)"}, {510.7, "torsion(0,0)"},
+                                       {918.0, "axial(0,3)"}, {1670.1, "axial(0,4)"}};
   Solved wheel = solve_wheel();
   const auto labels = wheel_labels(*wheel.system, wheel.modes, WheelFrame{0.46, 0.385});
   const auto texts = unique_texts(labels);
