@@ -1,0 +1,40 @@
+// The fixed point's rho belongs to the points in contact: free points around them must not slow it down.
+
+#include <vibrocontact/contact/contact_solver.h>
+
+#include <gtest/gtest.h>
+
+using namespace vibrocontact;
+
+TEST(FixedPoint, FreePointsDoNotSlowItDown)
+{
+  // A body that moves as a whole under a force anywhere (compliance 0.5 between all points) and gives by 2 at
+  // each point; ten points touch. Closed form: N (2 + 10 * 0.5) = approach.
+  unsigned int iterations[2];
+  for (const unsigned int n : {10u, 200u})
+  {
+    DenseMatrix A(3 * n);
+    for (unsigned int i = 0; i < 3 * n; ++i)
+      for (unsigned int j = 0; j < 3 * n; ++j)
+        A(i, j) = (i == j ? 2 : 0) + (i < n && j < n ? 0.5 : 0);
+    ContactProblem problem;
+    problem.A = std::make_shared<DenseContactOperator>(std::move(A));
+    problem.b.reinit(3 * n);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      problem.b[i] = i < 10 ? 0 : 100;
+      problem.b[n + i] = 1e-3 * i;
+    }
+    problem.mu.assign(n, 0.3);
+    problem.approach = 1;
+    ContactSolverParameters parameters;
+    parameters.method = "fixed point";
+    const ContactSolution s = create_contact_solver(parameters)->solve(problem, {});
+    EXPECT_TRUE(s.converged) << n;
+    for (unsigned int i = 0; i < 10; ++i)
+      EXPECT_NEAR(s.R[i], 1. / 7, 1e-10) << n;
+    iterations[n == 200] = s.iterations;
+  }
+  // with rho of the whole grid it would take fifteen times as many
+  EXPECT_LE(iterations[1], iterations[0] + 200);
+}
