@@ -58,6 +58,8 @@ namespace vibrocontact
     }
     if (scale == 0)
       scale = normal;
+    if (scale == 0)
+      scale = difference; // forces that all have to go: as wrong as can be
     return difference == 0 ? 0 : std::sqrt(difference / scale);
   }
 
