@@ -1,8 +1,113 @@
 #include <vibrocontact/analyses/contact_pair.h>
 #include <vibrocontact/base/exceptions.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace vibrocontact
 {
+  HalfSpaceMaterial half_space_material(const BodyParameters &body)
+  {
+    if (body.type == "rigid")
+      return {std::numeric_limits<double>::infinity(), 0.};
+    return {body.material.young_modulus, body.material.poisson_ratio};
+  }
+
+  namespace
+  {
+    /// undeformed surface, its height above the tangent plane; side +1 for body 1 (above), -1 for body 2
+    std::vector<double> surface_height(const ContactBody &body, const ContactGrid &grid, const double side)
+    {
+      if (body.reduced)
+        return body.reduced->surface_height;
+      const HalfSpaceParameters &surface = body.parameters->half_space;
+      std::vector<double> height(grid.n_points());
+      for (unsigned int i = 0; i < grid.n_points(); ++i)
+        height[i] =
+            side * 0.5 *
+            (surface.curvature_x() * std::pow(grid.x(i), 2) + surface.curvature_y() * std::pow(grid.y(i), 2));
+      return height;
+    }
+
+    // what the residual flexibility answers to the loads; the modes' part comes with their amplitudes
+    void add_load_jump(const ReducedBody &body, const double side, DenseVector &jump)
+    {
+      if (std::all_of(body.residual_load_response.begin(), body.residual_load_response.end(),
+                      [](const double value) { return value == 0; }))
+        return;
+      if (jump.size() == 0)
+        jump.reinit(body.residual_load_response.size());
+      for (unsigned int i = 0; i < jump.size(); ++i)
+        jump[i] += side * body.residual_load_response[i];
+    }
+
+    DenseMatrix residual_flexibility(const ContactBody &body, const bool first, const ContactGrid &grid)
+    {
+      if (body.reduced)
+        return body.reduced->residual_flexibility;
+      if (body.parameters->type == "rigid")
+        return DenseMatrix(3 * grid.n_points());
+      const HalfSpaceMaterial own = half_space_material(*body.parameters),
+                              rigid = {std::numeric_limits<double>::infinity(), 0.};
+      return half_space_compliance(grid, first ? HalfSpacePair(own, rigid) : HalfSpacePair(rigid, own));
+    }
+  } // namespace
+
+  ContactInterface contact_interface(const ContactBody &body_1, const ContactBody &body_2,
+                                     const ContactGrid &grid)
+  {
+    ContactInterface interface;
+    interface.grid = grid;
+    const std::vector<double> above = surface_height(body_1, grid, 1),
+                              below = surface_height(body_2, grid, -1);
+    for (unsigned int i = 0; i < grid.n_points(); ++i)
+      interface.gap.push_back(above[i] - below[i]);
+    for (const ContactBody *const body : {&body_1, &body_2})
+      if (grid.traction != TractionShape::constant && !body->reduced &&
+          body->parameters->type == "half-space")
+        throw InputError(
+            "Contact/Quadrature is consistent, but a half-space knows tractions that are constant on each "
+            "cell only: set it to lumped.");
+    return interface;
+  }
+
+  ContactPair contact_pair(const ContactBody &body_1, const ContactBody &body_2, const ContactGrid &grid)
+  {
+    ContactPair pair;
+    pair.interface = contact_interface(body_1, body_2, grid);
+    const unsigned int n = grid.n_points();
+    pair.residual_flexibility = residual_flexibility(body_1, true, grid);
+    pair.residual_flexibility.add(1., residual_flexibility(body_2, false, grid));
+    unsigned int n_modes = 0, first = 0;
+    for (const ContactBody *const body : {&body_1, &body_2})
+      n_modes += body->reduced ? body->reduced->omega.size() : 0;
+    pair.modal_trace.reinit(3 * n, n_modes);
+    pair.participation.reinit(n_modes, 3);
+    for (const ContactBody *const body : {&body_1, &body_2})
+    {
+      if (!body->reduced)
+        continue;
+      const ReducedBody &reduced = *body->reduced;
+      const double side = body == &body_1 ? 1 : -1;
+      for (unsigned int k = 0; k < reduced.omega.size(); ++k)
+      {
+        pair.omega.push_back(reduced.omega[k]);
+        pair.damping_ratio.push_back(reduced.damping_ratio[k]);
+        pair.labels.push_back(reduced.name + ":" + reduced.labels[k]);
+        pair.body.push_back(body == &body_1 ? 1 : 2);
+        pair.modal_load.push_back(reduced.modal_load[k]);
+        for (unsigned int i = 0; i < 3 * n; ++i)
+          pair.modal_trace(i, first + k) = side * reduced.modal_trace(i, k);
+        for (unsigned int d = 0; d < 3 && reduced.participation.m() > 0; ++d)
+          pair.participation(first + k, d) = reduced.participation(k, d);
+      }
+      first += reduced.omega.size();
+      add_load_jump(reduced, side, pair.interface.load_jump);
+    }
+    return pair;
+  }
+
   DenseMatrix static_compliance(const ContactPair &pair)
   {
     DenseMatrix result = pair.residual_flexibility;

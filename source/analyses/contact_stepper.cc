@@ -10,9 +10,7 @@ namespace vibrocontact
     DenseMatrix modal_compliance(const DenseMatrix &trace, const std::vector<ModalStep> &steps,
                                  const unsigned int component)
     {
-      DenseMatrix result(trace.m(), trace.m());
-      if (steps.empty())
-        return result;
+      DenseMatrix result(trace.m());
       DenseMatrix scaled(trace.m(), trace.n());
       for (unsigned int k = 0; k < trace.n(); ++k)
         for (unsigned int i = 0; i < trace.m(); ++i)
@@ -35,10 +33,13 @@ namespace vibrocontact
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
       std::fill_n(&response_to_v(0, k), n, 0.);
 
-    DenseMatrix matrix = modal_compliance(pair.modal_trace, steps, 0);
-    matrix.add(1., pair.residual_flexibility);
+    DenseMatrix matrix = pair.residual_flexibility, velocity(3 * n);
+    if (pair.n_modes() > 0)
+    {
+      matrix.add(1., modal_compliance(pair.modal_trace, steps, 0));
+      velocity = modal_compliance(pair.modal_trace, steps, 1);
+    }
     convert_to_slip_rows(grid, scheme, speed, matrix);
-    const DenseMatrix velocity = modal_compliance(pair.modal_trace, steps, 1);
     for (unsigned int j = 0; j < 3 * n; ++j)
       for (unsigned int i = n; i < 3 * n; ++i)
         matrix(i, j) += velocity(i, j) + pair.residual_flexibility(i, j) / h;
@@ -57,7 +58,7 @@ namespace vibrocontact
         create_normal_law(contact.normal_law, contact.penalty_amplitude, contact.penalty_exponent);
   }
 
-  void ContactStepper::complete(DynamicState &state) const
+  void complete(const ContactPair &pair, DynamicState &state)
   {
     const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
     state.normal_modal_force.reinit(n_modes);
@@ -104,7 +105,7 @@ namespace vibrocontact
 
     state.R = state.contact.R;
     const DenseVector previous = state.residual_displacement;
-    complete(state);
+    complete(pair, state);
     for (unsigned int k = 0; k < n_modes; ++k)
     {
       const double force = state.normal_modal_force[k] + state.tangential_modal_force[k];

@@ -21,7 +21,8 @@ namespace vibrocontact
                       "at the nominal contact point, or empty "
                       "if the normal force is given. Units: m.",
                       positive_or_empty);
-    prm.add_parameter("Speed", creepage.speed, "Rolling speed. Units: m/s.", Double(1e-6, 1000));
+    prm.add_parameter("Speed", creepage.speed, "Rolling speed; 0 only in a transient. Units: m/s.",
+                      Double(0, 1000));
     prm.add_parameter("Longitudinal creepage", creepage.longitudinal,
                       "Velocity of body 1 minus body 2 along x over the speed. Units: none.", Double(-1, 1));
     prm.add_parameter("Lateral creepage", creepage.lateral,
@@ -46,6 +47,8 @@ namespace vibrocontact
 
   void RollingParameters::check() const
   {
+    if (!(creepage.speed > 0))
+      throw InputError("Entry Rolling/Speed is 0: steady rolling needs a positive speed.");
     const auto name = [](const std::vector<double> &single, const std::string &entry)
     { return (single.empty() ? "Rolling/Sweep/" : "Rolling/") + entry; };
     const bool force = !normal_force.empty() || !sweep.normal_force.empty();

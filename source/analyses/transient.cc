@@ -171,8 +171,8 @@ namespace vibrocontact
       for (unsigned int k = 0; k < n_modes; ++k)
         if (pair.body[k] == 1)
         {
-          state.q[k] = pair.participation[k][2] * transient.initial_gap;
-          state.v[k] = pair.participation[k][2] * transient.initial_velocity;
+          state.q[k] = pair.participation(k, 2) * transient.initial_gap;
+          state.v[k] = pair.participation(k, 2) * transient.initial_velocity;
         }
     }
     else
@@ -199,6 +199,7 @@ namespace vibrocontact
         state.q[k] = (force[k] + pair.modal_load[k]) / (pair.omega[k] * pair.omega[k]);
     }
     perturb(transient, pair, state);
+    complete(pair, state);
     return state;
   }
 
@@ -214,7 +215,6 @@ namespace vibrocontact
     const std::unique_ptr<ContactSolver> solver = create_contact_solver(solver_parameters);
     Drive now = drive(state.time);
     ContactStepper stepper(pair, scheme, contact, modal_steps(parameters, pair), h, now.creepage.speed);
-    stepper.complete(state);
 
     TransientResult result;
     result.energy.initial = result.energy.stored = stored_energy(pair, state);

@@ -77,7 +77,7 @@ namespace vibrocontact
       const Handle set(H5Dcreate2(file, name.c_str(), file_type, space, links, kept, H5P_DEFAULT), H5Dclose);
       if (set < 0 || H5Dwrite(set, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0)
         throw OutputError("Cannot write '" + name + "' to the file '" + file_name +
-                         "': the disk may be full; free some space or choose another folder.");
+                          "': the disk may be full; free some space or choose another folder.");
     }
 
     hid_t open_set(const hid_t file, const std::string &file_name, const std::string &name, const bool there)
@@ -197,7 +197,7 @@ namespace vibrocontact
     {
       std::remove(part_name.c_str());
       throw OutputError("Cannot write the file '" + file_name +
-                       "': check the folder and its rights, and the space on the disk.");
+                        "': check the folder and its rights, and the space on the disk.");
     }
   }
 

@@ -24,10 +24,20 @@ namespace vibrocontact
            std::all_of(R.begin(), R.end(), [](const double force) { return std::isfinite(force); });
   }
 
+  namespace
+  {
+    // Bodies that cannot move along the contact (a bar on a stop) have no tangential diagonal; the law holds
+    // for any rho.
+    double tangential_rho(const ContactOperator &A, const double factor)
+    {
+      const double diagonal = A.mean_diagonal(1) + A.mean_diagonal(2);
+      return diagonal == 0 ? 1. : 2 * factor / diagonal;
+    }
+  } // namespace
+
   ContactResidual::ContactResidual(const ContactProblem &problem, const double tangential_factor)
       : rho_normal(1 / problem.A->mean_diagonal(0)),
-        rho_tangential(2 * tangential_factor / (problem.A->mean_diagonal(1) + problem.A->mean_diagonal(2))),
-        problem(problem)
+        rho_tangential(tangential_rho(*problem.A, tangential_factor)), problem(problem)
   {
     AssertThrow(rho_normal > 0 && rho_tangential > 0,
                 dealii::ExcMessage("The contact operator has a diagonal that is not positive."));

@@ -15,7 +15,7 @@ namespace vibrocontact
   namespace
   {
     // To be raised when the formulation, not the input, changes what is kept.
-    const std::string formulation = "vibrocontact reduction 2\n";
+    const std::string formulation = "vibrocontact reduction 3\n";
 
     std::string joined(const std::vector<std::string> &texts)
     {
@@ -69,6 +69,7 @@ namespace vibrocontact
       archive("labels", part.labels);
       archive("trace", part.trace);
       archive("load", part.load);
+      archive("participation", part.participation);
     }
 
     template <typename Archive, typename Part>

@@ -37,6 +37,27 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    DenseMatrix participation(const SecondOrderSystem &system, const std::vector<Vector> &shapes)
+    {
+      DenseMatrix result(shapes.size(), 3);
+      Vector translation(system.locally_owned, system.communicator), inertia(translation);
+      for (unsigned int d = 0; d < 3 && !shapes.empty(); ++d)
+      {
+        translation = 0;
+        for (unsigned int i = 0; i < system.dof_direction.size(); ++i)
+          if (system.dof_direction[i] == d)
+            translation(system.locally_owned.nth_index_in_set(i)) = 1;
+        translation.compress(dealii::VectorOperation::insert);
+        system.mass.vmult(inertia, translation);
+        for (unsigned int k = 0; k < shapes.size(); ++k)
+          result(k, d) = shapes[k] * inertia;
+      }
+      return result;
+    }
+  } // namespace
+
   StaticReduction reduce_statically(const SecondOrderSystem &system, Flexibility &flexibility)
   {
     dealii::Timer timer;
@@ -78,6 +99,7 @@ namespace vibrocontact
     result.omega = modes.omega;
     result.trace = trace_of(system.trace, modes.shapes, n);
     result.load = products(system, modes.shapes, n);
+    result.participation = participation(system, modes.shapes);
     result.orthonormality_error = modes.orthonormality_error;
     result.residual = modes.residual;
     if (wheel)
@@ -134,6 +156,7 @@ namespace vibrocontact
     body.labels = modal->labels;
     body.modal_trace = modal->trace;
     body.modal_load = modal->load;
+    body.participation = modal->participation;
     const unsigned int n_modes = modal->omega.size();
     if (n == 0 || n_modes == n_rigid)
       return body;

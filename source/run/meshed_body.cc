@@ -1,4 +1,5 @@
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/fe/bar_elements.h>
 #include <vibrocontact/fe/trace_assembly.h>
 #include <vibrocontact/run/meshed_body.h>
 
@@ -68,18 +69,20 @@ namespace vibrocontact
     }
   } // namespace
 
-  MeshedBody::MeshedBody(const BodyParameters &parameters, const ModeParameters &modes,
+  MeshedBody::MeshedBody(const BodyParameters &parameters, const ModeParameters &modes, const bool above,
                          const double lateral_position, const ContactGrid *const grid, const std::string &key,
                          const std::string &cache_directory, const MPI_Comm communicator)
-      : parameters(parameters), lateral_position(lateral_position), grid(grid), communicator(communicator),
-        reduction(
-            request(parameters, modes, lateral_position, key, cache_directory),
-            [this]() { return assemble(); }, communicator)
+      : parameters(parameters), above(above), lateral_position(lateral_position), grid(grid),
+        communicator(communicator), reduction(
+                                        request(parameters, modes, lateral_position, key, cache_directory),
+                                        [this]() { return assemble(); }, communicator)
   {
   }
 
   std::unique_ptr<SecondOrderSystem> MeshedBody::assemble()
   {
+    if (parameters.type == "bar")
+      return assemble_bar(parameters.bar, parameters.material, parameters.name, above, grid, communicator);
     std::unique_ptr<SecondOrderSystem> system = elastic_body().assemble();
     if (grid)
     {

@@ -4,6 +4,7 @@
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/run/parameters.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace vibrocontact
@@ -30,6 +31,20 @@ namespace vibrocontact
     declare("Solver", contact_solver);
     prm.leave_subsection();
     declare("Rolling", rolling);
+    declare("Transient", transient);
+  }
+
+  ContactGrid Parameters::contact_grid() const
+  {
+    for (const BodyParameters &body : scene.bodies)
+      if (body.is_point())
+      {
+        ContactGrid point;
+        point.n_x = point.n_y = 1;
+        point.spacing_x = point.spacing_y = std::sqrt(body.bar.section);
+        return point;
+      }
+    return contact.grid();
   }
 
   void Parameters::check() const
@@ -55,7 +70,19 @@ namespace vibrocontact
         throw InputError(
             "Contact/Friction coefficient and Rolling/Sweep/Friction coefficient are both given, "
             "but the sweep takes the place of the single value: leave one of them out.");
-      const ContactGrid grid = contact.grid();
+    }
+    if (scene.runs("transient"))
+    {
+      transient.check();
+      for (const BodyParameters &body : scene.bodies)
+        if (body.is_meshed() && !modes.at(body.name).any())
+          throw InputError(body.name +
+                           "/Modes asks for no modes, but the analysis \"transient\" moves the body by "
+                           "them; give Upper frequency or Count");
+    }
+    if (has_contact())
+    {
+      const ContactGrid grid = contact_grid();
       constexpr double most_points = 250000;
       if (double(grid.n_x) * grid.n_y > most_points)
         throw InputError(

@@ -14,12 +14,13 @@ namespace vibrocontact
     const double lateral_position = parameters.contact.lateral_position;
     MeshedBodies bodies;
     for (const BodyParameters &body : parameters.scene.bodies)
-      bodies.push_back(body.is_meshed()
-                           ? std::make_unique<MeshedBody>(
-                                 body, parameters.modes[body.name], lateral_position, contact_grid,
-                                 body_key(declared, body.name, lateral_position, contact_grid),
-                                 parameters.output.cache_directory, MPI_COMM_WORLD)
-                           : nullptr);
+      bodies.push_back(body.is_meshed() ? std::make_unique<MeshedBody>(
+                                              body, parameters.modes[body.name], bodies.empty(),
+                                              lateral_position, contact_grid,
+                                              body_key(declared, body.name, lateral_position, contact_grid) +
+                                                  (bodies.empty() ? "above" : "below"),
+                                              parameters.output.cache_directory, MPI_COMM_WORLD)
+                                        : nullptr);
     return bodies;
   }
 
@@ -28,10 +29,13 @@ namespace vibrocontact
     for (const auto &body : bodies)
       if (body)
       {
-        const bool with_modes = parameters.scene.runs("modes") && body->reduction.request().modes.any();
+        const bool with_modes = (parameters.scene.runs("modes") || parameters.has_dynamics()) &&
+                                body->reduction.request().modes.any();
         // a mesh that is to be written has to be made
         const bool wanted = all || !body->parameters.wheel.write_mesh.empty();
         if (body->reduction.is_cached(parameters.has_contact(), with_modes) && !wanted)
+          continue;
+        if (!body->parameters.is_solid())
           continue;
         body->elastic_body();
         body->check_contact();
@@ -42,7 +46,9 @@ namespace vibrocontact
   {
     const ContactGrid *const contact_grid = parameters.has_contact() ? &grid : nullptr;
     for (unsigned int k = 0; k < bodies.size(); ++k)
-      print_body(parameters.scene.bodies[k], bodies[k] ? &bodies[k]->elastic_body() : nullptr, contact_grid);
+      print_body(parameters.scene.bodies[k],
+                 bodies[k] && bodies[k]->parameters.is_solid() ? &bodies[k]->elastic_body() : nullptr,
+                 contact_grid);
     if (contact_grid)
       print_contact_grid(grid);
     run_log().end_block();

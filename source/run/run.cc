@@ -10,6 +10,7 @@
 #include <vibrocontact/run/run.h>
 #include <vibrocontact/run/run_modes.h>
 #include <vibrocontact/run/run_rolling.h>
+#include <vibrocontact/run/run_transient.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -70,7 +71,13 @@ namespace vibrocontact
             results.reductions = reductions_json(bodies);
             record.save(results, clock.seconds());
           }
-      if (!parameters.has_contact())
+      if (parameters.scene.runs("transient"))
+      {
+        run_transient(parameters, bodies, record.folder, results);
+        results.reductions = reductions_json(bodies);
+        record.save(results, clock.seconds());
+      }
+      if (!parameters.scene.runs("quasi-static rolling"))
         return;
       const RollingResult last = run_rolling(parameters, bodies, record.folder, results,
                                              [&] { record.save_sometimes(results, clock.seconds()); });
@@ -117,7 +124,7 @@ namespace vibrocontact
       for (BodyParameters &body : parameters.scene.bodies)
         body.wheel.write_mesh.clear();
 
-    const ContactGrid grid = parameters.contact.grid();
+    const ContactGrid grid = parameters.contact_grid();
     MeshedBodies bodies;
     try
     {

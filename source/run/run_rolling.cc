@@ -86,7 +86,7 @@ namespace vibrocontact
     save();
 
     run_log().block("Quasi-static rolling");
-    const RollingScene scene = rolling_scene(pair[0], pair[1], parameters.contact);
+    const RollingScene scene = rolling_scene(pair[0], pair[1], parameters.contact, parameters.contact_grid());
     const ContactInterface &interface = scene.interface;
     run_log().value("contact points", interface.grid.n_points());
     const unsigned int n_cases = rolling_cases(parameters.rolling, parameters.contact).size();

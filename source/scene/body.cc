@@ -7,11 +7,13 @@ namespace vibrocontact
   const std::vector<BodyType> &body_types()
   {
     static const std::vector<BodyType> types = {
-        {"half-space", "Half-space", "elastic half-space of Hertzian radii, no mesh", false},
-        {"wheel", "Wheel", "section revolved about an axle, bore held", true},
-        {"rail", "Rail", "section extruded along x on pads", true},
-        {"block", "Block", "box of hexahedra", true},
-        {"mesh", "Mesh", "hexahedra with named groups from a gmsh file", true},
+        {"half-space", "Half-space", "elastic half-space of Hertzian radii, no mesh", false, false},
+        {"rigid", "Rigid", "rigid plane or paraboloid: stop, road", false, false},
+        {"wheel", "Wheel", "section revolved about an axle, bore held", true, true},
+        {"rail", "Rail", "section extruded along x on pads", true, true},
+        {"block", "Block", "box of hexahedra", true, true},
+        {"bar", "Bar", "straight bar along z that only stretches", true, false},
+        {"mesh", "Mesh", "hexahedra with named groups from a gmsh file", true, true},
     };
     return types;
   }
@@ -40,9 +42,14 @@ namespace vibrocontact
       group.declare_parameters(prm);
       prm.leave_subsection();
     };
-    declare("Material", material);
+    if (type != "rigid")
+      declare("Material", material);
     if (type == "half-space")
       declare("Half-space", half_space);
+    if (type == "rigid")
+      declare("Rigid", half_space);
+    if (type == "bar")
+      declare("Bar", bar);
     if (type == "block")
       declare("Block", block);
     if (type == "wheel")
@@ -51,15 +58,18 @@ namespace vibrocontact
       declare("Rail", rail);
     if (type == "mesh")
       declare("Mesh", mesh);
-    if (is_meshed())
+    if (is_solid())
       declare("Loads", loads);
   }
 
   void BodyParameters::check(const std::string &section) const
   {
-    material.check(section + "/Material");
-    if (type == "half-space")
-      half_space.check(section + "/Half-space");
+    if (type != "rigid")
+      material.check(section + "/Material");
+    if (!is_meshed())
+      half_space.check(section + "/" + body_type().section);
+    if (type == "bar")
+      bar.check(section + "/Bar");
     if (type == "block")
       block.check(section + "/Block");
     if (type == "wheel")
@@ -68,7 +78,7 @@ namespace vibrocontact
       rail.check(section + "/Rail");
     if (type == "mesh")
       mesh.check(section + "/Mesh");
-    if (is_meshed())
+    if (is_solid())
       loads.check(section + "/Loads");
   }
 

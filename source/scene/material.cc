@@ -27,7 +27,7 @@ namespace vibrocontact
       text << section << "/" << entry << " is " << value << ": " << advice << ".";
       throw InputError(text.str());
     };
-    if (!(young_modulus >= 1e3))
+    if (!(young_modulus > 0))
       refuse("Young modulus", young_modulus, "it must be positive and given in Pa (steel: 2.1e11)");
     if (young_modulus > 1e13)
       refuse("Young modulus", young_modulus, "no material is that stiff; give it in Pa (steel: 2.1e11)");

@@ -67,7 +67,6 @@ namespace
         pair.labels.push_back("body:" + std::to_string(k));
         pair.body.push_back(1);
         pair.modal_load.push_back(0);
-        pair.participation.push_back({{0, 0, 0}});
         for (unsigned int i = 0; i < rows; ++i)
           pair.modal_trace(i, k) = s.modes[k][i];
       }

@@ -22,6 +22,7 @@ namespace
     pair.interface.gap = {0.};
     const double pi = std::acos(-1.), mass = density * section * length;
     pair.modal_trace.reinit(3, n_modes);
+    pair.participation.reinit(n_modes, 3);
     double residual = length / (3 * young * section);
     for (unsigned int k = 0; k < n_modes; ++k)
     {
@@ -31,7 +32,7 @@ namespace
       pair.body.push_back(1);
       pair.modal_trace(0, k) = std::sqrt((k == 0 ? 1 : 2) / mass);
       pair.modal_load.push_back(0);
-      pair.participation.push_back({{0, 0, k == 0 ? std::sqrt(mass) : 0}});
+      pair.participation(k, 2) = k == 0 ? std::sqrt(mass) : 0;
       if (k > 0)
         residual -= std::pow(pair.modal_trace(0, k) / pair.omega[k], 2);
     }

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <vibrocontact/contact/half_space.h>
 #include <vibrocontact/contact/interface.h>
 #include <vibrocontact/reduction/reduced_body.h>
+#include <vibrocontact/scene/body.h>
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -28,8 +29,8 @@ namespace vibrocontact
     DenseMatrix modal_trace;
     /// modal loads [N/sqrt(kg)]; n_modes
     std::vector<double> modal_load;
-    /// what unit translations of the whole body along x, y, z are in its modes, phi^T M e [sqrt(kg)]; n_modes
-    std::vector<std::array<double, 3>> participation;
+    /// phi^T M e of unit translations of the mode's body along x, y, z; n_modes x 3 [sqrt(kg)]
+    DenseMatrix participation;
     /// W~ of both bodies: residual flexibilities, the whole compliance of half-spaces, nothing of rigid
     /// bodies; 3 n square [m/N]
     DenseMatrix residual_flexibility;
@@ -37,6 +38,26 @@ namespace vibrocontact
     unsigned int n_points() const { return interface.grid.n_points(); }
     unsigned int n_modes() const { return omega.size(); }
   };
+
+  /// One body of the scene as the contact needs it: half-spaces and rigid bodies by their parameters, any
+  /// other reduced.
+  struct ContactBody
+  {
+    const BodyParameters *parameters;
+    /// null for half-spaces and rigid bodies
+    const ReducedBody *reduced;
+  };
+
+  /// Elastic constants of a body without mesh, infinite stiffness of a rigid one.
+  HalfSpaceMaterial half_space_material(const BodyParameters &body);
+
+  /// Grid, undeformed gap and loads of body 1 (above) on body 2 (below).
+  /// @throws InputError if body 1 cannot be moved by its hub or the quadrature does not suit the bodies
+  ContactInterface contact_interface(const ContactBody &body_1, const ContactBody &body_2,
+                                     const ContactGrid &grid);
+
+  /// Brings two bodies together. A meshed body's compliance is that of its own elements only.
+  ContactPair contact_pair(const ContactBody &body_1, const ContactBody &body_2, const ContactGrid &grid);
 
   /// W~ + Psi diag(w^-2) Psi^T: what a static analysis sees; 3 n square [m/N].
   /// @throws InputError if a body can move freely

@@ -26,6 +26,9 @@ namespace vibrocontact
     ContactSolution contact;
   };
 
+  /// Fills what follows from q, v, R: modal forces and W~ R.
+  void complete(const ContactPair &pair, DynamicState &state);
+
   /// What moves the bodies during a step, at its end.
   struct Drive
   {
@@ -57,9 +60,6 @@ namespace vibrocontact
     /// @param steps one per mode of the pair, for a step of h [s]; @param speed V [m/s], 0 without rolling
     ContactStepper(const ContactPair &pair, const CreepScheme &scheme, const ContactParameters &contact,
                    const std::vector<ModalStep> &steps, double h, double speed);
-
-    /// Fills what follows from q, v, R: modal forces and W~ R.
-    void complete(DynamicState &state) const;
 
     /// state <- state at the end of the step. @return how the contact was solved; not converged: the best
     /// found

@@ -1,8 +1,7 @@
 #pragma once
 
+#include <vibrocontact/analyses/contact_pair.h>
 #include <vibrocontact/analyses/quasi_static_rolling.h>
-#include <vibrocontact/reduction/reduced_body.h>
-#include <vibrocontact/scene/body.h>
 
 #include <functional>
 
@@ -16,18 +15,10 @@ namespace vibrocontact
     std::function<std::shared_ptr<const ContactOperator>(double speed)> operator_at;
   };
 
-  /// One body of the scene as the contact needs it: a half-space by its parameters, any other reduced.
-  struct ContactBody
-  {
-    const BodyParameters *parameters;
-    /// null for a half-space
-    const ReducedBody *reduced;
-  };
-
   /// Pairs body 1 (above) and body 2 (below), each a half-space or a reduced body. Two half-spaces keep their
   /// fast operator; otherwise the compliances are added, a meshed body's being that of its own elements only.
   /// @throws InputError if the bodies do not touch in a point (two flat half-spaces without a strip), or if a
   /// body that is free to move is loaded
   RollingScene rolling_scene(const ContactBody &body_1, const ContactBody &body_2,
-                             const ContactParameters &contact);
+                             const ContactParameters &contact, const ContactGrid &grid);
 } // namespace vibrocontact

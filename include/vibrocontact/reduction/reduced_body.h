@@ -35,6 +35,10 @@ namespace vibrocontact
     /// Phi^T F [N/sqrt(kg)]; n_modes
     std::vector<double> modal_load;
 
+    /// Phi^T M e of unit translations e of the whole body along x, y, z; n_modes x 3 [sqrt(kg)]; empty
+    /// without modes
+    DenseMatrix participation;
+
     /// W~, symmetric positive semi-definite; 3 n square [m/N]
     DenseMatrix residual_flexibility;
     /// contact displacement for a unit vertical hub (held boundary) displacement; 3 n [-]

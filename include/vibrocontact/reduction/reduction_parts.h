@@ -41,6 +41,8 @@ namespace vibrocontact
     DenseMatrix trace;
     /// Phi^T F [N/sqrt(kg)]
     std::vector<double> load;
+    /// Phi^T M e of unit translations e along x, y, z; n_modes x 3 [sqrt(kg)]
+    DenseMatrix participation;
     /// measured: see Modes
     double orthonormality_error = 0, residual = 0;
     /// wall time of the computation, factorisation included [s]

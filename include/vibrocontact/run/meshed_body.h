@@ -19,12 +19,14 @@ namespace vibrocontact
   class MeshedBody
   {
   public:
-    /// @param grid contact grid, null if no analysis has contact; @param key see body_key()
-    MeshedBody(const BodyParameters &parameters, const ModeParameters &modes, double lateral_position,
-               const ContactGrid *grid, const std::string &key, const std::string &cache_directory,
-               MPI_Comm communicator);
+    /// @param above whether this is body 1; @param grid contact grid, null if no analysis has contact; @param
+    /// key see body_key()
+    MeshedBody(const BodyParameters &parameters, const ModeParameters &modes, bool above,
+               double lateral_position, const ContactGrid *grid, const std::string &key,
+               const std::string &cache_directory, MPI_Comm communicator);
 
-    /// Makes mesh and dofs. What is wrong with them is thrown here, before the expensive steps. Collective.
+    /// Makes mesh and dofs of a solid. What is wrong with them is thrown here, before the expensive steps.
+    /// Collective.
     const ElasticBody<3> &elastic_body();
     /// Lays the contact grid on the body, if there is one, and keeps the trace for the assembly. What is
     /// wrong with it is thrown here, before the expensive steps. Collective.
@@ -35,6 +37,7 @@ namespace vibrocontact
     const BodyParameters &parameters;
 
   private:
+    const bool above;
     const double lateral_position;
     const ContactGrid *const grid;
     const MPI_Comm communicator;

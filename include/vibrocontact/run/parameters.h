@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/analyses/quasi_static_rolling.h>
+#include <vibrocontact/analyses/transient.h>
 #include <vibrocontact/base/parameter_file.h>
 #include <vibrocontact/contact/interface.h>
 #include <vibrocontact/output/output_parameters.h>
@@ -21,6 +21,7 @@ namespace vibrocontact
     ContactParameters contact;
     ContactSolverParameters contact_solver;
     RollingParameters rolling;
+    TransientParameters transient;
     /// of the meshed bodies, by name
     std::map<std::string, ModeParameters> modes;
 
@@ -28,7 +29,11 @@ namespace vibrocontact
     void declare(dealii::ParameterHandler &prm);
     void check() const;
     /// Whether a contact grid is needed.
-    bool has_contact() const { return scene.runs("quasi-static rolling"); }
+    bool has_contact() const { return scene.runs("quasi-static rolling") || scene.runs("transient"); }
+    /// Whether the contact needs the modes of the bodies.
+    bool has_dynamics() const { return scene.runs("transient"); }
+    /// The grid of section Contact, or one point if a body has no more.
+    ContactGrid contact_grid() const;
   };
 
   /// Both passes over a file and all checks that need no mesh. Says in the log which alternative an option

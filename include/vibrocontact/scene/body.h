@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/base/parameter_file.h>
+#include <vibrocontact/scene/bar.h>
 #include <vibrocontact/scene/block.h>
 #include <vibrocontact/scene/half_space_body.h>
 #include <vibrocontact/scene/loads.h>
@@ -22,11 +23,13 @@ namespace vibrocontact
     std::string name, section;
     /// one line for the reader of the file
     std::string help;
-    /// made of finite elements: has modes, loads and fields
+    /// made of finite elements: has modes
     bool is_meshed;
+    /// a solid of hexahedra: has loads and fields
+    bool is_solid;
   };
 
-  /// half-space, wheel, rail, block, mesh
+  /// half-space, rigid, wheel, rail, block, bar, mesh
   const std::vector<BodyType> &body_types();
 
   /// `subsection <name of the body>`: its type, and one nested subsection per group of entries. Only the
@@ -38,6 +41,7 @@ namespace vibrocontact
     ElasticMaterial material;
     HalfSpaceParameters half_space;
     BlockParameters block;
+    BarParameters bar;
     WheelParameters wheel;
     RailParameters rail;
     MeshFileParameters mesh;
@@ -45,6 +49,9 @@ namespace vibrocontact
 
     const BodyType &body_type() const;
     bool is_meshed() const { return body_type().is_meshed; }
+    bool is_solid() const { return body_type().is_solid; }
+    /// can come into contact in one point only
+    bool is_point() const { return type == "bar"; }
 
     /// Inside the body's subsection; the type has to be set before.
     void declare_parameters(dealii::ParameterHandler &prm);

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace vibrocontact
+{
+  /// A straight bar along z that only stretches: E S u'' = rho S u_tt, its contact end in the plane z = 0.
+  ///
+  ///     z ^   | far end          body 1 stands above the plane, body 2 below it
+  ///       |   |
+  ///       +   o contact end
+  struct BarParameters
+  {
+    /// [m], [m^2]
+    double length = 1, section = 1e-4;
+    /// elements along the bar and their polynomial degree
+    unsigned int divisions = 20, degree = 3;
+    /// "free" or "held"
+    std::string far_end = "held";
+
+    void declare_parameters(dealii::ParameterHandler &prm);
+    void check(const std::string &section) const;
+  };
+} // namespace vibrocontact

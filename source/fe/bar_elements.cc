@@ -1,0 +1,122 @@
+#include <vibrocontact/fe/bar_elements.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <cmath>
+
+namespace vibrocontact
+{
+  using namespace dealii;
+
+  std::unique_ptr<SecondOrderSystem> assemble_bar(const BarParameters &bar, const ElasticMaterial &material,
+                                                  const std::string &name, const bool above,
+                                                  const ContactGrid *const grid, const MPI_Comm communicator)
+  {
+    // The mesh is small and stands on every rank; each assembles its share of the rows.
+    Triangulation<1> mesh;
+    GridGenerator::subdivided_hyper_cube(mesh, bar.divisions, 0., bar.length);
+    const FE_Q<1> element(bar.degree);
+    DoFHandler<1> dof_handler(mesh);
+    dof_handler.distribute_dofs(element);
+    std::vector<Point<1>> places(dof_handler.n_dofs());
+    DoFTools::map_dofs_to_support_points(MappingQ1<1>(), dof_handler, places);
+
+    auto system = std::make_unique<SecondOrderSystem>();
+    system->body = name;
+    system->communicator = communicator;
+    system->locally_owned = Utilities::create_evenly_distributed_partitioning(
+        Utilities::MPI::this_mpi_process(communicator), Utilities::MPI::n_mpi_processes(communicator),
+        dof_handler.n_dofs());
+    AffineConstraints<double> constraints;
+    types::global_dof_index contact_end = 0;
+    for (types::global_dof_index i = 0; i < places.size(); ++i)
+    {
+      if (places[i][0] < 1e-9 * bar.length)
+        contact_end = i;
+      if (bar.far_end == "held" && places[i][0] > (1 - 1e-9) * bar.length)
+        constraints.add_line(i);
+    }
+    constraints.close();
+
+    DynamicSparsityPattern pattern(dof_handler.n_dofs());
+    DoFTools::make_sparsity_pattern(dof_handler, pattern, constraints, true);
+    for (auto *const matrix : {&system->mass, &system->stiffness})
+      matrix->reinit(system->locally_owned, system->locally_owned, pattern, communicator);
+
+    FEValues<1> values(element, QGauss<1>(bar.degree + 1),
+                       update_values | update_gradients | update_JxW_values);
+    const unsigned int n = element.n_dofs_per_cell();
+    FullMatrix<double> mass(n), stiffness(n);
+    std::vector<types::global_dof_index> dofs(n);
+    for (const auto &cell : dof_handler.active_cell_iterators())
+    {
+      values.reinit(cell);
+      cell->get_dof_indices(dofs);
+      mass = stiffness = 0;
+      for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+        for (unsigned int a = 0; a < n; ++a)
+          for (unsigned int b = 0; b < n; ++b)
+          {
+            mass(a, b) += material.density * bar.section * values.shape_value(a, q) *
+                          values.shape_value(b, q) * values.JxW(q);
+            stiffness(a, b) += material.young_modulus * bar.section * values.shape_grad(a, q)[0] *
+                               values.shape_grad(b, q)[0] * values.JxW(q);
+          }
+      for (unsigned int a = 0; a < n; ++a)
+      {
+        if (!system->locally_owned.is_element(dofs[a]))
+          continue;
+        const bool fixed = constraints.is_constrained(dofs[a]);
+        for (unsigned int b = 0; b < n; ++b)
+          if (a == b || (!fixed && !constraints.is_constrained(dofs[b])))
+          {
+            system->stiffness.add(dofs[a], dofs[b], stiffness(a, b));
+            if (!fixed)
+              system->mass.add(dofs[a], dofs[b], mass(a, b));
+          }
+      }
+    }
+    system->mass.compress(VectorOperation::add);
+    system->stiffness.compress(VectorOperation::add);
+    if (material.loss_factor > 0)
+    {
+      system->loss_stiffness.reinit(system->stiffness);
+      system->loss_stiffness.copy_from(system->stiffness);
+      system->loss_stiffness *= material.loss_factor;
+      system->has_loss = true;
+    }
+
+    system->total_mass = material.density * bar.section * bar.length;
+    if (bar.far_end == "free")
+    {
+      PETScWrappers::MPI::Vector motion(system->locally_owned, communicator);
+      motion = 1. / std::sqrt(double(dof_handler.n_dofs()));
+      system->rigid_motions.push_back(motion);
+      system->n_rigid_modes = 1;
+    }
+    system->follows_hub = bar.far_end == "held";
+    for (const auto dof : system->locally_owned)
+    {
+      system->dof_position.emplace_back(0., 0., (above ? 1 : -1) * places[dof][0]);
+      system->dof_direction.push_back(2);
+    }
+    if (grid)
+    {
+      AssertThrow(grid->n_points() == 1, ExcMessage("A bar has one contact point."));
+      system->trace.grid = *grid;
+      system->trace.rows.resize(3);
+      system->trace.rows[0] = {{contact_end, 1.}};
+      system->trace.surface_height = {0.};
+    }
+    return system;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,24 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/scene/bar.h>
+
+namespace vibrocontact
+{
+  void BarParameters::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add_parameter("Length", length, "Length of the bar. Units: m.", Double(1e-9, 1e6));
+    prm.add_parameter("Section", section, "Area of its cross-section. Units: m^2.", Double(1e-18, 1e6));
+    prm.add_parameter("Divisions", divisions, "Elements along the bar. Units: none.", Integer(1, 100000));
+    prm.add_parameter("Element degree", degree, "Polynomial degree of the elements. Units: none.",
+                      Integer(1, 10));
+    prm.add_parameter("Far end", far_end, "The end away from the contact. Units: none.",
+                      Selection("held|free"));
+  }
+
+  void BarParameters::check(const std::string &path) const
+  {
+    if (double(divisions) * degree > 200000)
+      throw InputError("Section '" + path +
+                       "' asks for more than 200,000 dofs: lower Divisions or Element degree.");
+  }
+} // namespace vibrocontact
