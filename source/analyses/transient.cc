@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iostream>
 #include <memory>
 
 namespace vibrocontact
@@ -77,12 +78,25 @@ namespace vibrocontact
 
   namespace
   {
+    /// Nothing reaches standard error while it lives.
+    struct QuietErrors
+    {
+      QuietErrors() : kept(std::cerr.rdbuf(nullptr)) {}
+      ~QuietErrors()
+      {
+        std::cerr.rdbuf(kept);
+        std::cerr.clear();
+      }
+      std::streambuf *const kept;
+    };
+
     std::function<double(double)> function_of_time(const std::string &expression, const std::string &entry,
                                                    const double constant)
     {
       if (expression.empty())
         return [constant](double) { return constant; };
       const auto parser = std::make_shared<dealii::FunctionParser<1>>();
+      const QuietErrors quiet; // deal.II prints the parser's words itself
       try
       {
         parser->initialize("t", expression, {{"pi", dealii::numbers::PI}}, false);
