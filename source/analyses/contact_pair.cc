@@ -128,4 +128,20 @@ namespace vibrocontact
     result.add(1., product);
     return result;
   }
+
+  ContactInterface static_interface(const ContactPair &pair)
+  {
+    ContactInterface interface = pair.interface;
+    DenseVector &jump = interface.load_jump;
+    for (unsigned int k = 0; k < pair.n_modes(); ++k)
+    {
+      if (pair.modal_load[k] == 0)
+        continue;
+      if (jump.size() == 0)
+        jump.reinit(3 * pair.n_points());
+      for (unsigned int i = 0; i < jump.size(); ++i)
+        jump[i] += pair.modal_trace(i, k) * pair.modal_load[k] / (pair.omega[k] * pair.omega[k]);
+    }
+    return interface;
+  }
 } // namespace vibrocontact

@@ -8,21 +8,6 @@ namespace vibrocontact
 {
   namespace
   {
-    // Static loads act through the modes as well.
-    void add_modal_load_jump(ContactPair &pair)
-    {
-      for (unsigned int k = 0; k < pair.n_modes(); ++k)
-      {
-        if (pair.modal_load[k] == 0)
-          continue;
-        DenseVector &jump = pair.interface.load_jump;
-        if (jump.size() == 0)
-          jump.reinit(3 * pair.n_points());
-        for (unsigned int i = 0; i < jump.size(); ++i)
-          jump[i] += pair.modal_trace(i, k) * pair.modal_load[k] / std::pow(pair.omega[k], 2);
-      }
-    }
-
     void check_hub(const ContactBody &body)
     {
       if (!body.reduced)
@@ -65,10 +50,9 @@ namespace vibrocontact
       scene.operator_at = [=](const double speed) { return rolling_operator(grid, pair, scheme, speed); };
       return scene;
     }
-    ContactPair pair = contact_pair(body_1, body_2, grid);
-    auto compliance = std::make_shared<DenseMatrix>(static_compliance(pair));
-    add_modal_load_jump(pair);
-    scene.interface = std::move(pair.interface);
+    const ContactPair pair = contact_pair(body_1, body_2, grid);
+    const auto compliance = std::make_shared<const DenseMatrix>(static_compliance(pair));
+    scene.interface = static_interface(pair);
     scene.operator_at = [=](const double speed)
     { return rolling_operator(grid, *compliance, scheme, speed); };
     return scene;

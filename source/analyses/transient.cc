@@ -194,7 +194,7 @@ namespace vibrocontact
       const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
       ContactProblem problem = rolling_problem(
           rolling_operator(pair.interface.grid, static_compliance(pair), scheme, drive.creepage.speed),
-          pair.interface, scheme, drive.creepage, contact);
+          static_interface(pair), scheme, drive.creepage, contact);
       problem.normal_force = drive.normal_force;
       problem.approach = drive.approach;
       for (unsigned int i = 0; i < drive.gap.size(); ++i)

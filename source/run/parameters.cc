@@ -32,6 +32,7 @@ namespace vibrocontact
     prm.leave_subsection();
     declare("Rolling", rolling);
     declare("Transient", transient);
+    declare("Stability", stability);
   }
 
   ContactGrid Parameters::contact_grid() const
@@ -62,7 +63,7 @@ namespace vibrocontact
                          "/Modes asks for no modes, nor does any other body, but the analysis "
                          "\"modes\" is listed; give Upper frequency or Count, or leave it out");
     }
-    if (scene.runs("quasi-static rolling"))
+    if (scene.runs("quasi-static rolling") || scene.runs("stability"))
     {
       rolling.check();
       // a single value left at its default is not given; used.prm of a sweep has to be valid
@@ -72,14 +73,15 @@ namespace vibrocontact
             "but the sweep takes the place of the single value: leave one of them out.");
     }
     if (scene.runs("transient"))
-    {
       transient.check();
+    if (has_dynamics())
       for (const BodyParameters &body : scene.bodies)
         if (body.is_meshed() && !modes.at(body.name).any())
           throw InputError(body.name +
-                           "/Modes asks for no modes, but the analysis \"transient\" moves the body by "
+                           "/Modes asks for no modes, but stability and transient move the body by "
                            "them; give Upper frequency or Count");
-    }
+    if (scene.runs("stability") && !scene.bodies[0].is_meshed() && !scene.bodies[1].is_meshed())
+      throw InputError("Analyses asks for stability, but no body has modes; leave \"stability\" out");
     if (has_contact())
     {
       const ContactGrid grid = contact_grid();

@@ -24,6 +24,20 @@ namespace vibrocontact
     return bodies;
   }
 
+  std::unique_ptr<const PreparedPair> prepare_pair(const Parameters &parameters, const MeshedBodies &bodies,
+                                                   const bool with_modes)
+  {
+    auto pair = std::make_unique<PreparedPair>();
+    pair->reduced.resize(2);
+    for (unsigned int k = 0; k < 2; ++k)
+    {
+      if (bodies[k])
+        pair->reduced[k] = bodies[k]->reduction.reduced(with_modes);
+      pair->bodies.push_back({&parameters.scene.bodies[k], bodies[k] ? &pair->reduced[k] : nullptr});
+    }
+    return pair;
+  }
+
   void check_meshes(const Parameters &parameters, const MeshedBodies &bodies, const bool all)
   {
     for (const auto &body : bodies)

@@ -10,6 +10,7 @@
 #include <vibrocontact/run/run.h>
 #include <vibrocontact/run/run_modes.h>
 #include <vibrocontact/run/run_rolling.h>
+#include <vibrocontact/run/run_stability.h>
 #include <vibrocontact/run/run_transient.h>
 
 #include <deal.II/base/mpi.h>
@@ -71,6 +72,12 @@ namespace vibrocontact
             results.reductions = reductions_json(bodies);
             record.save(results, clock.seconds());
           }
+      if (parameters.scene.runs("stability"))
+      {
+        run_stability(parameters, bodies, record.folder, results);
+        results.reductions = reductions_json(bodies);
+        record.save(results, clock.seconds());
+      }
       if (parameters.scene.runs("transient"))
       {
         run_transient(parameters, bodies, record.folder, results);

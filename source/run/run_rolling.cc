@@ -74,19 +74,13 @@ namespace vibrocontact
   RollingResult run_rolling(const Parameters &parameters, const MeshedBodies &bodies,
                             const std::string &folder, Results &results, const std::function<void()> &save)
   {
-    std::vector<ReducedBody> reduced(2);
-    std::vector<ContactBody> pair;
-    for (unsigned int k = 0; k < 2; ++k)
-    {
-      if (bodies[k])
-        reduced[k] = bodies[k]->reduction.reduced(false);
-      pair.push_back({&parameters.scene.bodies[k], bodies[k] ? &reduced[k] : nullptr});
-    }
+    const auto pair = prepare_pair(parameters, bodies, false);
     results.reductions = reductions_json(bodies);
     save();
 
     run_log().block("Quasi-static rolling");
-    const RollingScene scene = rolling_scene(pair[0], pair[1], parameters.contact, parameters.contact_grid());
+    const RollingScene scene =
+        rolling_scene(pair->bodies[0], pair->bodies[1], parameters.contact, parameters.contact_grid());
     const ContactInterface &interface = scene.interface;
     run_log().value("contact points", interface.grid.n_points());
     const unsigned int n_cases = rolling_cases(parameters.rolling, parameters.contact).size();

@@ -27,17 +27,11 @@ namespace vibrocontact
   void run_transient(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
                      Results &results)
   {
-    std::vector<ReducedBody> reduced(2);
-    std::vector<ContactBody> pair_of;
-    for (unsigned int k = 0; k < 2; ++k)
-    {
-      if (bodies[k])
-        reduced[k] = bodies[k]->reduction.reduced(true);
-      pair_of.push_back({&parameters.scene.bodies[k], bodies[k] ? &reduced[k] : nullptr});
-    }
+    const auto prepared = prepare_pair(parameters, bodies, true);
     run_log().block("Transient");
     const TransientParameters &transient_parameters = parameters.transient;
-    const ContactPair pair = contact_pair(pair_of[0], pair_of[1], parameters.contact_grid());
+    const ContactPair pair =
+        contact_pair(prepared->bodies[0], prepared->bodies[1], parameters.contact_grid());
     run_log().value("modes", pair.n_modes());
     run_log().value("contact points", pair.n_points());
     const DriveFunction drive =

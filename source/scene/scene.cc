@@ -57,6 +57,7 @@ namespace vibrocontact
     static const std::vector<AnalysisType> types = {
         {"modes", "natural frequencies, shapes and damping of every meshed body", 1},
         {"quasi-static rolling", "steady rolling contact of body 1 on body 2 with friction", 2},
+        {"stability", "complex eigenvalues about the rolling equilibrium: which modes squeal", 2},
         {"transient", "motion in time of body 1 on body 2", 2}};
     return types;
   }

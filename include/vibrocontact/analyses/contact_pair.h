@@ -62,4 +62,7 @@ namespace vibrocontact
   /// W~ + Psi diag(w^-2) Psi^T: what a static analysis sees; 3 n square [m/N].
   /// @throws InputError if a body can move freely
   DenseMatrix static_compliance(const ContactPair &pair);
+
+  /// The interface of a static analysis, in whose load_jump the modes answer the constant loads at rest.
+  ContactInterface static_interface(const ContactPair &pair);
 } // namespace vibrocontact

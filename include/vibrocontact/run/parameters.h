@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/analyses/stability.h>
 #include <vibrocontact/analyses/transient.h>
 #include <vibrocontact/base/parameter_file.h>
 #include <vibrocontact/contact/interface.h>
@@ -22,6 +23,7 @@ namespace vibrocontact
     ContactSolverParameters contact_solver;
     RollingParameters rolling;
     TransientParameters transient;
+    StabilityParameters stability;
     /// of the meshed bodies, by name
     std::map<std::string, ModeParameters> modes;
 
@@ -29,9 +31,9 @@ namespace vibrocontact
     void declare(dealii::ParameterHandler &prm);
     void check() const;
     /// Whether a contact grid is needed.
-    bool has_contact() const { return scene.runs("quasi-static rolling") || scene.runs("transient"); }
+    bool has_contact() const { return scene.runs("quasi-static rolling") || has_dynamics(); }
     /// Whether the contact needs the modes of the bodies.
-    bool has_dynamics() const { return scene.runs("transient"); }
+    bool has_dynamics() const { return scene.runs("transient") || scene.runs("stability"); }
     /// The grid of section Contact, or one point if a body has no more.
     ContactGrid contact_grid() const;
   };

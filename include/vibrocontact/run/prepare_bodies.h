@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/analyses/contact_pair.h>
 #include <vibrocontact/run/meshed_body.h>
 #include <vibrocontact/run/parameters.h>
 
@@ -16,6 +17,19 @@ namespace vibrocontact
   /// Prepares the meshed bodies; nothing is made yet. They refer to `parameters` and `grid`.
   MeshedBodies meshed_bodies(Parameters &parameters, const DeclaredParameters &declared,
                              const ContactGrid &grid);
+
+  /// Both bodies of a contact, reduced where they are meshed.
+  struct PreparedPair
+  {
+    std::vector<ReducedBody> reduced;
+    /// body 1, body 2; they refer to `reduced` and to the parameters
+    std::vector<ContactBody> bodies;
+  };
+
+  /// Reduces the two bodies of the scene (or finds them in the cache), with their modes or for a static
+  /// analysis. Collective.
+  std::unique_ptr<const PreparedPair> prepare_pair(const Parameters &parameters, const MeshedBodies &bodies,
+                                                   bool with_modes);
 
   /// Makes the meshes and lays the contact grid on them, so that what is wrong there is said before the
   /// expensive steps. Bodies whose reduction is in the cache have passed already and are only made if `all`.

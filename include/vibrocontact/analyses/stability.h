@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vibrocontact/analyses/linearised_contact.h>
+#include <vibrocontact/analyses/quasi_static_rolling.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace vibrocontact
+{
+  /// `subsection Stability`
+  struct StabilityParameters
+  {
+    /// "consistent": all of the step's equations linearised; "paper": K_c and C_b of Lai et al. 2018, Eqs
+    /// 19-22
+    std::string linearisation = "consistent";
+    /// of the paper's linearisation: C_b and the convective part of the perturbed slip
+    bool lateral_damping = true, convection = false;
+    /// take sticking points as stuck instead of refusing them
+    bool stick = false;
+
+    void declare_parameters(dealii::ParameterHandler &prm);
+    LinearisationOptions options() const;
+  };
+
+  /// A rolling equilibrium and its roots.
+  struct StabilityResult
+  {
+    RollingCase rolling_case;
+    unsigned int contact_points = 0, stick_points = 0;
+    double normal_force = 0;
+    std::vector<StabilityRoot> roots;
+    /// wall time of the eigenvalues [s]
+    double seconds = 0;
+
+    /// growth > 0
+    std::vector<const StabilityRoot *> unstable() const;
+    /// the root with the largest divergence rate: how near the next instability is
+    const StabilityRoot &nearest() const;
+  };
+
+  /// Complex eigenvalues about each rolling equilibrium of section Rolling (its sweep included), on the modes
+  /// of the pair.
+  /// @throws InputError if an equilibrium is not in full sliding and sticking points are not asked for;
+  /// ConvergenceError if an equilibrium does not converge
+  std::vector<StabilityResult> stability(const StabilityParameters &parameters,
+                                         const RollingParameters &rolling, const ContactParameters &contact,
+                                         const ContactSolverParameters &solver, const ContactPair &pair,
+                                         const std::function<void(const StabilityResult &)> &finished);
+} // namespace vibrocontact

@@ -1,0 +1,86 @@
+#include <vibrocontact/analyses/stability.h>
+#include <vibrocontact/base/exceptions.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace vibrocontact
+{
+  void StabilityParameters::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add_parameter(
+        "Linearisation", linearisation,
+        "consistent: slip direction per point, transport V d/dx and the rate of the residual displacements, "
+        "as the transient has them; paper: K_c and C_b alone. Units: none.",
+        Selection("consistent|paper"));
+    prm.add_parameter(
+        "Lateral damping", lateral_damping,
+        "Keep the damping C_b of sliding friction across the slip (paper's linearisation). Units: none.",
+        Bool());
+    prm.add_parameter("Convective slip", convection,
+                      "Keep V d/dx of the perturbed slip (paper's linearisation). Units: none.", Bool());
+    prm.add_parameter("Linearise sticking points", stick,
+                      "Linearise about an equilibrium that is not in full sliding: its sticking points stay "
+                      "stuck; false: such "
+                      "an equilibrium is refused. Units: none.",
+                      Bool());
+  }
+
+  LinearisationOptions StabilityParameters::options() const
+  {
+    LinearisationOptions options;
+    const bool consistent = linearisation == "consistent";
+    options.lateral_damping = consistent || lateral_damping;
+    options.convection = consistent || convection;
+    options.residual_rate = consistent;
+    options.stick = stick;
+    return options;
+  }
+
+  std::vector<const StabilityRoot *> StabilityResult::unstable() const
+  {
+    std::vector<const StabilityRoot *> result;
+    for (const StabilityRoot &root : roots)
+      if (root.growth > 0)
+        result.push_back(&root);
+    return result;
+  }
+
+  const StabilityRoot &StabilityResult::nearest() const
+  {
+    return *std::max_element(roots.begin(), roots.end(),
+                             [](const StabilityRoot &a, const StabilityRoot &b)
+                             { return a.divergence_rate < b.divergence_rate; });
+  }
+
+  std::vector<StabilityResult> stability(const StabilityParameters &parameters,
+                                         const RollingParameters &rolling, const ContactParameters &contact,
+                                         const ContactSolverParameters &solver, const ContactPair &pair,
+                                         const std::function<void(const StabilityResult &)> &finished)
+  {
+    const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
+    std::vector<StabilityResult> results;
+    const auto operator_at = [&](const double speed)
+    { return rolling_operator(pair.interface.grid, static_compliance(pair), scheme, speed); };
+    const auto linearise = [&](const RollingResult &equilibrium, const ContactProblem &problem)
+    {
+      if (!equilibrium.solution.converged)
+        throw ConvergenceError("The equilibrium of case " + std::to_string(results.size()) +
+                               " of the stability analysis did not converge.");
+      const auto begin = std::chrono::steady_clock::now();
+      StabilityResult result;
+      result.rolling_case = equilibrium.rolling_case;
+      result.contact_points = equilibrium.contact_points;
+      result.stick_points = equilibrium.stick_points;
+      result.normal_force = equilibrium.normal_force;
+      const RollingEquilibrium about{equilibrium.solution, problem.mu, rolling.creepage.speed};
+      result.roots = stability_roots(pair, linearised_contact(pair, scheme, about, parameters.options()));
+      result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      results.push_back(std::move(result));
+      finished(results.back());
+    };
+    quasi_static_rolling(rolling, contact, solver, static_interface(pair), operator_at, linearise);
+    return results;
+  }
+} // namespace vibrocontact
