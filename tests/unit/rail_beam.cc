@@ -186,7 +186,7 @@ TEST(RailBeam, static_stiffness_against_a_timoshenko_beam_on_the_same_pads)
 
 TEST(RailBeam, anechoic_ends_damp_what_lives_in_them)
 {
-  // The five pieces of the errata at either end of a rail on pads too soft to matter, cells ending where
+  // The paper's five pieces at either end of a rail on pads too soft to matter, cells ending where
   // pieces end. Loss factors rise from 0.1 to 1 in geometric steps; the rest of the rail has 0.02.
   RailParameters parameters;
   parameters.length = 13.2;

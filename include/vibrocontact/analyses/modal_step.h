@@ -25,14 +25,14 @@ namespace vibrocontact
   {
     /// like all other forces: theta p1 + (1 - theta) p0, or linear in the step for the exact propagator
     as_other_forces,
-    /// p1 alone, as the paper has it: first order, and early by half a step (errata, "Time integration")
+    /// p1 alone, as the paper has it: first order, and early by half a step (doc/theory.md, "Time steps")
     end_of_step
   };
 
-  /// Jean's theta-method (Lai et al. 2018, section 5, errata):
+  /// Jean's theta-method (Lai et al. 2018, section 5; doc/theory.md, "Time steps"):
   ///
-  ///   v1 - v0 = h [theta f1 + (1 - theta) f0],   q1 - q0 = h [theta v1 + (1 - theta) v0],   f = p - 2 zeta w
-  ///   v - w^2 q
+  ///   v1 - v0 = h [theta f1 + (1 - theta) f0],   q1 - q0 = h [theta v1 + (1 - theta) v0]
+  ///   f = p - 2 zeta w v - w^2 q
   ///
   /// theta = 1/2 keeps the energy of undamped modes; theta > 1/2 subtracts (theta - 1/2) w^2 h from their
   /// growth rates.

@@ -10,14 +10,14 @@
 
 namespace vibrocontact
 {
-  /// The one discrete contact problem that every analysis ends in (errata, "One discrete contact problem").
+  /// The one discrete contact problem that every analysis ends in (doc/theory.md, "One contact problem for
+  /// every analysis").
   ///
   ///   find R = (N, Tx, Ty) with   y = A R + b - approach e_n,   y = (gap, slip_x, slip_y)
-  ///   N_i = P(N_i, gap_i)  (normal law)   and   T_i = Proj_disc(mu_i N_i)(T_i - rho s_i)  (Coulomb)   at
-  ///   every point
+  ///   N_i = P(N_i, gap_i)  (normal law)   and   T_i = Proj_disc(mu_i N_i)(T_i - rho s_i)  (Coulomb)
   ///
-  /// e_n is one on every gap. The approach [m] is given, or it is one more unknown that makes sum N_i equal
-  /// to a given normal force. Sizes 3 n by contact_row().
+  /// at every point; e_n is one on every gap. The approach [m] is given, or it is one more unknown that makes
+  /// sum N_i equal to a given normal force. Sizes 3 n by contact_row().
   struct ContactProblem
   {
     std::string title;

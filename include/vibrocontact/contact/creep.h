@@ -19,7 +19,7 @@ namespace vibrocontact
     double spin = 0;
   };
 
-  /// Eulerian slip velocity (Lai et al. 2018, Eq. 1, errata), body 1 minus body 2:
+  /// Eulerian slip velocity (Lai et al. 2018, Eq. 1), body 1 minus body 2:
   ///
   ///   s_x = V (xi_x - spin y) + V d(du_x)/dx      s_y = V (xi_y + spin x) + V d(du_y)/dx
   ///

@@ -51,7 +51,8 @@ namespace vibrocontact
                                                           const CreepScheme &scheme, double speed);
 
   /// y = A R of any two bodies in steady rolling: compliance is the sum of both bodies' contact compliances,
-  /// 3 n square [m/N] (errata: A_n = (P_c K^-1 P_c^T)_n, A_t = V d/dx (P_c K^-1 P_c^T)_t).
+  /// 3 n square [m/N]. A_n = (P_c K^-1 P_c^T)_n, A_t = V d/dx (P_c K^-1 P_c^T)_t (doc/theory.md, "One contact
+  /// problem for every analysis").
   std::shared_ptr<const ContactOperator> rolling_operator(const ContactGrid &grid, DenseMatrix compliance,
                                                           const CreepScheme &scheme, double speed);
 

@@ -77,8 +77,7 @@ namespace vibrocontact
   /// Coulomb friction: the tangential force on body 1 opposes the slip s and is bounded by the disc of radius
   /// mu N,
   ///
-  ///   T = Proj_disc(mu N) (T - rho s)   for any rho > 0                         (Lai et al. 2018, Eq. 5,
-  ///   errata)
+  ///   T = Proj_disc(mu N) (T - rho s)   for any rho > 0                         (doc/theory.md, "Laws")
   ///
   /// Stick: s = 0, |T| <= mu N. Slip: T = -mu N s / |s|. disc(0) = {0}.
   struct CoulombLaw

@@ -9,7 +9,7 @@
 namespace vibrocontact
 {
   /// A body as the contact sees it: free-interface modes plus residual attachment responses
-  /// (Lai et al. 2018, Eqs 8-14, errata "Reduction").
+  /// (Lai et al. 2018, Eqs 8-14; doc/theory.md, "Meshed bodies and their reduction").
   ///
   ///   q'' + diag(2 zeta w) q' + diag(w^2) q = Phi^T F + Psi^T R,    Psi = P_c Phi
   ///   P_c U = lifting * u_hub + Psi q + W~ R + residual load response
