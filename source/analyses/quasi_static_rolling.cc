@@ -140,6 +140,21 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    /// What stands for a solution that the solver did not find: no forces, and a residual as wrong as can be.
+    ContactSolution no_solution(const ContactProblem &problem)
+    {
+      ContactSolution none;
+      none.R.reinit(3 * problem.n_points());
+      none.y.reinit(3 * problem.n_points());
+      none.status.assign(problem.n_points(), ContactStatus::open);
+      none.approach = problem.approach;
+      none.residual = 1;
+      return none;
+    }
+  } // namespace
+
   std::vector<RollingResult>
   quasi_static_rolling(const RollingParameters &rolling, const ContactParameters &contact,
                        const ContactSolverParameters &solver_parameters, const ContactInterface &interface,
@@ -160,13 +175,26 @@ namespace vibrocontact
       const bool continues = !results.empty() && results.back().rolling_case.curve == one.curve &&
                              results.back().rolling_case.friction == one.friction &&
                              results.back().solution.converged;
-      ContactSolution solution =
-          solver->solve(problem, continues ? results.back().solution : ContactSolution());
+      std::string failure;
+      const auto solve = [&](const ContactSolution &start)
+      {
+        failure.clear();
+        try
+        {
+          return solver->solve(problem, start);
+        }
+        catch (const ConvergenceError &error)
+        {
+          failure = error.what();
+          return no_solution(problem);
+        }
+      };
+      ContactSolution solution = solve(continues ? results.back().solution : ContactSolution());
       if (continues && !solution.converged)
       {
         // declared: a warm start that fails is followed by a cold one, and counts as a fallback
         const ContactSolution warm = solution;
-        solution = solver->solve(problem, {});
+        solution = solve({});
         solution.fallbacks += warm.fallbacks + 1;
         solution.iterations += warm.iterations;
         solution.seconds += warm.seconds;
@@ -174,6 +202,7 @@ namespace vibrocontact
       if (solution.converged)
         check_contact_in_grid(interface.grid, solution.status);
       results.push_back(resultants(one, interface, std::move(solution)));
+      results.back().failure = failure;
       finished(results.back(), problem);
     }
     return results;

@@ -1,6 +1,8 @@
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/exceptions.h>
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -14,7 +16,7 @@ namespace vibrocontact
     /// @param fill writes the file under the name given and returns whether that went well
     void write_whole(const std::string &file_name, const std::function<bool(const fs::path &)> &fill)
     {
-      const fs::path path(file_name), part(file_name + ".part");
+      const fs::path path(file_name), part(unique_part(file_name));
       std::error_code error;
       if (path.has_parent_path())
         fs::create_directories(path.parent_path(), error);
@@ -30,6 +32,13 @@ namespace vibrocontact
     }
   } // namespace
 
+  std::string unique_part(const std::string &file_name)
+  {
+    char host[256] = "host";
+    gethostname(host, sizeof(host) - 1);
+    return file_name + "." + host + "-" + std::to_string(getpid()) + ".part";
+  }
+
   void write_file(const std::string &file_name, const std::string &content)
   {
     write_whole(file_name,
@@ -44,6 +53,10 @@ namespace vibrocontact
 
   void copy_file(const std::string &from, const std::string &to)
   {
+    std::error_code ignored;
+    if (!fs::exists(from, ignored))
+      throw OutputError("the file \"" + from + "\" that is to be copied to \"" + to +
+                        "\" does not exist; it was deleted meanwhile: run again");
     write_whole(to,
                 [&](const fs::path &part)
                 {

@@ -1,9 +1,8 @@
+#include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/hdf5_file.h>
 
 #include <hdf5.h>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -97,21 +96,17 @@ namespace vibrocontact
       const Handle set(set_id, H5Dclose), space(H5Dget_space(set), H5Sclose);
       sizes.resize(std::max(0, H5Sget_simple_extent_ndims(space)));
       H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
-      std::vector<T> data(H5Sget_simple_extent_npoints(space));
-      if (size > 0 && data.size() != size)
-        throw InputError("'" + name + "' in the file '" + file_name + "' has " + std::to_string(data.size()) +
+      const hssize_t n_points = H5Sget_simple_extent_npoints(space);
+      if (n_points < 0)
+        throw InputError("'" + name + "' in the file '" + file_name + "' has no size; write the file anew.");
+      if (size > 0 && static_cast<std::size_t>(n_points) != size)
+        throw InputError("'" + name + "' in the file '" + file_name + "' has " + std::to_string(n_points) +
                          " values where " + std::to_string(size) + " are due; write the file anew.");
+      std::vector<T> data(n_points);
       if (!data.empty() && H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()) < 0)
         throw InputError("'" + name + "' in the file '" + file_name +
                          "' cannot be read as numbers; write the file anew.");
       return data;
-    }
-
-    std::string unique_part(const std::string &file_name)
-    {
-      char host[256] = "host";
-      gethostname(host, sizeof(host) - 1);
-      return file_name + "." + host + "-" + std::to_string(getpid()) + ".part";
     }
   } // namespace
 

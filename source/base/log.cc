@@ -50,6 +50,12 @@ namespace vibrocontact
       file << kept << std::flush;
     }
     kept.clear();
+    if (!file_name.empty() && !file)
+    {
+      file.close();
+      warning("the log \"" + file_name +
+              "\" cannot be written; give a folder with write permission and free space");
+    }
   }
 
   void Log::write(const std::string &text)

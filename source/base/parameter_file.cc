@@ -271,8 +271,11 @@ namespace vibrocontact
     namespace fs = std::filesystem;
     if (fs::path(name).is_absolute() || text.file_name.empty())
       return name;
-    const fs::path beside = fs::absolute(fs::path(text.file_name)).parent_path() / name;
-    return fs::exists(beside) || !fs::exists(name) ? beside.lexically_normal().string() : name;
+    // whoever reads the file says what is wrong with it
+    std::error_code ignored;
+    const fs::path beside = fs::absolute(fs::path(text.file_name), ignored).parent_path() / name;
+    return fs::exists(beside, ignored) || !fs::exists(name, ignored) ? beside.lexically_normal().string()
+                                                                     : name;
   }
 
   std::string read_file_on_all_ranks(const std::string &file_name, const std::string &what)
@@ -282,10 +285,12 @@ namespace vibrocontact
     {
       std::ifstream file(file_name, std::ios::binary);
       std::ostringstream content;
-      if (std::filesystem::is_directory(file_name))
+      std::error_code ignored;
+      if (std::filesystem::is_directory(file_name, ignored))
         bytes_and_error.second = "is a folder";
       else if (!file)
-        bytes_and_error.second = std::filesystem::exists(file_name) ? "cannot be read" : "does not exist";
+        bytes_and_error.second =
+            std::filesystem::exists(file_name, ignored) ? "cannot be read" : "does not exist";
       else
         content << file.rdbuf();
       bytes_and_error.first = content.str();

@@ -39,7 +39,8 @@ namespace vibrocontact
       : rho_normal(1 / problem.A->mean_diagonal(0)),
         rho_tangential(tangential_rho(*problem.A, tangential_factor)), problem(problem)
   {
-    AssertThrow(rho_normal > 0 && rho_tangential > 0,
+    AssertThrow(rho_normal > 0 && rho_tangential > 0 && std::isfinite(rho_normal) &&
+                    std::isfinite(rho_tangential),
                 dealii::ExcMessage("The contact operator has a diagonal that is not positive."));
   }
 

@@ -10,10 +10,10 @@ namespace vibrocontact
 {
   namespace
   {
-    /// Largest singular value of the block of A that takes components [first, last) at some points to
-    /// themselves.
-    double largest_gain(const ContactOperator &A, const std::vector<unsigned int> &points,
-                        const unsigned int first, const unsigned int last)
+    /// Growth per step of the power iteration with the block of A that takes components [first, last) at some
+    /// points to themselves; see fixed_point.h for what that is worth.
+    double growth(const ContactOperator &A, const std::vector<unsigned int> &points, const unsigned int first,
+                  const unsigned int last)
     {
       const unsigned int n = A.n_points();
       DenseVector v(3 * n), image(3 * n);
@@ -76,8 +76,8 @@ namespace vibrocontact
             points.push_back(i);
         if (points.empty())
           return;
-        normal = 1 / largest_gain(A, points, 0, 1);
-        tangential = 1 / largest_gain(A, points, 1, 3);
+        normal = 1 / growth(A, points, 0, 1);
+        tangential = 1 / growth(A, points, 1, 3);
       }
 
       const ContactOperator &A;
@@ -102,10 +102,13 @@ namespace vibrocontact
       };
       const double unit = problem.normal_force / rho / n;
       double low = -unit, high = unit;
-      while (sum(low) > 0)
+      while (sum(low) > 0 && std::isfinite(low))
         low *= 2;
-      while (sum(high) < 0)
+      while (sum(high) < 0 && std::isfinite(high))
         high *= 2;
+      if (!std::isfinite(low) || !std::isfinite(high))
+        throw ConvergenceError("No approach gives the normal force of the contact problem '" + problem.title +
+                               "': its gaps are not finite numbers; check the bodies that it is made of.");
       for (unsigned int k = 0; k < 200 && high - low > 1e-15 * (std::abs(low) + std::abs(high)); ++k)
       {
         const double middle = 0.5 * (low + high);

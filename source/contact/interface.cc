@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/contact/interface.h>
 
 #include <cmath>
@@ -119,15 +120,15 @@ namespace vibrocontact
         continue;
       const unsigned int i = point % grid.n_x, j = point / grid.n_x;
       if (i < free_upstream)
-        throw InputError("The contact reaches the upstream side of the contact grid (x = " +
-                         std::to_string(grid.x(point)) +
-                         " m), where two columns must stay free: " + larger_x + " or lower the load.");
+        throw InputError(
+            "The contact reaches the upstream side of the contact grid (x = " + number_text(grid.x(point)) +
+            " m), where two columns must stay free: " + larger_x + " or lower the load.");
       if (i + 1 == grid.n_x)
         throw InputError("The contact reaches the downstream side of the contact grid (x = " +
-                         std::to_string(grid.x(point)) + " m): " + larger_x + " or lower the load.");
+                         number_text(grid.x(point)) + " m): " + larger_x + " or lower the load.");
       if (grid.n_y > 1 && (j == 0 || j + 1 == grid.n_y))
         throw InputError("The contact reaches the lateral side of the contact grid (y = " +
-                         std::to_string(grid.y(point)) + " m): " + larger_y + " or lower the load.");
+                         number_text(grid.y(point)) + " m): " + larger_y + " or lower the load.");
     }
   }
 } // namespace vibrocontact

@@ -9,6 +9,8 @@ namespace vibrocontact
 {
   namespace
   {
+    constexpr int most_rows = 3 * most_points_in_file;
+
     /// Numbers of another program may hold what no contact problem can.
     std::vector<double> finite_numbers(Hdf5Reader &file, const std::string &file_name,
                                        const std::string &path, const std::size_t size)
@@ -71,8 +73,10 @@ namespace vibrocontact
         throw InputError("The matrix '" + path + "' in the file '" + file_name + "' " + what +
                          "; write it as FCLIB does (doc/contact_problem_file.md).");
       };
-      if (m < 1 || n < 1 || m > 30000 || n > 30000 || nz < -2 || nzmax < 0)
+      if (m < 1 || n < 1 || m > most_rows || n > most_rows || nz < -2 || nzmax < 0)
         refuse("has a size or a kind (m, n, nz, nzmax) that makes no sense");
+      if (nz > nzmax)
+        refuse("has more triplets (nz) than places for them (nzmax)");
       const std::size_t entries = nz >= 0 ? nz : nzmax;
       const std::vector<int> p = file.integers(path + "/p", nz >= 0 ? entries : (nz == -1 ? n : m) + 1);
       const std::vector<int> index = file.integers(path + "/i", entries);
@@ -103,6 +107,10 @@ namespace vibrocontact
                              const ContactSolution &solution, const ContactFileOptions &options)
   {
     const unsigned int n = problem.n_points();
+    if (n > most_points_in_file)
+      throw InputError("A contact problem of " + std::to_string(n) + " points cannot be stored, at most " +
+                       std::to_string(most_points_in_file) +
+                       " can: set Output/Contact problems = false or enlarge Contact/Grid spacing.");
     Hdf5Writer file(file_name);
     std::vector<unsigned int> all(n);
     std::iota(all.begin(), all.end(), 0);

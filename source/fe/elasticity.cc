@@ -122,6 +122,15 @@ namespace vibrocontact
         }
       }
       std::vector<Quadrature<dim - 1>> result;
+      if (std::abs(span) < 1e-9 * face->diameter())
+      {
+        // a face across x lies in a segment as a whole or not at all
+        const double x = face->center()[0];
+        for (const auto &[from, to] : bed.segments)
+          if (x >= std::min(from, to) && x < std::max(from, to))
+            result.emplace_back(QGauss<dim - 1>(n_points));
+        return result;
+      }
       for (const auto &[from, to] : bed.segments)
       {
         double s0 = (from - face->vertex(0)[0]) / span, s1 = (to - face->vertex(0)[0]) / span;

@@ -258,6 +258,7 @@ namespace vibrocontact
             const Face &face = faces[hits[k].face];
             const Point<dim> unit = map.on_cell(face.number, hits[k].s);
             const double w = quadrature.weight(k % n_q);
+            n_up += face.cell->face(face.number)->center()[dim - 1] > face.cell->center()[dim - 1] ? 1 : -1;
             face.cell->get_dof_indices(dofs);
             const auto tractions = quadrature.tractions(k / n_q, k % n_q);
             for (const auto &[point, tau] : tractions)
@@ -296,6 +297,7 @@ namespace vibrocontact
         trace.grid = grid;
         trace.surface_height.resize(n);
         Utilities::MPI::sum(surface_height, communicator, trace.surface_height);
+        trace.faces_up = Utilities::MPI::sum(n_up, communicator) > 0;
         trace.rows.resize(3 * n);
         const auto all = Utilities::MPI::all_gather(communicator, weights);
         for (unsigned int i = 0; i < n; ++i)
@@ -341,6 +343,8 @@ namespace vibrocontact
       /// this rank's share of the weights of the scalar shape functions and of the heights [m]
       std::vector<std::map<Key, double>> weights;
       std::vector<double> surface_height;
+      /// this rank's quadrature points on faces that look up less those on faces that look down
+      int n_up = 0;
     };
   } // namespace
 

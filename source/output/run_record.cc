@@ -27,8 +27,12 @@ namespace vibrocontact
         // Names in the list are relative to the folder and stay inside it.
         if (!name.empty() && name[0] != '/' && name.find("..") == std::string::npos)
           fs::remove(folder / name, ignored);
-      for (const char *name : {"results.json", "results.json.part"})
-        fs::remove(folder / name, ignored);
+      fs::remove(folder / "results.json", ignored);
+      // what a killed run left half written
+      for (const auto &entry : fs::directory_iterator(folder, ignored))
+        if (entry.path().filename().string().rfind("results.json.", 0) == 0 &&
+            entry.path().extension() == ".part")
+          fs::remove(entry.path(), ignored);
     }
   } // namespace
 

@@ -1,3 +1,4 @@
+#include <vibrocontact/base/petsc_check.h>
 #include <vibrocontact/reduction/block_product.h>
 
 #include <algorithm>
@@ -10,15 +11,16 @@ namespace vibrocontact
     MatGetLocalSize(matrix, &n_rows, nullptr);
     MatGetSize(matrix, &n, nullptr);
     Mat in, out;
-    MatCreateDense(PetscObjectComm(reinterpret_cast<PetscObject>(matrix)), n_rows, PETSC_DECIDE, n, n_columns,
-                   const_cast<double *>(columns.data()), &in);
-    MatMatMult(matrix, in, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &out);
+    petsc_check(MatCreateDense(PetscObjectComm(reinterpret_cast<PetscObject>(matrix)), n_rows, PETSC_DECIDE,
+                               n, n_columns, const_cast<double *>(columns.data()), &in),
+                "MatCreateDense");
+    petsc_check(MatMatMult(matrix, in, MAT_INITIAL_MATRIX, PETSC_DEFAULT, &out), "MatMatMult");
     const PetscScalar *values = nullptr;
     MatDenseGetLDA(out, &stride);
-    MatDenseGetArrayRead(out, &values);
-    std::vector<double> result(n_rows * n_columns);
+    petsc_check(MatDenseGetArrayRead(out, &values), "MatDenseGetArrayRead");
+    std::vector<double> result(std::size_t(n_rows) * n_columns);
     for (PetscInt j = 0; j < n_columns; ++j)
-      std::copy_n(values + j * stride, n_rows, result.data() + j * n_rows);
+      std::copy_n(values + std::size_t(j) * stride, n_rows, result.data() + std::size_t(j) * n_rows);
     MatDenseRestoreArrayRead(out, &values);
     MatDestroy(&in);
     MatDestroy(&out);

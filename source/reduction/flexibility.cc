@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/reduction/flexibility.h>
 
 #include <deal.II/base/mpi.h>
@@ -107,7 +108,7 @@ namespace vibrocontact
       system.stiffness.vmult(k_diagonal, v);
       if (k_diagonal.linfty_norm() > 1e-6 * k_scale * v.linfty_norm())
         throw InputError("Body '" + system.body + "': a motion that should be rigid deforms it (force " +
-                         std::to_string(k_diagonal.linfty_norm() / (k_scale * v.linfty_norm())) +
+                         number_text(k_diagonal.linfty_norm() / (k_scale * v.linfty_norm())) +
                          " of its stiffness); say correctly whether the body is held.");
       phi.push_back(v);
       inertia.push_back(product);

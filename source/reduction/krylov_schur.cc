@@ -1,11 +1,14 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/base/petsc_check.h>
 #include <vibrocontact/reduction/krylov_schur.h>
 
 #include <slepceps.h>
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <numeric>
 
 namespace vibrocontact
@@ -16,11 +19,6 @@ namespace vibrocontact
   {
     constexpr double tolerance = 1e-10;
 
-    void check_error(const PetscErrorCode error, const char *what)
-    {
-      AssertThrow(error == 0, dealii::ExcMessage(std::string("SLEPc failed: ") + what));
-    }
-
     struct InverseContext
     {
       const SecondOrderSystem &system;
@@ -28,16 +26,41 @@ namespace vibrocontact
       Progress &progress;
       Vector in, out;
       unsigned int n_solves = 0;
+      /// what a solve threw: it must not cross PETSc, which is C
+      std::exception_ptr failure;
+    };
+
+    /// The eigensolver, given back at the end of the scope.
+    struct Solver
+    {
+      explicit Solver(const MPI_Comm communicator)
+      {
+        petsc_check(EPSCreate(communicator, &eps), "EPSCreate");
+      }
+      ~Solver() { EPSDestroy(&eps); }
+      Solver(const Solver &) = delete;
+      Solver &operator=(const Solver &) = delete;
+
+      EPS eps = nullptr;
     };
 
     PetscErrorCode apply_flexibility(PC pc, Vec x, Vec y)
     {
       void *context = nullptr;
-      PCShellGetContext(pc, &context);
+      if (const PetscErrorCode error = PCShellGetContext(pc, &context))
+        return error;
       auto &my = *static_cast<InverseContext *>(context);
-      VecCopy(x, my.in);
-      my.flexibility.vmult(my.out, my.in);
-      VecCopy(my.out, y);
+      try
+      {
+        petsc_check(VecCopy(x, my.in), "VecCopy");
+        my.flexibility.vmult(my.out, my.in);
+        petsc_check(VecCopy(my.out, y), "VecCopy");
+      }
+      catch (...)
+      {
+        my.failure = std::current_exception();
+        return PETSC_ERR_LIB;
+      }
       ++my.n_solves;
       return 0;
     }
@@ -76,25 +99,25 @@ namespace vibrocontact
     const unsigned int n_first = modes.omega.size();
     Vector prototype(system.locally_owned, system.communicator);
     Progress progress(system.body + ": modes", n_wanted);
-    InverseContext inverse{system, flexibility, progress, prototype, prototype};
+    InverseContext inverse{system, flexibility, progress, prototype, prototype, 0, nullptr};
     std::pair<Progress *, PetscInt> monitor(&progress, 0);
 
-    EPS eps;
+    const Solver solver(system.communicator);
+    const EPS eps = solver.eps;
     ST st;
     KSP ksp;
     PC pc;
-    check_error(EPSCreate(system.communicator, &eps), "EPSCreate");
-    EPSSetOperators(eps, system.stiffness, mass);
+    petsc_check(EPSSetOperators(eps, system.stiffness, mass), "EPSSetOperators");
     EPSSetProblemType(eps, EPS_GHEP);
     EPSSetType(eps, EPSKRYLOVSCHUR);
     EPSSetWhichEigenpairs(eps, EPS_TARGET_MAGNITUDE);
     EPSSetTarget(eps, 0.);
-    EPSGetST(eps, &st);
+    petsc_check(EPSGetST(eps, &st), "EPSGetST");
     STSetType(st, STSINVERT);
     STSetMatMode(st, ST_MATMODE_SHELL);
-    STGetKSP(st, &ksp);
+    petsc_check(STGetKSP(st, &ksp), "STGetKSP");
     KSPSetType(ksp, KSPPREONLY);
-    KSPGetPC(ksp, &pc);
+    petsc_check(KSPGetPC(ksp, &pc), "KSPGetPC");
     PCSetType(pc, PCSHELL);
     PCShellSetContext(pc, &inverse);
     PCShellSetApply(pc, apply_flexibility);
@@ -122,24 +145,32 @@ namespace vibrocontact
     if (!known.empty())
       EPSSetDeflationSpace(eps, known.size(), known.data());
 
-    check_error(EPSSolve(eps), "EPSSolve");
+    // A failed solve has its own sentence: PETSc need not print the stack of its calls.
+    PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);
+    const PetscErrorCode error = EPSSolve(eps);
+    PetscPopErrorHandler();
+    if (inverse.failure)
+      std::rethrow_exception(inverse.failure);
+    petsc_check(error, "EPSSolve");
     PetscInt n_converged = 0;
-    EPSGetConverged(eps, &n_converged);
+    petsc_check(EPSGetConverged(eps, &n_converged), "EPSGetConverged");
     if (n_converged < static_cast<PetscInt>(n_wanted))
-    {
-      EPSDestroy(&eps);
       throw ConvergenceError("Body '" + system.body + "': only " + std::to_string(n_converged) + " of " +
-                             std::to_string(n_wanted) + " modes converged to " + std::to_string(tolerance) +
+                             std::to_string(n_wanted) + " modes converged to " + number_text(tolerance) +
                              ".");
-    }
     for (PetscInt i = 0; i < n_converged; ++i)
     {
       PetscScalar lambda = 0, imaginary = 0;
       modes.shapes.push_back(prototype);
-      EPSGetEigenpair(eps, i, &lambda, &imaginary, modes.shapes.back(), nullptr);
+      petsc_check(EPSGetEigenpair(eps, i, &lambda, &imaginary, modes.shapes.back(), nullptr),
+                  "EPSGetEigenpair");
+      if (!(lambda > 0))
+        throw ConvergenceError("Body '" + system.body + "': a mode has the squared frequency " +
+                               number_text(lambda) +
+                               " (rad/s)^2, which is not positive; is the body held, and does its mesh have "
+                               "cells of reasonable shape?");
       modes.omega.push_back(std::sqrt(lambda));
     }
-    EPSDestroy(&eps);
     modes.n_solves += inverse.n_solves;
 
     sort_modes(modes);

@@ -1,5 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/base/petsc_check.h>
 #include <vibrocontact/reduction/block_product.h>
 #include <vibrocontact/reduction/krylov_schur.h>
 
@@ -45,7 +47,7 @@ namespace vibrocontact
   void ModeParameters::check(const std::string &section) const
   {
     if (upper_frequency > 0 && count > 0)
-      throw InputError("Section '" + section + "': Upper frequency = " + std::to_string(upper_frequency) +
+      throw InputError("Section '" + section + "': Upper frequency = " + number_text(upper_frequency) +
                        " Hz and Count = " + std::to_string(count) +
                        " contradict each other; set one of them to 0.");
     if (!(rim_radius > 0))
@@ -83,7 +85,7 @@ namespace vibrocontact
         const PetscScalar *v = nullptr;
         columns.clear();
         values.clear();
-        MatGetRow(mass, row, &m, &c, &v);
+        petsc_check(MatGetRow(mass, row, &m, &c, &v), "MatGetRow");
         for (PetscInt k = 0; k < m; ++k)
           if (v[k] != 0 || c[k] == row)
           {
@@ -99,15 +101,18 @@ namespace vibrocontact
           ++(c >= begin && c < end ? n_own : n_other)[row - begin];
       }
       Mat result;
-      MatCreateAIJ(PetscObjectComm(reinterpret_cast<PetscObject>(mass)), n_local, n_local, n, n, 0,
-                   n_own.data(), 0, n_other.data(), &result);
+      petsc_check(MatCreateAIJ(PetscObjectComm(reinterpret_cast<PetscObject>(mass)), n_local, n_local, n, n,
+                               0, n_own.data(), 0, n_other.data(), &result),
+                  "MatCreateAIJ");
       for (PetscInt row = begin; row < end; ++row)
       {
         read_row(row);
-        MatSetValues(result, 1, &row, columns.size(), columns.data(), values.data(), INSERT_VALUES);
+        petsc_check(
+            MatSetValues(result, 1, &row, columns.size(), columns.data(), values.data(), INSERT_VALUES),
+            "MatSetValues");
       }
       MatAssemblyBegin(result, MAT_FINAL_ASSEMBLY);
-      MatAssemblyEnd(result, MAT_FINAL_ASSEMBLY);
+      petsc_check(MatAssemblyEnd(result, MAT_FINAL_ASSEMBLY), "MatAssemblyEnd");
       return result;
     }
 
@@ -196,7 +201,7 @@ namespace vibrocontact
       const unsigned int n_all = count_below(system, limit, modes);
       n_below = n_all > n_rigid ? n_all - n_rigid : 0;
       run_log().line(std::to_string(n_below) + " elastic modes below " +
-                     std::to_string(parameters.upper_frequency) + " Hz (inertia count, " +
+                     number_text(parameters.upper_frequency) + " Hz (inertia count, " +
                      time_text(modes.seconds_count) + ")");
     }
     else
@@ -232,9 +237,8 @@ namespace vibrocontact
           std::count_if(modes.omega.begin(), modes.omega.end(), [&](double omega) { return omega < bound; });
       if (found == expected)
         break;
-      const std::string text = std::to_string(found) + " modes found below " +
-                               std::to_string(bound / two_pi) + " Hz, but there are " +
-                               std::to_string(expected);
+      const std::string text = std::to_string(found) + " modes found below " + number_text(bound / two_pi) +
+                               " Hz, but there are " + std::to_string(expected);
       if (found > expected || attempt == 4)
         throw ConvergenceError("Body '" + system.body + "': " + text + ".");
       run_log().line(text + ": the others are sought beside them");

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/petsc_check.h>
 #include <vibrocontact/reduction/fill_reducing_order.h>
 #include <vibrocontact/reduction/symmetric_factorization.h>
 
@@ -68,7 +69,7 @@ namespace vibrocontact
         PetscInt m = 0;
         const PetscInt *c = nullptr;
         const PetscScalar *v = nullptr;
-        MatGetRow(source, row, &m, &c, &v);
+        petsc_check(MatGetRow(source, row, &m, &c, &v), "MatGetRow");
         for (PetscInt k = 0; k < m; ++k)
           if (c[k] == row || (c[k] < row && v[k] != 0 && !is_fixed[row] && !is_fixed[c[k]]))
           {
@@ -98,8 +99,8 @@ namespace vibrocontact
     Mat a = matrix;
     my.communicator = PetscObjectComm(reinterpret_cast<PetscObject>(a));
     my.is_host = dealii::Utilities::MPI::this_mpi_process(my.communicator) == 0;
-    MatGetSize(a, &my.n, nullptr);
-    MatGetOwnershipRange(a, &my.begin, &my.end);
+    petsc_check(MatGetSize(a, &my.n, nullptr), "MatGetSize");
+    petsc_check(MatGetOwnershipRange(a, &my.begin, &my.end), "MatGetOwnershipRange");
     my.local_sizes = dealii::Utilities::MPI::all_gather(my.communicator, static_cast<int>(my.end - my.begin));
     my.offsets.assign(1, 0);
     std::partial_sum(my.local_sizes.begin(), my.local_sizes.end(), std::back_inserter(my.offsets));
@@ -240,13 +241,13 @@ namespace vibrocontact
     if (my.is_host)
       my.work.resize(my.n);
     const PetscScalar *in = nullptr;
-    VecGetArrayRead(b, &in);
+    petsc_check(VecGetArrayRead(b, &in), "VecGetArrayRead");
     MPI_Gatherv(in, my.end - my.begin, MPI_DOUBLE, my.work.data(), my.local_sizes.data(), my.offsets.data(),
                 MPI_DOUBLE, 0, my.communicator);
     VecRestoreArrayRead(b, &in);
     my.solve_on_host(my.work.data(), 1);
     PetscScalar *out = nullptr;
-    VecGetArray(x, &out);
+    petsc_check(VecGetArray(x, &out), "VecGetArray");
     MPI_Scatterv(my.work.data(), my.local_sizes.data(), my.offsets.data(), MPI_DOUBLE, out, my.end - my.begin,
                  MPI_DOUBLE, 0, my.communicator);
     VecRestoreArray(x, &out);

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/reduction/wheel_labels.h>
 
 #include <deal.II/base/mpi.h>
@@ -52,8 +53,8 @@ namespace vibrocontact
     {
       const auto &p = system.dof_position[i];
       const double z = p[2] - frame.axle_height, r = std::hypot(p[0], z);
-      // The angle is counted from the contact point (x = 0, below the axle).
-      nodes[i] = {r, p[1], p[0] / r, -z / r, masses[i]};
+      // The angle is counted from the contact point (x = 0, below the axle); a node on the axle has none.
+      nodes[i] = r > 0 ? Polar{r, p[1], p[0] / r, -z / r, masses[i]} : Polar{0, p[1], 0, 1, masses[i]};
       r_min = std::min(r_min, r);
       r_max = std::max(r_max, r);
       if (r > frame.rim_radius)
@@ -70,9 +71,9 @@ namespace vibrocontact
     y_max = dealii::Utilities::MPI::max(y_max, communicator);
     if (!(r_min < frame.rim_radius && frame.rim_radius < r_max))
       throw InputError("Body '" + system.body +
-                       "', section Modes: Rim radius = " + std::to_string(frame.rim_radius) +
-                       " m is not inside the wheel (radii " + std::to_string(r_min) + " to " +
-                       std::to_string(r_max) + " m); set it to the radius where the rim begins.");
+                       "', section Modes: Rim radius = " + number_text(frame.rim_radius) +
+                       " m is not inside the wheel (radii " + number_text(r_min) + " to " +
+                       number_text(r_max) + " m); set it to the radius where the rim begins.");
 
     const auto cell = [](const double value, const double low, const double high, const unsigned int n)
     { return std::min<unsigned int>(n - 1, std::max(0., (value - low) / (high - low) * n)); };

@@ -1,3 +1,4 @@
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/fe/bar_elements.h>
 #include <vibrocontact/fe/trace_assembly.h>
@@ -38,17 +39,21 @@ namespace vibrocontact
         continue;
       // a file that is written changes nothing of the body
       const std::string value = entry.name == "Write mesh" ? "" : entry.value;
-      key << entry.section.substr(body.size()) << "/" << entry.name << "=" << value << " "
-          << fingerprint(value) << "\n";
+      key << entry.section.substr(body.size()) << "/" << entry.name << "=" << value;
+      if (entry.pattern.rfind("[FileName", 0) == 0)
+        key << ", " << fingerprint(value);
+      key << "\n";
     }
     // sections that come with the program and are named by no entry
     for (const char *name :
          {"wheel_section.msh", "wheel_outline.txt", "rail_60e1_section.msh", "rail_60e1_outline.txt"})
       key << name << " " << fingerprint(mesh_directory() + "/" + name) << "\n";
+    // a wheel lies as high as its tread is there, with or without contact
+    key << "lateral position=" << lateral_position << "\n";
     if (grid)
-      key << "lateral position=" << lateral_position << "\ngrid=" << grid->n_x << " x " << grid->n_y
-          << " from " << grid->x_first << ", " << grid->y_first << " by " << grid->spacing_x << ", "
-          << grid->spacing_y << ", traction " << int(grid->traction) << "\n";
+      key << "grid=" << grid->n_x << " x " << grid->n_y << " from " << grid->x_first << ", " << grid->y_first
+          << " by " << grid->spacing_x << ", " << grid->spacing_y << ", traction " << int(grid->traction)
+          << "\n";
     return key.str();
   }
 
@@ -95,8 +100,23 @@ namespace vibrocontact
 
   void MeshedBody::check_contact()
   {
-    if (grid && !trace)
-      trace = make_contact_trace(elastic_body(), *grid);
+    if (!grid || trace)
+      return;
+    trace = make_contact_trace(elastic_body(), *grid);
+    if (trace->faces_up == !above)
+      return;
+    const std::string &name = parameters.name, is = above ? "body 1, above" : "body 2, below",
+                      looks = trace->faces_up ? "up" : "down";
+    if (parameters.type == "block")
+      throw InputError(name + "/Block/Contact face looks " + looks + ", but " + name + " is " + is +
+                       " the plane of contact: set it to " + (above ? "bottom" : "top") +
+                       " or list the bodies the other way round.");
+    throw InputError("The contact surface of body " + name + " looks " + looks + ", but " + name + " is " +
+                     is + " the plane of contact: " +
+                     (parameters.type == "mesh"
+                          ? "turn its mesh, choose another " + name + "/Mesh/Contact group"
+                          : std::string("this body belongs to the other place")) +
+                     " or list the bodies the other way round.");
   }
 
   const ElasticBody<3> &MeshedBody::elastic_body()

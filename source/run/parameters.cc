@@ -2,8 +2,10 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/version.h>
+#include <vibrocontact/contact/problem_file.h>
 #include <vibrocontact/run/parameters.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -85,12 +87,21 @@ namespace vibrocontact
     if (has_contact())
     {
       const ContactGrid grid = contact_grid();
-      constexpr double most_points = 250000;
-      if (double(grid.n_x) * grid.n_y > most_points)
+      // a meshed body has a dense compliance, 1.8 GB for 5,000 points; half-spaces a convolution
+      const bool dense = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                     [](const BodyParameters &body) { return body.is_meshed(); });
+      const double n_points = double(grid.n_x) * grid.n_y;
+      const std::string points =
+          std::to_string(grid.n_x) + " x " + std::to_string(grid.n_y) + " contact points";
+      if (n_points > (dense ? 5000 : 250000))
         throw InputError(
-            "Contact/Grid spacing asks for " + std::to_string(grid.n_x) + " x " + std::to_string(grid.n_y) +
-            " contact points, more than the 250,000 that can be solved; enlarge it or make Half length and "
-            "Half width smaller");
+            "Contact/Grid spacing asks for " + points + ", more than the " +
+            (dense ? "5,000 that can be solved with a meshed body" : "250,000 that can be solved") +
+            "; enlarge it or make Half length and Half width smaller");
+      if (output.contact_problems && n_points > most_points_in_file)
+        throw InputError("Output/Contact problems asks for files of " + points + ", more than the " +
+                         std::to_string(most_points_in_file) +
+                         " that a file holds; set it to false or enlarge Contact/Grid spacing");
     }
   }
 

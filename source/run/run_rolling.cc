@@ -40,8 +40,12 @@ namespace vibrocontact
       std::ostringstream text;
       if (!result.solution.converged)
       {
-        text << "Case " << k << " of quasi-static rolling did not converge: residual "
-             << result.solution.residual << " after " << result.solution.iterations << " iterations.";
+        text << "Case " << k << " of quasi-static rolling did not converge: ";
+        if (result.failure.empty())
+          text << "residual " << result.solution.residual << " after " << result.solution.iterations
+               << " iterations.";
+        else
+          text << result.failure;
         results.converged = false;
         results.messages.push_back(text.str());
       }

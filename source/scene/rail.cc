@@ -135,15 +135,15 @@ namespace vibrocontact
     std::ostringstream text;
     if (!(length > 0.05) || length > 200)
       text << path << "/Length is " << length << " m: give a length between 0.05 and 200 m.";
-    else if (!(contact_division > 0) || !(coarse_division >= contact_division))
+    else if (!(contact_division >= 1e-4) || !(coarse_division >= contact_division))
       text << path << "/Contact division (" << contact_division
-           << " m) must be positive and not above Coarse division (" << coarse_division << " m).";
+           << " m) must be 1e-4 m or more and not above Coarse division (" << coarse_division << " m).";
     else if (some && !all)
       text << path
            << "/Pad stiffness x, y and z must be all positive, or all zero for a free rail: a rail that can "
            << "slide in one direction has no static response.";
-    else if (some && !(sleeper_spacing > 0))
-      text << path << "/Sleeper spacing is " << sleeper_spacing << " m: it must be positive.";
+    else if (some && !(sleeper_spacing >= 0.01))
+      text << path << "/Sleeper spacing is " << sleeper_spacing << " m: give 0.01 m or more.";
     else if (some && !(pad_length > 0 && pad_length <= sleeper_spacing))
       text << path << "/Pad length is " << pad_length
            << " m: it must be positive and not above Sleeper spacing (" << sleeper_spacing << " m).";

@@ -45,9 +45,9 @@ namespace vibrocontact
     section.check(path);
     refinement.check(path);
     std::ostringstream text;
-    if (!(contact_division > 0) || !(coarse_division >= contact_division))
-      text << path << "/Contact division (" << contact_division
-           << " m) must be positive and not above Coarse division (" << coarse_division << " m).";
+    if (!(contact_division >= 1e-4 * scale) || !(coarse_division >= contact_division))
+      text << path << "/Contact division (" << contact_division << " m) must be " << 1e-4 * scale
+           << " m or more and not above Coarse division (" << coarse_division << " m).";
     else if (coarse_division > 0.5 * scale)
       text << path << "/Coarse division is " << coarse_division
            << " m, fewer than six cells around the wheel; give it in metres.";

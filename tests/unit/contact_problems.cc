@@ -301,7 +301,7 @@ TEST(ContactProblemFile, WrongFilesAreRefusedInASentence)
     std::ofstream(file) << "not HDF5";
     EXPECT_NE(refusal(file).find("missing or no HDF5 file"), std::string::npos);
   }
-  const double nan = std::nan(""), negative = -1, seven = 7, zero = 0;
+  const double nan = std::nan(""), negative = -1, seven = 7, zero = 0, many = 1000;
   const struct
   {
     const char *path;
@@ -316,6 +316,7 @@ TEST(ContactProblemFile, WrongFilesAreRefusedInASentence)
                {"/fclib_local/W/i", &seven, "outside its size"},
                {"/fclib_local/W/p", &negative, "pointers"},
                {"/fclib_local/W/nz", &negative, "accepted"},
+               {"/fclib_local/W/nz", &many, "more triplets"},
                {"/fclib_local/spacedim", &zero, "not three-dimensional"},
                {"/fclib_local/V/x", &seven, "equality constraints"},
                {"/fclib_local/vectors/s", &zero, "normal force s that is not positive"},

@@ -1,5 +1,6 @@
 // The fixed point's rho belongs to the points in contact: free points around them must not slow it down.
 
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/contact_solver.h>
 
 #include <gtest/gtest.h>
@@ -37,4 +38,25 @@ TEST(FixedPoint, FreePointsDoNotSlowItDown)
   }
   // with rho of the whole grid it would take fifteen times as many
   EXPECT_LE(iterations[1], iterations[0] + 200);
+}
+
+TEST(FixedPoint, GapsBeyondAllNumbersEndInASentence)
+{
+  const unsigned int n = 4;
+  DenseMatrix A(3 * n);
+  for (unsigned int i = 0; i < 3 * n; ++i)
+    A(i, i) = 1;
+  ContactProblem problem;
+  problem.A = std::make_shared<DenseContactOperator>(std::move(A));
+  problem.b.reinit(3 * n);
+  for (unsigned int i = 0; i < n; ++i)
+    problem.b[i] = 1e308;
+  problem.mu.assign(n, 0.3);
+  problem.normal_force = 1;
+  ContactSolution start;
+  start.R.reinit(3 * n);
+  start.approach = -1e308; // the gaps are infinite
+  ContactSolverParameters parameters;
+  parameters.method = "fixed point";
+  EXPECT_THROW(create_contact_solver(parameters)->solve(problem, start), ConvergenceError);
 }

@@ -267,3 +267,17 @@ TEST(HalfSpaceRolling, CarterTractionsInTwoDimensions)
       }
     }
 }
+
+TEST(QuasiStaticRolling, ACaseWithoutSolutionDoesNotEndTheSweep)
+{
+  contact_cases::Case c;
+  c.contact.half_length = c.contact.half_width = 0.01;
+  c.rolling.sweep.friction = {0.3, std::nan(""), 0.2};
+  const std::vector<RollingResult> results = c.run();
+  ASSERT_EQ(results.size(), 3u);
+  EXPECT_TRUE(results[0].solution.converged && results[0].failure.empty());
+  EXPECT_FALSE(results[1].solution.converged);
+  EXPECT_NE(results[1].failure.find("not finite"), std::string::npos) << results[1].failure;
+  EXPECT_EQ(results[1].normal_force, 0);
+  EXPECT_TRUE(results[2].solution.converged && results[2].failure.empty());
+}

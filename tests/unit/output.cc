@@ -1,4 +1,5 @@
 // Tables, results.json and command line follow the documented interface.
+#include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/blas.h>
 #include <vibrocontact/base/command_line.h>
 #include <vibrocontact/base/exceptions.h>
@@ -52,9 +53,27 @@ TEST(Table, FilesAppearWhole)
   std::getline(file, header);
   std::getline(file, row);
   EXPECT_EQ(row, "1.5");
-  EXPECT_FALSE(std::filesystem::exists("table_test/deep/table.csv.part"));
+  unsigned int n_files = 0;
+  for ([[maybe_unused]] const auto &entry : std::filesystem::directory_iterator("table_test/deep"))
+    ++n_files;
+  EXPECT_EQ(n_files, 1u) << "a temporary file stays";
   std::filesystem::remove_all("table_test");
   EXPECT_THROW(table.write("/proc/nowhere/table.csv"), OutputError);
+}
+
+TEST(AtomicFile, AMissingSourceIsNoMissingPermission)
+{
+  try
+  {
+    copy_file("no such file", "copy_test");
+    FAIL() << "copied";
+  }
+  catch (const OutputError &error)
+  {
+    EXPECT_NE(std::string(error.what()).find("\"no such file\""), std::string::npos) << error.what();
+    EXPECT_EQ(std::string(error.what()).find("permission"), std::string::npos) << error.what();
+  }
+  EXPECT_FALSE(std::filesystem::exists("copy_test"));
 }
 
 TEST(Results, NamesOfTheInterface)

@@ -51,6 +51,8 @@ namespace vibrocontact
   {
     RollingCase rolling_case;
     ContactSolution solution;
+    /// sentence of a solver that gave up; the solution then is without forces and not converged
+    std::string failure;
     double normal_force = 0;
     double tangential_force[2] = {0, 0};
     /// sum x Ty - y Tx about the nominal contact point [Nm]
@@ -64,7 +66,8 @@ namespace vibrocontact
   };
 
   /// Quasi-static rolling (Lai et al. 2018, section 4.1, Eq. 15): normal and tangential contact fully
-  /// coupled, the solution of one case being the start of the next of its curve.
+  /// coupled, the solution of one case being the start of the next of its curve. A case whose solver throws
+  /// ConvergenceError counts as not converged, and the others go on.
   ///
   /// @param operator_at makes the contact operator for a rolling speed; called once, all cases share it
   /// @param finished called after each case, in order, whether it converged or not

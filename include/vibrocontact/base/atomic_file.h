@@ -9,6 +9,9 @@ namespace vibrocontact
   /// @throws OutputError if that is impossible (full disk, no permission)
   void write_file(const std::string &file_name, const std::string &content);
 
-  /// Copies a file in the same way. @throws OutputError
+  /// Copies a file in the same way. @throws OutputError, with its own sentence if `from` is missing
   void copy_file(const std::string &from, const std::string &to);
+
+  /// Temporary name beside a file, of this process alone: two runs may write the same file at once.
+  std::string unique_part(const std::string &file_name);
 } // namespace vibrocontact

@@ -23,9 +23,12 @@ namespace vibrocontact
     std::string description;
   };
 
+  /// contact points that a file can hold: the layout counts the entries of W by int
+  constexpr unsigned int most_points_in_file = 10000;
+
   /// The matrix is written densely, compressed without loss. The file appears whole or not at all.
   /// @param solution written too unless it is empty
-  /// @throws OutputError if the file cannot be written
+  /// @throws OutputError if the file cannot be written; InputError for more than most_points_in_file
   void write_contact_problem(const std::string &file_name, const ContactProblem &problem,
                              const ContactSolution &solution = {}, const ContactFileOptions &options = {});
 

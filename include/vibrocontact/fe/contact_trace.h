@@ -27,5 +27,7 @@ namespace vibrocontact
     std::vector<std::vector<std::pair<dealii::types::global_dof_index, double>>> rows;
     /// mean height z of the undeformed surface over each cell, relative to the nominal contact point [m]; n
     std::vector<double> surface_height;
+    /// whether the outward normal of the surface under the grid points up, as that of a body below does
+    bool faces_up = true;
   };
 } // namespace vibrocontact

@@ -72,14 +72,16 @@ namespace vibrocontact
       }
     }
 
-    /// Find s with the tangential coordinates of @p target. False if the point is not on the face.
+    /// Find s with the tangential coordinates of @p target. False if the point is not on the face, or if
+    /// Newton's method does not find it.
     bool invert(const dealii::Point<dim - 1> &target, dealii::Point<dim - 1> &s, double &height)
     {
       dealii::Point<dim> position;
       dealii::Tensor<1, dim - 1, dealii::Tensor<1, dim>> derivative;
       for (unsigned int d = 0; d < dim - 1; ++d)
         s[d] = 0.5;
-      for (unsigned int iteration = 0; iteration < 25; ++iteration)
+      double last_step = 1;
+      for (unsigned int iteration = 0; iteration < 25 && last_step >= 1e-13; ++iteration)
       {
         evaluate(s, position, derivative);
         dealii::Tensor<2, dim - 1> J;
@@ -99,9 +101,11 @@ namespace vibrocontact
         const dealii::Tensor<1, dim - 1> step = dealii::invert(J) * r;
         for (unsigned int d = 0; d < dim - 1; ++d)
           s[d] = std::min(2., std::max(-1., s[d] + step[d]));
-        if (step.norm() < 1e-13)
-          break;
+        last_step = step.norm();
       }
+      // steps end in round-off of the coordinates, some 1e-12 far from the origin
+      if (!(last_step < 1e-9))
+        return false;
       height = position[dim - 1];
       for (unsigned int d = 0; d < dim - 1; ++d)
         if (s[d] < -1e-9 || s[d] > 1 + 1e-9)

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vibrocontact/contact/interface.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/scene/body.h>
+#include <vibrocontact/scene/contact_grid.h>
 
 namespace vibrocontact
 {

@@ -15,8 +15,7 @@ namespace vibrocontact
   /// contact is the x axis (n_y = 1) and the rows of the lateral component stay empty.
   ///
   /// @throws InputError if the grid leaves the contact surface, is finer than the nodes of the mesh (spacing
-  /// below
-  ///   cell size over degree), or touches held or hanging nodes. Collective: all ranks throw.
+  ///   below cell size over degree), or touches held or hanging nodes. Collective: all ranks throw.
   template <int dim>
   ContactTrace make_contact_trace(const ElasticBody<dim> &body, const ContactGrid &grid);
 } // namespace vibrocontact

@@ -54,17 +54,15 @@ namespace vibrocontact
   /// and never disturb the others.
   ///
   /// - Completeness: one more factorisation, of K - s M without keeping factors, counts the modes below s
-  /// (Sylvester's law
-  ///   of inertia): before the solution at the frequency limit, which also tells how many modes to ask for,
-  ///   or after it in the gap behind the last mode kept.
+  ///   (Sylvester's law of inertia): before the solution at the frequency limit, which also tells how many
+  ///   modes to ask for, or after it in the gap behind the last mode kept.
   /// - A frequency that is exactly double shows once in a single Krylov sequence: what the count misses is
-  /// sought again, deflating
-  ///   the modes found.
+  ///   sought again, deflating the modes found.
   /// - A pair (frequencies within 1e-3) is never split: the partner of the last mode is kept too.
-  /// - Pairs within 1e-6 are turned until one mode is symmetric and the other antisymmetric to the plane x =
-  /// 0.
+  /// - Pairs within 1e-6 are turned until one mode is symmetric and the other antisymmetric to the plane
+  ///   x = 0.
   /// - Signs: the projection of the shape on a fixed field of no symmetry is positive; they do not depend on
-  /// ranks.
+  ///   ranks.
   /// @throws ConvergenceError with numbers if modes miss, are not orthonormal or leave a residual
   Modes compute_modes(const SecondOrderSystem &system, Flexibility &flexibility,
                       const ModeParameters &parameters);

@@ -31,13 +31,11 @@ namespace vibrocontact
 
   /// Labels from the shapes at the nodes, weighted with the nodes' mass:
   /// - on a coarse raster of the rim's section every component (axial y, radial, circumferential) is
-  /// developed in a
-  ///   Fourier series of the angle round the axle; n is the number of diameters that holds most of the rim's
-  ///   energy, the family the component that holds most of it at that n;
+  ///   developed in a Fourier series of the angle round the axle; n is the number of diameters that holds
+  ///   most of the rim's energy, the family the component that holds most of it at that n;
   /// - m counts the sign changes of the axial motion (its n-th Fourier coefficient, mean over the section's
-  /// thickness) along
-  ///   the radius, from the bore through the web to the tread. The radial (1,5) of the paper has its circle
-  ///   where web and rim meet.
+  ///   thickness) along the radius, from the bore through the web to the tread. The radial (1,5) of the paper
+  ///   has its circle where web and rim meet.
   std::vector<WheelLabel> wheel_labels(const SecondOrderSystem &system, const Modes &modes,
                                        const WheelFrame &frame);
 

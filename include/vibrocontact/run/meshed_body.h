@@ -29,7 +29,8 @@ namespace vibrocontact
     /// Collective.
     const ElasticBody<3> &elastic_body();
     /// Lays the contact grid on the body, if there is one, and keeps the trace for the assembly. What is
-    /// wrong with it is thrown here, before the expensive steps. Collective.
+    /// wrong with it is thrown here, before the expensive steps; also a contact surface that looks the wrong
+    /// way: down for body 1, which is above the plane z = 0, up for body 2. Collective.
     void check_contact();
     /// The body if this run has made it, null otherwise.
     const ElasticBody<3> *made() const { return body.get(); }

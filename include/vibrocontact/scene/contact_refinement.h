@@ -9,11 +9,14 @@ namespace vibrocontact
 {
   /// How a mesh is refined where the scene has a contact grid.
   ///
-  ///      |<-margin->|<----- contact grid ----->|<-margin->|      cells of `cell_size` in the box, one more
-  ///      ring of
-  ///   ---+----------+--------------------------+----------+---   twice that size around it, and so on;
-  ///   hanging
-  ///      |                    depth                       |      nodes stay off the contact points' cells
+  ///      |<-margin->|<----- contact grid ----->|<-margin->|
+  ///   ---+----------+--------------------------+----------+---   surface
+  ///      |                                     ^          |
+  ///      |        cells of `cell_size`         | depth    |
+  ///      +-------------------------------------v----------+
+  ///
+  /// One ring of cells of twice that size lies around the box, and so on outwards: hanging nodes stay off the
+  /// contact points' cells.
   struct ContactRefinement
   {
     /// edge of a cell at the contact [m]; a contact spacing needs cells up to degree times its size; 0: no
@@ -31,9 +34,8 @@ namespace vibrocontact
   template <int dim>
   void refine_at_contact(BodyMesh<dim> &mesh, const ContactGrid &grid, const ContactRefinement &parameters);
 
-  /// Lengths of the cells on one side of the contact: `fine` up to `fine_length`, then growing by at most @p
-  /// ratio to
-  /// @p coarse, scaled so that they add up to @p total [m].
+  /// Lengths of the cells on one side of the contact: `fine` up to `fine_length`, then growing by at most
+  /// @p ratio to @p coarse, scaled so that they add up to @p total [m].
   std::vector<double> graded_divisions(const double total, const double fine, const double fine_length,
                                        const double coarse, const double ratio);
 } // namespace vibrocontact

@@ -22,8 +22,7 @@ namespace vibrocontact
     std::map<unsigned int, std::string> names;
 
     /// @throws InputError if the file is missing, damaged, of another format, or holds elements that are no
-    /// first-order
-    ///   hexahedra (or quadrilaterals of their boundary).
+    ///   first-order hexahedra (or quadrilaterals of their boundary).
     static GmshFile read(const std::string &file);
 
     /// Number of quadrilaterals per named group.

@@ -48,8 +48,7 @@ namespace vibrocontact
   /// @param lateral_position used with geometry = wheel: y of the contact in the wheel's section [m]
   /// @param grid contact grid to refine for; null: the body has no contact, no contact group is needed
   /// @throws InputError for a missing group (with the names there and their face counts), an inverted cell,
-  /// or a size
-  ///   that looks like another unit.
+  ///   or a size that looks like another unit.
   BodyMesh<3> make_mesh_from_file(const MeshFileParameters &parameters, const double lateral_position,
                                   const ContactGrid *grid, const std::string &name,
                                   const MPI_Comm communicator);

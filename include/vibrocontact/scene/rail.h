@@ -8,9 +8,8 @@ namespace vibrocontact
 {
   /// A rail: its section extruded along x, on pads, with free ends that may be anechoic.
   ///
-  ///      anechoic                contact                anechoic       x = 0 at the contact, z = 0 on the
-  ///      crown
-  ///   |=====|=====|-----------------*-----------------|=====|=====|
+  ///      anechoic                contact                anechoic       x = 0 at the contact,
+  ///   |=====|=====|-----------------*-----------------|=====|=====|    z = 0 on the crown
   ///      []    []    []    []    []    []    []    []    []    []      pads: spread springs to rigid ground
   ///
   /// Boundaries: foot (underside), contact (the crown), end left, end right, surface (all else).

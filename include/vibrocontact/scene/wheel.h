@@ -7,11 +7,16 @@ namespace vibrocontact
 {
   /// A wheel: its half section revolved about the axle.
   ///
-  ///        axle ---------- y          boundaries: bore, contact (the tread), surface (all else)
-  ///          |  hub                   the axle lies at z = tread radius above the contact point, which is
-  ///          the origin; |  web                   y = axial position in the section less the lateral
-  ///          position of the contact |  rim
-  ///       ---+---  tread, z = 0
+  ///      z ^
+  ///        |   - - - - - axle - - - - -     the axle lies at z = tread radius above the contact point,
+  ///        |        ___________             which is the origin; y = axial position in the section less
+  ///        |       |___________|  bore      the lateral position of the contact
+  ///        |           | |     hub
+  ///        |           | |     web          boundaries: bore, contact (the tread), surface (all else)
+  ///        |     |\____| |____
+  ///        |     |____________|  rim
+  ///      --+-----------*-----------> y      tread, z = 0
+  ///           flange
   struct WheelParameters
   {
     SectionParameters section{"wheel"};
