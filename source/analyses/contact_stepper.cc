@@ -1,6 +1,8 @@
 #include <vibrocontact/analyses/contact_stepper.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace vibrocontact
 {
@@ -63,8 +65,15 @@ namespace vibrocontact
     const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
     state.normal_modal_force.reinit(n_modes);
     state.tangential_modal_force.reinit(n_modes);
+    // only loaded columns count
     state.residual_displacement.reinit(3 * n);
-    pair.residual_flexibility.vmult(state.residual_displacement, state.R);
+    for (unsigned int j = 0; j < 3 * n; ++j)
+      if (state.R[j] != 0)
+      {
+        const double *const column = &pair.residual_flexibility(0, j);
+        for (unsigned int i = 0; i < 3 * n; ++i)
+          state.residual_displacement[i] += column[i] * state.R[j];
+      }
     if (n_modes == 0)
       return;
     DenseVector normal(state.R), tangential(state.R);
@@ -74,7 +83,40 @@ namespace vibrocontact
     pair.modal_trace.Tvmult(state.tangential_modal_force, tangential);
   }
 
-  ContactSolution ContactStepper::advance(DynamicState &state, const Drive &drive, ContactSolver &solver)
+  void set_powers(const ContactPair &pair, const DenseVector &rigid_slip, const DenseVector &residual_rate,
+                  DynamicState &state)
+  {
+    const unsigned int n = pair.n_points();
+    state.friction_power = state.creepage_power = 0;
+    double rate = 0;
+    for (unsigned int i = n; i < 3 * n; ++i)
+    {
+      state.friction_power -= state.R[i] * state.contact.y[i];
+      state.creepage_power -= state.R[i] * rigid_slip[i];
+      rate += state.R[i] * residual_rate[i];
+    }
+    for (unsigned int k = 0; k < pair.n_modes(); ++k)
+      rate += state.tangential_modal_force[k] * state.v[k];
+    state.transport_power = state.friction_power - state.creepage_power + rate;
+  }
+
+  double longest_quiet_step(const ContactPair &pair)
+  {
+    double longest = std::numeric_limits<double>::infinity();
+    for (unsigned int i = 0; i < pair.n_points(); ++i)
+    {
+      double mobility = 0;
+      for (unsigned int k = 0; k < pair.n_modes(); ++k)
+        mobility += pair.modal_trace(i, k) * pair.modal_trace(i, k);
+      if (mobility > 0)
+        longest =
+            std::min(longest, 2.7 * std::sqrt(std::max(0., pair.residual_flexibility(i, i)) / mobility));
+    }
+    return longest;
+  }
+
+  const ContactSolution &ContactStepper::advance(DynamicState &state, const Drive &drive,
+                                                 ContactSolver &solver)
   {
     const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
     // modes under the forces of the beginning of the step and the constant loads
@@ -88,7 +130,8 @@ namespace vibrocontact
       v[k] = s.T[1][0] * state.q[k] + s.T[1][1] * state.v[k] + s.g0[1] * p0 + s.g1[1] * p1;
     }
 
-    problem.b = rigid_slip(pair.interface.grid, scheme, drive.creepage);
+    const DenseVector rigid = rigid_slip(pair.interface.grid, scheme, drive.creepage);
+    problem.b = rigid;
     problem.b += constant_response;
     if (n_modes > 0)
     {
@@ -114,19 +157,10 @@ namespace vibrocontact
     }
     state.time += h;
 
-    // V du/dx is the slip less its other parts.
-    const DenseVector rigid = rigid_slip(pair.interface.grid, scheme, drive.creepage);
-    state.friction_power = state.creepage_power = 0;
-    double rate = 0;
-    for (unsigned int i = n; i < 3 * n; ++i)
-    {
-      state.friction_power -= state.R[i] * state.contact.y[i];
-      state.creepage_power -= state.R[i] * rigid[i];
-      rate += state.R[i] * (state.residual_displacement[i] - previous[i]) / h;
-    }
-    for (unsigned int k = 0; k < n_modes; ++k)
-      rate += state.tangential_modal_force[k] * state.v[k];
-    state.transport_power = state.friction_power - state.creepage_power + rate;
+    DenseVector rate = state.residual_displacement;
+    rate -= previous;
+    rate /= h;
+    set_powers(pair, rigid, rate, state);
     return state.contact;
   }
 } // namespace vibrocontact

@@ -13,13 +13,18 @@ namespace vibrocontact
     }
   } // namespace
 
-  double stored_energy(const ContactPair &pair, const DynamicState &state)
+  double stored_energy(const ContactPair &pair, const NormalLaw &law, const DynamicState &state)
   {
-    return modal_energy(pair, state) + 0.5 * (state.R * state.residual_displacement);
+    double energy = modal_energy(pair, state) + 0.5 * (state.R * state.residual_displacement);
+    if (!state.contact.empty())
+      for (unsigned int i = 0; i < pair.n_points(); ++i)
+        energy += law.potential(state.contact.y[i]);
+    return energy;
   }
 
-  void add_step(EnergyAccount &account, const ContactPair &pair, const DynamicState &before,
-                const Drive &drive_before, const DynamicState &after, const Drive &drive_after)
+  void add_step(EnergyAccount &account, const ContactPair &pair, const NormalLaw &law,
+                const DynamicState &before, const Drive &drive_before, const DynamicState &after,
+                const Drive &drive_after)
   {
     const unsigned int n = pair.n_points();
     const double h = after.time - before.time;
@@ -37,7 +42,7 @@ namespace vibrocontact
     account.loads += loads;
     account.damping += damping;
     account.numerical += work + loads - damping - modal_energy(pair, after) + modal_energy(pair, before);
-    account.stored = stored_energy(pair, after);
+    account.stored = stored_energy(pair, law, after);
 
     account.friction += h * (before.friction_power + after.friction_power) / 2;
     account.creepage += h * (before.creepage_power + after.creepage_power) / 2;

@@ -72,6 +72,34 @@ namespace vibrocontact
       }
       return b;
     }
+
+    // inverse(G) b; with a given force the approach adds a constant to b that makes the columns sum to zero
+    DenseMatrix close_gaps(const DenseMatrix &G, const DenseMatrix &b, const bool force_given)
+    {
+      if (G.m() == 0 || b.n() == 0)
+        return b;
+      DenseMatrix right(b.m(), b.n() + 1);
+      insert(right, b, 0, 0);
+      for (unsigned int i = 0; i < b.m(); ++i)
+        right(i, b.n()) = 1;
+      const DenseMatrix x = solve(G, right, "normal flexibility");
+      const auto sum = [&](const unsigned int column)
+      {
+        double result = 0;
+        for (unsigned int i = 0; i < x.m(); ++i)
+          result += x(i, column);
+        return result;
+      };
+      const double approach = sum(b.n());
+      DenseMatrix result(b.m(), b.n());
+      for (unsigned int j = 0; j < b.n(); ++j)
+      {
+        const double share = force_given ? sum(j) / approach : 0;
+        for (unsigned int i = 0; i < b.m(); ++i)
+          result(i, j) = x(i, j) - share * x(i, b.n());
+      }
+      return result;
+    }
   } // namespace
 
   DenseMatrix linearised_contact(const ContactPair &pair, const CreepScheme &scheme,
@@ -100,7 +128,8 @@ namespace vibrocontact
       const double mu = equilibrium.friction[i];
       if (mu == 0)
         continue;
-      if (contact.status[i] == ContactStatus::stick)
+      const double sx = contact.y[n + i], sy = contact.y[2 * n + i], s = std::hypot(sx, sy);
+      if (contact.status[i] == ContactStatus::stick || s == 0)
       {
         ++n_stick;
         directions.push_back({i, 1, 0});
@@ -108,9 +137,10 @@ namespace vibrocontact
         mobility.insert(mobility.end(), 2, 0.);
         continue;
       }
-      const double sx = contact.y[n + i], sy = contact.y[2 * n + i], s = std::hypot(sx, sy);
       E_N(n + i, k) = -mu * sx / s;
       E_N(2 * n + i, k) = -mu * sy / s;
+      if (!options.lateral_damping)
+        continue;
       directions.push_back({i, -sy / s, sx / s});
       mobility.push_back(s / (mu * contact.R[i]));
     }
@@ -118,6 +148,9 @@ namespace vibrocontact
       throw InputError(
           "The equilibrium is not in full sliding (" + std::to_string(n_stick) + " of " + std::to_string(c) +
           " points stick): raise the creepage, or set Stability/Linearise sticking points to true.");
+    if (n_stick > 0 && !options.residual_rate)
+      throw InputError("Points stick at the equilibrium, which only the consistent linearisation takes: set "
+                       "Stability/Linearisation to consistent.");
     const unsigned int n_z = directions.size();
     DenseMatrix E_z(3 * n, n_z);
     for (unsigned int k = 0; k < n_z; ++k)
@@ -128,16 +161,17 @@ namespace vibrocontact
 
     // R = X_q q + X_z z from the closed gaps
     const DenseMatrix W_n = rows(W, points), G = product(W_n, E_N);
-    DenseMatrix X_q = product(E_N, solve(G, rows(Psi, points), "normal flexibility"));
+    const bool force_given = equilibrium.force_given;
+    DenseMatrix X_q = product(E_N, close_gaps(G, rows(Psi, points), force_given));
     X_q *= -1;
-    DenseMatrix X_z = product(E_N, solve(G, product(W_n, E_z), "normal flexibility"));
+    DenseMatrix X_z = product(E_N, close_gaps(G, product(W_n, E_z), force_given));
     X_z *= -1;
     X_z.add(1., E_z);
 
     // slip along the directions: ds = S_q q + S_r R + Psi_d v + W_d R'
     const DenseMatrix Psi_d = along(Psi, directions, n);
     DenseMatrix W_d(n_z, 3 * n), S_q(n_z, m), S_r(n_z, 3 * n);
-    if (options.residual_rate || n_stick > 0)
+    if (options.residual_rate)
       W_d = along(W, directions, n);
     if (options.convection)
     {
@@ -163,7 +197,7 @@ namespace vibrocontact
       A(m + k, m + k) = -2 * pair.damping_ratio[k] * pair.omega[k];
     }
     insert(A, product(Psi_T, X_q), m, 0);
-    if (n_z == 0 || (!options.lateral_damping && n_stick == 0))
+    if (n_z == 0)
       return A;
 
     DenseMatrix slip_q = product(S_r, X_q), slip_v = product(W_d, X_q), slip_z = product(S_r, X_z);

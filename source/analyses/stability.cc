@@ -59,6 +59,9 @@ namespace vibrocontact
                                          const ContactSolverParameters &solver, const ContactPair &pair,
                                          const std::function<void(const StabilityResult &)> &finished)
   {
+    if (contact.normal_law != "signorini")
+      throw InputError("Contact/Normal law is '" + contact.normal_law +
+                       "', but stability is linearised about closed contacts: set it to signorini.");
     const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
     std::vector<StabilityResult> results;
     const auto operator_at = [&](const double speed)
@@ -74,7 +77,8 @@ namespace vibrocontact
       result.contact_points = equilibrium.contact_points;
       result.stick_points = equilibrium.stick_points;
       result.normal_force = equilibrium.normal_force;
-      const RollingEquilibrium about{equilibrium.solution, problem.mu, rolling.creepage.speed};
+      const RollingEquilibrium about{equilibrium.solution, problem.mu, rolling.creepage.speed,
+                                     problem.force_given()};
       result.roots = stability_roots(pair, linearised_contact(pair, scheme, about, parameters.options()));
       result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       results.push_back(std::move(result));

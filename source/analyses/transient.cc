@@ -9,6 +9,7 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 namespace vibrocontact
 {
@@ -121,13 +122,23 @@ namespace vibrocontact
                force = function_of_time(transient.normal_force, "Normal force", constant.normal_force),
                hub = function_of_time(transient.hub_displacement, "Hub displacement",
                                       constant.hub_displacement);
-    const bool by_force = !transient.normal_force.empty() || constant.normal_force > 0;
+    const bool by_force =
+        !transient.normal_force.empty() || (transient.hub_displacement.empty() && constant.normal_force > 0);
     return [=, speed = constant.creepage.speed](const double t)
     {
       Drive drive;
       drive.creepage = {speed, longitudinal(t), lateral(t), spin(t)};
       if (by_force)
+      {
         drive.normal_force = force(t);
+        if (!(drive.normal_force > 0))
+        {
+          std::ostringstream text;
+          text << "Entry Transient/Normal force is " << drive.normal_force << " N at t = " << t
+               << " s, but it has to be positive: a contact that opens is moved by Hub displacement.";
+          throw InputError(text.str());
+        }
+      }
       else
         drive.approach = hub(t);
       return drive;
@@ -177,6 +188,7 @@ namespace vibrocontact
   {
     const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
     DynamicState state;
+    state.contact.approach = drive.approach;
     state.q.assign(n_modes, 0.);
     state.v.assign(n_modes, 0.);
     state.R.reinit(3 * n);
@@ -201,10 +213,14 @@ namespace vibrocontact
         problem.b[i] += drive.gap[i];
       state.contact = create_contact_solver(solver)->solve(problem, {});
       if (!state.contact.converged)
-        throw ConvergenceError(
-            "The quasi-static equilibrium from which the transient starts did not converge: residual " +
-            std::to_string(state.contact.residual) + " after " + std::to_string(state.contact.iterations) +
-            " iterations.");
+      {
+        std::ostringstream text;
+        text << "The quasi-static equilibrium from which the transient starts did not converge: residual "
+             << state.contact.residual << " after " << state.contact.iterations << " iterations.";
+        throw ConvergenceError(text.str());
+      }
+      if (n > 1)
+        check_contact_in_grid(pair.interface.grid, state.contact.status);
       state.R = state.contact.R;
       DenseVector force(n_modes);
       if (n_modes > 0)
@@ -214,6 +230,10 @@ namespace vibrocontact
     }
     perturb(transient, pair, state);
     complete(pair, state);
+    if (!state.contact.empty())
+      set_powers(pair,
+                 rigid_slip(pair.interface.grid, find_creep_scheme(contact.creep_scheme), drive.creepage),
+                 DenseVector(3 * n), state);
     return state;
   }
 
@@ -231,7 +251,9 @@ namespace vibrocontact
     ContactStepper stepper(pair, scheme, contact, modal_steps(parameters, pair), h, now.creepage.speed);
 
     TransientResult result;
-    result.energy.initial = result.energy.stored = stored_energy(pair, state);
+    const auto law =
+        create_normal_law(contact.normal_law, contact.penalty_amplitude, contact.penalty_exponent);
+    result.energy.initial = result.energy.stored = stored_energy(pair, *law, state);
     const auto first = std::llround(state.time / h), last = std::llround(parameters.end_time / h);
     DynamicState next = state;
     for (auto step = first; step < last; ++step)
@@ -244,7 +266,21 @@ namespace vibrocontact
       result.fallbacks += contact_solution.fallbacks;
       result.converged = contact_solution.converged;
       if (!result.converged)
+      {
+        result.message = "the contact of the next step did not converge; take a smaller Transient/Time step";
         break;
+      }
+      try
+      {
+        if (n > 1)
+          check_contact_in_grid(pair.interface.grid, contact_solution.status);
+      }
+      catch (const InputError &error)
+      {
+        result.converged = false;
+        result.message = error.what();
+        break;
+      }
       ++result.steps;
       result.time = next.time;
       for (unsigned int i = 0; i < n; ++i)
@@ -252,7 +288,7 @@ namespace vibrocontact
         result.impulse += h * (state.R[i] + next.R[i]) / 2;
         result.smallest_gap = std::min(result.smallest_gap, contact_solution.y[i]);
       }
-      add_step(result.energy, pair, state, now, next, then);
+      add_step(result.energy, pair, *law, state, now, next, then);
       state = next;
       now = then;
       if (!observe(state, result))

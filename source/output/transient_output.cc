@@ -7,8 +7,8 @@
 
 namespace vibrocontact
 {
-  TransientHistory::TransientHistory(const ContactPair &pair, const double interval)
-      : pair(pair), interval(interval)
+  TransientHistory::TransientHistory(const ContactPair &pair, const NormalLaw &law, const double interval)
+      : pair(pair), law(law), interval(interval)
   {
     for (const char *name :
          {"time_s", "normal_force_N", "tangential_force_x_N", "tangential_force_y_N", "approach_m",
@@ -33,7 +33,7 @@ namespace vibrocontact
     const double gap =
         contact.y.size() == 0 ? 0 : *std::min_element(contact.y.begin(), contact.y.begin() + n);
     const double line[] = {state.time, force[0],     force[1], force[2], contact.approach,
-                           gap,        stick + slip, stick,    slip,     stored_energy(pair, state)};
+                           gap,        stick + slip, stick,    slip,     stored_energy(pair, law, state)};
     for (unsigned int k = 0; k < columns.size(); ++k)
       columns[k].values.push_back(line[k]);
   }

@@ -38,7 +38,17 @@ namespace vibrocontact
         drive_function(transient_parameters, rolling_cases(parameters.rolling, parameters.contact).front());
     DynamicState state =
         initial_state(transient_parameters, parameters.contact, parameters.contact_solver, pair, drive(0));
-    TransientHistory history(pair, transient_parameters.history_interval);
+    const double quiet = longest_quiet_step(pair);
+    if (transient_parameters.integrator == "exact propagator" && transient_parameters.time_step > quiet)
+    {
+      std::ostringstream text;
+      text << "Transient/Time step is " << transient_parameters.time_step << " s, but beyond " << quiet
+           << " s reactions that are linear in the step ring: take a smaller one or the theta method.";
+      run_log().warning(text.str());
+    }
+    const auto law = create_normal_law(parameters.contact.normal_law, parameters.contact.penalty_amplitude,
+                                       parameters.contact.penalty_exponent);
+    TransientHistory history(pair, *law, transient_parameters.history_interval);
     history.add(state);
     Progress progress("transient", transient_parameters.end_time / transient_parameters.time_step);
     const auto observe = [&](const DynamicState &now, const TransientResult &)
@@ -54,8 +64,8 @@ namespace vibrocontact
     if (!result.converged)
     {
       std::ostringstream text;
-      text << "The contact of the step to " << result.time + transient_parameters.time_step
-           << " s did not converge; the histories end before it. Take a smaller Transient/Time step.";
+      text << "The transient ended at " << result.time << " s: " << result.message
+           << (result.message.back() == '.' ? "" : ".");
       results.converged = false;
       results.messages.push_back(text.str());
       run_log().warning(text.str());

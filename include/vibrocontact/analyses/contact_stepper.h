@@ -20,7 +20,7 @@ namespace vibrocontact
     /// modal forces of the normal and of the tangential forces, Psi^T R [N/sqrt(kg)]; n_modes
     DenseVector normal_modal_force, tangential_modal_force;
     /// powers of the tangential forces [W]: dissipated by friction (>= 0), given to the bodies by the
-    /// creepage and by the transport V R . du/dx
+    /// creepage and by the transport -V R . du/dx
     double friction_power = 0, creepage_power = 0, transport_power = 0;
     /// how the contact was solved at this instant: status, gap and slip, approach
     ContactSolution contact;
@@ -28,6 +28,17 @@ namespace vibrocontact
 
   /// Fills what follows from q, v, R: modal forces and W~ R.
   void complete(const ContactPair &pair, DynamicState &state);
+
+  /// Fills the powers of a state from its forces, its slip (contact.y) and the rigid slip (3 n, [m/s]); what
+  /// the slip is beside the rigid part, the modal velocities and the residual rate (3 n, [m/s]) is the
+  /// transport.
+  void set_powers(const ContactPair &pair, const DenseVector &rigid_slip, const DenseVector &residual_rate,
+                  DynamicState &state);
+
+  /// Longest step for which reactions that are linear in the step do not ring, 2.7 sqrt(W~ / (Psi Psi^T)),
+  /// the least over the normal rows of the contact points (doc/theory.md, "Time steps") [s]; infinite without
+  /// modes, 0 for a rigid point.
+  double longest_quiet_step(const ContactPair &pair);
 
   /// What moves the bodies during a step, at its end.
   struct Drive
@@ -63,7 +74,7 @@ namespace vibrocontact
 
     /// state <- state at the end of the step. @return how the contact was solved; not converged: the best
     /// found
-    ContactSolution advance(DynamicState &state, const Drive &drive, ContactSolver &solver);
+    const ContactSolution &advance(DynamicState &state, const Drive &drive, ContactSolver &solver);
 
   private:
     const ContactPair &pair;

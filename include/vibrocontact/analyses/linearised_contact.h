@@ -31,10 +31,12 @@ namespace vibrocontact
     std::vector<double> friction;
     /// V [m/s]
     double speed = 0;
+    /// the normal force is given, so that the approach moves and sum dN = 0; otherwise the hub is fixed
+    bool force_given = false;
   };
 
   /// The pair linearised about an equilibrium, x' = A x, x = (q, v, z): modal amplitudes and velocities, and
-  /// what friction keeps in memory (errata, "Steady sliding and its stability" and "Traps").
+  /// what friction keeps in memory (doc/theory.md, "Steady sliding and its stability", "Time steps").
   ///
   /// Contact points in compression stay closed, open ones open. At a sliding point the friction force is
   ///
@@ -47,7 +49,8 @@ namespace vibrocontact
   ///
   ///   (lambda^2 I + lambda (C_r + Psi^T C_b Psi) + diag(w^2) + K_c) q = 0.
   ///
-  /// @throws InputError if points stick and options.stick is false
+  /// The contact law is Signorini's; the hub is fixed, or the normal force is given.
+  /// @throws InputError if points stick and options.stick is false or the residual rate is left out
   DenseMatrix linearised_contact(const ContactPair &pair, const CreepScheme &scheme,
                                  const RollingEquilibrium &equilibrium, const LinearisationOptions &options);
 

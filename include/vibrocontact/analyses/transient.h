@@ -50,6 +50,8 @@ namespace vibrocontact
     double smallest_gap = 0;
     EnergyAccount energy;
     bool converged = true;
+    /// why it did not
+    std::string message;
   };
 
   /// What moves the bodies at a time [s].
@@ -71,7 +73,7 @@ namespace vibrocontact
 
   /// Steps from `state` to the end time (Lai et al. 2018, section 5). A step whose contact does not converge
   /// ends the run, with converged = false and the states so far.
-  /// @param observe called with the state at the start and after every step; false: stop
+  /// @param observe called after every step; false: stop
   TransientResult
   transient(const TransientParameters &parameters, const ContactParameters &contact,
             const ContactSolverParameters &solver, const ContactPair &pair, const DriveFunction &drive,

@@ -35,6 +35,8 @@ namespace vibrocontact
     virtual ~NormalLaw() = default;
     virtual Description description() const = 0;
     virtual Projection project(double force, double gap, double rho) const = 0;
+    /// energy that the law itself stores at a gap [J]
+    virtual double potential(double gap) const = 0;
   };
 
   /// Signorini: g >= 0, N >= 0, g N = 0  <=>  N = max(N - rho g, 0).
@@ -45,6 +47,7 @@ namespace vibrocontact
   public:
     Description description() const override { return {"signorini", 0., 0.}; }
     Projection project(double force, double gap, double rho) const override;
+    double potential(double) const override { return 0; }
   };
 
   /// Exponential penalty of the axial-bar paper: N = f(g) = a (exp(alpha d) - 1), d = max(-g, 0)  (Jones &
@@ -68,7 +71,7 @@ namespace vibrocontact
     double force(double gap) const;
     double stiffness(double gap) const;
     /// energy stored at the gap g, a ((exp(alpha d) - 1) / alpha - d) up to the linear continuation [J]
-    double potential(double gap) const;
+    double potential(double gap) const override;
 
   private:
     double amplitude, exponent;

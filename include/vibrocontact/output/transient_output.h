@@ -14,7 +14,7 @@ namespace vibrocontact
   {
   public:
     /// @param interval distance of the lines [s], 0: every state
-    TransientHistory(const ContactPair &pair, double interval);
+    TransientHistory(const ContactPair &pair, const NormalLaw &law, double interval);
     /// Keeps the state if its time has come.
     void add(const DynamicState &state);
     /// histories.h5 with one array per column; on one rank. @throws OutputError
@@ -22,6 +22,7 @@ namespace vibrocontact
 
   private:
     const ContactPair &pair;
+    const NormalLaw &law;
     const double interval;
     double next = 0;
     struct Column
