@@ -17,15 +17,21 @@ namespace vibrocontact
 
   namespace
   {
-    const char *list_name = "files.txt";
+    const char *list_name = ".vibrocontact_files";
+    /// first line of the list: no file of the user's begins like this
+    const std::string list_head = "files written by vibrocontact, removed by its next run here";
 
-    void remove_earlier_results(const fs::path &folder)
+    void remove_earlier_results(const fs::path &folder, const bool keeps_input)
     {
       std::ifstream list(folder / list_name);
       std::error_code ignored;
+      std::string head;
+      if (!std::getline(list, head) || head != list_head)
+        return;
       for (std::string name; std::getline(list, name);)
         // Names in the list are relative to the folder and stay inside it.
-        if (!name.empty() && name[0] != '/' && name.find("..") == std::string::npos)
+        if (!name.empty() && name[0] != '/' && name.find("..") == std::string::npos &&
+            !(keeps_input && name == "input.prm"))
           fs::remove(folder / name, ignored);
       fs::remove(folder / "results.json", ignored);
       // what a killed run left half written
@@ -48,8 +54,14 @@ namespace vibrocontact
             for (fs::path path = fs::absolute(folder).lexically_normal(); !fs::exists(path);
                  path = path.parent_path())
               first_made = path.string();
-            remove_earlier_results(folder);
-            write_file(folder + "/input.prm", file.bytes());
+            // a run of the input.prm in its own folder leaves that file alone
+            std::error_code none;
+            keeps_input = fs::equivalent(file.file_name(), folder + "/input.prm", none) && !none;
+            // a file system may stamp some milliseconds late
+            begin = fs::file_time_type::clock::now() - std::chrono::milliseconds(100);
+            remove_earlier_results(folder, keeps_input);
+            if (!keeps_input)
+              write_file(folder + "/input.prm", file.bytes());
             write_file(folder + "/used.prm",
                        print_parameters(declared_parameters(prm), ParameterStyle::values_only));
             write(Results(), 0.);
@@ -65,7 +77,6 @@ namespace vibrocontact
 
   std::vector<std::string> RunRecord::own_files() const
   {
-    const auto begin = fs::last_write_time(fs::path(folder) / "input.prm");
     std::vector<std::string> names;
     const auto collect = [&](const std::string &place, const std::set<std::string> &endings)
     {
@@ -78,8 +89,8 @@ namespace vibrocontact
     };
     // only what a run writes: the folder may hold other things, even other runs
     collect("", {".csv", ".pvd"});
-    for (const char *name : {"input.prm", "used.prm", "log.txt", "results.json"})
-      if (fs::is_regular_file(fs::path(folder) / name))
+    for (const char *name : {"input.prm", "used.prm", "log.txt", "results.json", "histories.h5"})
+      if (!(keeps_input && std::string(name) == "input.prm") && fs::is_regular_file(fs::path(folder) / name))
         names.push_back(name);
     collect("fields", {".vtu"});
     collect("figures", {".png"});
@@ -91,7 +102,7 @@ namespace vibrocontact
   void RunRecord::write(const Results &results, const double wall_seconds)
   {
     write_file(folder + "/results.json", results_text(results, wall_seconds));
-    std::string names;
+    std::string names = list_head + "\n";
     for (const auto &name : own_files())
       names += name + "\n";
     write_file(folder + "/" + list_name, names);

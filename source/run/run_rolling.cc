@@ -49,6 +49,11 @@ namespace vibrocontact
         results.converged = false;
         results.messages.push_back(text.str());
       }
+      else if (result.contact_points == 0)
+      {
+        text << "Case " << k << ": the bodies do not touch.";
+        one["warning"] = text.str();
+      }
       else if (result.contact_points < coarse_below)
       {
         text << "Case " << k << ": only " << result.contact_points

@@ -4,6 +4,7 @@
 #include <vibrocontact/output/results.h>
 
 #include <chrono>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,9 @@ namespace vibrocontact
 {
   /// The output folder of a run. Made only after the input has been checked, so that wrong input leaves
   /// nothing: input.prm (bytes as given), used.prm (every value used), log.txt (from here on, with all said
-  /// before), results.json and files.txt, the list of what the run wrote. What an earlier run listed there
-  /// is removed first, so that no old table stands beside new ones.
+  /// before), results.json and .vibrocontact_files, the list of what the run wrote. What an earlier run
+  /// listed there is removed first, so that no old table stands beside new ones; no other file ever is, nor the
+  /// parameter file itself when it is the input.prm of its own output folder.
   ///
   /// results.json is there from the beginning and follows the run, so that the folder of a run that was
   /// killed says so ("complete": false). All functions are collective; rank 0 works.
@@ -22,7 +24,7 @@ namespace vibrocontact
     /// @throws InputError on every rank if the folder cannot be written to
     RunRecord(const std::string &folder, const ParameterFile &file, const dealii::ParameterHandler &prm);
 
-    /// Writes results.json and files.txt. @throws OutputError
+    /// Writes results.json and the list. @throws OutputError
     void save(const Results &results, double wall_seconds);
     /// The same, but at most once a second: after each case of a long sweep.
     void save_sometimes(const Results &results, double wall_seconds);
@@ -39,6 +41,10 @@ namespace vibrocontact
 
     /// outermost folder that did not exist before; empty if all did
     std::string first_made;
+    /// the parameter file of this run is the folder's own input.prm
+    bool keeps_input = false;
+    /// files older than this are not this run's
+    std::filesystem::file_time_type begin;
     std::chrono::steady_clock::time_point last_saved;
   };
 } // namespace vibrocontact
