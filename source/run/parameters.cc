@@ -50,6 +50,25 @@ namespace vibrocontact
     return contact.grid();
   }
 
+  namespace
+  {
+    /// The static response of a body that nothing holds is infinite.
+    void check_supports(const Scene &scene)
+    {
+      const std::string free = ", so that the body is free to fall under the contact force; ";
+      for (const BodyParameters &body : scene.bodies)
+        if (body.type == "block" && body.block.held.empty())
+          throw InputError(body.name + "/Block/Held is empty" + free +
+                           "hold at least one boundary, for instance Held = " +
+                           (body.block.contact_face == "top" ? "bottom" : "top"));
+        else if (body.type == "mesh" && !body.mesh.is_supported())
+          throw InputError(body.name + "/Mesh/Held groups and Foundation groups are empty" + free +
+                           "hold at least one of the file's groups or put it on springs");
+        else if (body.type == "rail" && !body.rail.has_pads())
+          throw InputError(body.name + "/Rail has no pad stiffness" + free + "give Pad stiffness x, y and z");
+    }
+  } // namespace
+
   void Parameters::check() const
   {
     scene.check();
@@ -68,6 +87,7 @@ namespace vibrocontact
     if (scene.runs("quasi-static rolling") || scene.runs("stability"))
     {
       rolling.check();
+      check_supports(scene);
       // a single value left at its default is not given; used.prm of a sweep has to be valid
       if (!rolling.sweep.friction.empty() && contact.friction != ContactParameters().friction)
         throw InputError(

@@ -147,24 +147,6 @@ namespace vibrocontact
         throw InputError("Bodies lists " + std::to_string(bodies.size()) + " (" + bodies_entry +
                          "), but the analysis \"" + type.name +
                          "\" needs two, body 1 above and body 2 below; list exactly two");
-    if (runs("quasi-static rolling"))
-      for (const auto &body : bodies)
-      {
-        if (body.type == "block" && body.block.held.empty())
-          throw InputError(body.name +
-                           "/Block/Held is empty, so that the body is free to fall under the contact "
-                           "force; hold at least one boundary, for instance Held = " +
-                           (body.block.contact_face == "top" ? "bottom" : "top"));
-        else if (body.type == "mesh" && !body.mesh.is_supported())
-          throw InputError(
-              body.name +
-              "/Mesh/Held groups and Foundation groups are empty, so that the body is free to fall under the "
-              "contact force; hold at least one of the file's groups or put it on springs");
-        else if (body.type == "rail" && !body.rail.has_pads())
-          throw InputError(body.name +
-                           "/Rail has no pad stiffness, so that the rail is free to fall under the contact "
-                           "force; give Pad stiffness x, y and z");
-      }
     if (runs("modes") && std::none_of(bodies.begin(), bodies.end(),
                                       [](const BodyParameters &body) { return body.is_meshed(); }))
       throw InputError(
