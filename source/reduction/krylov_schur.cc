@@ -30,6 +30,13 @@ namespace vibrocontact
       std::exception_ptr failure;
     };
 
+    /// Errors are returned only; otherwise PETSc prints the stack of its calls as well.
+    struct Quiet
+    {
+      Quiet() { PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr); }
+      ~Quiet() { PetscPopErrorHandler(); }
+    };
+
     /// The eigensolver, given back at the end of the scope.
     struct Solver
     {
@@ -37,7 +44,11 @@ namespace vibrocontact
       {
         petsc_check(EPSCreate(communicator, &eps), "EPSCreate");
       }
-      ~Solver() { EPSDestroy(&eps); }
+      ~Solver()
+      {
+        const Quiet quiet; // after a failed solve its parts are not in order
+        EPSDestroy(&eps);
+      }
       Solver(const Solver &) = delete;
       Solver &operator=(const Solver &) = delete;
 
@@ -145,10 +156,11 @@ namespace vibrocontact
     if (!known.empty())
       EPSSetDeflationSpace(eps, known.size(), known.data());
 
-    // A failed solve has its own sentence: PETSc need not print the stack of its calls.
-    PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);
-    const PetscErrorCode error = EPSSolve(eps);
-    PetscPopErrorHandler();
+    PetscErrorCode error = 0;
+    {
+      const Quiet quiet;
+      error = EPSSolve(eps);
+    }
     if (inverse.failure)
       std::rethrow_exception(inverse.failure);
     petsc_check(error, "EPSSolve");
