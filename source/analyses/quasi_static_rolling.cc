@@ -10,7 +10,8 @@ namespace vibrocontact
   void RollingParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
-    const auto list = [](const double low) { return List(Double(low), 0, 10000); };
+    const auto list = [](const double low, const double high = Double::max_double_value)
+    { return List(Double(low, high), 0, 10000); };
     const List positive_or_empty(Double(DBL_MIN), 0, 1);
     prm.add_parameter("Normal force", normal_force,
                       "Resultant normal force, or empty if the hub displacement is given. Units: N.",
@@ -32,16 +33,17 @@ namespace vibrocontact
                       Double(-1000, 1000));
     prm.enter_subsection("Sweep");
     prm.add_parameter("Longitudinal creepage", sweep.longitudinal, "Values of a creep curve. Units: none.",
-                      list(-1));
-    prm.add_parameter("Lateral creepage", sweep.lateral, "Values of a creep curve. Units: none.", list(-1));
-    prm.add_parameter("Spin", sweep.spin, "Values of a creep curve. Units: 1/m.", list(-1000));
+                      list(-1, 1));
+    prm.add_parameter("Lateral creepage", sweep.lateral, "Values of a creep curve. Units: none.",
+                      list(-1, 1));
+    prm.add_parameter("Spin", sweep.spin, "Values of a creep curve. Units: 1/m.", list(-1000, 1000));
     prm.add_parameter("Normal force", sweep.normal_force, "Values of a load curve. Units: N.", list(0));
     prm.add_parameter("Hub displacement", sweep.hub_displacement, "Values of a load curve. Units: m.",
                       list(-1));
     prm.add_parameter("Friction coefficient", sweep.friction,
                       "Every curve is repeated for these, which take the place of Contact/Friction "
                       "coefficient. Units: none.",
-                      list(0));
+                      list(0, 10));
     prm.leave_subsection();
   }
 
@@ -165,7 +167,8 @@ namespace vibrocontact
     const std::shared_ptr<const ContactOperator> A = operator_at(rolling.creepage.speed);
     const std::unique_ptr<ContactSolver> solver = create_contact_solver(solver_parameters);
     std::vector<RollingResult> results;
-    for (const RollingCase &one : rolling_cases(rolling, contact))
+    const std::vector<RollingCase> cases = rolling_cases(rolling, contact);
+    for (const RollingCase &one : cases)
     {
       ContactParameters laws = contact;
       laws.friction = one.friction;
@@ -200,7 +203,18 @@ namespace vibrocontact
         solution.seconds += warm.seconds;
       }
       if (solution.converged)
-        check_contact_in_grid(interface.grid, solution.status);
+        try
+        {
+          check_contact_in_grid(interface.grid, solution.status);
+        }
+        catch (const InputError &error)
+        {
+          // in a sweep the other cases are worth keeping
+          if (cases.size() == 1)
+            throw;
+          failure = error.what();
+          solution.converged = false;
+        }
       results.push_back(resultants(one, interface, std::move(solution)));
       results.back().failure = failure;
       finished(results.back(), problem);

@@ -70,7 +70,7 @@ namespace vibrocontact
     {
       if (!equilibrium.solution.converged)
         throw ConvergenceError("The equilibrium of case " + std::to_string(results.size()) +
-                               " of the stability analysis did not converge.");
+                               " of the stability analysis did not converge. " + equilibrium.failure);
       const auto begin = std::chrono::steady_clock::now();
       StabilityResult result;
       result.rolling_case = equilibrium.rolling_case;
