@@ -40,8 +40,9 @@ namespace vibrocontact
     class Newton
     {
     public:
-      Newton(const ContactProblem &problem, const ContactSolverParameters &parameters)
-          : problem(problem), parameters(parameters), n(problem.n_points()),
+      Newton(const ContactProblem &problem, const ContactSolverParameters &parameters,
+             NewtonFactorisation &kept)
+          : problem(problem), parameters(parameters), kept(kept), n(problem.n_points()),
             residual(problem, tangential_factor), judge(problem), dR(3 * n), dy(3 * n)
       {
       }
@@ -91,7 +92,8 @@ namespace vibrocontact
         current = merit(problem, residual.evaluate(s.R, s.y, projected, s.status), s.R);
         history = {current};
         since_best = 0;
-        last_gain = 1;
+        // a matrix of an earlier problem is tried once
+        last_gain = 0;
       }
 
       /// Newton's direction into dR and d_approach; false if there is none
@@ -163,22 +165,24 @@ namespace vibrocontact
       {
         // A factorisation is kept while no status changes and it still reduces the residual by ten at a
         // stroke.
-        if (s.status != factorised_status || lu.m() != J.size() || last_gain >= 0.1)
+        if (!kept.suits(problem, s.status, J.size()) || last_gain >= 0.1)
         {
-          factorised_status.clear();
-          J.assemble(lu);
+          kept.A.reset();
+          J.assemble(kept.lu);
           try
           {
-            lu.compute_lu_factorization();
+            kept.lu.compute_lu_factorization();
           }
           catch (const dealii::LACExceptions::ExcSingular &)
           {
             return false;
           }
-          factorised_status = s.status;
+          kept.A = problem.A;
+          kept.force_given = problem.force_given();
+          kept.status = s.status;
           ++s.factorisations;
         }
-        lu.solve(rhs);
+        kept.lu.solve(rhs);
         return all_finite(rhs);
       }
 
@@ -239,7 +243,7 @@ namespace vibrocontact
         s.y = moved.y;
         s.approach = moved.approach;
         judge_state();
-        factorised_status.clear();
+        kept.A.reset();
         if (s.residual < best.residual)
           best = s;
         return true;
@@ -264,6 +268,7 @@ namespace vibrocontact
 
       const ContactProblem &problem;
       const ContactSolverParameters &parameters;
+      NewtonFactorisation &kept;
       const unsigned int n;
       const ContactResidual residual, judge;
       ContactSolution s, best;
@@ -276,15 +281,13 @@ namespace vibrocontact
       double d_approach = 0;
       std::vector<unsigned int> changed;
       DenseVector projected, judged, trial_R, trial_y;
-      DenseMatrix lu;
-      std::vector<ContactStatus> factorised_status;
     };
   } // namespace
 
   ContactSolution NewtonSolver::solve(const ContactProblem &problem, const ContactSolution &start)
   {
     const auto begin = std::chrono::steady_clock::now();
-    ContactSolution solution = Newton(problem, parameters).solve(start);
+    ContactSolution solution = Newton(problem, parameters, kept).solve(start);
     solution.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return solution;
   }
