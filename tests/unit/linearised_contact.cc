@@ -185,7 +185,7 @@ TEST_P(GrowthOfTheTransient, IsTheRootOfTheConsistentLinearisation)
   contact.friction = 0.35;
   contact.creep_scheme = "first-order upwind";
   ContactSolverParameters solver;
-  solver.tolerance = force_given ? 1e-10 : 1e-12;
+  solver.tolerance = force_given ? 1e-10 : 1e-11;
   const double speed = 0.2;
   const DriveFunction drive = [&](double)
   {
@@ -222,21 +222,28 @@ TEST_P(GrowthOfTheTransient, IsTheRootOfTheConsistentLinearisation)
 
   const unsigned int k =
       std::find(pair.labels.begin(), pair.labels.end(), consistent.label) - pair.labels.begin();
-  // small enough to stay in contact and sliding until the end
+  // starts in the shape of the root, small enough to stay in contact and sliding until the end
   const auto growth = [&](const double step)
   {
     parameters.time_step = step;
-    parameters.end_time = (force_given ? 9 : 14) / consistent.growth;
+    parameters.end_time = 5 / consistent.growth;
     const unsigned int every = std::lround(0.15 / consistent.frequency / step);
     DynamicState state = rest;
-    state.q[k] *= 1 + (force_given ? 1e-7 : 1e-9);
+    const std::complex<double> lambda_start(consistent.growth,
+                                            2 * dealii::numbers::PI * consistent.frequency);
+    const double amplitude = 5e-6 * std::abs(rest.q[k]) / std::abs(consistent.shape[k]);
+    for (unsigned int i = 0; i < pair.n_modes(); ++i)
+    {
+      state.q[i] += amplitude * consistent.shape[i].real();
+      state.v[i] += amplitude * (lambda_start * consistent.shape[i]).real();
+    }
     std::vector<double> samples;
     unsigned int count = 0;
     const TransientResult result =
         transient(parameters, contact, solver, pair, drive, state,
                   [&](const DynamicState &now, const TransientResult &)
                   {
-                    if (now.time > 0.8 * parameters.end_time && ++count % every == 0)
+                    if (now.time > 0.4 * parameters.end_time && ++count % every == 0)
                       samples.push_back(now.v[k]);
                     return true;
                   });
@@ -250,12 +257,12 @@ TEST_P(GrowthOfTheTransient, IsTheRootOfTheConsistentLinearisation)
                 consistent.frequency, simple.growth, simple.frequency);
     return lambda;
   };
-  // the backward rate of the residual displacements leaves an error of first order
-  const std::complex<double> coarse = growth(4e-6), fine = growth(2e-6), limit = 2. * fine - coarse;
-  EXPECT_NEAR(limit.real() / consistent.growth, 1, 1e-2);
-  EXPECT_NEAR(limit.imag() / (2 * dealii::numbers::PI * consistent.frequency), 1, 5e-4);
-  EXPECT_LT(std::abs(fine.real() / consistent.growth - 1),
-            0.55 * std::abs(coarse.real() / consistent.growth - 1));
+  growth(2e-5); // printed: what a ten times larger step does
+  const std::complex<double> lambda = growth(2e-6);
+  EXPECT_NEAR(lambda.real() / consistent.growth, 1, 1e-2);
+  EXPECT_NEAR(lambda.imag() / (2 * dealii::numbers::PI * consistent.frequency), 1, 1e-3);
+  EXPECT_GT(std::abs(lambda.real() / simple.growth - 1),
+            0.2); // the paper's linearisation leaves something out
 }
 
 INSTANTIATE_TEST_SUITE_P(LinearisedContact, GrowthOfTheTransient, testing::Values(false, true),
