@@ -32,14 +32,19 @@ namespace vibrocontact
                       "Rotation of body 1 against body 2 about +z over the speed. Units: 1/m.",
                       Double(-1000, 1000));
     prm.enter_subsection("Sweep");
-    prm.add_parameter("Longitudinal creepage", sweep.longitudinal, "Values of a creep curve. Units: none.",
+    prm.add_parameter("Longitudinal creepage", sweep.longitudinal,
+                      "Values of one curve, all other entries at their single values. Units: none.",
                       list(-1, 1));
-    prm.add_parameter("Lateral creepage", sweep.lateral, "Values of a creep curve. Units: none.",
+    prm.add_parameter("Lateral creepage", sweep.lateral,
+                      "Values of one curve, all other entries at their single values. Units: none.",
                       list(-1, 1));
-    prm.add_parameter("Spin", sweep.spin, "Values of a creep curve. Units: 1/m.", list(-1000, 1000));
-    prm.add_parameter("Normal force", sweep.normal_force, "Values of a load curve. Units: N.", list(0));
-    prm.add_parameter("Hub displacement", sweep.hub_displacement, "Values of a load curve. Units: m.",
-                      list(-1));
+    prm.add_parameter("Spin", sweep.spin,
+                      "Values of one curve, all other entries at their single values. Units: 1/m.",
+                      list(-1000, 1000));
+    prm.add_parameter("Normal force", sweep.normal_force,
+                      "Values of one curve, all other entries at their single values. Units: N.", list(0));
+    prm.add_parameter("Hub displacement", sweep.hub_displacement,
+                      "Values of one curve, all other entries at their single values. Units: m.", list(-1));
     prm.add_parameter("Friction coefficient", sweep.friction,
                       "Every curve is repeated for these, which take the place of Contact/Friction "
                       "coefficient. Units: none.",

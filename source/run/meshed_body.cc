@@ -6,6 +6,7 @@
 
 #include <boost/crc.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -18,7 +19,7 @@ namespace vibrocontact
     std::string fingerprint(const std::string &file_name)
     {
       std::ifstream file(file_name, std::ios::binary);
-      if (file_name.empty() || !file)
+      if (file_name.empty() || !file || std::filesystem::is_directory(file_name))
         return "";
       const std::string content((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
       boost::crc_32_type checksum;

@@ -69,6 +69,14 @@ namespace vibrocontact
     {
       Log &log = run_log();
       log.value("cases", n_cases);
+      if (n_cases > 1)
+      {
+        const RollingCase &one = last.rolling_case;
+        std::ostringstream text;
+        text << "creepages " << one.creepage.longitudinal << ", " << one.creepage.lateral << ", spin "
+             << one.creepage.spin << " 1/m, friction " << one.friction;
+        log.value("the last of them", text.str());
+      }
       log.value("normal force", last.normal_force, "N");
       log.value("tangential force x", last.tangential_force[0], "N");
       log.value("tangential force y", last.tangential_force[1], "N");

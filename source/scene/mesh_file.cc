@@ -7,6 +7,7 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -61,7 +62,7 @@ namespace vibrocontact
     refinement.check(section);
     if (file.empty())
       throw InputError(section + "/File is empty: give the path of a gmsh file.");
-    if (!std::ifstream(file))
+    if (!std::ifstream(file) || std::filesystem::is_directory(file))
       throw InputError(section + "/File: cannot read " + file + "; give the path of an existing gmsh file.");
     for (const auto &group : held_groups)
       if (group == contact_group)
