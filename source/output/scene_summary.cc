@@ -41,9 +41,19 @@ namespace vibrocontact
     Log &log = run_log();
     log.block("Body " + parameters.name);
     log.value("type", parameters.type + " (" + parameters.body_type().help + ")");
-    log.value("Young modulus", parameters.material.young_modulus, "Pa");
-    log.value("Poisson ratio", parameters.material.poisson_ratio);
-    log.value("density", parameters.material.density, "kg/m^3");
+    if (parameters.type != "rigid")
+    {
+      log.value("Young modulus", parameters.material.young_modulus, "Pa");
+      log.value("Poisson ratio", parameters.material.poisson_ratio);
+      log.value("density", parameters.material.density, "kg/m^3");
+    }
+    if (parameters.type == "bar")
+    {
+      log.value("length", parameters.bar.length, "m");
+      log.value("section", parameters.bar.section, "m^2");
+      log.value("dofs", parameters.bar.divisions * parameters.bar.degree + 1);
+      return;
+    }
     if (!body)
     {
       log.value("radius along x", parameters.half_space.radius_x, "m (0: flat)");
