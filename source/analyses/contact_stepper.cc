@@ -46,18 +46,11 @@ namespace vibrocontact
       for (unsigned int i = n; i < 3 * n; ++i)
         matrix(i, j) += velocity(i, j) + pair.residual_flexibility(i, j) / h;
 
-    DenseMatrix jump(3 * n, 1);
-    std::copy(interface.load_jump.begin(), interface.load_jump.end(), &jump(0, 0));
-    convert_to_slip_rows(grid, scheme, speed, jump);
-    constant_response.reinit(3 * n);
-    for (unsigned int i = 0; i < 3 * n; ++i)
-      constant_response[i] = jump(i, 0) + (i < n ? interface.gap[i] : 0.);
-
-    problem.A = std::make_shared<DenseContactOperator>(std::move(matrix));
-    problem.b.reinit(3 * n);
-    problem.mu.assign(n, contact.friction);
-    problem.normal_law =
-        create_normal_law(contact.normal_law, contact.penalty_amplitude, contact.penalty_exponent);
+    Creepage none;
+    none.speed = speed;
+    problem = rolling_problem(std::make_shared<DenseContactOperator>(std::move(matrix)), interface, scheme,
+                              none, contact);
+    constant_response = problem.b;
   }
 
   void complete(const ContactPair &pair, DynamicState &state)

@@ -251,8 +251,7 @@ namespace vibrocontact
     ContactStepper stepper(pair, scheme, contact, modal_steps(parameters, pair), h, now.creepage.speed);
 
     TransientResult result;
-    const auto law =
-        create_normal_law(contact.normal_law, contact.penalty_amplitude, contact.penalty_exponent);
+    const auto law = contact.law();
     result.energy.initial = result.energy.stored = stored_energy(pair, *law, state);
     const auto first = std::llround(state.time / h), last = std::llround(parameters.end_time / h);
     DynamicState next = state;

@@ -74,6 +74,11 @@ namespace vibrocontact
     return grid;
   }
 
+  std::shared_ptr<const NormalLaw> ContactParameters::law() const
+  {
+    return create_normal_law(normal_law, penalty_amplitude, penalty_exponent);
+  }
+
   std::shared_ptr<const ContactOperator> rolling_operator(const ContactGrid &grid, const HalfSpacePair &pair,
                                                           const CreepScheme &scheme, const double speed)
   {
@@ -105,8 +110,7 @@ namespace vibrocontact
         problem.b[i] += jump(i, 0);
     }
     problem.mu.assign(n, parameters.friction);
-    problem.normal_law =
-        create_normal_law(parameters.normal_law, parameters.penalty_amplitude, parameters.penalty_exponent);
+    problem.normal_law = parameters.law();
     return problem;
   }
 

@@ -1,14 +1,16 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/reduction/reduced_body.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vibrocontact
 {
-  DenseMatrix static_compliance(const ReducedBody &body)
+  void add_modal_compliance(DenseMatrix &compliance, const DenseMatrix &trace,
+                            const std::vector<double> &omega, const std::string &body)
   {
-    const unsigned int n = body.residual_flexibility.m(), n_modes = body.omega.size();
-    if (body.n_rigid_modes > 0)
+    const unsigned int n = compliance.m(), n_modes = omega.size();
+    if (std::count(omega.begin(), omega.end(), 0.) > 0)
     {
       // Name the directions in which nothing carries the contact forces.
       std::string directions;
@@ -16,27 +18,32 @@ namespace vibrocontact
       for (unsigned int c = 0; c < 3; ++c)
       {
         double largest = 0;
-        for (unsigned int k = 0; k < body.n_rigid_modes; ++k)
-          for (unsigned int i = 0; i < n / 3; ++i)
-            largest = std::max(largest, std::abs(body.modal_trace(c * (n / 3) + i, k)));
+        for (unsigned int k = 0; k < n_modes; ++k)
+          for (unsigned int i = 0; i < n / 3 && omega[k] == 0; ++i)
+            largest = std::max(largest, std::abs(trace(c * (n / 3) + i, k)));
         if (largest > 0)
           directions += (directions.empty() ? "" : ", ") + std::string(names[c]);
       }
       throw InputError(
-          "Body '" + body.name + "' is free to move (" + directions +
+          "Body '" + body + "' is free to move (" + directions +
           "): a static analysis cannot load it; hold one of its boundaries or put it on springs.");
     }
-    DenseMatrix result = body.residual_flexibility;
     if (n_modes == 0 || n == 0)
-      return result;
+      return;
     DenseMatrix scaled(n, n_modes), product(n, n);
     for (unsigned int k = 0; k < n_modes; ++k)
       for (unsigned int i = 0; i < n; ++i)
-        scaled(i, k) = body.modal_trace(i, k) / body.omega[k];
+        scaled(i, k) = trace(i, k) / omega[k];
     scaled.mTmult(product, scaled);
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
-        result(i, j) += (product(i, j) + product(j, i)) / 2;
+        compliance(i, j) += (product(i, j) + product(j, i)) / 2;
+  }
+
+  DenseMatrix static_compliance(const ReducedBody &body)
+  {
+    DenseMatrix result = body.residual_flexibility;
+    add_modal_compliance(result, body.modal_trace, body.omega, body.name);
     return result;
   }
 } // namespace vibrocontact

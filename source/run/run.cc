@@ -64,25 +64,27 @@ namespace vibrocontact
                       const Clock &clock)
     {
       const OutputParameters &output = parameters.output;
+      const auto save = [&]
+      {
+        results.reductions = reductions_json(bodies);
+        record.save(results, clock.seconds());
+      };
       if (parameters.scene.runs("modes"))
         for (const auto &body : bodies)
           if (body && parameters.modes[body->parameters.name].any())
           {
             run_modes(*body, output.fields, record.folder, results);
-            results.reductions = reductions_json(bodies);
-            record.save(results, clock.seconds());
+            save();
           }
       if (parameters.scene.runs("stability"))
       {
         run_stability(parameters, bodies, record.folder, results);
-        results.reductions = reductions_json(bodies);
-        record.save(results, clock.seconds());
+        save();
       }
       if (parameters.scene.runs("transient"))
       {
         run_transient(parameters, bodies, record.folder, results);
-        results.reductions = reductions_json(bodies);
-        record.save(results, clock.seconds());
+        save();
       }
       if (!parameters.scene.runs("quasi-static rolling"))
         return;

@@ -46,8 +46,7 @@ namespace vibrocontact
            << " s reactions that are linear in the step ring: take a smaller one or the theta method.";
       run_log().warning(text.str());
     }
-    const auto law = create_normal_law(parameters.contact.normal_law, parameters.contact.penalty_amplitude,
-                                       parameters.contact.penalty_exponent);
+    const auto law = parameters.contact.law();
     TransientHistory history(pair, *law, transient_parameters.history_interval);
     history.add(state);
     Progress progress("transient", transient_parameters.end_time / transient_parameters.time_step);

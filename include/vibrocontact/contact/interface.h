@@ -33,6 +33,8 @@ namespace vibrocontact
     void declare_parameters(dealii::ParameterHandler &prm);
     /// Grid with a point on the nominal contact point (offset zero).
     ContactGrid grid() const;
+    /// The normal law that the entries describe.
+    std::shared_ptr<const NormalLaw> law() const;
   };
 
   /// Geometry of the contact between two bodies on one grid.

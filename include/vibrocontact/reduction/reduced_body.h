@@ -49,6 +49,11 @@ namespace vibrocontact
     std::vector<double> surface_height;
   };
 
+  /// Adds Psi diag(w^-2) Psi^T, what modes answer to static forces [m/N]; trace 3 n x n_modes.
+  /// @throws InputError naming `body` and the directions if a mode is rigid: nothing carries static forces
+  void add_modal_compliance(DenseMatrix &compliance, const DenseMatrix &trace,
+                            const std::vector<double> &omega, const std::string &body);
+
   /// P_c K^-1 P_c^T = W~ + Psi diag(w^-2) Psi^T, 3 n square [m/N].
   /// @throws InputError if the body has rigid modes: it has no static compliance.
   DenseMatrix static_compliance(const ReducedBody &body);
