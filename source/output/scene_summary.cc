@@ -54,6 +54,12 @@ namespace vibrocontact
       log.value("dofs", parameters.bar.divisions * parameters.bar.degree + 1);
       return;
     }
+    if (parameters.type == "beam rail")
+    {
+      log.value("length", parameters.beam_rail.length, "m");
+      log.value("supports", static_cast<unsigned int>(parameters.beam_rail.supports().size()));
+      return;
+    }
     if (!body)
     {
       log.value("radius along x", parameters.half_space.radius_x, "m (0: flat)");

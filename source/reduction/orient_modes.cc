@@ -54,13 +54,13 @@ namespace vibrocontact
         if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
           return;
         using Entry = std::pair<dealii::Point<3>, unsigned int>;
-        std::array<std::vector<Entry>, 3> entries;
+        std::array<std::vector<Entry>, 7> entries;
         for (unsigned int i = 0; i < direction.size(); ++i)
           if (mass[i] > 0)
             entries[direction[i]].emplace_back(
                 dealii::Point<3>(flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]), i);
         image.resize(direction.size(), 0);
-        for (unsigned int d = 0; d < 3; ++d)
+        for (unsigned int d = 0; d < entries.size(); ++d)
         {
           const auto tree = dealii::pack_rtree(entries[d]);
           std::vector<Entry> nearest;
@@ -84,7 +84,9 @@ namespace vibrocontact
         for (unsigned int i = 0; i < image.size(); ++i)
           if (mass[i] > 0)
           {
-            const double w = direction[i] == 0 ? -mass[i] : mass[i];
+            // u_x, rotations about y and z and warping change their sign in the mirror
+            const bool turns = direction[i] == 0 || direction[i] >= 4;
+            const double w = turns ? -mass[i] : mass[i];
             saa += w * u[i] * u[image[i]];
             sbb += w * v[i] * v[image[i]];
             sab += w * (u[i] * v[image[i]] + v[i] * u[image[i]]) / 2;

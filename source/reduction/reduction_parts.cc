@@ -68,6 +68,8 @@ namespace vibrocontact
     result.n_dofs = system.stiffness.m();
     result.surface_height = system.trace.surface_height;
     result.compliance = flexibility.contact_compliance();
+    if (!system.local_compliance.empty())
+      result.compliance.add(1., system.local_compliance);
     result.load_response.assign(n_rows, 0.);
     if (system.has_load)
     {

@@ -1,6 +1,9 @@
+#include <vibrocontact/analyses/contact_pair.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/contact/contact_operator.h>
 #include <vibrocontact/fe/bar_elements.h>
+#include <vibrocontact/fe/beam_elements.h>
 #include <vibrocontact/fe/trace_assembly.h>
 #include <vibrocontact/run/meshed_body.h>
 
@@ -9,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <sstream>
 
 namespace vibrocontact
@@ -89,6 +93,20 @@ namespace vibrocontact
   {
     if (parameters.type == "bar")
       return assemble_bar(parameters.bar, parameters.material, parameters.name, above, grid, communicator);
+    if (parameters.type == "beam rail")
+    {
+      if (grid && above)
+        throw InputError(parameters.name +
+                         " is a beam rail, which lies below the contact, but is body 1, above; "
+                         "list it second in Bodies.");
+      auto system =
+          assemble_beam_rail(parameters.beam_rail, parameters.material, parameters.name, grid, communicator);
+      if (grid)
+        system->local_compliance =
+            half_space_compliance(*grid, HalfSpacePair({std::numeric_limits<double>::infinity(), 0.},
+                                                       half_space_material(parameters)));
+      return system;
+    }
     std::unique_ptr<SecondOrderSystem> system = elastic_body().assemble();
     if (grid)
     {

@@ -66,6 +66,9 @@ namespace vibrocontact
                            "hold at least one of the file's groups or put it on springs");
         else if (body.type == "rail" && !body.rail.has_pads())
           throw InputError(body.name + "/Rail has no pad stiffness" + free + "give Pad stiffness x, y and z");
+        else if (body.type == "beam rail" && !body.beam_rail.has_pads())
+          throw InputError(body.name + "/Beam rail has no pad stiffness" + free +
+                           "give Pad stiffness x, y and z");
     }
   } // namespace
 

@@ -73,7 +73,7 @@ namespace vibrocontact
     const ModalResult modes = modal_analysis(body.reduction);
     results.analyses["modes"][name] = modal_json(modes);
     on_first_rank([&] { modal_table(modes).write(folder + "/modes_" + name + ".csv"); });
-    if (fields)
+    if (fields && body.parameters.is_solid())
       write_shapes(body, modes, folder);
   }
 } // namespace vibrocontact

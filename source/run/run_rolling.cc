@@ -135,7 +135,7 @@ namespace vibrocontact
                          const std::string &folder)
   {
     for (unsigned int k = 0; k < bodies.size(); ++k)
-      if (bodies[k])
+      if (bodies[k] && bodies[k]->parameters.is_solid())
       {
         const std::string &name = bodies[k]->parameters.name;
         run_log().block("Deformation of " + name);

@@ -11,6 +11,8 @@ namespace vibrocontact
         {"rigid", "Rigid", "rigid plane or paraboloid: stop, road", false, false},
         {"wheel", "Wheel", "section revolved about an axle, bore held", true, true},
         {"rail", "Rail", "section extruded along x on pads", true, true},
+        {"beam rail", "Beam rail", "rail as a Timoshenko beam on pads, half-space under the contact", true,
+         false},
         {"block", "Block", "box of hexahedra", true, true},
         {"bar", "Bar", "straight bar along z that only stretches", true, false},
         {"mesh", "Mesh", "hexahedra with named groups from a gmsh file", true, true},
@@ -56,6 +58,8 @@ namespace vibrocontact
       declare("Wheel", wheel);
     if (type == "rail")
       declare("Rail", rail);
+    if (type == "beam rail")
+      declare("Beam rail", beam_rail);
     if (type == "mesh")
       declare("Mesh", mesh);
     if (is_solid())
@@ -76,6 +80,8 @@ namespace vibrocontact
       wheel.check(section + "/Wheel");
     if (type == "rail")
       rail.check(section + "/Rail");
+    if (type == "beam rail")
+      beam_rail.check(section + "/Beam rail");
     if (type == "mesh")
       mesh.check(section + "/Mesh");
     if (is_solid())

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 namespace vibrocontact
@@ -93,28 +92,7 @@ namespace vibrocontact
                       Double(0));
     prm.add_parameter("Lateral position", lateral_position,
                       "Position of the contact on the crown, from the symmetry plane. Units: m.", Double());
-    prm.add_parameter("Contact at", contact_at, "Where the contact stands. Units: none.",
-                      Patterns::Selection("mid-span|support"));
-    prm.add_parameter("Sleeper spacing", sleeper_spacing, "Distance of the supports. Units: m.", Double(0));
-    prm.add_parameter("Pad length", pad_length, "Length of a pad along the rail. Units: m.", Double(0));
-    prm.add_parameter("Pad stiffness x", pad_stiffness_x, "Longitudinal stiffness of one pad. Units: N/m.",
-                      Double(0));
-    prm.add_parameter("Pad stiffness y", pad_stiffness_y, "Lateral stiffness of one pad. Units: N/m.",
-                      Double(0));
-    prm.add_parameter("Pad stiffness z", pad_stiffness_z,
-                      "Vertical stiffness of one pad; all three zero: a free rail. Units: N/m.", Double(0));
-    prm.add_parameter("Pad loss factor", pad_loss_factor, "Hysteretic loss factor of the pads. Units: none.",
-                      Double(0, 10));
-    prm.add_parameter(
-        "Anechoic lengths", anechoic_lengths,
-        "Lengths of the pieces of an anechoic end, from inside to outside (the paper: 0.6, 0.6, 0.6, 1.2, "
-        "3.0); empty: plain free ends. Units: m.",
-        Patterns::List(Double(0), 0, 50, ","));
-    prm.add_parameter("Anechoic loss factor first", anechoic_loss_first,
-                      "Loss factor of the innermost anechoic piece; geometric steps outwards. Units: none.",
-                      Double(0, 10));
-    prm.add_parameter("Anechoic loss factor last", anechoic_loss_last,
-                      "Loss factor of the outermost anechoic piece. Units: none.", Double(0, 10));
+    RailSupports::declare_parameters(prm);
     prm.add_parameter("Contact division", contact_division,
                       "Length of the coarse cells at the contact. Units: m.", Double(0));
     prm.add_parameter("Coarse division", coarse_division,
@@ -130,48 +108,15 @@ namespace vibrocontact
   {
     section.check(path);
     refinement.check(path);
-    const double anechoic = std::accumulate(anechoic_lengths.begin(), anechoic_lengths.end(), 0.);
-    const bool some = has_pads(), all = pad_stiffness_x > 0 && pad_stiffness_y > 0 && pad_stiffness_z > 0;
     std::ostringstream text;
-    if (!(length > 0.05) || length > 200)
-      text << path << "/Length is " << length << " m: give a length between 0.05 and 200 m.";
-    else if (!(contact_division >= 1e-4) || !(coarse_division >= contact_division))
+    if (!(contact_division >= 1e-4) || !(coarse_division >= contact_division))
       text << path << "/Contact division (" << contact_division
            << " m) must be 1e-4 m or more and not above Coarse division (" << coarse_division << " m).";
-    else if (some && !all)
-      text << path
-           << "/Pad stiffness x, y and z must be all positive, or all zero for a free rail: a rail that can "
-           << "slide in one direction has no static response.";
-    else if (some && !(sleeper_spacing >= 0.01))
-      text << path << "/Sleeper spacing is " << sleeper_spacing << " m: give 0.01 m or more.";
-    else if (some && !(pad_length > 0 && pad_length <= sleeper_spacing))
-      text << path << "/Pad length is " << pad_length
-           << " m: it must be positive and not above Sleeper spacing (" << sleeper_spacing << " m).";
-    else if (some && supports().size() < 2)
-      text << path << "/Length " << length << " m holds fewer than two supports at Sleeper spacing "
-           << sleeper_spacing << " m; make the rail longer.";
-    else if (2 * anechoic > length)
-      text << path << "/Anechoic lengths add up to " << anechoic
-           << " m at each end, more than the rail's half length " << length / 2 << " m.";
-    else if (!anechoic_lengths.empty() &&
-             (anechoic_loss_first <= 0 || anechoic_loss_last < anechoic_loss_first))
-      text << path << "/Anechoic loss factor first (" << anechoic_loss_first
-           << ") must be positive and not above the last (" << anechoic_loss_last << ").";
+    else if (has_pads() && !(pad_length > 0))
+      text << path << "/Pad length is 0: a rail of finite elements needs pads of some length; give 0.15 m.";
     if (!text.str().empty())
       throw InputError(text.str());
-  }
-
-  std::vector<double> RailParameters::supports() const
-  {
-    std::vector<double> result;
-    if (!has_pads() || !(sleeper_spacing > 0))
-      return result;
-    const double first = contact_at == "support" ? 0 : 0.5;
-    const int n = std::ceil(length / sleeper_spacing) + 1;
-    for (int k = -n; k <= n; ++k)
-      if (std::abs((k + first) * sleeper_spacing) + pad_length / 2 <= length / 2 * (1 + 1e-9))
-        result.push_back((k + first) * sleeper_spacing);
-    return result;
+    RailSupports::check(path);
   }
 
   BodyMesh<3> make_rail(const RailParameters &parameters, const ContactGrid *grid, const std::string &name,
@@ -210,21 +155,6 @@ namespace vibrocontact
       for (const Point<2> &p : section.vertices)
         vertices.emplace_back(position, p[0] - shift_y, p[1] - shift_z);
 
-    // Zones of loss: material id 0 inside, then 1, 2, ... outwards.
-    const auto zone = [&](const double position)
-    {
-      double inner = parameters.length / 2 - std::accumulate(parameters.anechoic_lengths.begin(),
-                                                             parameters.anechoic_lengths.end(), 0.);
-      unsigned int id = 0;
-      for (const double length : parameters.anechoic_lengths)
-      {
-        if (std::abs(position) <= inner)
-          break;
-        ++id;
-        inner += length;
-      }
-      return id;
-    };
     std::vector<CellData<3>> cells;
     for (unsigned int layer = 0; layer + 1 < x.size(); ++layer)
       for (const auto &quad : section.cells)
@@ -235,7 +165,7 @@ namespace vibrocontact
           cell.vertices[v] = quad[v] + layer * n_vertices;
           cell.vertices[4 + v] = quad[v] + (layer + 1) * n_vertices;
         }
-        cell.material_id = zone((x[layer] + x[layer + 1]) / 2);
+        cell.material_id = parameters.anechoic_piece((x[layer] + x[layer + 1]) / 2);
         cells.push_back(cell);
       }
 
@@ -260,11 +190,8 @@ namespace vibrocontact
 
   void add_supports(ElasticModel<3> &model, const RailParameters &parameters, const BodyMesh<3> &mesh)
   {
-    const unsigned int n = parameters.anechoic_lengths.size();
-    for (unsigned int k = 0; k < n; ++k)
-      model.loss_factors[k + 1] = parameters.anechoic_loss_first *
-                                  std::pow(parameters.anechoic_loss_last / parameters.anechoic_loss_first,
-                                           n > 1 ? double(k) / (n - 1) : 0.);
+    for (unsigned int piece = 1; piece <= parameters.anechoic_lengths.size(); ++piece)
+      model.loss_factors[piece] = parameters.anechoic_loss(piece);
     if (!parameters.has_pads())
       return;
 

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/base/parameter_file.h>
 #include <vibrocontact/scene/bar.h>
+#include <vibrocontact/scene/beam_rail.h>
 #include <vibrocontact/scene/block.h>
 #include <vibrocontact/scene/half_space_body.h>
 #include <vibrocontact/scene/loads.h>
@@ -29,7 +30,7 @@ namespace vibrocontact
     bool is_solid;
   };
 
-  /// half-space, rigid, wheel, rail, block, bar, mesh
+  /// half-space, rigid, wheel, rail, beam rail, block, bar, mesh
   const std::vector<BodyType> &body_types();
 
   /// `subsection <name of the body>`: its type, and one nested subsection per group of entries. Only the
@@ -44,6 +45,7 @@ namespace vibrocontact
     BarParameters bar;
     WheelParameters wheel;
     RailParameters rail;
+    BeamRailParameters beam_rail;
     MeshFileParameters mesh;
     LoadParameters loads;
 
