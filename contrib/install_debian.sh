@@ -6,10 +6,10 @@ packages="
   build-essential cmake ninja-build git ca-certificates pkg-config
   libdeal.ii-dev mpi-default-bin mpi-default-dev
   libopenblas0-pthread
-  nlohmann-json3-dev libboost-program-options-dev libfftw3-dev
+  nlohmann-json3-dev libboost-program-options-dev libfftw3-dev libsndfile1-dev
   gmsh
   libgtest-dev
-  python3 python3-numpy python3-matplotlib
+  python3 python3-numpy python3-matplotlib python3-h5py
 "
 missing=$(for p in $packages; do
   [ "$(dpkg-query -W -f '${db:Status-Status}' "$p" 2>/dev/null)" = installed ] || echo "$p"

@@ -5,7 +5,11 @@ figures/contact_patch_<k>.png   pressure, traction and status over the patch
 figures/centre_line_<k>.png     tractions along y = 0, as in Fig. 7 of Lai et al. (2018)
 figures/creep_curves.png        tangential force (spin: moment too) against what is swept
 figures/mode_shapes_<body>.png  deformed shapes coloured by amplitude, as in Fig. 3 of the paper
-Needs matplotlib; exit code 4 without it. Tractions act on body 1; the contact travels towards -x.
+figures/divergence_rates.png    divergence rates of the roots, as in Fig. 8
+figures/transient_force.png     tangential force with stick and slip counts, as in Fig. 13
+figures/transient_status.png    status of the contact points through a period, as in Fig. 14 (needs Patch interval)
+figures/transient_<signal>.png  velocity of a probe and its spectrogram, as in Fig. 15
+Needs matplotlib, after a transient also h5py; exit code 4 without. Tractions act on body 1; the contact travels towards -x.
 """
 import base64
 import csv
@@ -24,7 +28,10 @@ try:
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
+    from matplotlib.collections import PolyCollection
     from matplotlib.colors import ListedColormap
+    if os.path.exists(os.path.join(sys.argv[1], "histories.h5")):
+        import h5py
 except ImportError:
     sys.exit(4)
 
@@ -264,6 +271,183 @@ def plot_modes(folder, body, modes):
     save(figure, folder, f"mode_shapes_{body}")
 
 
+def plot_divergence(folder):
+    """Divergence rates Re(lambda) / Im(lambda) of all oscillating roots, the unstable ones named."""
+    roots = read_table(os.path.join(folder, "stability.csv"))
+    shown = roots["frequency_Hz"] > 0
+    if "case" in roots:  # of a sweep the first
+        shown &= roots["case"] == roots["case"][0]
+    if not shown.any():
+        return
+    frequency, rate = roots["frequency_Hz"][shown], roots["divergence_rate"][shown]
+    label = roots["label"][shown]
+    unstable = rate > 0
+    figure, axis = plt.subplots(figsize=(7, 4))
+    axis.plot(frequency[~unstable], rate[~unstable], "o", ms=3, color="#2a6fb0", label="stable")
+    axis.plot(frequency[unstable], rate[unstable], "o", ms=5, color="#c0392b", label="unstable")
+    for x, y, name in zip(frequency[unstable], rate[unstable], label[unstable]):
+        axis.annotate(f"{name.split(':')[-1]}\n{x:.0f} Hz", (x, y), textcoords="offset points", xytext=(4, 4), fontsize=7)
+    axis.axhline(0, color="k", lw=0.6)
+    # heavily damped roots would hide what is near the axis
+    near = max(2 * rate.max(), 2e-3)
+    if rate.min() < -10 * near:
+        axis.set_yscale("symlog", linthresh=near)
+    axis.set_ylim(max(1.5 * rate.min(), -1), near)
+    axis.set_xlabel("frequency [Hz]")
+    axis.set_ylabel(r"divergence rate Re$\,\lambda$ / Im$\,\lambda$")
+    axis.legend(fontsize=8)
+    axis.grid(alpha=0.3)
+    save(figure, folder, "divergence_rates")
+
+
+def plot_line(axis, time, values, **style):
+    """A long signal by the least and the largest value of each of 2000 pieces."""
+    pieces = len(values) // 4000
+    if pieces > 1:
+        n = len(values) // (2 * pieces) * 2 * pieces
+        parts = values[:n].reshape(-1, 2 * pieces)
+        values = np.column_stack([parts.min(axis=1), parts.max(axis=1)]).ravel()
+        time = time[:n:pieces][:len(values)]
+    axis.plot(time, values, **style)
+
+
+def last_period(transient, history):
+    """Begin and end of the last period of the dominant frequency, as far as the run is long enough."""
+    frequencies = transient.get("dominant_frequencies_Hz", [])
+    end = history["time_s"][-1]
+    if not frequencies or (end - history["time_s"][0]) * frequencies[0] < 2:
+        return None
+    return end - 1 / frequencies[0], end
+
+
+def plot_force(folder, transient, history, frames):
+    """Tangential force and counts over the run, then over the last three periods with the frames' numbers."""
+    period = last_period(transient, history)
+    figure, axes = plt.subplots(2, 2 if period else 1, figsize=(11 if period else 7, 5), sharex="col", squeeze=False)
+    time = history["time_s"]
+    component = max("xy", key=lambda c: np.ptp(history[f"tangential_force_{c}_N"]) + abs(history[f"tangential_force_{c}_N"]).max())
+    force, normal = history[f"tangential_force_{component}_N"] / 1e3, history["normal_force_N"] / 1e3
+    friction = transient.get("friction")
+    for column in range(axes.shape[1]):
+        begin = period[1] - 3 * (period[1] - period[0]) if column == 1 else time[0]
+        chosen = time >= begin
+        top, bottom = axes[0, column], axes[1, column]
+        plot_line(top, time[chosen], force[chosen], color="#2a6fb0", lw=1, label=f"$F_{component}$ on body 1")
+        if friction:
+            sign = -1 if force.mean() < 0 else 1
+            plot_line(top, time[chosen], sign * friction * normal[chosen], color="k", lw=0.8, ls="--", label=r"$\mu N$")
+        for name, colour in (("stick_points", "#27ae60"), ("slip_points", "#e08a2e")):
+            plot_line(bottom, time[chosen], history[name][chosen], color=colour, lw=1, label=name.replace("_", " "))
+        bottom.set_xlabel("time [s]")
+        top.grid(alpha=0.3)
+        bottom.grid(alpha=0.3)
+    if period:
+        for number, (t, _) in enumerate(frames):
+            value = np.interp(t, time, force)
+            axes[0, 1].plot(t, value, "k.", ms=4)
+            axes[0, 1].annotate(str(number + 1), (t, value), textcoords="offset points", xytext=(2, 4), fontsize=8)
+    axes[0, 0].set_ylabel("force [kN]")
+    axes[1, 0].set_ylabel("points")
+    axes[0, 0].legend(fontsize=8)
+    axes[1, 0].legend(fontsize=8)
+    figure.tight_layout()
+    save(figure, folder, "transient_force")
+
+
+def patch_frames(folder, period):
+    """At most eight frames of the contact patch, equally far from each other in the last period: (time, file)."""
+    index = os.path.join(folder, "patch.pvd")
+    if not os.path.exists(index):
+        return []
+    frames = [(float(node.get("timestep")), os.path.join(folder, node.get("file")))
+              for node in ElementTree.parse(index).getroot().iter("DataSet")]
+    if period:
+        frames = [frame for frame in frames if period[0] - 1e-9 <= frame[0] <= period[1] + 1e-9] or frames[-8:]
+    else:
+        frames = frames[-8:]
+    return [frames[i] for i in np.unique(np.linspace(0, len(frames) - 1, 8).round().astype(int))] if frames else []
+
+
+def plot_status(folder, frames):
+    """Status maps, stick green, slip blue; white: no contact."""
+    columns = min(4, len(frames))
+    rows = (len(frames) + columns - 1) // columns
+    read = [read_vtu(name) for _, name in frames]
+    every = np.concatenate([points for points, _, _ in read])
+    figure, axes = plt.subplots(rows, columns, figsize=(2.6 * columns, 2.8 * rows), squeeze=False, sharex=True, sharey=True)
+    for axis in axes.ravel()[len(frames):]:
+        axis.set_axis_off()
+    colours = ListedColormap(["#f4f4f4", "#27ae60", "#2a6fb0"])
+    for number, (axis, (time, _), (points, quads, data)) in enumerate(zip(axes.ravel(), frames, read)):
+        axis.add_collection(PolyCollection(1e3 * points[quads][:, [0, 1, 3, 2] if crossed(points[quads[0]]) else [0, 1, 2, 3], :2],
+                                           array=data["status"][quads[:, 0]], cmap=colours, clim=(-0.5, 2.5), edgecolors="w", linewidths=0.3))
+        axis.set_title(f"{number + 1}: {1e3 * time:.4g} ms", fontsize=8)
+        axis.set_aspect("equal")
+        axis.set_xlim(1e3 * every[:, 0].min() - 1, 1e3 * every[:, 0].max() + 1)
+        axis.set_ylim(1e3 * every[:, 1].min() - 1, 1e3 * every[:, 1].max() + 1)
+    for axis in axes[-1]:
+        axis.set_xlabel("x [mm] (leading edge left)", fontsize=8)
+    for axis in axes[:, 0]:
+        axis.set_ylabel("y [mm]", fontsize=8)
+    for colour, name in zip(colours.colors[1:], ("stick", "slip")):
+        axes[0, 0].plot([], [], "s", color=colour, label=name)
+    axes[0, 0].legend(fontsize=7, loc="upper left")
+    figure.tight_layout()
+    save(figure, folder, "transient_status")
+
+
+def crossed(corners):
+    """Whether the corners of a quadrilateral are counted line by line and not around it."""
+    a, b, c, d = corners
+    return np.dot(b - a, d - c) > 0
+
+
+def plot_signal(folder, name, time, values):
+    """A velocity over time and its spectrogram up to 6 kHz."""
+    if len(values) < 256:
+        return
+    step = (time[-1] - time[0]) / (len(time) - 1)
+    figure, axes = plt.subplots(2, 1, figsize=(8, 5.5), sharex=True)
+    plot_line(axes[0], time, values, color="#2a6fb0", lw=0.7)
+    axes[0].set_ylabel("velocity [m/s]")
+    axes[0].set_title(name)
+    axes[0].grid(alpha=0.3)
+    # a quarter of the samples per second are enough for 6 kHz; the transform cuts what is above
+    length = len(values) * step
+    n = min(len(values), int(24000 * length))
+    if n >= 64:
+        reduced = np.fft.irfft(np.fft.rfft(values)[:n // 2 + 1] * (n / len(values)), n)
+        window = int(min(n // 4, 2 ** round(np.log2(max(64, 0.02 * n / length if length > 0.2 else n / 8)))))
+        power, frequencies, instants = matplotlib.mlab.specgram(reduced, NFFT=window, Fs=n / length, noverlap=window * 3 // 4,
+                                                                pad_to=4 * window)
+        level = 10 * np.log10(np.maximum(power, 1e-30))
+        image = axes[1].pcolormesh(time[0] + instants, frequencies, level, vmin=level.max() - 80, vmax=level.max(), cmap="magma",
+                                   shading="auto", rasterized=True)
+        axes[1].set_ylim(0, min(6000, frequencies[-1]))
+        figure.colorbar(image, ax=axes, label="dB", shrink=0.6)
+    axes[1].set_ylabel("frequency [Hz]")
+    axes[1].set_xlabel("time [s]")
+    save(figure, folder, f"transient_{name}")
+
+
+def plot_transient(folder, transient):
+    with h5py.File(os.path.join(folder, "histories.h5")) as file:
+        history = {name: np.asarray(file[name]) for name in file if file[name].ndim == 1 and name != "key"}
+    if len(history["time_s"]) < 2:
+        return
+    frames = patch_frames(folder, last_period(transient, history))
+    plot_force(folder, transient, history, frames)
+    if frames:
+        plot_status(folder, frames)
+    name = os.path.join(folder, "signals.h5")
+    if os.path.exists(name):
+        with h5py.File(name) as file:
+            time = np.asarray(file["time_s"])
+            for column in file:
+                if column != "time_s":
+                    plot_signal(folder, column[:-len("_m_s")], time, np.asarray(file[column]))
+
+
 def main():
     folder = sys.argv[1]
     with open(os.path.join(folder, "results.json")) as file:
@@ -278,6 +462,10 @@ def main():
     for body, modes in analyses.get("modes", {}).items():
         if isinstance(modes, dict) and "frequencies_Hz" in modes:
             plot_modes(folder, body, modes)
+    if "stability" in analyses and os.path.exists(os.path.join(folder, "stability.csv")):
+        plot_divergence(folder)
+    if os.path.exists(os.path.join(folder, "histories.h5")):
+        plot_transient(folder, analyses.get("transient", {}))
 
 
 if __name__ == "__main__":

@@ -109,6 +109,19 @@ namespace vibrocontact
       system->dof_position.emplace_back(0., 0., (above ? 1 : -1) * places[dof][0]);
       system->dof_direction.push_back(2);
     }
+    for (const auto &cell : dof_handler.active_cell_iterators())
+    {
+      const int first = system->surface.points.size();
+      for (unsigned int v = 0; v < 2; ++v)
+      {
+        const types::global_dof_index dof = cell->vertex_dof_index(v, 0);
+        system->surface.points.emplace_back(0., 0., (above ? 1 : -1) * places[dof][0]);
+        system->surface.rows.resize(3 * system->surface.points.size());
+        if (!constraints.is_constrained(dof))
+          system->surface.rows.back() = {{dof, 1.}};
+      }
+      system->surface.quads.push_back({{first, first + 1, first + 1, first}});
+    }
     if (grid)
     {
       AssertThrow(grid->n_points() == 1, ExcMessage("A bar has one contact point."));

@@ -339,6 +339,18 @@ namespace vibrocontact
       system->dof_position.emplace_back(places[dof][0], -rail.lateral_position, axis);
       system->dof_direction.push_back(field[dof]);
     }
+    for (const auto &cell : dof_handler.active_cell_iterators())
+    {
+      SurfaceTrace &line = system->surface;
+      const int first = line.points.size();
+      line.quads.push_back({{first, first + 1, first + 1, first}});
+      for (unsigned int v = 0; v < 2; ++v)
+      {
+        line.points.emplace_back(cell->vertex(v)[0], -rail.lateral_position, axis);
+        for (unsigned int d = 0; d < 3; ++d)
+          line.rows.push_back({{cell->vertex_dof_index(v, d), 1.}});
+      }
+    }
     if (!rail.has_pads())
     {
       system->rigid_motions = rigid_motions(*system, rail.centroid_height - rail.shear_centre_height);

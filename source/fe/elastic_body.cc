@@ -34,6 +34,7 @@ namespace vibrocontact
       system->rigid_motions = rigid_motions(*this);
     system->n_rigid_modes = system->rigid_motions.size();
     describe_dofs(*this, *system);
+    system->surface = make_surface_trace(*this);
     system->follows_hub = !model.held.empty() && model.springs.empty();
     if (grid)
       system->trace = make_contact_trace(*this, *grid);

@@ -37,7 +37,7 @@ namespace vibrocontact
         run_log().line("no figures: " + script + " is not there");
         return;
       }
-      // The exit code 4 says that this Python has no matplotlib; Debian's own may have it.
+      // The exit code 4 says that this Python has no matplotlib (or h5py, which histories need); Debian's own may have it.
       int code = -1;
       for (const char *python : {"python3", "/usr/bin/python3"})
         if (code == -1 || code == 4 || code == 127)
@@ -46,7 +46,8 @@ namespace vibrocontact
         run_log().value("figures", folder + "/figures");
       else
         run_log().line(code == 4 || code == -1 || code == 127
-                           ? "no figures: Python's matplotlib is not installed (python3-matplotlib)"
+                           ? "no figures: Python's matplotlib or h5py is not installed (python3-matplotlib, "
+                             "python3-h5py)"
                            : "no figures: " + script + " left with code " + std::to_string(code));
     }
   } // namespace

@@ -1,35 +1,13 @@
 #include <vibrocontact/base/atomic_file.h>
+#include <vibrocontact/output/contact_patch.h>
 #include <vibrocontact/output/rolling_output.h>
 
-#include <deal.II/grid/grid_generator.h>
-#include <deal.II/numerics/data_out.h>
+#include <deal.II/base/data_out_base.h>
 
 #include <sstream>
 
 namespace vibrocontact
 {
-  namespace
-  {
-    const std::vector<std::string> field_names = {
-        "gap_m", "pressure_Pa", "traction_x_Pa", "traction_y_Pa", "slip_x_m_s", "slip_y_m_s", "status"};
-
-    /// values of field_names at a point
-    std::vector<double> patch_values(const RollingResult &result, const ContactGrid &grid,
-                                     const unsigned int point)
-    {
-      const ContactSolution &s = result.solution;
-      const unsigned int n = grid.n_points();
-      const double area = grid.cell_area();
-      return {s.y[point],
-              s.R[point] / area,
-              s.R[n + point] / area,
-              s.R[2 * n + point] / area,
-              s.y[n + point],
-              s.y[2 * n + point],
-              static_cast<double>(s.status[point])};
-    }
-  } // namespace
-
   nlohmann::ordered_json rolling_case_json(const RollingResult &result)
   {
     const ContactSolution &s = result.solution;
@@ -62,7 +40,7 @@ namespace vibrocontact
   Table contact_patch_table(const RollingResult &result, const ContactInterface &interface)
   {
     std::vector<std::string> columns = {"x_m", "y_m"};
-    columns.insert(columns.end(), field_names.begin(), field_names.end());
+    columns.insert(columns.end(), contact_patch_columns().begin(), contact_patch_columns().end());
     Table table(
         columns,
         {"Contact patch, one row per point; origin: nominal contact point; the contact travels towards -x",
@@ -71,7 +49,7 @@ namespace vibrocontact
     for (unsigned int point = 0; point < interface.grid.n_points(); ++point)
     {
       std::vector<Table::Cell> row = {interface.grid.x(point), interface.grid.y(point)};
-      for (const double value : patch_values(result, interface.grid, point))
+      for (const double value : contact_patch_values(result.solution, interface.grid, point))
         row.emplace_back(value);
       table.add_row(row);
     }
@@ -121,33 +99,6 @@ namespace vibrocontact
       table.add_row(row);
     }
     return table;
-  }
-
-  void write_contact_patch_vtu(const RollingResult &result, const ContactInterface &interface,
-                               const std::string &file_name)
-  {
-    const ContactGrid &grid = interface.grid;
-    dealii::Triangulation<2> cells;
-    const dealii::Point<2> low(grid.x_first - 0.5 * grid.spacing_x, grid.y_first - 0.5 * grid.spacing_y);
-    const dealii::Point<2> high(low[0] + grid.n_x * grid.spacing_x, low[1] + grid.n_y * grid.spacing_y);
-    dealii::GridGenerator::subdivided_hyper_rectangle(cells, {grid.n_x, grid.n_y}, low, high);
-    std::vector<DenseVector> fields(field_names.size(), DenseVector(grid.n_points()));
-    for (const auto &cell : cells.active_cell_iterators())
-    {
-      const unsigned int i = (cell->center()[0] - low[0]) / grid.spacing_x,
-                         j = (cell->center()[1] - low[1]) / grid.spacing_y;
-      const std::vector<double> values = patch_values(result, grid, grid.index(i, j));
-      for (unsigned int k = 0; k < values.size(); ++k)
-        fields[k][cell->active_cell_index()] = values[k];
-    }
-    dealii::DataOut<2> data_out;
-    data_out.attach_triangulation(cells);
-    for (unsigned int k = 0; k < fields.size(); ++k)
-      data_out.add_data_vector(fields[k], field_names[k], dealii::DataOut<2>::type_cell_data);
-    data_out.build_patches();
-    std::ostringstream text;
-    data_out.write_vtu(text);
-    write_file(file_name, text.str());
   }
 
   void write_pvd(const std::vector<std::pair<double, std::string>> &files, const std::string &file_name)

@@ -42,7 +42,7 @@ namespace vibrocontact
     if (with_statics && !static_part)
       static_part = cache.load_static(asked.body, asked.key);
     if (with_modes && !modal_part)
-      modal_part = cache.load_modal(asked.body, asked.key + "\nmodes " + asked.modes.key());
+      modal_part = cache.load_modal(asked.body, modes_key());
     if (with_statics && static_part)
       run_log().line(asked.body + ": contact compliance found in the cache");
     if (with_modes && modal_part)
@@ -52,9 +52,7 @@ namespace vibrocontact
 
   std::string BodyReduction::modes_file() const
   {
-    return asked.cache_directory.empty()
-               ? ""
-               : cache.file_name(asked.body, "modes", asked.key + "\nmodes " + asked.modes.key());
+    return asked.cache_directory.empty() ? "" : cache.file_name(asked.body, "modes", modes_key());
   }
 
   const StaticReduction &BodyReduction::statics()
@@ -84,14 +82,16 @@ namespace vibrocontact
     modal_part = reduce_modally(system(), inverse, asked.modes, asked.wheel, mode_shapes.get());
     timings.emplace_back("count of modes", mode_shapes->seconds_count);
     timings.emplace_back("modes", timer.wall_time() - mode_shapes->seconds_count);
-    cache.save(asked.body, asked.key + "\nmodes " + asked.modes.key(), *modal_part);
+    cache.save(asked.body, modes_key(), *modal_part);
+    surface = vibrocontact::surface_shapes(system().surface, *mode_shapes);
+    cache.save(asked.body, modes_key(), *surface);
   }
 
   const ModalReduction &BodyReduction::modal()
   {
     if (!modal_part)
     {
-      modal_part = cache.load_modal(asked.body, asked.key + "\nmodes " + asked.modes.key());
+      modal_part = cache.load_modal(asked.body, modes_key());
       if (modal_part)
         run_log().line(asked.body + ": modes found in the cache");
     }
@@ -105,6 +105,22 @@ namespace vibrocontact
     if (!mode_shapes)
       compute_modes_now();
     return *mode_shapes;
+  }
+
+  const SurfaceShapes &BodyReduction::surface_shapes()
+  {
+    if (!surface)
+      surface = cache.load_shapes(asked.body, modes_key());
+    if (surface && modal_part && surface->omega != modal_part->omega)
+      surface.reset();
+    if (!surface)
+    {
+      if (modal_part)
+        run_log().line(asked.body +
+                       ": the cache has the modes but not their shapes: the modes are computed again");
+      compute_modes_now();
+    }
+    return *surface;
   }
 
   ReducedBody BodyReduction::reduced(const bool with_modes)

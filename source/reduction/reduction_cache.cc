@@ -73,10 +73,21 @@ namespace vibrocontact
     }
 
     template <typename Archive, typename Part>
+    void visit_shapes(Archive &archive, Part &part)
+    {
+      archive("points_m", part.points);
+      archive("quads", part.quads);
+      archive("omega_rad_s", part.omega);
+      archive("shapes", part.shapes);
+    }
+
+    template <typename Archive, typename Part>
     void visit(Archive &archive, Part &part)
     {
       if constexpr (std::is_same_v<std::remove_const_t<Part>, StaticReduction>)
         visit_static(archive, part);
+      else if constexpr (std::is_same_v<std::remove_const_t<Part>, SurfaceShapes>)
+        visit_shapes(archive, part);
       else
         visit_modal(archive, part);
     }
@@ -92,6 +103,8 @@ namespace vibrocontact
           file.write(name, static_cast<double>(value));
         else if constexpr (std::is_same_v<T, std::vector<std::string>>)
           file.write(name, joined(value));
+        else if constexpr (std::is_same_v<T, std::vector<float>>)
+          file.write(name, std::vector<double>(value.begin(), value.end()), {true, true});
         else
           file.write(name, value);
       }
@@ -117,8 +130,13 @@ namespace vibrocontact
           value = split(file.text(name));
         else if constexpr (std::is_same_v<T, DenseMatrix>)
           value = file.matrix(name);
+        else if constexpr (std::is_same_v<T, std::vector<int>>)
+          value = file.integers(name);
         else
-          value = file.numbers(name);
+        {
+          const std::vector<double> numbers = file.numbers(name);
+          value.assign(numbers.begin(), numbers.end());
+        }
       }
 
     private:
@@ -149,12 +167,13 @@ namespace vibrocontact
         text.resize(size);
         MPI_Bcast(text.data(), size, MPI_CHAR, 0, communicator);
       }
-      void all(std::vector<double> &values) const
+      template <typename Number>
+      std::enable_if_t<std::is_arithmetic_v<Number>> all(std::vector<Number> &values) const
       {
         unsigned long long size = values.size();
         all(size);
         values.resize(size);
-        MPI_Bcast(values.data(), size, MPI_DOUBLE, 0, communicator);
+        MPI_Bcast(values.data(), size, dealii::Utilities::MPI::mpi_type_id_for_type<Number>, 0, communicator);
       }
       void all(std::vector<std::string> &texts) const
       {
@@ -264,6 +283,14 @@ namespace vibrocontact
     return load<ModalReduction>(file_name(body, "modes", key), key, is_host, communicator);
   }
 
+  std::optional<SurfaceShapes> ReductionCache::load_shapes(const std::string &body,
+                                                           const std::string &key) const
+  {
+    if (folder.empty())
+      return {};
+    return load<SurfaceShapes>(file_name(body, "shapes", key), key, is_host, communicator);
+  }
+
   void ReductionCache::save(const std::string &key, const StaticReduction &part) const
   {
     if (!folder.empty() && is_host)
@@ -274,5 +301,11 @@ namespace vibrocontact
   {
     if (!folder.empty() && is_host)
       save_on_host(file_name(body, "modes", key), key, part);
+  }
+
+  void ReductionCache::save(const std::string &body, const std::string &key, const SurfaceShapes &part) const
+  {
+    if (!folder.empty() && is_host)
+      save_on_host(file_name(body, "shapes", key), key, part);
   }
 } // namespace vibrocontact

@@ -2,6 +2,7 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/contact/problem_file.h>
+#include <vibrocontact/output/contact_patch.h>
 #include <vibrocontact/output/field_writer.h>
 #include <vibrocontact/output/rolling_output.h>
 #include <vibrocontact/run/run_rolling.h>
@@ -23,7 +24,8 @@ namespace vibrocontact
       const std::string number = std::to_string(k);
       contact_patch_table(result, interface).write(folder + "/contact_patch_" + number + ".csv");
       if (output.fields)
-        write_contact_patch_vtu(result, interface, folder + "/fields/contact_patch_" + number + ".vtu");
+        write_contact_patch(result.solution, interface.grid, false,
+                            folder + "/fields/contact_patch_" + number + ".vtu");
       if (output.contact_problems)
       {
         const std::string problems = folder + "/contact_problems";

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/base/dense.h>
 #include <vibrocontact/fe/contact_trace.h>
+#include <vibrocontact/fe/surface_trace.h>
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/point.h>
@@ -51,5 +52,6 @@ namespace vibrocontact
     /// flexibility of the contact points that the elements do not have (a beam's crown): added to their static
     /// compliance, 3 n square [m/N]; empty for solids
     DenseMatrix local_compliance;
+    SurfaceTrace surface;
   };
 } // namespace vibrocontact

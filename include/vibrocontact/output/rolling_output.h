@@ -18,11 +18,6 @@ namespace vibrocontact
   /// Resultants of all cases, the entries of cases[]: rolling.csv.
   Table rolling_table(const nlohmann::ordered_json &cases);
 
-  /// The contact patch as cells of the grid with the columns of its table: a VTU file, written by the calling
-  /// rank.
-  void write_contact_patch_vtu(const RollingResult &result, const ContactInterface &interface,
-                               const std::string &file_name);
-
   /// The index of a set of fields for ParaView: (case number, file relative to the .pvd).
   void write_pvd(const std::vector<std::pair<double, std::string>> &files, const std::string &file_name);
 } // namespace vibrocontact

@@ -40,6 +40,9 @@ namespace vibrocontact
     ReducedBody reduced(bool with_modes);
     /// The shapes themselves: not kept in the cache, computed if this run has not yet done so.
     const Modes &shapes();
+    /// The modes on the body's surface. If the cache has the modes but not these (it was filled by an earlier
+    /// version), the modes are computed anew, which is said: ask for them before reduced().
+    const SurfaceShapes &surface_shapes();
     bool has_shapes() const { return static_cast<bool>(mode_shapes); }
 
     /// The assembled system; assembles it.
@@ -57,6 +60,7 @@ namespace vibrocontact
 
   private:
     void compute_modes_now();
+    std::string modes_key() const { return asked.key + "\nmodes " + asked.modes.key(); }
 
     ReductionRequest asked;
     Assemble assemble;
@@ -67,6 +71,7 @@ namespace vibrocontact
     std::optional<StaticReduction> static_part;
     std::optional<ModalReduction> modal_part;
     std::unique_ptr<Modes> mode_shapes;
+    std::optional<SurfaceShapes> surface;
     std::vector<std::pair<std::string, double>> timings;
   };
 } // namespace vibrocontact

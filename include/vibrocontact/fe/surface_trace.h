@@ -1,0 +1,31 @@
+#pragma once
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/types.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace vibrocontact
+{
+  template <int dim>
+  class ElasticBody;
+
+  /// The surface of a body by the vertices of its boundary faces, and how their displacements follow from the
+  /// dofs (hanging and held nodes resolved): what pictures and probes see. Replicated on all ranks; the order
+  /// of the points depends on their number.
+  struct SurfaceTrace
+  {
+    /// contact frame [m]
+    std::vector<dealii::Point<3>> points;
+    /// four points of each face in turn around it; a line (axis of a bar or beam, plane body) is a quad a, b, b, a
+    std::vector<std::array<int, 4>> quads;
+    /// (global dof, weight) pairs of displacement d (0 x, 1 y, 2 z) of point i in rows[3 i + d]; empty: zero
+    std::vector<std::vector<std::pair<dealii::types::global_dof_index, double>>> rows;
+  };
+
+  /// Collective. A plane body lies in the plane y = 0.
+  template <int dim>
+  SurfaceTrace make_surface_trace(const ElasticBody<dim> &body);
+} // namespace vibrocontact

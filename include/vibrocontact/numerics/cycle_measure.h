@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vibrocontact/numerics/signal.h>
+
+namespace vibrocontact
+{
+  /// How steady an oscillation is over its last periods.
+  struct CycleMeasure
+  {
+    /// half the distance from least to largest value, mean over the periods; root of the mean square about
+    /// the mean [unit of the signal]
+    double amplitude = 0, rms = 0;
+    /// change of the amplitude over these periods, by a straight line through the amplitudes of each, over
+    /// the mean amplitude [-]
+    double drift = 0;
+    /// largest difference of a period's amplitude from their mean, over the mean [-]: a beat shows here
+    double spread = 0;
+    /// periods that were looked at; 0: the signal is too short
+    unsigned int n_periods = 0;
+  };
+
+  /// The last periods of the given frequency [Hz], at most n of them.
+  CycleMeasure measure_cycle(const Signal &signal, double frequency, unsigned int n = 20);
+} // namespace vibrocontact

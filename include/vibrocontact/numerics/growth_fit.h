@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vibrocontact/numerics/signal.h>
+
+namespace vibrocontact
+{
+  /// One motion a exp(growth t) cos(2 pi frequency t + phase) found in a signal.
+  struct GrowthFit
+  {
+    /// [Hz], [1/s]
+    double frequency = 0, growth = 0;
+    /// amplitude at the middle of the window [unit of the signal]
+    double amplitude = 0;
+    /// what the motions found near this frequency leave of the signal there, rms over rms [-]; large: not
+    /// a sum of growing and decaying sines
+    double residual = 0;
+  };
+
+  /// The strongest motion near a frequency.
+  ///
+  /// The signal is shifted by -frequency, low-passed by a Kaiser window (stop band 1e-7) a quarter as long as
+  /// the signal and kept at 64 instants, in which an exponential stays exactly an exponential; the matrix
+  /// pencil (Hua, Sarkar 1990; total least squares, LAPACK's singular values) then resolves the motions of
+  /// this band, about +- 21 / duration, beside each other. Growth is exact to some 1e-3 / duration for a
+  /// linear system.
+  /// @return amplitude 0 if the signal is too short (20 periods) or zero
+  GrowthFit fit_growth(const Signal &signal, double frequency);
+
+  /// The motions at the peaks of the signal's spectrum, one fit per peak, the strongest first.
+  std::vector<GrowthFit> fit_growths(const Signal &signal, unsigned int n = 6);
+} // namespace vibrocontact

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vibrocontact/numerics/signal.h>
+
+namespace vibrocontact
+{
+  /// A line of a spectrum: frequency [Hz] and amplitude of its sine [unit of the signal].
+  struct SpectralPeak
+  {
+    double frequency = 0, amplitude = 0;
+  };
+
+  /// The peaks of a signal's spectrum, the largest first.
+  ///
+  /// The mean is taken off, a Hann window put on and zeros appended to four times the length (FFTW); a peak
+  /// is a sample of the spectrum larger than all within two of the window's resolutions (2 / duration), and a
+  /// parabola through the logarithms of it and its neighbours gives its frequency and amplitude. A steady sine
+  /// is found to 1e-3 / duration in frequency and to 1e-3 in amplitude; sines closer than 4 / duration are not
+  /// told apart.
+  /// @param n at most so many peaks; @param floor those smaller than this share of the largest are left out
+  std::vector<SpectralPeak> spectral_peaks(const Signal &signal, unsigned int n = 10, double floor = 1e-2);
+} // namespace vibrocontact

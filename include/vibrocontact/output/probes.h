@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vibrocontact/analyses/contact_stepper.h>
+#include <vibrocontact/output/signal_parameters.h>
+#include <vibrocontact/reduction/surface_shapes.h>
+
+namespace vibrocontact
+{
+  /// The motion of a place on a body by its modes (what the residual flexibility adds beside the contact is
+  /// left out): displacement against the held boundary, velocity.
+  struct Probe
+  {
+    std::string name, body;
+    /// the point of the surface that was taken, contact frame [m]
+    dealii::Point<3> place;
+    /// displacement along the direction per amplitude of the body's modes [1/sqrt(kg)], which begin at
+    /// `first` in the pair
+    std::vector<double> shape;
+    unsigned int first = 0;
+
+    double displacement(const DynamicState &state) const { return product(state.q); }
+    double velocity(const DynamicState &state) const { return product(state.v); }
+
+  private:
+    double product(const std::vector<double> &amplitudes) const
+    {
+      double sum = 0;
+      for (unsigned int k = 0; k < shape.size(); ++k)
+        sum += shape[k] * amplitudes[first + k];
+      return sum;
+    }
+  };
+
+  /// Puts a probe on the nearest point of the surface (linear between the vertices of a triangle).
+  /// @param first number of the body's first mode in the pair
+  /// @throws InputError if the surface is further from the place than a tenth of the body's size
+  Probe place_probe(const ProbeRequest &request, const SurfaceShapes &surface, unsigned int first);
+
+  /// Requests for the rim of a wheel: on the middle of its field-side face (larger y) beside the contact, axial
+  /// (along y) and radial (away from the axle).
+  /// @param axle_height of the axle in the contact frame [m]; @param rim_radius points further from the axle
+  /// are the rim [m]
+  std::vector<ProbeRequest> rim_probes(const std::string &body, const SurfaceShapes &surface,
+                                       double axle_height, double rim_radius);
+} // namespace vibrocontact

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vibrocontact/numerics/signal.h>
+
+#include <string>
+
+namespace vibrocontact
+{
+  /// Sampling rate of all sounds [1/s].
+  constexpr unsigned int sound_rate = 48000;
+
+  /// Writes a velocity [m/s] as WAV (one channel, 48 kHz, 24 bits; libsndfile): resampled without folding
+  /// (resampled()), faded over 2 ms at both ends, its largest value at 0.9 of full scale. Beside it
+  /// `<file_name>.txt` says what full scale is. By the calling rank.
+  /// @return m/s per full scale; 0: silence, nothing is written
+  /// @throws OutputError
+  double write_sound(const Signal &velocity, const std::string &file_name);
+} // namespace vibrocontact

@@ -1,0 +1,58 @@
+#include <vibrocontact/numerics/cycle_measure.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  CycleMeasure measure_cycle(const Signal &signal, const double frequency, const unsigned int n)
+  {
+    CycleMeasure result;
+    const double samples = 1 / (frequency * signal.step); // per period
+    if (!(frequency > 0) || samples < 4 || signal.size() < 2 * samples)
+      return result;
+    result.n_periods = std::min<double>(n, std::floor((signal.size() - 1) / samples));
+    const std::size_t last = signal.size() - 1;
+    const auto place = [&](const unsigned int period)
+    { return last - std::size_t(std::llround((result.n_periods - period) * samples)); };
+
+    // vertex of the parabola through an extreme sample and its neighbours
+    const auto extreme = [&](const std::size_t i)
+    {
+      const std::vector<double> &y = signal.values;
+      if (i == 0 || i == last)
+        return y[i];
+      const double slope = (y[i + 1] - y[i - 1]) / 2, bend = y[i + 1] - 2 * y[i] + y[i - 1];
+      return bend == 0 ? y[i] : y[i] - slope * slope / (2 * bend);
+    };
+    std::vector<double> amplitudes;
+    for (unsigned int p = 0; p < result.n_periods; ++p)
+    {
+      const auto begin = signal.values.begin() + place(p), end = signal.values.begin() + place(p + 1) + 1;
+      const auto [low, high] = std::minmax_element(begin, end);
+      amplitudes.push_back((extreme(high - signal.values.begin()) - extreme(low - signal.values.begin())) /
+                           2);
+      result.amplitude += amplitudes.back() / result.n_periods;
+    }
+    double mean = 0, square = 0;
+    const double count = last - place(0);
+    for (std::size_t i = place(0); i < last; ++i)
+    {
+      mean += signal.values[i] / count;
+      square += signal.values[i] * signal.values[i] / count;
+    }
+    result.rms = std::sqrt(std::max(0., square - mean * mean));
+    if (!(result.amplitude > 0))
+      return result;
+    double above = 0, below = 0;
+    for (unsigned int p = 0; p < result.n_periods; ++p)
+    {
+      const double x = p - (result.n_periods - 1) / 2.;
+      above += x * amplitudes[p];
+      below += x * x;
+      result.spread = std::max(result.spread, std::abs(amplitudes[p] / result.amplitude - 1));
+    }
+    result.drift = below > 0 ? above / below * result.n_periods / result.amplitude : 0;
+    return result;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,138 @@
+// Signals with a known answer: spectrum, growth, steadiness, another sampling rate.
+
+#include <vibrocontact/numerics/cycle_measure.h>
+#include <vibrocontact/numerics/growth_fit.h>
+#include <vibrocontact/numerics/spectrum.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace vibrocontact;
+
+namespace
+{
+  const double two_pi = 2 * std::acos(-1.);
+
+  struct Sine
+  {
+    double frequency, growth, amplitude, phase;
+  };
+
+  Signal sum_of(const std::vector<Sine> &sines, const double step, const double duration)
+  {
+    Signal signal;
+    signal.begin = 0.3;
+    signal.step = step;
+    for (std::size_t i = 0; i < std::size_t(duration / step); ++i)
+    {
+      double value = 0;
+      for (const Sine &s : sines)
+        value +=
+            s.amplitude * std::exp(s.growth * i * step) * std::cos(two_pi * s.frequency * i * step + s.phase);
+      signal.values.push_back(value);
+    }
+    return signal;
+  }
+} // namespace
+
+TEST(Signals, PeaksOfSteadySines)
+{
+  const double duration = 0.1;
+  const auto peaks = spectral_peaks(sum_of(
+      {{334.17, 0, 2, 0.3}, {918.73, 0, 5, 1.1}, {1837.46, 0, 0.5, 2}, {3417, 0, 1e-4, 0}}, 4e-6, duration));
+  ASSERT_EQ(peaks.size(), 3u); // the last is below the floor
+  EXPECT_NEAR(peaks[0].frequency, 918.73, 2e-3 / duration);
+  EXPECT_NEAR(peaks[1].frequency, 334.17, 2e-3 / duration);
+  EXPECT_NEAR(peaks[2].frequency, 1837.46, 2e-3 / duration);
+  EXPECT_NEAR(peaks[0].amplitude, 5, 5e-3);
+  EXPECT_NEAR(peaks[1].amplitude, 2, 4e-3);
+  EXPECT_NEAR(peaks[2].amplitude, 0.5, 1e-3);
+}
+
+TEST(Signals, GrowthOfSinesBesideEachOther)
+{
+  // the paper's four modes with growth rates of some 1/s, a decaying neighbour 3 Hz away, a rail mode, an offset
+  const double duration = 0.2;
+  const std::vector<Sine> sines = {{334, 8, 1e-3, 0.1}, {918, 3, 3e-3, 1},   {1670, 2, 1e-4, 2},
+                                   {3417, 5, 2e-5, 3},  {921, -30, 1e-3, 0}, {1065, -700, 1e-2, 0},
+                                   {0, 0, 0.5, 0}};
+  const Signal signal = sum_of(sines, 4e-6, duration);
+  for (unsigned int k = 0; k < 4; ++k)
+  {
+    const GrowthFit fit = fit_growth(signal, sines[k].frequency + 0.7);
+    std::printf("%g Hz: %.6f Hz, growth %.6f instead of %g, amplitude %.4g instead of %.4g, residual %.1e\n",
+                sines[k].frequency, fit.frequency, fit.growth, sines[k].growth, fit.amplitude,
+                sines[k].amplitude * std::exp(sines[k].growth * duration / 2), fit.residual);
+    EXPECT_NEAR(fit.frequency, sines[k].frequency, 1e-3);
+    EXPECT_NEAR(fit.growth, sines[k].growth, 1e-2);
+    EXPECT_NEAR(fit.amplitude / (sines[k].amplitude * std::exp(sines[k].growth * duration / 2)), 1, 1e-3);
+  }
+  EXPECT_EQ(fit_growth(Signal{0, 1e-5, std::vector<double>(5000, 0.)}, 1000).amplitude, 0);
+}
+
+TEST(Signals, GrowthsAtThePeaks)
+{
+  const auto fits = fit_growths(sum_of({{334, 8, 1e-3, 0.1}, {918, -3, 5e-3, 1}}, 1e-5, 0.2));
+  ASSERT_EQ(fits.size(), 2u);
+  EXPECT_NEAR(fits[0].frequency, 918, 1e-3);
+  EXPECT_NEAR(fits[0].growth, -3, 1e-3);
+  EXPECT_NEAR(fits[1].growth, 8, 1e-3);
+}
+
+TEST(Signals, SteadinessOfACycle)
+{
+  // steady, with harmonics
+  const CycleMeasure steady = measure_cycle(sum_of({{919, 0, 3, 0}, {1838, 0, 1, 0}}, 1e-6, 0.05), 919);
+  EXPECT_EQ(steady.n_periods, 20u);
+  EXPECT_NEAR(steady.drift, 0, 1e-5);
+  EXPECT_NEAR(steady.spread, 0, 1e-4);
+  EXPECT_NEAR(steady.rms, std::sqrt(5.), 1e-3);
+  // least value -3 cos - cos 2: at cos = -3/4, -2.125; largest 4
+  EXPECT_NEAR(steady.amplitude, (4 + 2.125) / 2, 1e-4);
+  // growing by 2 1/s: 20 periods are 20 / 919 s
+  const CycleMeasure growing = measure_cycle(sum_of({{919, 2, 3, 0}}, 1e-6, 0.05), 919);
+  EXPECT_NEAR(growing.drift, 2 * 20 / 919., 1e-3);
+  EXPECT_EQ(measure_cycle(sum_of({{919, 0, 3, 0}}, 1e-6, 1e-3), 919).n_periods, 0u);
+}
+
+TEST(Signals, AnotherRateKeepsSinesAndFoldsNothing)
+{
+  const double step = 1.7e-6, rate = 48000;
+  const Signal audible = sum_of({{919, 0, 3, 0.4}, {15000, 0, 1, 0}}, step, 0.1);
+  const Signal out = resampled(audible, rate, 2e-3);
+  EXPECT_NEAR(out.size(), 0.1 * rate, 2);
+  // away from the ends the sines themselves
+  double worst = 0;
+  for (std::size_t i = 1000; i + 1000 < out.size(); ++i)
+  {
+    const double t = i / rate;
+    worst = std::max(
+        worst, std::abs(out.values[i] - 3 * std::cos(two_pi * 919 * t + 0.4) - std::cos(two_pi * 15000 * t)));
+  }
+  EXPECT_LT(worst, 1e-3);
+  // 40 kHz would be heard at 8 kHz
+  const Signal ultrasonic = resampled(sum_of({{40000, 0, 1, 0}}, step, 0.1), rate, 2e-3);
+  for (std::size_t i = 1000; i + 1000 < ultrasonic.size(); ++i)
+    ASSERT_LT(std::abs(ultrasonic.values[i]), 1e-4);
+  // to a higher rate
+  const Signal coarse = resampled(sum_of({{500, 0, 1, 0}}, 1e-4, 0.2), rate, 2e-3);
+  for (std::size_t i = 3000; i + 3000 < coarse.size(); ++i)
+    ASSERT_NEAR(coarse.values[i], std::cos(two_pi * 500 * i / rate), 2e-3);
+}
+
+TEST(Signals, UnequalSteps)
+{
+  std::vector<double> times, values;
+  for (unsigned int i = 0; i < 4000; ++i)
+  {
+    times.push_back(1e-5 * (i + 0.3 * std::sin(0.37 * i)));
+    values.push_back(std::sin(two_pi * 700 * times.back()));
+  }
+  const Signal signal = equally_spaced(times, values);
+  for (std::size_t i = 10; i + 10 < signal.size(); ++i)
+    ASSERT_NEAR(signal.values[i], std::sin(two_pi * 700 * signal.time(i)), 1e-4);
+  const Signal middle = part(signal, 0.01, 0.02);
+  EXPECT_NEAR(middle.begin, 0.01, 2e-5);
+  EXPECT_NEAR(middle.end(), 0.02, 2e-5);
+}
