@@ -22,9 +22,28 @@ namespace vibrocontact
     return energy;
   }
 
+  double upwind_power(const ContactGrid &grid, const CreepScheme &scheme, const double speed,
+                      const DenseVector &R, const DenseVector &residual_displacement)
+  {
+    const unsigned int n = grid.n_points();
+    const double *const u = residual_displacement.begin();
+    double sum = 0;
+    for (unsigned int row = n; row < 3 * n; ++row)
+    {
+      const unsigned int i = row % grid.n_x;
+      if (R[row] == 0 || i < scheme.reach() || i + 1 >= grid.n_x)
+        continue;
+      double difference = -(u[row + 1] - u[row - 1]) / 2;
+      for (unsigned int k = 0; k < scheme.coefficients.size(); ++k)
+        difference += scheme.coefficients[k] * u[row - k];
+      sum += R[row] * difference;
+    }
+    return speed / grid.spacing_x * sum;
+  }
+
   void add_step(EnergyAccount &account, const ContactPair &pair, const NormalLaw &law,
-                const DynamicState &before, const Drive &drive_before, const DynamicState &after,
-                const Drive &drive_after)
+                const CreepScheme &scheme, const DynamicState &before, const Drive &drive_before,
+                const DynamicState &after, const Drive &drive_after)
   {
     const unsigned int n = pair.n_points();
     const double h = after.time - before.time;
@@ -41,12 +60,22 @@ namespace vibrocontact
     }
     account.loads += loads;
     account.damping += damping;
-    account.numerical += work + loads - damping - modal_energy(pair, after) + modal_energy(pair, before);
+    account.numerical_modes +=
+        work + loads - damping - modal_energy(pair, after) + modal_energy(pair, before);
     account.stored = stored_energy(pair, law, after);
 
     account.friction += h * (before.friction_power + after.friction_power) / 2;
     account.creepage += h * (before.creepage_power + after.creepage_power) / 2;
-    account.transport += h * (before.transport_power + after.transport_power) / 2;
+    const ContactGrid &grid = pair.interface.grid;
+    const double upwind =
+        h / 2 *
+        (upwind_power(grid, scheme, drive_before.creepage.speed, before.R, before.residual_displacement) +
+         upwind_power(grid, scheme, drive_after.creepage.speed, after.R, after.residual_displacement));
+    account.numerical_upwind += upwind;
+    account.transport += h * (before.transport_power + after.transport_power) / 2 + upwind;
+    for (unsigned int i = n; i < 3 * n; ++i)
+      account.numerical_rate +=
+          (after.R[i] - before.R[i]) / 2 * (after.residual_displacement[i] - before.residual_displacement[i]);
     const double approach = after.contact.approach - before.contact.approach;
     for (unsigned int i = 0; i < n; ++i)
     {

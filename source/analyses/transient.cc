@@ -287,7 +287,7 @@ namespace vibrocontact
         result.impulse += h * (state.R[i] + next.R[i]) / 2;
         result.smallest_gap = std::min(result.smallest_gap, contact_solution.y[i]);
       }
-      add_step(result.energy, pair, *law, state, now, next, then);
+      add_step(result.energy, pair, *law, scheme, state, now, next, then);
       state = next;
       now = then;
       if (!observe(state, result))

@@ -14,22 +14,30 @@ namespace vibrocontact
   struct EnergyAccount
   {
     double initial = 0, stored = 0;
-    /// work done on the bodies by the creepage, by the transport -V R . du/dx, by hub and roughness, by
+    /// work done on the bodies by the creepage, by the transport -V R . du/dx (of W~ R by central differences), by hub and roughness, by
     /// constant loads
     double creepage = 0, transport = 0, hub = 0, loads = 0;
     double friction = 0, damping = 0;
-    /// what the time scheme takes from the modes
-    double numerical = 0;
+    /// what the differences take instead of the continuous equations (doc/theory.md, "Energy account"): the time
+    /// scheme from the modes; the upwind d/dx of W~ R against a central one; the backward rate of W~ R against
+    /// the mean force over the step
+    double numerical_modes = 0, numerical_upwind = 0, numerical_rate = 0;
+    double numerical() const { return numerical_modes + numerical_upwind + numerical_rate; }
 
     double input() const { return creepage + transport + hub + loads; }
-    double imbalance() const { return initial + input() - stored - friction - damping - numerical; }
+    double imbalance() const { return initial + input() - stored - friction - damping - numerical(); }
   };
+
+  /// Power that the creep scheme's d/dx of W~ R takes beyond a central difference, V T . (D - D_central) W~ R
+  /// [W]; central differences of second order, both neighbours of a loaded point have to be in the grid.
+  double upwind_power(const ContactGrid &grid, const CreepScheme &scheme, double speed, const DenseVector &R,
+                      const DenseVector &residual_displacement);
 
   /// Energy stored in a state [J].
   double stored_energy(const ContactPair &pair, const NormalLaw &law, const DynamicState &state);
 
   /// Adds the step between two states under their drives.
   void add_step(EnergyAccount &account, const ContactPair &pair, const NormalLaw &law,
-                const DynamicState &before, const Drive &drive_before, const DynamicState &after,
-                const Drive &drive_after);
+                const CreepScheme &scheme, const DynamicState &before, const Drive &drive_before,
+                const DynamicState &after, const Drive &drive_after);
 } // namespace vibrocontact
