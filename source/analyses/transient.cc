@@ -62,6 +62,10 @@ namespace vibrocontact
     expression("Hub displacement", hub_displacement, "m");
     prm.add_parameter("History interval", history_interval,
                       "Distance of the lines of the histories; 0: every step. Units: s.", Double(0, 1e9));
+    prm.add_parameter("Checkpoint interval", checkpoint_interval,
+                      "Wall time between checkpoints, from which --resume continues; 0: only when the run is "
+                      "stopped and at its end. Units: s.",
+                      Double(0, 1e9));
   }
 
   void TransientParameters::check() const
@@ -237,26 +241,38 @@ namespace vibrocontact
     return state;
   }
 
+  namespace
+  {
+    double seconds_since(const std::chrono::steady_clock::time_point &begin)
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }
+  } // namespace
+
   TransientResult transient(const TransientParameters &parameters, const ContactParameters &contact,
                             const ContactSolverParameters &solver_parameters, const ContactPair &pair,
                             const DriveFunction &drive, DynamicState &state,
-                            const std::function<bool(const DynamicState &, const TransientResult &)> &observe)
+                            const std::function<bool(const DynamicState &, const TransientResult &)> &observe,
+                            const TransientResult &before)
   {
     const auto begin = std::chrono::steady_clock::now();
     const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
     const double h = parameters.time_step;
     const unsigned int n = pair.n_points();
-    const std::unique_ptr<ContactSolver> solver = create_contact_solver(solver_parameters);
+    std::unique_ptr<ContactSolver> solver;
     Drive now = drive(state.time);
     ContactStepper stepper(pair, scheme, contact, modal_steps(parameters, pair), h, now.creepage.speed);
 
-    TransientResult result;
+    TransientResult result = before;
     const auto law = contact.law();
-    result.energy.initial = result.energy.stored = stored_energy(pair, *law, state);
+    if (result.steps == 0)
+      result.energy.initial = result.energy.stored = stored_energy(pair, *law, state);
     const auto first = std::llround(state.time / h), last = std::llround(parameters.end_time / h);
     DynamicState next = state;
     for (auto step = first; step < last; ++step)
     {
+      if (!solver || result.steps % steps_between_fresh_starts == 0)
+        solver = create_contact_solver(solver_parameters);
       const Drive then = drive((step + 1) * h);
       const ContactSolution &contact_solution = stepper.advance(next, then, *solver);
       next.time = (step + 1) * h;
@@ -290,10 +306,12 @@ namespace vibrocontact
       add_step(result.energy, pair, *law, scheme, state, now, next, then);
       state = next;
       now = then;
+      if (result.steps % steps_between_fresh_starts == 0)
+        result.seconds = before.seconds + seconds_since(begin);
       if (!observe(state, result))
         break;
     }
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result.seconds = before.seconds + seconds_since(begin);
     return result;
   }
 } // namespace vibrocontact

@@ -23,7 +23,7 @@ namespace vibrocontact
           "override an entry; may be repeated; checked like the file")(
           "check", "read and validate the file and its meshes, print the scene, run nothing")(
           "parameters", "print every parameter with its default, pattern, meaning and unit, as a valid file")(
-          "resume", "continue from the newest checkpoint in the output folder")(
+          "resume", "continue the run in the output folder from its newest checkpoint")(
           "quiet", "write to the log file only, not to the screen")("version", "print the version")(
           "help", "print this text");
       return description;
@@ -36,7 +36,8 @@ namespace vibrocontact
     text << "vibrocontact FILE.prm [options]\nmpirun -n 2 vibrocontact FILE.prm [options]\n\n"
          << visible_options()
          << "\nExit code: 0 all analyses converged; 1 wrong input; 2 a computation did not converge;\n"
-            "3 a fault of the program, or results that cannot be written.\n";
+            "3 a fault of the program, or results that cannot be written; 130 or 143: stopped by SIGINT\n"
+            "or SIGTERM during a transient, --resume continues.\n";
     return text.str();
   }
 
@@ -75,6 +76,7 @@ namespace vibrocontact
     CommandLine result;
     result.check = given.count("check") > 0;
     result.parameters = given.count("parameters") > 0;
+    result.resume = given.count("resume") > 0;
     result.quiet = given.count("quiet") > 0;
     result.version = given.count("version") > 0;
     result.help = given.count("help") > 0;
@@ -93,10 +95,6 @@ namespace vibrocontact
       throw InputError("no parameter file was given; write vibrocontact FILE.prm, or --help for the options");
     if (given.count("output") && result.output.empty())
       throw InputError("--output needs the name of a folder");
-    if (given.count("resume"))
-      throw InputError(
-          "--resume has nothing to continue from: no analysis of this version writes checkpoints; "
-          "run the file without it");
     return result;
   }
 } // namespace vibrocontact

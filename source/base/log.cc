@@ -39,14 +39,14 @@ namespace vibrocontact
     screen = value;
   }
 
-  void Log::open_file(const std::string &file_name)
+  void Log::open_file(const std::string &file_name, const bool append)
   {
     if (!is_first_rank())
       return;
     file.close();
     if (!file_name.empty())
     {
-      file.open(file_name);
+      file.open(file_name, append ? std::ios::app : std::ios::trunc);
       file << kept << std::flush;
     }
     kept.clear();

@@ -1,3 +1,4 @@
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/output/results.h>
 
@@ -37,12 +38,39 @@ namespace vibrocontact
       top["figures_s"] = results.figures_seconds;
     if (!results.peak_memory.empty())
       top["peak_memory_MB"] = results.peak_memory;
+    top["finished"] = results.finished;
+    top["finished_converged"] = results.converged;
+    if (results.stopped_by != 0)
+      top["interrupted"] = true;
     if (!results.messages.empty())
       top["messages"] = results.messages;
     top["analyses"] = results.analyses;
     if (!results.reductions.empty())
       top["reductions"] = results.reductions;
     return top.dump(2) + "\n";
+  }
+
+  Results results_of_text(const std::string &text)
+  {
+    try
+    {
+      const auto top = nlohmann::ordered_json::parse(text);
+      Results results;
+      results.finished = top.at("finished").get<std::set<std::string>>();
+      // those of an analysis that did not finish are found anew
+      if (results.finished.empty())
+        return results;
+      results.converged = top.at("finished_converged").get<bool>();
+      if (top.contains("messages"))
+        results.messages = top["messages"].get<std::vector<std::string>>();
+      results.analyses = top.at("analyses");
+      return results;
+    }
+    catch (const nlohmann::json::exception &)
+    {
+      throw InputError("The results.json in the output folder is not what a run of this version leaves: run "
+                       "the file without --resume");
+    }
   }
 
   std::vector<double> peak_memory_of_ranks()

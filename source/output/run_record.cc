@@ -21,30 +21,49 @@ namespace vibrocontact
     /// first line of the list: no file of the user's begins like this
     const std::string list_head = "files written by vibrocontact, removed by its next run here";
 
-    void remove_earlier_results(const fs::path &folder, const bool keeps_input)
+    std::vector<std::string> listed_files(const fs::path &folder)
     {
+      std::vector<std::string> names;
       std::ifstream list(folder / list_name);
-      std::error_code ignored;
       std::string head;
       if (!std::getline(list, head) || head != list_head)
-        return;
+        return names;
       for (std::string name; std::getline(list, name);)
         // Names in the list are relative to the folder and stay inside it.
-        if (!name.empty() && name[0] != '/' && name.find("..") == std::string::npos &&
-            !(keeps_input && name == "input.prm"))
-          fs::remove(folder / name, ignored);
-      fs::remove(folder / "results.json", ignored);
-      // what a killed run left half written
+        if (!name.empty() && name[0] != '/' && name.find("..") == std::string::npos)
+          names.push_back(name);
+      return names;
+    }
+
+    /// What a killed run left half written.
+    void remove_parts(const fs::path &folder)
+    {
+      std::error_code ignored;
       for (const auto &entry : fs::directory_iterator(folder, ignored))
-        if (entry.path().filename().string().rfind("results.json.", 0) == 0 &&
-            entry.path().extension() == ".part")
-          fs::remove(entry.path(), ignored);
+        for (const char *name : {"results.json.", "histories.h5.", "checkpoint.h5."})
+          if (entry.path().filename().string().rfind(name, 0) == 0 && entry.path().extension() == ".part")
+            fs::remove(entry.path(), ignored);
+    }
+
+    void remove_earlier_results(const fs::path &folder, const bool keeps_input)
+    {
+      const std::vector<std::string> names = listed_files(folder);
+      if (names.empty())
+        return;
+      std::error_code ignored;
+      for (const std::string &name : names)
+        if (!(keeps_input && name == "input.prm"))
+          fs::remove(folder / name, ignored);
+      // a killed run may have written these after its list
+      for (const char *name : {"results.json", "histories.rows", "checkpoint.h5"})
+        fs::remove(folder / name, ignored);
+      remove_parts(folder);
     }
   } // namespace
 
   RunRecord::RunRecord(const std::string &folder, const ParameterFile &file,
-                       const dealii::ParameterHandler &prm)
-      : folder(folder)
+                       const dealii::ParameterHandler &prm, const Results *const resumed)
+      : folder(folder), resumes(resumed)
   {
     on_first_rank(
         [&]
@@ -59,19 +78,25 @@ namespace vibrocontact
             keeps_input = fs::equivalent(file.file_name(), folder + "/input.prm", none) && !none;
             // a file system may stamp some milliseconds late
             begin = fs::file_time_type::clock::now() - std::chrono::milliseconds(100);
-            remove_earlier_results(folder, keeps_input);
+            if (resumes)
+            {
+              earlier_files = listed_files(folder);
+              remove_parts(folder);
+            }
+            else
+              remove_earlier_results(folder, keeps_input);
             if (!keeps_input)
               write_file(folder + "/input.prm", file.bytes());
             write_file(folder + "/used.prm",
                        print_parameters(declared_parameters(prm), ParameterStyle::values_only));
-            write(Results(), 0.);
+            write(resumed ? *resumed : Results(), 0.);
           }
           catch (const OutputError &error)
           {
             // nothing is computed yet: another folder is all it takes
             throw InputError(std::string(error.what()) + ", with --output or Output/Directory");
           }
-          run_log().open_file(folder + "/log.txt");
+          run_log().open_file(folder + "/log.txt", resumes);
         });
   }
 
@@ -89,13 +114,18 @@ namespace vibrocontact
     };
     // only what a run writes: the folder may hold other things, even other runs
     collect("", {".csv", ".pvd"});
-    for (const char *name : {"input.prm", "used.prm", "log.txt", "results.json", "histories.h5"})
+    for (const char *name : {"input.prm", "used.prm", "log.txt", "results.json", "histories.h5",
+                             "histories.rows", "checkpoint.h5"})
       if (!(keeps_input && std::string(name) == "input.prm") && fs::is_regular_file(fs::path(folder) / name))
         names.push_back(name);
     collect("fields", {".vtu"});
     collect("figures", {".png"});
     collect("contact_problems", {".h5"});
+    for (const std::string &name : earlier_files)
+      if (fs::is_regular_file(fs::path(folder) / name))
+        names.push_back(name);
     std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
   }
 
@@ -130,6 +160,8 @@ namespace vibrocontact
         [&]
         {
           run_log().open_file("");
+          if (resumes)
+            return;
           std::error_code ignored;
           for (const auto &name : own_files())
           {

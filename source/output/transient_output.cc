@@ -1,5 +1,3 @@
-#include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/base/hdf5_file.h>
 #include <vibrocontact/output/transient_output.h>
 
 #include <algorithm>
@@ -7,13 +5,13 @@
 
 namespace vibrocontact
 {
-  TransientHistory::TransientHistory(const ContactPair &pair, const NormalLaw &law, const double interval)
-      : pair(pair), law(law), interval(interval)
+  TransientHistory::TransientHistory(const ContactPair &pair, const NormalLaw &law, const double interval,
+                                     const std::string &folder)
+      : pair(pair), law(law), interval(interval),
+        rows(folder + "/histories",
+             {"time_s", "normal_force_N", "tangential_force_x_N", "tangential_force_y_N", "approach_m",
+              "smallest_gap_m", "contact_points", "stick_points", "slip_points", "stored_energy_J"})
   {
-    for (const char *name :
-         {"time_s", "normal_force_N", "tangential_force_x_N", "tangential_force_y_N", "approach_m",
-          "smallest_gap_m", "contact_points", "stick_points", "slip_points", "stored_energy_J"})
-      columns.push_back({name, {}});
   }
 
   void TransientHistory::add(const DynamicState &state)
@@ -32,18 +30,16 @@ namespace vibrocontact
     const double stick = count(ContactStatus::stick), slip = count(ContactStatus::slip);
     const double gap =
         contact.y.size() == 0 ? 0 : *std::min_element(contact.y.begin(), contact.y.begin() + n);
-    const double line[] = {state.time, force[0],     force[1], force[2], contact.approach,
-                           gap,        stick + slip, stick,    slip,     stored_energy(pair, law, state)};
-    for (unsigned int k = 0; k < columns.size(); ++k)
-      columns[k].values.push_back(line[k]);
+    rows.add({state.time, force[0], force[1], force[2], contact.approach, gap, stick + slip, stick, slip,
+              stored_energy(pair, law, state)});
   }
 
-  void TransientHistory::write(const std::string &file_name) const
+  void TransientHistory::exchange(CheckpointFile &file)
   {
-    Hdf5Writer file(file_name);
-    for (const Column &column : columns)
-      file.write(column.name, column.values);
-    file.finish();
+    unsigned long n = rows.size();
+    file("histories/next", next);
+    file("histories/lines", n);
+    file.reading() ? rows.resume(n) : rows.flush();
   }
 
   nlohmann::ordered_json transient_json(const TransientResult &result, const DynamicState &last)

@@ -6,6 +6,7 @@
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/output/figures.h>
 #include <vibrocontact/output/run_record.h>
+#include <vibrocontact/run/earlier_run.h>
 #include <vibrocontact/run/prepare_bodies.h>
 #include <vibrocontact/run/run.h>
 #include <vibrocontact/run/run_modes.h>
@@ -60,47 +61,59 @@ namespace vibrocontact
             "libopenblas0-pthread");
     }
 
+    /// @param resume whether an earlier run in the folder is continued
     void run_analyses(Parameters &parameters, const MeshedBodies &bodies, RunRecord &record, Results &results,
-                      const Clock &clock)
+                      const bool resume, const Clock &clock)
     {
       const OutputParameters &output = parameters.output;
-      const auto save = [&]
+      const auto due = [&](const std::string &analysis)
+      { return parameters.scene.runs(analysis) && results.finished.count(analysis) == 0; };
+      const auto save = [&](const std::string &finished = "")
       {
+        if (!finished.empty())
+          results.finished.insert(finished);
         results.reductions = reductions_json(bodies);
         record.save(results, clock.seconds());
       };
-      if (parameters.scene.runs("modes"))
+      if (due("modes"))
+      {
         for (const auto &body : bodies)
           if (body && parameters.modes[body->parameters.name].any())
           {
             run_modes(*body, output.fields, record.folder, results);
             save();
           }
-      if (parameters.scene.runs("stability"))
+        save("modes");
+      }
+      if (due("stability"))
       {
         run_stability(parameters, bodies, record.folder, results);
-        save();
+        save("stability");
       }
+      // a resumed transient may have a later end
       if (parameters.scene.runs("transient"))
       {
-        run_transient(parameters, bodies, record.folder, results);
-        save();
+        run_transient(parameters, bodies, record.folder, resume, results);
+        save(results.stopped_by == 0 ? "transient" : "");
+        if (results.stopped_by != 0)
+          return;
       }
-      if (!parameters.scene.runs("quasi-static rolling"))
+      if (!due("quasi-static rolling"))
         return;
       const RollingResult last = run_rolling(parameters, bodies, record.folder, results,
                                              [&] { record.save_sometimes(results, clock.seconds()); });
       if (output.fields && output.deformation != "never")
         write_deformation(last, bodies, output.deformation == "always", record.folder);
+      save("quasi-static rolling");
     }
 
     /// The end of the record: final results, then the figures, which read them, then the time with these.
     void finish(const bool figures, RunRecord &record, Results &results, const Clock &clock)
     {
-      results.complete = true;
+      results.complete = results.stopped_by == 0;
       results.peak_memory = peak_memory_of_ranks();
       record.save(results, clock.seconds());
-      if (figures)
+      if (figures && results.complete)
       {
         const Clock drawing;
         draw_figures(record.folder);
@@ -108,7 +121,9 @@ namespace vibrocontact
       }
       run_log().block("Results");
       run_log().value("folder", record.folder);
-      run_log().value("status", results.converged ? "converged" : "not converged");
+      run_log().value("status", results.stopped_by != 0 ? "interrupted, --resume continues"
+                                : results.converged     ? "converged"
+                                                        : "not converged");
       run_log().value("wall time", time_text(clock.seconds()));
       record.save(results, clock.seconds());
     }
@@ -154,11 +169,14 @@ namespace vibrocontact
       throw InputError("Write mesh: " + std::string(error.what()));
     }
 
-    RunRecord record(parameters.output.folder(command_line.output, command_line.file), file, prm);
+    const std::string folder = parameters.output.folder(command_line.output, command_line.file);
     Results results;
+    if (command_line.resume)
+      results = earlier_results(folder, prm, parameters.transient.end_time);
+    RunRecord record(folder, file, prm, command_line.resume ? &results : nullptr);
     try
     {
-      run_analyses(parameters, bodies, record, results, clock);
+      run_analyses(parameters, bodies, record, results, command_line.resume, clock);
     }
     catch (const InputError &error)
     {
@@ -186,6 +204,8 @@ namespace vibrocontact
     }
     results.reductions = reductions_json(bodies);
     finish(parameters.output.figures, record, results, clock);
+    if (results.stopped_by != 0)
+      return 128 + results.stopped_by;
     return results.converged ? 0 : 2;
   }
 } // namespace vibrocontact

@@ -2,9 +2,15 @@
 #include <vibrocontact/analyses/transient.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/stop_signal.h>
 #include <vibrocontact/output/transient_output.h>
+#include <vibrocontact/run/checkpoint.h>
 #include <vibrocontact/run/run_transient.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <chrono>
+#include <exception>
 #include <sstream>
 
 namespace vibrocontact
@@ -22,44 +28,160 @@ namespace vibrocontact
       log.value("energy stored at the end", result.energy.stored, "J");
       log.value("energy imbalance", result.energy.imbalance(), "J");
     }
+
+    /// What all ranks agree on where a checkpoint may be: rank 0's clock and any rank's signal.
+    class CheckpointSchedule
+    {
+    public:
+      explicit CheckpointSchedule(const double interval) : interval(interval) {}
+
+      /// Collective. After it, stopped_by() is the same on all ranks.
+      bool is_due()
+      {
+        const bool first = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+        const auto now = std::chrono::steady_clock::now();
+        const bool late =
+            first && interval > 0 && std::chrono::duration<double>(now - last).count() >= interval;
+        int both[] = {signals.received(), late};
+        MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+        signal = both[0];
+        const bool due = signal != 0 || both[1] != 0;
+        if (due)
+          last = now;
+        return due;
+      }
+
+      int stopped_by() const { return signal; }
+
+    private:
+      const StopSignals signals;
+      const double interval;
+      int signal = 0;
+      std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
+    };
+
+    /// What follows the run, on rank 0: a new recorder goes into this list.
+    Recorders make_recorders(const TransientParameters &parameters, const ContactPair &pair,
+                             const NormalLaw &law, const std::string &folder)
+    {
+      Recorders recorders;
+      recorders.push_back(std::make_unique<TransientHistory>(pair, law, parameters.history_interval, folder));
+      return recorders;
+    }
+
+    void warn_of_ringing(const TransientParameters &parameters, const ContactPair &pair)
+    {
+      const double quiet = longest_quiet_step(pair);
+      if (parameters.integrator != "exact propagator" || parameters.time_step <= quiet)
+        return;
+      std::ostringstream text;
+      text << "Transient/Time step is " << parameters.time_step << " s, but beyond " << quiet
+           << " s reactions that are linear in the step ring: take a smaller one or the theta method.";
+      run_log().warning(text.str());
+    }
+
+    /// The state to begin with and the sums up to it: the checkpoint's, or the initial state, recorded.
+    void begin(const Parameters &parameters, const ContactPair &pair, const Drive &drive_at_zero,
+               const std::string &folder, const bool resume, const Recorders &recorders, DynamicState &state,
+               TransientResult &before)
+    {
+      bool found = false;
+      if (resume)
+        on_all_ranks([&] { found = read_checkpoint(folder, pair, state, before, recorders); });
+      if (found)
+      {
+        run_log().value("resumed at", before.time, "s");
+        return;
+      }
+      if (resume)
+        run_log().line("No checkpoint of the transient: it starts from its beginning.");
+      state = initial_state(parameters.transient, parameters.contact, parameters.contact_solver, pair,
+                            drive_at_zero);
+      on_first_rank(
+          [&]
+          {
+            for (const auto &recorder : recorders)
+              recorder->add(state);
+          });
+    }
   } // namespace
 
   void run_transient(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
-                     Results &results)
+                     const bool resume, Results &results)
   {
     const auto prepared = prepare_pair(parameters, bodies, true);
     run_log().block("Transient");
-    const TransientParameters &transient_parameters = parameters.transient;
+    const TransientParameters &own = parameters.transient;
     const ContactPair pair =
         contact_pair(prepared->bodies[0], prepared->bodies[1], parameters.contact_grid());
     run_log().value("modes", pair.n_modes());
     run_log().value("contact points", pair.n_points());
     const DriveFunction drive =
-        drive_function(transient_parameters, rolling_cases(parameters.rolling, parameters.contact).front());
-    DynamicState state =
-        initial_state(transient_parameters, parameters.contact, parameters.contact_solver, pair, drive(0));
-    const double quiet = longest_quiet_step(pair);
-    if (transient_parameters.integrator == "exact propagator" && transient_parameters.time_step > quiet)
-    {
-      std::ostringstream text;
-      text << "Transient/Time step is " << transient_parameters.time_step << " s, but beyond " << quiet
-           << " s reactions that are linear in the step ring: take a smaller one or the theta method.";
-      run_log().warning(text.str());
-    }
+        drive_function(own, rolling_cases(parameters.rolling, parameters.contact).front());
+    warn_of_ringing(own, pair);
+
     const auto law = parameters.contact.law();
-    TransientHistory history(pair, *law, transient_parameters.history_interval);
-    history.add(state);
-    Progress progress("transient", transient_parameters.end_time / transient_parameters.time_step);
-    const auto observe = [&](const DynamicState &now, const TransientResult &)
+    Recorders recorders;
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      recorders = make_recorders(own, pair, *law, folder);
+    DynamicState state;
+    TransientResult before;
+    begin(parameters, pair, drive(0), folder, resume, recorders, state, before);
+
+    Progress progress("transient", own.end_time - before.time);
+    CheckpointSchedule schedule(own.checkpoint_interval);
+    const auto write = [&](DynamicState now, TransientResult sums)
+    { on_first_rank([&] { write_checkpoint(folder, pair, now, sums, recorders); }); };
+    double shown = before.time;
+    // a recorder that cannot write is heard of where all ranks meet
+    std::exception_ptr failure;
+    const auto meet = [&]
     {
-      history.add(now);
-      progress.advance();
-      return true;
+      on_first_rank(
+          [&]
+          {
+            if (failure)
+              std::rethrow_exception(failure);
+          });
     };
-    const TransientResult result = transient(transient_parameters, parameters.contact,
-                                             parameters.contact_solver, pair, drive, state, observe);
-    on_first_rank([&] { history.write(folder + "/histories.h5"); });
+    const auto observe = [&](const DynamicState &now, const TransientResult &sums)
+    {
+      try
+      {
+        for (const auto &recorder : recorders)
+          recorder->add(now);
+      }
+      catch (...)
+      {
+        failure = std::current_exception();
+      }
+      if (sums.steps % steps_between_fresh_starts != 0)
+        return true;
+      meet();
+      progress.advance(now.time - shown);
+      shown = now.time;
+      if (schedule.is_due())
+        write(now, sums);
+      return schedule.stopped_by() == 0;
+    };
+    const TransientResult result =
+        transient(own, parameters.contact, parameters.contact_solver, pair, drive, state, observe, before);
+    meet();
+    const bool at_the_end = result.converged && schedule.stopped_by() == 0;
+    if (at_the_end)
+      write(state, result);
+    on_first_rank(
+        [&]
+        {
+          for (const auto &recorder : recorders)
+            recorder->finish(at_the_end);
+        });
+    if (at_the_end)
+      schedule.is_due(); // a signal in the last steps stops what would follow
+    results.stopped_by = schedule.stopped_by();
     results.analyses["transient"] = transient_json(result, state);
+    if (results.stopped_by != 0)
+      run_log().warning("Interrupted; a checkpoint is written, --resume continues.");
     if (!result.converged)
     {
       std::ostringstream text;

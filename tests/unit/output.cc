@@ -141,7 +141,7 @@ TEST(CommandLine, WrongOnesAreRefused)
   EXPECT_THROW(read({"a.prm", "b.prm"}), InputError);
   EXPECT_THROW(read({"a.prm", "--set"}), InputError);
   EXPECT_THROW(read({"a.prm", "--outptu", "x"}), InputError);
-  EXPECT_THROW(read({"a.prm", "--resume"}), InputError);
+  EXPECT_TRUE(read({"a.prm", "--resume"}).resume);
   try
   {
     read({"a.prm", "--chekc"});

@@ -33,11 +33,17 @@ namespace vibrocontact
     std::string longitudinal_creepage, lateral_creepage, spin, normal_force, hub_displacement;
     /// distance of the lines of the histories [s], 0: every step
     double history_interval = 0;
+    /// wall time between checkpoints [s], 0: only when the run is stopped and at its end
+    double checkpoint_interval = 300;
 
     void declare_parameters(dealii::ParameterHandler &prm);
     /// @throws InputError for combinations that make no sense
     void check() const;
   };
+
+  /// After so many steps the contact solver starts afresh, so that what it keeps from step to step need not be
+  /// in a checkpoint: a run that continues there goes the same way bit for bit.
+  constexpr unsigned long steps_between_fresh_starts = 50;
 
   /// Sums over a run and how it went.
   struct TransientResult
@@ -74,9 +80,11 @@ namespace vibrocontact
   /// Steps from `state` to the end time (Lai et al. 2018, section 5). A step whose contact does not converge
   /// ends the run, with converged = false and the states so far.
   /// @param observe called after every step; false: stop
+  /// @param before sums of the run that led to `state`, if it is continued
   TransientResult
   transient(const TransientParameters &parameters, const ContactParameters &contact,
             const ContactSolverParameters &solver, const ContactPair &pair, const DriveFunction &drive,
             DynamicState &state,
-            const std::function<bool(const DynamicState &, const TransientResult &)> &observe);
+            const std::function<bool(const DynamicState &, const TransientResult &)> &observe,
+            const TransientResult &before = {});
 } // namespace vibrocontact

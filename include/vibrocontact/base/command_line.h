@@ -14,7 +14,7 @@ namespace vibrocontact
     std::string output;
     /// --set "Section/Sub/Entry=value", in the order given
     std::vector<std::string> overrides;
-    bool check = false, parameters = false, quiet = false, version = false, help = false;
+    bool check = false, parameters = false, resume = false, quiet = false, version = false, help = false;
   };
 
   /// @throws InputError on an unknown option, more than one file or none

@@ -2,12 +2,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <set>
 #include <string>
 #include <vector>
 
 namespace vibrocontact
 {
-  /// results.json: program (version, commit, dealii, ranks), status, complete, wall_s, analyses with one
+  /// results.json: program (version, commit, dealii, ranks), status, complete, wall_s, finished (analyses that
+  /// came to their end) and whether they converged, interrupted if a signal stopped the run, analyses with one
   /// object per analysis, reductions with one per meshed body.
   ///
   /// Analyses fill `analyses` ("modes", "quasi_static_rolling", ...) with plain numbers, lists and objects
@@ -22,6 +24,10 @@ namespace vibrocontact
     bool converged = true;
     /// whether the run has come to its end; until then its status is "not converged"
     bool complete = false;
+    /// analyses that have come to their end; a resumed run does not repeat them
+    std::set<std::string> finished;
+    /// signal that stopped the run (SIGTERM, SIGINT), 0: none; exit code 128 + signal
+    int stopped_by = 0;
     /// sentences about what did not converge; written as "messages" if there are any
     std::vector<std::string> messages;
     /// part of wall_s that the figures took; negative: none were drawn [s]
@@ -32,6 +38,10 @@ namespace vibrocontact
 
   /// Text of results.json. @throws dealii::ExceptionBase if a number is not finite
   std::string results_text(const Results &results, double wall_seconds);
+
+  /// What a results.json says about analyses, for a run that goes on where it ended.
+  /// @throws InputError if it is no such text
+  Results results_of_text(const std::string &text);
 
   /// Largest resident memory of each rank so far, on every rank [MB]. Collective.
   std::vector<double> peak_memory_of_ranks();

@@ -21,15 +21,18 @@ namespace vibrocontact
   class RunRecord
   {
   public:
+    /// @param resumed results of the earlier run in the folder that this one continues: all its files stay; null:
+    /// a new run
     /// @throws InputError on every rank if the folder cannot be written to
-    RunRecord(const std::string &folder, const ParameterFile &file, const dealii::ParameterHandler &prm);
+    RunRecord(const std::string &folder, const ParameterFile &file, const dealii::ParameterHandler &prm,
+              const Results *resumed = nullptr);
 
     /// Writes results.json and the list. @throws OutputError
     void save(const Results &results, double wall_seconds);
     /// The same, but at most once a second: after each case of a long sweep.
     void save_sometimes(const Results &results, double wall_seconds);
     /// Input that turns out to be wrong after all (contact reaches the edge of its grid): removes what this
-    /// run wrote, and folders that it made.
+    /// run wrote, and folders that it made. A resumed run leaves all to the next try.
     void discard() const;
 
     const std::string folder;
@@ -43,6 +46,9 @@ namespace vibrocontact
     std::string first_made;
     /// the parameter file of this run is the folder's own input.prm
     bool keeps_input = false;
+    /// a resumed run: files of the one before, relative names
+    std::vector<std::string> earlier_files;
+    bool resumes = false;
     /// files older than this are not this run's
     std::filesystem::file_time_type begin;
     std::chrono::steady_clock::time_point last_saved;

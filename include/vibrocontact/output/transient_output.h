@@ -1,6 +1,7 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/base/row_file.h>
+#include <vibrocontact/output/recorder.h>
 
 #include <nlohmann/json.hpp>
 
@@ -9,28 +10,24 @@
 
 namespace vibrocontact
 {
-  /// Histories of the resultants on body 1, a line per output instant.
-  class TransientHistory
+  /// Histories of the resultants on body 1, a line per output instant: histories.h5 with one array per column.
+  class TransientHistory : public Recorder
   {
   public:
     /// @param interval distance of the lines [s], 0: every state
-    TransientHistory(const ContactPair &pair, const NormalLaw &law, double interval);
+    TransientHistory(const ContactPair &pair, const NormalLaw &law, double interval,
+                     const std::string &folder);
     /// Keeps the state if its time has come.
-    void add(const DynamicState &state);
-    /// histories.h5 with one array per column; on one rank. @throws OutputError
-    void write(const std::string &file_name) const;
+    void add(const DynamicState &state) override;
+    void exchange(CheckpointFile &file) override;
+    void finish(bool at_the_end) override { rows.finish(at_the_end); }
 
   private:
     const ContactPair &pair;
     const NormalLaw &law;
     const double interval;
     double next = 0;
-    struct Column
-    {
-      std::string name;
-      std::vector<double> values;
-    };
-    std::vector<Column> columns;
+    RowFile rows;
   };
 
   /// analyses.transient of results.json: sums of the run and the forces of its last state.

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vibrocontact/output/results.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace vibrocontact
+{
+  /// What `--resume` finds in the output folder: the results of the analyses that came to their end there. The
+  /// transient goes on from checkpoint.h5, see checkpoint.h. Reads only.
+  ///
+  /// The parameters have to be those of the earlier run (its used.prm) but for where it ends and what it
+  /// writes: section Output, Transient/End time and Checkpoint interval.
+  /// @param end_time of the transient, refused if the run is beyond [s]
+  /// @throws InputError if there is no run or it had other parameters
+  Results earlier_results(const std::string &folder, const dealii::ParameterHandler &prm, double end_time);
+} // namespace vibrocontact

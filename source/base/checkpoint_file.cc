@@ -1,0 +1,36 @@
+#include <vibrocontact/base/checkpoint_file.h>
+
+namespace vibrocontact
+{
+  void CheckpointFile::operator()(const std::string &name, std::vector<double> &values)
+  {
+    if (writer)
+      writer->write(name, values);
+    else
+      values = reader->numbers(name);
+  }
+
+  void CheckpointFile::operator()(const std::string &name, DenseVector &values)
+  {
+    std::vector<double> numbers(values.begin(), values.end());
+    (*this)(name, numbers);
+    values.reinit(numbers.size());
+    std::copy(numbers.begin(), numbers.end(), values.begin());
+  }
+
+  void CheckpointFile::operator()(const std::string &name, std::string &text)
+  {
+    if (writer)
+      writer->write(name, text);
+    else
+      text = reader->text(name);
+  }
+
+  void CheckpointFile::exchange(const std::string &name, std::vector<int> &values)
+  {
+    if (writer)
+      writer->write(name, values);
+    else
+      values = reader->integers(name);
+  }
+} // namespace vibrocontact

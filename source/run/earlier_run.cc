@@ -1,0 +1,72 @@
+#include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/declared_parameters.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/parameter_text.h>
+#include <vibrocontact/run/checkpoint.h>
+#include <vibrocontact/run/earlier_run.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    std::string content(const std::string &folder, const std::string &name)
+    {
+      std::ifstream file(folder + "/" + name, std::ios::binary);
+      std::ostringstream text;
+      text << file.rdbuf();
+      if (!file || text.str().empty())
+        throw InputError("--resume finds no run in the folder \"" + folder + "\", it has no " + name +
+                         ", hence no checkpoint either: give the folder of the interrupted run by --output, "
+                         "or run the file without --resume");
+      return text.str();
+    }
+
+    bool may_change(const std::string &section, const std::string &name)
+    {
+      return section == "Output" ||
+             (section == "Transient" && (name == "End time" || name == "Checkpoint interval"));
+    }
+
+    void check_same(const std::string &folder, const std::string &used, const dealii::ParameterHandler &prm)
+    {
+      const ParameterText before = scan_parameter_text(folder + "/used.prm", used),
+                          now = scan_parameter_text(
+                              "", print_parameters(declared_parameters(prm), ParameterStyle::values_only));
+      const auto compare = [&](const ParameterText &a, const ParameterText &b, const bool a_is_before)
+      {
+        for (const auto &entry : a.entries)
+        {
+          const auto *const other = b.find(entry.section, entry.name);
+          if (may_change(entry.section, entry.name) || (other && other->value == entry.value))
+            continue;
+          const auto quoted = [](const ParameterText::Entry *const e)
+          { return e ? "\"" + e->value + "\"" : std::string("absent"); };
+          throw InputError(joined_path(entry.section, entry.name) + " is " +
+                           quoted(a_is_before ? other : &entry) + ", but was " +
+                           quoted(a_is_before ? &entry : other) + " in the run in \"" + folder +
+                           "\": --resume goes on with the same parameters, only Transient/End time and "
+                           "section Output may change");
+        }
+      };
+      compare(before, now, true);
+      compare(now, before, false);
+    }
+  } // namespace
+
+  Results earlier_results(const std::string &folder, const dealii::ParameterHandler &prm,
+                          const double end_time)
+  {
+    Results results;
+    on_all_ranks(
+        [&]
+        {
+          check_same(folder, content(folder, "used.prm"), prm);
+          check_end_time(folder, end_time);
+          results = results_of_text(content(folder, "results.json"));
+        });
+    return results;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""interrupted.py PROGRAM MPIRUN PARAMETER_FILES: an interrupted transient equals an uninterrupted one.
+
+A bar against its stop and two half-spaces that roll into creepage are stopped by SIGTERM and SIGINT, killed by SIGKILL
+at random moments (also before the first checkpoint and while one is written: they write all the time), resumed, and
+compared: histories bit for bit on the same number of ranks, to 1e-9 from one rank to two. Further: a later end time, and
+what --resume refuses. VIBROCONTACT_KILLS=20 in the environment: so many kills per scene instead of 3.
+"""
+import json, os, random, signal, subprocess, sys, time
+
+try:
+    import h5py
+except ImportError:
+    # a Python of one's own may lack what the system's has
+    if os.environ.get("VIBROCONTACT_SYSTEM_PYTHON"):
+        raise
+    os.environ["VIBROCONTACT_SYSTEM_PYTHON"] = "yes"
+    os.execv("/usr/bin/python3", ["/usr/bin/python3", *sys.argv])
+
+program, mpirun, files = sys.argv[1:4]
+n_kills = int(os.environ.get("VIBROCONTACT_KILLS", "3"))
+random.seed(1)
+
+
+def fail(text):
+    sys.exit("FAILED: " + text)
+
+
+def results(folder):
+    return json.load(open(folder + "/results.json"))
+
+
+def histories(folder):
+    with h5py.File(folder + "/histories.h5") as file:
+        return {name: file[name][:] for name in file}
+
+
+class Scene:
+    def __init__(self, name, *settings):
+        self.name = name
+        self.command = [program, f"{files}/examples/{name}.prm", "--quiet"]
+        for setting in (*settings, "Transient/Checkpoint interval=1e-9", "Output/Figures=false", "Output/Fields=false"):
+            self.command += ["--set", setting]
+        begin = time.time()
+        self.run("whole")
+        self.duration = time.time() - begin
+        self.whole = histories(self.folder("whole"))
+        if os.path.exists(self.folder("whole") + "/histories.rows"):
+            fail("the rows are left behind")
+
+    def folder(self, case):
+        return f"{self.name}_{case}"
+
+    def run(self, case, *options, ranks=1, code=0):
+        words = ([mpirun, "-n", str(ranks)] if ranks > 1 else []) + self.command + ["--output", self.folder(case), *options]
+        done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        if done.returncode != code:
+            fail(f"exit code {done.returncode} instead of {code}: {' '.join(words)}\n{done.stderr}")
+        return done.stderr
+
+    def interrupt(self, case, with_signal, delay, *options):
+        process = subprocess.Popen(self.command + ["--output", self.folder(case), *options], stderr=subprocess.DEVNULL)
+        time.sleep(delay)
+        process.send_signal(with_signal)
+        return process.wait()
+
+    def resume(self, case):
+        # before the folder is made there is nothing to resume
+        return ["--resume"] if os.path.exists(self.folder(case) + "/results.json") else []
+
+    def check(self, case):
+        for column, values in histories(self.folder(case)).items():
+            if values.tobytes() != self.whole[column].tobytes():
+                fail(f"{self.folder(case)}: {column} differs")
+        now, before = results(self.folder(case)), results(self.folder("whole"))
+        if not now["complete"] or now["status"] != "converged":
+            fail(f"{self.folder(case)}: not complete")
+        for part in ("energy", "last", "steps", "impulse_Ns"):
+            if now["analyses"]["transient"][part] != before["analyses"]["transient"][part]:
+                fail(f"{self.folder(case)}: {part} differs")
+        if set(now["analyses"]) != set(before["analyses"]):
+            fail(f"{self.folder(case)}: an analysis is lost")
+
+    def stop(self, with_signal):
+        """Stopped in the middle, then resumed."""
+        case = f"signal_{with_signal}"
+        for share in (0.5, 0.4, 0.3, 0.2, 0.1):
+            code = self.interrupt(case, with_signal, share * self.duration)
+            if os.path.exists(self.folder(case) + "/checkpoint.h5") and code == 128 + with_signal:
+                break
+        else:
+            fail(f"exit code {code} after signal {with_signal}")
+        if not results(self.folder(case)).get("interrupted") or results(self.folder(case))["complete"]:
+            fail("results.json does not say that the run was interrupted")
+        n = len(histories(self.folder(case))["time_s"])
+        if not 0 < n < len(self.whole["time_s"]):
+            fail(f"{n} lines in the histories of an interrupted run")
+        self.run(case, "--resume")
+        self.check(case)
+
+    def kill(self):
+        """Kills follow each other in one folder."""
+        met = 0
+        for k in range(n_kills):
+            met += self.interrupt("killed", signal.SIGKILL, random.uniform(0.1, 0.3 + 1.5 * self.duration / n_kills),
+                                  *self.resume("killed")) != 0
+        self.run("killed", *self.resume("killed"))
+        self.check("killed")
+        print(f"{self.name}: {met} of {n_kills} kills met the run; histories equal bit for bit")
+
+    def more_ranks(self):
+        self.interrupt("ranks", signal.SIGKILL, 0.6 * self.duration)
+        self.run("ranks", *self.resume("ranks"), ranks=2)
+        for column, values in histories(self.folder("ranks")).items():
+            b = self.whole[column]
+            if len(values) != len(b) or abs(values - b).max() > 1e-9 * abs(b).max():
+                fail(f"{self.name}, 1 -> 2 ranks: {column} differs")
+
+
+bar = Scene("bouncing_bar", "Transient/End time=10")
+bar.stop(signal.SIGTERM)
+bar.stop(signal.SIGINT)
+bar.kill()
+bar.more_ranks()
+
+# a run that came to its end goes on to a later one
+bar.run("later", "--set", "Transient/End time=5")
+bar.run("later", "--resume")
+bar.check("later")
+# what is refused, in one sentence, without harm
+for setting, text in (("Transient/Theta=0.6", "Transient/Theta"), ("Transient/End time=1", "End time")):
+    message = bar.run("later", "--resume", "--set", setting, code=1)
+    if text not in message or len(message.splitlines()) != 1:
+        fail(f"refused with: {message}")
+bar.check("later")
+
+rolling = Scene("rolling_transient", "Contact/Grid spacing=2e-3", "Transient/Time step=1e-5", "Transient/End time=4e-3")
+rolling.kill()
+rolling.more_ranks()
