@@ -136,7 +136,7 @@ namespace vibrocontact
   {
   }
 
-  void Progress::advance(const double n)
+  void Progress::advance(const double n, const std::function<std::string()> &detail)
   {
     done += n;
     const double elapsed = seconds_since(begin);
@@ -145,7 +145,8 @@ namespace vibrocontact
     next_report = elapsed + std::max(5., 0.25 * elapsed);
     char share[16];
     std::snprintf(share, sizeof share, "%.0f %%", 100 * done / total);
-    run_log().line(what + ": " + share + ", " + time_text(elapsed * (total - done) / done) + " left");
+    run_log().line(what + ": " + share + ", " + time_text(elapsed * (total - done) / done) + " left" +
+                   (detail ? ", " + detail() : ""));
   }
 
   std::string time_text(const double seconds)

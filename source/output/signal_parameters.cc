@@ -32,8 +32,8 @@ namespace vibrocontact
     prm.add_parameter("Growth begin", growth_begin, "Begin of the window of the growth rates. Units: s.",
                       Double(0, 1e9));
     prm.add_parameter("Growth end", growth_end,
-                      "End of the window of the growth rates; 0: when the first point begins to stick or "
-                      "opens or closes, or the end. Units: s.",
+                      "End of the window of the growth rates; 0: when the number of sticking points first "
+                      "changes, or the end. Units: s.",
                       Double(0, 1e9));
     prm.add_parameter("Sound", sound, "Write the velocity of each probe as WAV file. Units: none.", Bool());
   }

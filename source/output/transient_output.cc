@@ -1,3 +1,5 @@
+#include <vibrocontact/base/hdf5_file.h>
+#include <vibrocontact/output/table.h>
 #include <vibrocontact/output/transient_output.h>
 
 #include <algorithm>
@@ -5,12 +7,27 @@
 
 namespace vibrocontact
 {
+  namespace
+  {
+    std::vector<std::string> history_columns(const std::vector<Probe> &probes)
+    {
+      std::vector<std::string> names = {
+          "time_s",      "normal_force_N", "tangential_force_x_N", "tangential_force_y_N",
+          "approach_m",  "smallest_gap_m", "contact_points",       "stick_points",
+          "slip_points", "stored_energy_J"};
+      for (const Probe &probe : probes)
+      {
+        names.push_back(probe.name + "_displacement_m");
+        names.push_back(probe.name + "_velocity_m_s");
+      }
+      return names;
+    }
+  } // namespace
+
   TransientHistory::TransientHistory(const ContactPair &pair, const NormalLaw &law, const double interval,
-                                     const std::string &folder)
-      : pair(pair), law(law), interval(interval),
-        rows(folder + "/histories",
-             {"time_s", "normal_force_N", "tangential_force_x_N", "tangential_force_y_N", "approach_m",
-              "smallest_gap_m", "contact_points", "stick_points", "slip_points", "stored_energy_J"})
+                                     const std::vector<Probe> &probes, const std::string &folder)
+      : pair(pair), law(law), interval(interval), probes(probes),
+        rows(folder + "/histories", history_columns(probes))
   {
   }
 
@@ -30,8 +47,15 @@ namespace vibrocontact
     const double stick = count(ContactStatus::stick), slip = count(ContactStatus::slip);
     const double gap =
         contact.y.size() == 0 ? 0 : *std::min_element(contact.y.begin(), contact.y.begin() + n);
-    rows.add({state.time, force[0], force[1], force[2], contact.approach, gap, stick + slip, stick, slip,
-              stored_energy(pair, law, state)});
+    std::vector<double> line = {
+        state.time, force[0],     force[1], force[2], contact.approach,
+        gap,        stick + slip, stick,    slip,     stored_energy(pair, law, state)};
+    for (const Probe &probe : probes)
+    {
+      line.push_back(probe.displacement(state));
+      line.push_back(probe.velocity(state));
+    }
+    rows.add(line);
   }
 
   void TransientHistory::exchange(CheckpointFile &file)
@@ -40,6 +64,26 @@ namespace vibrocontact
     file("histories/next", next);
     file("histories/lines", n);
     file.reading() ? rows.resume(n) : rows.flush();
+  }
+
+  void write_history_table(const std::vector<Probe> &probes, const std::string &folder)
+  {
+    const std::vector<std::string> names = history_columns(probes);
+    Hdf5Reader file(folder + "/histories.h5");
+    std::vector<std::vector<double>> columns;
+    for (const std::string &name : names)
+      columns.push_back(file.numbers(name));
+    Table table(names, {"Histories of a transient, a line per output instant",
+                        "normal force > 0 compression; tangential forces act on body 1; probes: along their "
+                        "direction, against the held boundary"});
+    for (std::size_t i = 0; i < columns[0].size(); ++i)
+    {
+      std::vector<Table::Cell> row;
+      for (const std::vector<double> &column : columns)
+        row.emplace_back(column[i]);
+      table.add_row(row);
+    }
+    table.write(folder + "/histories.csv");
   }
 
   nlohmann::ordered_json transient_json(const TransientResult &result, const DynamicState &last)

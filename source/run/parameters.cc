@@ -33,7 +33,10 @@ namespace vibrocontact
     declare("Solver", contact_solver);
     prm.leave_subsection();
     declare("Rolling", rolling);
-    declare("Transient", transient);
+    prm.enter_subsection("Transient");
+    transient.declare_parameters(prm);
+    declare("Signals", signals);
+    prm.leave_subsection();
     declare("Stability", stability);
   }
 
@@ -98,7 +101,13 @@ namespace vibrocontact
             "but the sweep takes the place of the single value: leave one of them out.");
     }
     if (scene.runs("transient"))
+    {
       transient.check();
+      std::vector<std::string> bodies;
+      for (const auto &mode : modes)
+        bodies.push_back(mode.first);
+      signals.check(bodies);
+    }
     if (has_dynamics())
       for (const BodyParameters &body : scene.bodies)
         if (body.is_meshed() && !modes.at(body.name).any())

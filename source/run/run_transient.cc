@@ -3,9 +3,12 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/stop_signal.h>
+#include <vibrocontact/output/patch_recorder.h>
+#include <vibrocontact/output/signal_recorder.h>
 #include <vibrocontact/output/transient_output.h>
 #include <vibrocontact/run/checkpoint.h>
 #include <vibrocontact/run/run_transient.h>
+#include <vibrocontact/run/transient_probes.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -23,9 +26,11 @@ namespace vibrocontact
       log.value("steps", static_cast<unsigned long long>(result.steps));
       log.value("time", result.time, "s");
       log.value("per step", result.seconds / std::max(1ul, result.steps) * 1e6, "us");
+      log.value("wall time over simulated time", result.seconds / std::max(1e-300, result.time));
       log.value("solver iterations per step", result.iterations / std::max(1., double(result.steps)));
       log.value("normal impulse", result.impulse, "N s");
       log.value("energy stored at the end", result.energy.stored, "J");
+      log.value("energy taken by differences", result.energy.numerical(), "J");
       log.value("energy imbalance", result.energy.imbalance(), "J");
     }
 
@@ -61,12 +66,29 @@ namespace vibrocontact
     };
 
     /// What follows the run, on rank 0: a new recorder goes into this list.
-    Recorders make_recorders(const TransientParameters &parameters, const ContactPair &pair,
-                             const NormalLaw &law, const std::string &folder)
+    Recorders make_recorders(const Parameters &parameters, const ContactPair &pair, const NormalLaw &law,
+                             const std::vector<Probe> &probes, const std::string &folder)
     {
+      const SignalParameters &signals = parameters.signals;
       Recorders recorders;
-      recorders.push_back(std::make_unique<TransientHistory>(pair, law, parameters.history_interval, folder));
+      recorders.push_back(std::make_unique<SignalRecorder>(probes, folder));
+      recorders.push_back(std::make_unique<TransientHistory>(pair, law, parameters.transient.history_interval,
+                                                             probes, folder));
+      if (signals.patch_interval > 0 && parameters.output.fields)
+        recorders.push_back(std::make_unique<PatchRecorder>(pair.interface.grid, signals.patch_begin,
+                                                            signals.patch_interval, folder));
       return recorders;
+    }
+
+    /// After the recorders have finished, on rank 0: spectra, growth rates, sounds and the table.
+    void evaluate_signals(const SignalParameters &parameters, const Recorders &recorders,
+                          const std::vector<Probe> &probes, const std::string &folder,
+                          nlohmann::ordered_json &json)
+    {
+      const double change = dynamic_cast<const SignalRecorder &>(*recorders.front()).change_of_sticking();
+      json.update(signals_json(recorded_signals(probes, folder), parameters, change, folder));
+      if (parameters.table)
+        write_history_table(probes, folder);
     }
 
     void warn_of_ringing(const TransientParameters &parameters, const ContactPair &pair)
@@ -109,6 +131,7 @@ namespace vibrocontact
   void run_transient(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
                      const bool resume, Results &results)
   {
+    const std::vector<Probe> probes = transient_probes(parameters, bodies);
     const auto prepared = prepare_pair(parameters, bodies, true);
     run_log().block("Transient");
     const TransientParameters &own = parameters.transient;
@@ -123,7 +146,7 @@ namespace vibrocontact
     const auto law = parameters.contact.law();
     Recorders recorders;
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      recorders = make_recorders(own, pair, *law, folder);
+      recorders = make_recorders(parameters, pair, *law, probes, folder);
     DynamicState state;
     TransientResult before;
     begin(parameters, pair, drive(0), folder, resume, recorders, state, before);
@@ -158,7 +181,16 @@ namespace vibrocontact
       if (sums.steps % steps_between_fresh_starts != 0)
         return true;
       meet();
-      progress.advance(now.time - shown);
+      progress.advance(now.time - shown,
+                       [&]
+                       {
+                         std::ostringstream text;
+                         text.precision(3);
+                         text << "t = " << now.time << " s, " << sums.seconds / sums.time
+                              << " times real time, " << double(sums.iterations) / sums.steps
+                              << " iterations per step";
+                         return text.str();
+                       });
       shown = now.time;
       if (schedule.is_due())
         write(now, sums);
@@ -180,6 +212,9 @@ namespace vibrocontact
       schedule.is_due(); // a signal in the last steps stops what would follow
     results.stopped_by = schedule.stopped_by();
     results.analyses["transient"] = transient_json(result, state);
+    on_first_rank(
+        [&]
+        { evaluate_signals(parameters.signals, recorders, probes, folder, results.analyses["transient"]); });
     if (results.stopped_by != 0)
       run_log().warning("Interrupted; a checkpoint is written, --resume continues.");
     if (!result.converged)

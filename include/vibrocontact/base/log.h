@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <functional>
 #include <string>
 
 namespace vibrocontact
@@ -62,7 +63,8 @@ namespace vibrocontact
   public:
     /// @param what shown in front, e.g. "modes"; @param n_steps total of what advance() will add
     Progress(const std::string &what, double n_steps);
-    void advance(double n = 1);
+    /// @param detail said behind the time left, when that is said
+    void advance(double n = 1, const std::function<std::string()> &detail = {});
 
   private:
     std::string what;

@@ -16,12 +16,13 @@ namespace vibrocontact
     std::string probes = "rim";
     /// the histories as histories.csv too
     bool table = false;
-    /// distance of the frames of the contact patch and time of the first [s]; distance 0: none
+    /// distance of the frames of the contact patch and time of the first [s]; distance 0, or
+    /// Output/Fields = false: none
     double patch_interval = 0, patch_begin = 0;
     /// what the spectrum and the measure of the limit cycle look at: the last ... of the run [s]; 0: half of
     /// it
     double spectrum_duration = 0;
-    /// window of the growth rates [s]; end 0: until the first point sticks that did not, or the end
+    /// window of the growth rates [s]; end 0: until the number of sticking points changes, or the end
     double growth_begin = 0, growth_end = 0;
     /// a WAV per probe velocity
     bool sound = true;

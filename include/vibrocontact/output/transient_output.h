@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/base/row_file.h>
+#include <vibrocontact/output/probes.h>
 #include <vibrocontact/output/recorder.h>
 
 #include <nlohmann/json.hpp>
@@ -10,13 +11,14 @@
 
 namespace vibrocontact
 {
-  /// Histories of the resultants on body 1, a line per output instant: histories.h5 with one array per column.
+  /// Histories of the resultants on body 1 and of the probes (`<probe>_displacement_m`,
+  /// `<probe>_velocity_m_s`), a line per output instant: histories.h5 with one array per column.
   class TransientHistory : public Recorder
   {
   public:
     /// @param interval distance of the lines [s], 0: every state
     TransientHistory(const ContactPair &pair, const NormalLaw &law, double interval,
-                     const std::string &folder);
+                     const std::vector<Probe> &probes, const std::string &folder);
     /// Keeps the state if its time has come.
     void add(const DynamicState &state) override;
     void exchange(CheckpointFile &file) override;
@@ -26,9 +28,13 @@ namespace vibrocontact
     const ContactPair &pair;
     const NormalLaw &law;
     const double interval;
+    const std::vector<Probe> &probes;
     double next = 0;
     RowFile rows;
   };
+
+  /// histories.h5 as histories.csv. @throws OutputError
+  void write_history_table(const std::vector<Probe> &probes, const std::string &folder);
 
   /// analyses.transient of results.json: sums of the run and the forces of its last state.
   nlohmann::ordered_json transient_json(const TransientResult &result, const DynamicState &last);

@@ -5,6 +5,7 @@
 #include <vibrocontact/base/parameter_file.h>
 #include <vibrocontact/contact/interface.h>
 #include <vibrocontact/output/output_parameters.h>
+#include <vibrocontact/output/signal_parameters.h>
 #include <vibrocontact/reduction/modes.h>
 #include <vibrocontact/scene/scene.h>
 
@@ -23,6 +24,7 @@ namespace vibrocontact
     ContactSolverParameters contact_solver;
     RollingParameters rolling;
     TransientParameters transient;
+    SignalParameters signals;
     StabilityParameters stability;
     /// of the meshed bodies, by name
     std::map<std::string, ModeParameters> modes;

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vibrocontact/output/recorder.h>
+#include <vibrocontact/scene/contact_grid.h>
+
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// Frames of the contact patch in time: fields/patch_<k>.vtu with patch.pvd on top, the points in contact
+  /// only (see contact_patch_columns()).
+  class PatchRecorder : public Recorder
+  {
+  public:
+    /// @param begin time of the first frame, @param interval distance of the frames [s]
+    PatchRecorder(const ContactGrid &grid, double begin, double interval, const std::string &folder);
+    void add(const DynamicState &state) override;
+    void exchange(CheckpointFile &file) override;
+    void finish(bool at_the_end) override;
+
+  private:
+    const ContactGrid grid;
+    const double begin, interval;
+    const std::string folder;
+    /// of the frames written so far [s]
+    std::vector<double> times;
+  };
+} // namespace vibrocontact

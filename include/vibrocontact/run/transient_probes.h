@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vibrocontact/output/probes.h>
+#include <vibrocontact/run/prepare_bodies.h>
+
+namespace vibrocontact
+{
+  /// The probes that `Transient/Signals/Probes` asks for, put on the surfaces of the bodies, and said in the
+  /// log. To be called before prepare_pair(): shapes that the cache lacks are computed with the modes.
+  /// Collective. @throws InputError
+  std::vector<Probe> transient_probes(const Parameters &parameters, const MeshedBodies &bodies);
+} // namespace vibrocontact

@@ -1,0 +1,35 @@
+#include <vibrocontact/output/contact_patch.h>
+#include <vibrocontact/output/field_writer.h>
+#include <vibrocontact/output/patch_recorder.h>
+#include <vibrocontact/output/rolling_output.h>
+
+namespace vibrocontact
+{
+  PatchRecorder::PatchRecorder(const ContactGrid &grid, const double begin, const double interval,
+                               const std::string &folder)
+      : grid(grid), begin(begin), interval(interval), folder(folder)
+  {
+  }
+
+  void PatchRecorder::add(const DynamicState &state)
+  {
+    // the first state may have no contact solution: bodies apart
+    if (state.time < begin + interval * (times.size() - 1e-6) || state.contact.empty())
+      return;
+    write_contact_patch(state.contact, grid, true, folder + "/" + field_name("patch", times.size()));
+    times.push_back(state.time);
+  }
+
+  void PatchRecorder::exchange(CheckpointFile &file)
+  {
+    file("patch/times", times);
+  }
+
+  void PatchRecorder::finish(bool)
+  {
+    std::vector<std::pair<double, std::string>> files;
+    for (unsigned int k = 0; k < times.size(); ++k)
+      files.emplace_back(times[k], field_name("patch", k));
+    write_pvd(files, folder + "/patch.pvd");
+  }
+} // namespace vibrocontact

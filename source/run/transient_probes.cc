@@ -1,0 +1,39 @@
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/run/transient_probes.h>
+
+#include <sstream>
+
+namespace vibrocontact
+{
+  std::vector<Probe> transient_probes(const Parameters &parameters, const MeshedBodies &bodies)
+  {
+    std::vector<Probe> probes;
+    const std::vector<ProbeRequest> requests = parse_probes(parameters.signals.probes);
+    unsigned int first = 0;
+    for (unsigned int b = 0; b < bodies.size() && b < 2; ++b)
+    {
+      if (!bodies[b])
+        continue;
+      MeshedBody &body = *bodies[b];
+      std::vector<ProbeRequest> own;
+      for (const ProbeRequest &request : requests)
+        if (request.name.empty() && body.reduction.request().wheel)
+          for (const ProbeRequest &rim : rim_probes(body.parameters.name, body.reduction.surface_shapes(),
+                                                    body.reduction.request().wheel->axle_height,
+                                                    body.reduction.request().modes.rim_radius))
+            own.push_back(rim);
+        else if (request.body == body.parameters.name)
+          own.push_back(request);
+      for (const ProbeRequest &request : own)
+      {
+        probes.push_back(place_probe(request, body.reduction.surface_shapes(), first));
+        std::ostringstream text;
+        text << "probe " << probes.back().name << ": " << request.body << " at " << probes.back().place
+             << " m along " << request.direction;
+        run_log().line(text.str());
+      }
+      first += body.reduction.modal().omega.size();
+    }
+    return probes;
+  }
+} // namespace vibrocontact
