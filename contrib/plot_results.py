@@ -4,6 +4,7 @@
 figures/contact_patch_<k>.png   pressure, traction and status over the patch
 figures/centre_line_<k>.png     tractions along y = 0, as in Fig. 7 of Lai et al. (2018)
 figures/creep_curves.png        tangential force (spin: moment too) against what is swept
+figures/frequency_response.png  mobilities of the driving points over frequency, as in Fig. 6
 figures/mode_shapes_<body>.png  deformed shapes coloured by amplitude, as in Fig. 3 of the paper
 figures/divergence_rates.png    divergence rates of the roots, as in Fig. 8
 figures/transient_force.png     tangential force with stick and slip counts, as in Fig. 13
@@ -448,6 +449,37 @@ def plot_transient(folder, transient):
                     plot_signal(folder, column[:-len("_m_s")], time, np.asarray(file[column]))
 
 
+def plot_frequency_response(folder, analysis):
+    """Magnitude at the driving points, one panel each, a line per body, as in Fig. 6; dashed: damping of a run in time."""
+    curves = {}
+    for body, one in analysis["bodies"].items():
+        for table, style in ((one["table"], "-"), (one.get("time_domain_table"), "--")):
+            if table is None:
+                continue
+            columns = read_table(os.path.join(folder, table))
+            for name in columns:
+                match = re.fullmatch(r"(\w+_[xyz])_\1_real_(m_\w+)", name.replace("-", "\u00b7"))
+                if match:
+                    point = match.group(1).replace("\u00b7", "-")
+                    value = columns[name] + 1j * columns[name.replace("_real_", "_imag_")]
+                    curves.setdefault(point, []).append((columns["frequency_Hz"], np.abs(value), style,
+                                                         body + (", damping in time" if style == "--" else "")))
+    if not curves:
+        return
+    figure, axes = plt.subplots(len(curves), 1, figsize=(8, 3.2 * len(curves)), squeeze=False)
+    unit = "m/(N s)" if analysis["quantity"] == "mobility" else "m/N"
+    for axis, (point, lines) in zip(axes[:, 0], curves.items()):
+        for k, (frequency, magnitude, style, label) in enumerate(lines):
+            axis.loglog(frequency, magnitude, style, lw=1, label=label)
+        axis.set_title(point.replace("_", ", "))
+        axis.set_ylabel(f"{analysis['quantity']} [{unit}]")
+        axis.grid(alpha=0.3, which="both")
+        axis.legend(fontsize=8)
+    axes[-1, 0].set_xlabel("frequency [Hz]")
+    figure.tight_layout()
+    save(figure, folder, "frequency_response")
+
+
 def main():
     folder = sys.argv[1]
     with open(os.path.join(folder, "results.json")) as file:
@@ -459,6 +491,8 @@ def main():
         plot_patch(folder, k, cases[k])
         plot_centre_line(folder, k, cases[k])
     plot_curves(folder, cases)
+    if "frequency_response" in analyses:
+        plot_frequency_response(folder, analyses["frequency_response"])
     for body, modes in analyses.get("modes", {}).items():
         if isinstance(modes, dict) and "frequencies_Hz" in modes:
             plot_modes(folder, body, modes)

@@ -10,33 +10,18 @@ namespace vibrocontact
 {
   namespace
   {
-    /// deal.II writes characters other than letters and digits as _ and two hexadecimal digits.
-    std::string demangled(const std::string &name)
-    {
-      std::string result;
-      for (std::size_t i = 0; i < name.size(); ++i)
-        if (name[i] == '_' && i + 2 < name.size())
-        {
-          result += static_cast<char>(std::stoi(name.substr(i + 1, 2), nullptr, 16));
-          i += 2;
-        }
-        else
-          result += name[i];
-      return result;
-    }
-
     void collect(const nlohmann::ordered_json &node, const std::string &path, DeclaredParameters &result)
     {
       result.sections.push_back(path);
       for (const auto &[key, child] : node.items())
         if (child.is_object() && child.contains("value") && child["value"].is_string())
-          result.entries.push_back({path, demangled(key), child.value("value", ""),
-                                    child.value("default_value", ""), child.value("documentation", ""),
+          result.entries.push_back({path, key, child.value("value", ""), child.value("default_value", ""),
+                                    child.value("documentation", ""),
                                     child.value("pattern_description", "")});
       for (const auto &[key, child] : node.items())
         if (child.is_object() && !(child.contains("value") && child["value"].is_string()) &&
             !child.contains("alias"))
-          collect(child, joined_path(path, demangled(key)), result);
+          collect(child, joined_path(path, key), result);
     }
 
     bool is_child(const std::string &path, const std::string &parent)

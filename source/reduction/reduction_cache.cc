@@ -82,12 +82,39 @@ namespace vibrocontact
     }
 
     template <typename Archive, typename Part>
+    void visit_response(Archive &archive, Part &part)
+    {
+      archive("n_dofs", part.n_dofs);
+      archive("n_rigid_modes", part.n_rigid_modes);
+      archive("seconds", part.seconds);
+      archive("omega_rad_s", part.omega);
+      archive("damping_ratio", part.damping_ratio);
+      archive("loss_1_s2", part.loss);
+      archive("trace", part.trace);
+      archive("compliance_m_N", part.compliance);
+    }
+
+    template <typename Archive, typename Part>
+    void visit_direct(Archive &archive, Part &part)
+    {
+      archive("seconds", part.seconds);
+      archive("frequency_Hz", part.frequency);
+      archive("real_m_N", part.real);
+      archive("imaginary_m_N", part.imaginary);
+    }
+
+    template <typename Archive, typename Part>
     void visit(Archive &archive, Part &part)
     {
-      if constexpr (std::is_same_v<std::remove_const_t<Part>, StaticReduction>)
+      using Kind = std::remove_const_t<Part>;
+      if constexpr (std::is_same_v<Kind, StaticReduction>)
         visit_static(archive, part);
-      else if constexpr (std::is_same_v<std::remove_const_t<Part>, SurfaceShapes>)
+      else if constexpr (std::is_same_v<Kind, SurfaceShapes>)
         visit_shapes(archive, part);
+      else if constexpr (std::is_same_v<Kind, ResponseReduction>)
+        visit_response(archive, part);
+      else if constexpr (std::is_same_v<Kind, DirectResponse>)
+        visit_direct(archive, part);
       else
         visit_modal(archive, part);
     }
@@ -289,6 +316,35 @@ namespace vibrocontact
     if (folder.empty())
       return {};
     return load<SurfaceShapes>(file_name(body, "shapes", key), key, is_host, communicator);
+  }
+
+  std::optional<ResponseReduction> ReductionCache::load_response(const std::string &body,
+                                                                 const std::string &key) const
+  {
+    if (folder.empty())
+      return {};
+    return load<ResponseReduction>(file_name(body, "response", key), key, is_host, communicator);
+  }
+
+  std::optional<DirectResponse> ReductionCache::load_direct(const std::string &body,
+                                                            const std::string &key) const
+  {
+    if (folder.empty())
+      return {};
+    return load<DirectResponse>(file_name(body, "direct", key), key, is_host, communicator);
+  }
+
+  void ReductionCache::save(const std::string &body, const std::string &key,
+                            const ResponseReduction &part) const
+  {
+    if (!folder.empty() && is_host)
+      save_on_host(file_name(body, "response", key), key, part);
+  }
+
+  void ReductionCache::save(const std::string &body, const std::string &key, const DirectResponse &part) const
+  {
+    if (!folder.empty() && is_host)
+      save_on_host(file_name(body, "direct", key), key, part);
   }
 
   void ReductionCache::save(const std::string &key, const StaticReduction &part) const

@@ -1,6 +1,7 @@
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/contact/problem_file.h>
 #include <vibrocontact/run/parameters.h>
@@ -38,6 +39,7 @@ namespace vibrocontact
     declare("Signals", signals);
     prm.leave_subsection();
     declare("Stability", stability);
+    declare("Frequency response", frequency_response);
   }
 
   ContactGrid Parameters::contact_grid() const
@@ -72,6 +74,23 @@ namespace vibrocontact
         else if (body.type == "beam rail" && !body.beam_rail.has_pads())
           throw InputError(body.name + "/Beam rail has no pad stiffness" + free +
                            "give Pad stiffness x, y and z");
+    }
+
+    void check_frequency_response(const Scene &scene, const std::map<std::string, ModeParameters> &modes,
+                                  const FrequencyResponseParameters &response)
+    {
+      response.check();
+      const std::vector<std::string> wanted = split_list(response.bodies);
+      for (const std::string &name : wanted)
+        if (modes.count(name) == 0)
+          throw InputError("Frequency response/Bodies names \"" + name +
+                           "\", which is no meshed body of this file; name one or leave the entry empty");
+      for (const BodyParameters &body : scene.bodies)
+        if (body.is_meshed() && response.method == "modal" && !modes.at(body.name).any() &&
+            (wanted.empty() || std::count(wanted.begin(), wanted.end(), body.name) > 0))
+          throw InputError(body.name +
+                           "/Modes asks for no modes, but Frequency response/Method is modal; give Upper "
+                           "frequency or Count, or set Method to direct");
     }
   } // namespace
 
@@ -108,6 +127,8 @@ namespace vibrocontact
         bodies.push_back(mode.first);
       signals.check(bodies);
     }
+    if (scene.runs("frequency response"))
+      check_frequency_response(scene, modes, frequency_response);
     if (has_dynamics())
       for (const BodyParameters &body : scene.bodies)
         if (body.is_meshed() && !modes.at(body.name).any())

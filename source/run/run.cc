@@ -9,6 +9,7 @@
 #include <vibrocontact/run/earlier_run.h>
 #include <vibrocontact/run/prepare_bodies.h>
 #include <vibrocontact/run/run.h>
+#include <vibrocontact/run/run_frequency_response.h>
 #include <vibrocontact/run/run_modes.h>
 #include <vibrocontact/run/run_rolling.h>
 #include <vibrocontact/run/run_stability.h>
@@ -84,6 +85,11 @@ namespace vibrocontact
             save();
           }
         save("modes");
+      }
+      if (due("frequency response"))
+      {
+        run_frequency_response(parameters, bodies, record.folder, results);
+        save("frequency response");
       }
       if (due("stability"))
       {

@@ -9,9 +9,18 @@ namespace vibrocontact
   namespace
   {
     /// Sections at the top level that are not bodies.
-    const std::vector<std::string> reserved_names = {
-        "Output",    "Contact", "Rolling",           "Solver",   "Modes",    "Road",
-        "Transient", "Tyre",    "Modal convolution", "Periodic", "Stability"};
+    const std::vector<std::string> reserved_names = {"Output",
+                                                     "Contact",
+                                                     "Rolling",
+                                                     "Solver",
+                                                     "Modes",
+                                                     "Road",
+                                                     "Transient",
+                                                     "Tyre",
+                                                     "Frequency response",
+                                                     "Modal convolution",
+                                                     "Periodic",
+                                                     "Stability"};
 
     template <typename Family>
     std::vector<std::string> names_of(const Family &family)
@@ -56,6 +65,7 @@ namespace vibrocontact
   {
     static const std::vector<AnalysisType> types = {
         {"modes", "natural frequencies, shapes and damping of every meshed body", 1},
+        {"frequency response", "point and transfer mobilities of meshed bodies, with hysteretic loss", 1},
         {"quasi-static rolling", "steady rolling contact of body 1 on body 2 with friction", 2},
         {"stability", "complex eigenvalues about the rolling equilibrium: which modes squeal", 2},
         {"transient", "motion in time of body 1 on body 2", 2}};
@@ -147,9 +157,11 @@ namespace vibrocontact
         throw InputError("Bodies lists " + std::to_string(bodies.size()) + " (" + bodies_entry +
                          "), but the analysis \"" + type.name +
                          "\" needs two, body 1 above and body 2 below; list exactly two");
-    if (runs("modes") && std::none_of(bodies.begin(), bodies.end(),
-                                      [](const BodyParameters &body) { return body.is_meshed(); }))
-      throw InputError(
-          "Analyses asks for modes, but no body is meshed: half-spaces have none; leave \"modes\" out");
+    for (const std::string analysis : {"modes", "frequency response"})
+      if (runs(analysis) && std::none_of(bodies.begin(), bodies.end(),
+                                         [](const BodyParameters &body) { return body.is_meshed(); }))
+        throw InputError("Analyses asks for " + analysis +
+                         ", but no body is meshed: half-spaces have no modes; leave \"" + analysis +
+                         "\" out");
   }
 } // namespace vibrocontact

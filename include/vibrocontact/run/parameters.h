@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/analyses/frequency_response.h>
 #include <vibrocontact/analyses/stability.h>
 #include <vibrocontact/analyses/transient.h>
 #include <vibrocontact/base/parameter_file.h>
@@ -26,6 +27,7 @@ namespace vibrocontact
     TransientParameters transient;
     SignalParameters signals;
     StabilityParameters stability;
+    FrequencyResponseParameters frequency_response;
     /// of the meshed bodies, by name
     std::map<std::string, ModeParameters> modes;
 

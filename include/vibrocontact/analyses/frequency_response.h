@@ -1,0 +1,73 @@
+#pragma once
+
+#include <vibrocontact/reduction/response_reduction.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <complex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// A place where a body is excited and looked at, in one direction.
+  struct ResponsePoint
+  {
+    std::string name;
+    /// contact frame [m]; without z a patch of the surface that can come into contact
+    double x = 0, y = 0;
+    std::optional<double> z;
+    /// order of contact components: 0 z, 1 x, 2 y
+    unsigned int component = 0;
+  };
+
+  /// `subsection Frequency response`: point and transfer mobilities (or receptances) of bodies between some
+  /// points.
+  ///
+  /// A force F e^{i w t} at j moves i by u_i: receptance u_i / F [m/N], mobility i w u_i / F [m/(N s)].
+  struct FrequencyResponseParameters
+  {
+    /// "name: x, y, direction; ..." or "name: x, y, z, direction"
+    std::string points = "contact: 0, 0, z";
+    /// names of bodies; empty: all meshed ones
+    std::string bodies;
+    /// [Hz]; the list, if it is not empty, takes the place of first, last, count and spacing
+    double first = 50, last = 5000;
+    std::vector<double> list;
+    unsigned int count = 500;
+    std::string spacing = "logarithmic", quantity = "mobility", method = "modal";
+    /// where the direct solution is computed beside the modal ones [Hz]
+    std::vector<double> check_frequencies;
+    /// modes are left out above these frequencies, one after the other: what that costs [Hz]
+    std::vector<double> cut_frequencies;
+    /// size of the patch of surface that carries the force, along x and y [m]
+    double load_length = 0.08, load_width = 0.02;
+
+    void declare_parameters(dealii::ParameterHandler &prm);
+    /// @throws InputError
+    void check() const;
+    std::vector<ResponsePoint> parsed_points() const;
+    std::vector<double> frequencies() const;
+  };
+
+  /// Receptance matrix between n points: [i * n + j] [m/N].
+  using Receptance = std::vector<std::complex<double>>;
+
+  /// Exact hysteretic loss on the modes, receptance at each frequency [Hz]: one complex eigenproblem
+  /// (diag(w^2) + i D) X = X diag(mu) of modes and Ritz vectors, then
+  ///
+  ///   H(w) = P X diag(1 / (mu - w^2)) X^-1 P^T + [P G P^T - sum P_k P_k^T / w_k^2]
+  ///
+  /// The residual in brackets vanishes if all modes are kept, as the Ritz vectors hold the static answers.
+  /// @param n_modes modes kept, lowest first
+  std::vector<Receptance> hysteretic_response(const ResponseReduction &body, unsigned int n_modes,
+                                              const std::vector<double> &frequency);
+
+  /// What a run in time has instead: viscous damping of each mode by its strain energy and a residual
+  /// flexibility without loss,
+  ///
+  ///   H(w) = sum P_k P_k^T / (w_k^2 + 2 i zeta_k w_k w - w^2) + [P G P^T - sum P_k P_k^T / w_k^2]
+  std::vector<Receptance> time_domain_response(const ResponseReduction &body, unsigned int n_modes,
+                                               const std::vector<double> &frequency);
+} // namespace vibrocontact

@@ -1,0 +1,148 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/petsc_check.h>
+#include <vibrocontact/reduction/fill_reducing_order.h>
+#include <vibrocontact/reduction/harmonic_solver.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <zmumps_c.h>
+
+#include <exception>
+
+namespace vibrocontact
+{
+  struct HarmonicSolver::Implementation
+  {
+    MPI_Comm communicator;
+    bool is_host = false;
+    PetscInt n = 0;
+    ZMUMPS_STRUC_C mumps{};
+    /// own entries of the lower triangle: place, K, K'', M
+    std::vector<MUMPS_INT> rows, columns, position;
+    std::vector<double> stiffness, loss, mass;
+    std::vector<ZMUMPS_COMPLEX> values, work;
+
+    void run(const int job, const char *what)
+    {
+      mumps.job = job;
+      zmumps_c(&mumps);
+      if (mumps.infog[0] < 0)
+        throw ConvergenceError("MUMPS failed in the " + std::string(what) + " of a complex matrix of " +
+                               std::to_string(n) + " dofs: INFOG(1) = " + std::to_string(mumps.infog[0]) +
+                               ", INFOG(2) = " + std::to_string(mumps.infog[1]) + ".");
+    }
+
+    void add_row(const SecondOrderSystem &system, const PetscInt row)
+    {
+      const auto read = [&](Mat matrix, std::vector<double> &into, const bool with_places)
+      {
+        PetscInt m = 0;
+        const PetscInt *c = nullptr;
+        const PetscScalar *v = nullptr;
+        petsc_check(MatGetRow(matrix, row, &m, &c, &v), "MatGetRow");
+        for (PetscInt k = 0; k < m; ++k)
+          if (c[k] <= row)
+          {
+            if (with_places)
+            {
+              rows.push_back(row + 1);
+              columns.push_back(c[k] + 1);
+            }
+            into.push_back(v[k]);
+          }
+        MatRestoreRow(matrix, row, &m, &c, &v);
+      };
+      read(system.stiffness, stiffness, true);
+      read(system.mass, mass, false);
+      if (system.has_loss)
+        read(system.loss_stiffness, loss, false);
+      else
+        loss.resize(stiffness.size(), 0.);
+      AssertThrow(mass.size() == stiffness.size() && loss.size() == stiffness.size(),
+                  dealii::ExcMessage("The matrices of body " + system.body + " differ in their patterns."));
+    }
+  };
+
+  HarmonicSolver::HarmonicSolver(const SecondOrderSystem &system)
+      : implementation(std::make_unique<Implementation>())
+  {
+    Implementation &my = *implementation;
+    my.communicator = system.communicator;
+    my.is_host = dealii::Utilities::MPI::this_mpi_process(my.communicator) == 0;
+    my.n = system.stiffness.m();
+    my.position = fill_reducing_order(system.stiffness, {});
+    const auto [begin, end] = system.stiffness.local_range();
+    for (PetscInt row = begin; row < static_cast<PetscInt>(end); ++row)
+      my.add_row(system, row);
+
+    ZMUMPS_STRUC_C &mumps = my.mumps;
+    mumps.comm_fortran = MPI_Comm_c2f(my.communicator);
+    mumps.par = 1;
+    mumps.sym = 2;
+    my.run(-1, "start");
+    const auto control = [&mumps](const int k, const int value) { mumps.icntl[k - 1] = value; };
+    for (const int k : {1, 2, 3})
+      control(k, -1); // no output
+    control(4, 0);
+    control(5, 0);   // assembled
+    control(18, 3);  // distributed
+    control(28, 1);  // sequential analysis
+    control(6, 0);   // no permutation to the diagonal
+    control(7, 1);   // our ordering
+    control(12, 1);  // no compression of the graph
+    control(14, 40); // workspace margin [%]
+    mumps.n = my.n;
+    mumps.perm_in = my.position.data();
+    my.values.resize(my.stiffness.size());
+    mumps.nnz_loc = my.values.size();
+    mumps.irn_loc = my.rows.data();
+    mumps.jcn_loc = my.columns.data();
+    mumps.a_loc = my.values.data();
+    my.run(1, "analysis");
+  }
+
+  HarmonicSolver::~HarmonicSolver()
+  {
+    // Ending MUMPS is collective: after an exception, which may be this rank's alone, it would wait for ever.
+    if (std::uncaught_exceptions() > 0)
+      return;
+    implementation->mumps.job = -2;
+    zmumps_c(&implementation->mumps);
+  }
+
+  std::vector<std::complex<double>> HarmonicSolver::receptance(const double omega,
+                                                               const std::vector<Row> &rows)
+  {
+    Implementation &my = *implementation;
+    for (std::size_t k = 0; k < my.values.size(); ++k)
+    {
+      my.values[k].r = my.stiffness[k] - omega * omega * my.mass[k];
+      my.values[k].i = my.loss[k];
+    }
+    my.run(2, "factorisation");
+
+    const unsigned int m = rows.size();
+    if (my.is_host)
+    {
+      my.work.assign(std::size_t(my.n) * m, ZMUMPS_COMPLEX{0., 0.});
+      for (unsigned int j = 0; j < m; ++j)
+        for (const auto &[dof, weight] : rows[j])
+          my.work[std::size_t(my.n) * j + dof].r += weight;
+    }
+    my.mumps.nrhs = m;
+    my.mumps.lrhs = my.n;
+    my.mumps.rhs = my.work.data();
+    my.run(3, "solution");
+    std::vector<std::complex<double>> result(m * m);
+    if (my.is_host)
+      for (unsigned int i = 0; i < m; ++i)
+        for (unsigned int j = 0; j < m; ++j)
+          for (const auto &[dof, weight] : rows[i])
+          {
+            const ZMUMPS_COMPLEX &u = my.work[std::size_t(my.n) * j + dof];
+            result[i * m + j] += weight * std::complex<double>(u.r, u.i);
+          }
+    MPI_Bcast(result.data(), 2 * m * m, MPI_DOUBLE, 0, my.communicator);
+    return result;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,178 @@
+#include <vibrocontact/base/petsc_check.h>
+#include <vibrocontact/reduction/response_reduction.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/timer.h>
+
+#include <cmath>
+
+namespace vibrocontact
+{
+  using Vector = dealii::PETScWrappers::MPI::Vector;
+
+  namespace
+  {
+    /// V^T A V
+    DenseMatrix projected(const dealii::PETScWrappers::MPI::SparseMatrix &matrix,
+                          const std::vector<Vector> &vectors)
+    {
+      const unsigned int n = vectors.size();
+      DenseMatrix result(n);
+      std::vector<Vec> all(vectors.begin(), vectors.end());
+      for (unsigned int j = 0; j < n; ++j)
+      {
+        Vector product(vectors[j]);
+        matrix.vmult(product, vectors[j]);
+        petsc_check(VecMDot(product, n, all.data(), &result(0, j)), "VecMDot");
+      }
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = 0; i < j; ++i)
+          result(i, j) = result(j, i) = (result(i, j) + result(j, i)) / 2;
+      return result;
+    }
+
+    /// Makes `candidate` orthogonal in M to the vectors and of unit length; false if nothing is left of it.
+    bool orthonormalise(const SecondOrderSystem &system, const std::vector<Vector> &vectors,
+                        Vector &candidate)
+    {
+      Vector inertia(candidate);
+      system.mass.vmult(inertia, candidate);
+      const double whole = std::sqrt(inertia * candidate);
+      std::vector<Vec> all(vectors.begin(), vectors.end());
+      std::vector<double> shares(vectors.size());
+      for (unsigned int pass = 0; pass < 3; ++pass)
+      {
+        system.mass.vmult(inertia, candidate);
+        petsc_check(VecMDot(inertia, all.size(), all.data(), shares.data()), "VecMDot");
+        for (double &share : shares)
+          share *= -1;
+        petsc_check(VecMAXPY(candidate, all.size(), shares.data(), all.data()), "VecMAXPY");
+      }
+      system.mass.vmult(inertia, candidate);
+      const double left = std::sqrt(std::max(0., inertia * candidate));
+      if (!(left > 1e-7 * whole))
+        return false;
+      candidate /= left;
+      return true;
+    }
+
+    /// Static answers to forces on the points, and to the loss in them.
+    std::vector<Vector> static_answers(const SecondOrderSystem &system, Flexibility &flexibility,
+                                       const std::vector<HarmonicSolver::Row> &points)
+    {
+      std::vector<Vector> answers, corrections;
+      for (const auto &point : points)
+      {
+        Vector force(system.locally_owned, system.communicator), u(force);
+        for (const auto &[dof, weight] : point)
+          if (system.locally_owned.is_element(dof))
+            force(dof) = weight;
+        force.compress(dealii::VectorOperation::insert);
+        flexibility.vmult(u, force);
+        answers.push_back(u);
+        if (!system.has_loss)
+          continue;
+        system.loss_stiffness.vmult(force, answers.back());
+        flexibility.vmult(u, force);
+        corrections.push_back(u);
+      }
+      answers.insert(answers.end(), corrections.begin(), corrections.end());
+      return answers;
+    }
+
+    /// Turns the vectors from `first` on so that they are orthogonal in K as well; their frequencies.
+    std::vector<double> ritz(const SecondOrderSystem &system, std::vector<Vector> &vectors,
+                             const unsigned int first)
+    {
+      const std::vector<Vector> basis(vectors.begin() + first, vectors.end());
+      const unsigned int n = basis.size();
+      std::vector<double> omega(n);
+      if (n == 0)
+        return omega;
+      DenseMatrix stiffness = projected(system.stiffness, basis);
+      dealii::FullMatrix<double> turn;
+      DenseVector squares;
+      stiffness.compute_eigenvalues_symmetric(0., 1e300, 0., squares, turn);
+      AssertThrow(squares.size() == n, dealii::ExcInternalError());
+      for (unsigned int j = 0; j < n; ++j)
+      {
+        omega[j] = std::sqrt(squares[j]);
+        vectors[first + j] = 0;
+        for (unsigned int i = 0; i < n; ++i)
+          vectors[first + j].add(turn(i, j), basis[i]);
+      }
+      return omega;
+    }
+  } // namespace
+
+  ResponseReduction reduce_response(const SecondOrderSystem &system, Flexibility &flexibility,
+                                    const Modes &modes, const std::vector<double> &damping_ratio,
+                                    const bool wheel, const std::vector<HarmonicSolver::Row> &points)
+  {
+    dealii::Timer timer;
+    ResponseReduction result;
+    const unsigned int n = modes.omega.size(), m = points.size();
+    result.n_dofs = system.stiffness.m();
+    result.n_rigid_modes = modes.n_rigid_modes;
+    result.damping_ratio = damping_ratio;
+    ContactTrace trace;
+    trace.rows = points;
+
+    std::vector<Vector> vectors = modes.shapes;
+    const std::vector<Vector> answers = static_answers(system, flexibility, points);
+    result.compliance.reinit(m, m);
+    for (unsigned int j = 0; j < answers.size(); ++j)
+    {
+      if (j < m)
+      {
+        const auto motion = contact_trace(trace, answers[j]);
+        std::copy(motion.begin(), motion.end(), &result.compliance(0, j));
+      }
+      Vector candidate(answers[j]);
+      if (orthonormalise(system, vectors, candidate))
+        vectors.push_back(candidate);
+    }
+    result.omega = modes.omega;
+    const std::vector<double> others = ritz(system, vectors, n);
+    result.omega.insert(result.omega.end(), others.begin(), others.end());
+
+    result.loss.reinit(vectors.size(), vectors.size());
+    if (system.has_loss)
+      result.loss = projected(system.loss_stiffness, vectors);
+    for (unsigned int k = 0; k < n && wheel; ++k)
+      result.loss(k, k) += 2 * damping_ratio[k] * modes.omega[k] * modes.omega[k];
+    result.trace.reinit(m, vectors.size());
+    for (unsigned int k = 0; k < vectors.size(); ++k)
+    {
+      const auto motion = contact_trace(trace, vectors[k]);
+      std::copy(motion.begin(), motion.end(), &result.trace(0, k));
+    }
+    result.seconds = timer.wall_time();
+    return result;
+  }
+
+  DirectResponse solve_directly(const SecondOrderSystem &system,
+                                const std::vector<HarmonicSolver::Row> &points,
+                                const std::vector<double> &frequency, const std::function<void()> &advance)
+  {
+    dealii::Timer timer;
+    DirectResponse result;
+    result.frequency = frequency;
+    const unsigned int m = points.size();
+    result.real.reinit(frequency.size(), m * m);
+    result.imaginary.reinit(frequency.size(), m * m);
+    HarmonicSolver solver(system);
+    for (unsigned int k = 0; k < frequency.size(); ++k)
+    {
+      const auto receptance = solver.receptance(2 * dealii::numbers::PI * frequency[k], points);
+      for (unsigned int i = 0; i < m * m; ++i)
+      {
+        result.real(k, i) = receptance[i].real();
+        result.imaginary(k, i) = receptance[i].imag();
+      }
+      advance();
+    }
+    result.seconds = timer.wall_time();
+    return result;
+  }
+} // namespace vibrocontact

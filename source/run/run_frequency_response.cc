@@ -1,0 +1,277 @@
+#include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/base/parameter_text.h>
+#include <vibrocontact/fe/beam_elements.h>
+#include <vibrocontact/fe/trace_assembly.h>
+#include <vibrocontact/output/frequency_response_output.h>
+#include <vibrocontact/reduction/reduction_cache.h>
+#include <vibrocontact/run/run_frequency_response.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    using Rows = std::vector<HarmonicSolver::Row>;
+
+    /// The dof of the body next to a place, in one direction.
+    HarmonicSolver::Row nearest_dof(const SecondOrderSystem &system, const ResponsePoint &point)
+    {
+      const unsigned int directions[3] = {2, 0, 1};
+      const dealii::Point<3> place(point.x, point.y, *point.z);
+      double distance = 1e300, size = 0;
+      dealii::types::global_dof_index dof = 0;
+      for (unsigned int i = 0; i < system.dof_position.size(); ++i)
+      {
+        size = std::max(size, system.dof_position[i].norm());
+        if (system.dof_direction[i] == directions[point.component] &&
+            system.dof_position[i].distance(place) < distance)
+        {
+          distance = system.dof_position[i].distance(place);
+          dof = system.locally_owned.nth_index_in_set(i);
+        }
+      }
+      // the lowest number of those at the smallest distance, the same on any number of ranks
+      const double smallest = dealii::Utilities::MPI::min(distance, system.communicator);
+      size = dealii::Utilities::MPI::max(size, system.communicator);
+      const bool is_here = distance < smallest * (1 + 1e-9) + 1e-12;
+      dof = dealii::Utilities::MPI::min(is_here ? dof : system.stiffness.m(), system.communicator);
+      if (smallest > 0.05 * size)
+        throw InputError("Frequency response/Points: " + point.name + " is " + number_text(smallest) +
+                         " m away from the nearest node of " + system.body +
+                         " that moves in its direction; give a place on the body.");
+      run_log().line(point.name + ": nearest node " + number_text(1e3 * smallest) + " mm away");
+      return {{dof, 1.}};
+    }
+
+    /// How the points move with the dofs of the body.
+    Rows response_rows(MeshedBody &body, const FrequencyResponseParameters &parameters)
+    {
+      const BodyParameters &own = body.parameters;
+      Rows rows;
+      for (const ResponsePoint &point : parameters.parsed_points())
+        if (point.z)
+          rows.push_back(nearest_dof(body.reduction.system(), point));
+        else if (own.is_solid())
+        {
+          ContactGrid patch;
+          patch.n_x = patch.n_y = 1;
+          patch.x_first = point.x;
+          patch.y_first = point.y;
+          patch.spacing_x = parameters.load_length;
+          patch.spacing_y = parameters.load_width;
+          rows.push_back(make_contact_trace(body.elastic_body(), patch).rows[point.component]);
+        }
+        else if (own.type == "beam rail")
+          rows.push_back(beam_rail_rows(own.beam_rail, own.name, point.x, point.y,
+                                        parameters.load_length)[point.component]);
+        else
+          throw InputError("Frequency response/Points: " + own.name + " has no surface for the point " +
+                           point.name + "; give it as name: x, y, z, direction.");
+      return rows;
+    }
+
+    /// The points as the cache knows them.
+    std::string points_key(const FrequencyResponseParameters &parameters)
+    {
+      std::ostringstream key;
+      key.precision(17);
+      for (const ResponsePoint &point : parameters.parsed_points())
+        key << "point " << point.x << " " << point.y << " " << (point.z ? *point.z : 0.) << " "
+            << bool(point.z) << " " << point.component << "\n";
+      key << "load " << parameters.load_length << " " << parameters.load_width << "\n";
+      return key.str();
+    }
+
+    std::vector<Receptance> receptances(const DirectResponse &direct)
+    {
+      std::vector<Receptance> result(direct.frequency.size(), Receptance(direct.real.n()));
+      for (unsigned int k = 0; k < result.size(); ++k)
+        for (unsigned int i = 0; i < direct.real.n(); ++i)
+          result[k][i] = {direct.real(k, i), direct.imaginary(k, i)};
+      return result;
+    }
+
+    /// One body: what is asked for, from the cache or computed.
+    class BodyResponse
+    {
+    public:
+      BodyResponse(MeshedBody &body, const FrequencyResponseParameters &parameters)
+          : body(body), parameters(parameters),
+            cache(body.reduction.request().cache_directory, MPI_COMM_WORLD),
+            key(body.reduction.request().key + points_key(parameters))
+      {
+      }
+
+      const ResponseReduction &reduction()
+      {
+        const ReductionRequest &request = body.reduction.request();
+        const std::string own_key = key + "Ritz vectors\nmodes " + request.modes.key();
+        if (!reduced)
+        {
+          reduced = cache.load_response(request.body, own_key);
+          if (reduced)
+            run_log().line(request.body + ": response reduction found in the cache");
+        }
+        if (!reduced)
+        {
+          const Modes &modes = body.reduction.shapes();
+          reduced = reduce_response(body.reduction.system(), body.reduction.flexibility(), modes,
+                                    body.reduction.modal().damping_ratio, bool(request.wheel), points());
+          cache.save(request.body, own_key, *reduced);
+          run_log().value("modal loss and static answers", reduced->seconds, "s");
+        }
+        return *reduced;
+      }
+
+      ResponseVariant direct(const std::vector<double> &frequency)
+      {
+        const ReductionRequest &request = body.reduction.request();
+        if (request.wheel)
+          throw InputError("Frequency response: the damping of " + request.body +
+                           " is given by mode, so that its unreduced equations have none; leave Check "
+                           "frequencies out and set Method to modal.");
+        std::ostringstream own_key;
+        own_key.precision(17);
+        own_key << key << "frequencies";
+        for (const double f : frequency)
+          own_key << " " << f;
+        auto found = cache.load_direct(request.body, own_key.str());
+        if (found)
+          run_log().line(request.body + ": direct solutions found in the cache");
+        else
+        {
+          Progress progress("direct solutions of " + request.body, frequency.size());
+          found = solve_directly(body.reduction.system(), points(), frequency, [&] { progress.advance(); });
+          cache.save(request.body, own_key.str(), *found);
+        }
+        run_log().value("direct solutions took", found->seconds / frequency.size(), "s per frequency");
+        return {"direct", 0, frequency, receptances(*found)};
+      }
+
+      ResponseVariant modal(const std::string &method, const double cut, const std::vector<double> &frequency)
+      {
+        const ResponseReduction &modes = reduction();
+        const auto begin = modes.omega.begin(), end = begin + modes.damping_ratio.size();
+        const unsigned int n =
+            (cut > 0 ? std::lower_bound(begin, end, 2 * dealii::numbers::PI * cut) : end) - begin;
+        return {method, n, frequency,
+                method == "hysteretic" ? hysteretic_response(modes, n, frequency)
+                                       : time_domain_response(modes, n, frequency)};
+      }
+
+    private:
+      const Rows &points()
+      {
+        if (rows.empty())
+          rows = response_rows(body, parameters);
+        return rows;
+      }
+
+      MeshedBody &body;
+      const FrequencyResponseParameters &parameters;
+      const ReductionCache cache;
+      const std::string key;
+      std::optional<ResponseReduction> reduced;
+      Rows rows;
+    };
+
+    void print_extrema(const nlohmann::ordered_json &extrema)
+    {
+      for (const char *kind : {"maxima", "minima"})
+        for (const auto &one : extrema[kind])
+          run_log().line(one["point"].get<std::string>() + ": " + (kind[1] == 'a' ? "maximum " : "minimum ") +
+                         number_text(one["magnitude"].get<double>()) + " at " +
+                         number_text(one["frequency_Hz"].get<double>()) + " Hz");
+    }
+
+    void print_checks(const nlohmann::ordered_json &checks)
+    {
+      for (const auto &one : checks)
+        if (one["response"] == one["force"])
+          run_log().line(
+              one["response"].get<std::string>() + ", " + number_text(one["frequency_Hz"].get<double>()) +
+              " Hz, " + one["method"].get<std::string>() + " with " +
+              std::to_string(one["n_modes"].get<unsigned int>()) +
+              " modes: " + number_text(100 * one["error"].get<double>()) + " % off, imaginary receptance " +
+              number_text(100 * one["error_imaginary_receptance"].get<double>()) + " %");
+    }
+
+    nlohmann::ordered_json respond(MeshedBody &body, const FrequencyResponseParameters &parameters,
+                                   const std::string &folder, nlohmann::ordered_json &tables)
+    {
+      const std::string &name = body.parameters.name;
+      run_log().block("Frequency response of " + name);
+      BodyResponse response(body, parameters);
+      const bool is_modal = parameters.method == "modal";
+      const auto write = [&](const Table &table, const std::string &suffix)
+      {
+        const std::string file = "frequency_response_" + name + suffix + ".csv";
+        on_first_rank([&] { table.write(folder + "/" + file); });
+        tables.push_back(file);
+        return file;
+      };
+      const std::vector<double> frequency = parameters.frequencies();
+      const ResponseVariant main =
+          is_modal ? response.modal("hysteretic", 0, frequency) : response.direct(frequency);
+      nlohmann::ordered_json result = {{"method", main.method},
+                                       {"n_modes", main.n_modes},
+                                       {"table", write(response_table(parameters, main, name), "")}};
+      const auto extrema = extrema_json(parameters, main);
+      result.update(extrema);
+      print_extrema(extrema);
+      const bool has_modes = body.reduction.request().modes.any();
+      if (has_modes)
+      {
+        const ResponseVariant in_time = response.modal("time domain", 0, frequency);
+        result["time_domain_table"] = write(response_table(parameters, in_time, name), "_time_domain");
+        result["time_domain_difference"] = difference_json(parameters, main, in_time);
+        for (const auto &one : result["time_domain_difference"])
+          run_log().line("damping of a run in time, " + one["response"].get<std::string>() + " under " +
+                         one["force"].get<std::string>() + ": median difference " +
+                         number_text(100 * one["median"].get<double>()) + " %, largest " +
+                         number_text(100 * one["largest"].get<double>()) + " % at " +
+                         number_text(one["frequency_Hz"].get<double>()) + " Hz");
+      }
+      const std::vector<double> &check = parameters.check_frequencies;
+      if (check.empty())
+        return result;
+      std::vector<ResponseVariant> variants = {response.direct(check)};
+      std::vector<double> cuts = parameters.cut_frequencies;
+      cuts.insert(cuts.begin(), 0.);
+      for (const double cut : cuts)
+        for (const char *method : {"hysteretic", "time domain"})
+          if (has_modes)
+            variants.push_back(response.modal(method, cut, check));
+      result["check_table"] = write(check_table(parameters, variants, name), "_check");
+      result["checks"] = checks_json(parameters, variants);
+      print_checks(result["checks"]);
+      return result;
+    }
+  } // namespace
+
+  void run_frequency_response(const Parameters &parameters, const MeshedBodies &bodies,
+                              const std::string &folder, Results &results)
+  {
+    const FrequencyResponseParameters &own = parameters.frequency_response;
+    const std::vector<std::string> wanted = split_list(own.bodies);
+    nlohmann::ordered_json tables = nlohmann::ordered_json::array(), all = nlohmann::ordered_json::object();
+    for (const auto &body : bodies)
+      if (body &&
+          (wanted.empty() || std::find(wanted.begin(), wanted.end(), body->parameters.name) != wanted.end()))
+        all[body->parameters.name] = respond(*body, own, folder, tables);
+    results.analyses["frequency_response"] = {{"quantity", own.quantity},
+                                              {"load_length_m", own.load_length},
+                                              {"load_width_m", own.load_width},
+                                              {"tables", tables},
+                                              {"bodies", all}};
+  }
+} // namespace vibrocontact
