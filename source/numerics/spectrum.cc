@@ -40,12 +40,14 @@ namespace vibrocontact
     if (signal.size() < 16)
       return peaks;
     const std::vector<double> a = amplitude_spectrum(signal);
+    const auto [low, high] = std::minmax_element(signal.values.begin(), signal.values.end());
+    const double least = 1e-3 * (*high - *low) / 2;
     const double resolution = 1 / (padding * signal.size() * signal.step);
     const std::size_t reach = 2 * padding;
     for (std::size_t k = reach; k + 1 < a.size(); ++k)
     {
       const auto begin = a.begin() + (k - reach), end = a.begin() + std::min(a.size(), k + reach + 1);
-      if (!(a[k] > 0) || std::max_element(begin, end) != a.begin() + k)
+      if (!(a[k] > least) || std::max_element(begin, end) != a.begin() + k)
         continue;
       const double left = std::log(std::max(a[k - 1], 1e-12 * a[k])), middle = std::log(a[k]),
                    right = std::log(std::max(a[k + 1], 1e-12 * a[k]));

@@ -43,6 +43,7 @@ namespace vibrocontact
     {
       const std::vector<double> values = contact_patch_values(contact, grid, points[p]);
       patches[p].patch_index = p;
+      patches[p].reference_cell = dealii::ReferenceCells::Quadrilateral;
       patches[p].data.reinit(values.size(), 4);
       for (unsigned int v = 0; v < 4; ++v)
       {

@@ -18,6 +18,7 @@ namespace vibrocontact
     {
       Patch &patch = patches[p];
       patch.patch_index = p;
+      patch.reference_cell = dealii::ReferenceCells::Quadrilateral;
       patch.data.reinit(3 * fields.size(), 4);
       for (unsigned int v = 0; v < 4; ++v)
       {

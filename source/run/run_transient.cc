@@ -212,6 +212,7 @@ namespace vibrocontact
       schedule.is_due(); // a signal in the last steps stops what would follow
     results.stopped_by = schedule.stopped_by();
     results.analyses["transient"] = transient_json(result, state);
+    results.analyses["transient"]["friction"] = parameters.contact.friction;
     on_first_rank(
         [&]
         { evaluate_signals(parameters.signals, recorders, probes, folder, results.analyses["transient"]); });

@@ -48,6 +48,11 @@ TEST(Signals, PeaksOfSteadySines)
   EXPECT_NEAR(peaks[0].amplitude, 5, 5e-3);
   EXPECT_NEAR(peaks[1].amplitude, 2, 4e-3);
   EXPECT_NEAR(peaks[2].amplitude, 0.5, 1e-3);
+  // a drift with a little noise is no oscillation
+  Signal drift = sum_of({{20000, 0, 1e-5, 0}}, 4e-6, duration);
+  for (std::size_t i = 0; i < drift.size(); ++i)
+    drift.values[i] += std::exp(-30. * i * drift.step);
+  EXPECT_TRUE(spectral_peaks(drift).empty());
 }
 
 TEST(Signals, GrowthOfSinesBesideEachOther)

@@ -115,5 +115,11 @@ TEST(SurfaceShapes, WrittenAsVtu)
   std::ifstream file("surface.vtu");
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   EXPECT_NE(text.find("NumberOfPoints=\"4\" NumberOfCells=\"1\""), std::string::npos);
+  // one offset and one type: some letters of coded zip
+  for (const std::string name : {"offsets", "types"})
+  {
+    const std::size_t begin = text.find('\n', text.find("Name=\"" + name + "\"")) + 1;
+    EXPECT_GT(text.find('\n', begin) - begin, 10u);
+  }
   EXPECT_NE(text.find("Name=\"imaginary_m\" NumberOfComponents=\"3\""), std::string::npos);
 }

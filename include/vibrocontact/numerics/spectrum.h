@@ -17,6 +17,7 @@ namespace vibrocontact
   /// parabola through the logarithms of it and its neighbours gives its frequency and amplitude. A steady sine
   /// is found to 1e-3 / duration in frequency and to 1e-3 in amplitude; sines closer than 4 / duration are not
   /// told apart.
+  /// What is smaller than 1e-3 of the signal's largest departure from its mean is no peak: a slow drift has none.
   /// @param n at most so many peaks; @param floor those smaller than this share of the largest are left out
   std::vector<SpectralPeak> spectral_peaks(const Signal &signal, unsigned int n = 10, double floor = 1e-2);
 } // namespace vibrocontact
