@@ -37,6 +37,14 @@ namespace vibrocontact
                  : receptance;
     }
 
+    /// what differences of an entry are compared with: the entry at driving points, the geometric mean of both
+    /// driving points at transfers, which may vanish by symmetry
+    double scale(const Receptance &response, const unsigned int index)
+    {
+      const unsigned int n = std::lround(std::sqrt(double(response.size())));
+      return std::sqrt(std::abs(response[index / n * (n + 1)]) * std::abs(response[index % n * (n + 1)]));
+    }
+
     std::vector<std::string> pair_columns(const FrequencyResponseParameters &parameters)
     {
       const std::string unit = parameters.quantity == "mobility" ? "_m_Ns" : "_m_N";
@@ -114,14 +122,16 @@ namespace vibrocontact
                       [&](const std::string &response, const std::string &force, const unsigned int index)
                       {
                         const auto right = exact.response[k][index], got = variants[v].response[k][index];
-                        if (right.imag() != 0)
-                          result.push_back({{"frequency_Hz", exact.frequency[k]},
-                                            {"response", response},
-                                            {"force", force},
-                                            {"method", variants[v].method},
-                                            {"n_modes", variants[v].n_modes},
-                                            {"error", std::abs(got - right) / std::abs(right)},
-                                            {"error_imaginary_receptance", got.imag() / right.imag() - 1}});
+                        const double whole = scale(exact.response[k], index);
+                        Json entry = {{"frequency_Hz", exact.frequency[k]},
+                                      {"response", response},
+                                      {"force", force},
+                                      {"method", variants[v].method},
+                                      {"n_modes", variants[v].n_modes},
+                                      {"error", std::abs(got - right) / whole}};
+                        if (std::abs(right.imag()) > 1e-3 * whole)
+                          entry["error_imaginary_receptance"] = got.imag() / right.imag() - 1;
+                        result.push_back(entry);
                       });
     return result;
   }
@@ -136,7 +146,7 @@ namespace vibrocontact
                     std::vector<double> differences;
                     for (unsigned int k = 0; k < exact.frequency.size(); ++k)
                       differences.push_back(std::abs(other.response[k][index] - exact.response[k][index]) /
-                                            std::max(std::abs(exact.response[k][index]), 1e-300));
+                                            scale(exact.response[k], index));
                     const auto largest = std::max_element(differences.begin(), differences.end());
                     const double frequency = exact.frequency[largest - differences.begin()], value = *largest;
                     std::sort(differences.begin(), differences.end());
@@ -152,7 +162,7 @@ namespace vibrocontact
   Json extrema_json(const FrequencyResponseParameters &parameters, const ResponseVariant &variant)
   {
     Json result = {{"maxima", Json::array()}, {"minima", Json::array()}};
-    const double share = std::log(1.05);
+    const double share = std::log(1.2);
     for_each_pair(
         parameters,
         [&](const std::string &response, const std::string &force, const unsigned int index)

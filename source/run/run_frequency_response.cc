@@ -202,7 +202,7 @@ namespace vibrocontact
               " Hz, " + one["method"].get<std::string>() + " with " +
               std::to_string(one["n_modes"].get<unsigned int>()) +
               " modes: " + number_text(100 * one["error"].get<double>()) + " % off, imaginary receptance " +
-              number_text(100 * one["error_imaginary_receptance"].get<double>()) + " %");
+              number_text(100 * one.value("error_imaginary_receptance", 0.)) + " %");
     }
 
     nlohmann::ordered_json respond(MeshedBody &body, const FrequencyResponseParameters &parameters,

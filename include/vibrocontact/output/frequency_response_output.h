@@ -28,15 +28,17 @@ namespace vibrocontact
   Table check_table(const FrequencyResponseParameters &parameters,
                     const std::vector<ResponseVariant> &variants, const std::string &body);
 
-  /// How far each variant is from the first: relative difference of the receptance and of its imaginary part.
+  /// How far each variant is from the first: difference of the receptance, relative to it (transfers: to the
+  /// geometric mean of both driving points), and of its imaginary part, relative to that unless it nearly
+  /// vanishes.
   nlohmann::ordered_json checks_json(const FrequencyResponseParameters &parameters,
                                      const std::vector<ResponseVariant> &variants);
 
-  /// Largest and median relative difference over all frequencies, per pair.
+  /// Largest and median difference over all frequencies, per pair, relative as in checks_json().
   nlohmann::ordered_json difference_json(const FrequencyResponseParameters &parameters,
                                          const ResponseVariant &exact, const ResponseVariant &other);
 
-  /// Maxima and minima of the magnitude at the driving points that stand out by 5 % on both sides, frequency
+  /// Maxima and minima of the magnitude at the driving points that stand out by 20 % on both sides, frequency
   /// by a parabola through three points.
   nlohmann::ordered_json extrema_json(const FrequencyResponseParameters &parameters,
                                       const ResponseVariant &variant);
