@@ -8,89 +8,82 @@ namespace vibrocontact
 {
   namespace
   {
-    // Psi diag(gain) Psi^T
-    DenseMatrix modal_compliance(const DenseMatrix &trace, const std::vector<ModalStep> &steps,
-                                 const unsigned int component)
+    /// no choice among so few points
+    constexpr unsigned int always_watched = 16;
+    /// points are watched below this share of the median gap, until they are beyond twice that
+    constexpr double watched_share = 0.1;
+    /// steps after which W~ R is computed anew, without the round-off of the changes since
+    constexpr unsigned int longest_without_look = 1000;
+
+    // deal.II refuses empty matrices
+    void multiply(const DenseMatrix &A, const DenseVector &x, DenseVector &y)
     {
-      DenseMatrix result(trace.m());
-      DenseMatrix scaled(trace.m(), trace.n());
-      for (unsigned int k = 0; k < trace.n(); ++k)
-        for (unsigned int i = 0; i < trace.m(); ++i)
-          scaled(i, k) = trace(i, k) * steps[k].g1[component];
-      scaled.mTmult(result, trace);
-      return result;
+      if (A.m() > 0)
+        A.vmult(y, x);
+    }
+
+    // W~ R, loaded columns only
+    void residual_displacement(const DenseMatrix &W, const DenseVector &R, DenseVector &result)
+    {
+      result.reinit(R.size());
+      for (unsigned int j = 0; j < R.size(); ++j)
+        if (R[j] != 0)
+        {
+          const double *const column = &W(0, j);
+          for (unsigned int i = 0; i < R.size(); ++i)
+            result[i] += column[i] * R[j];
+        }
+    }
+
+    // powers of forces and slips on the same points; rate: of the tangential displacements, R . du/dt [W]
+    void set_powers(const DenseVector &R, const DenseVector &slip, const DenseVector &rigid_slip,
+                    const unsigned int n, const double rate, DynamicState &state)
+    {
+      state.friction_power = state.creepage_power = 0;
+      for (unsigned int i = n; i < 3 * n; ++i)
+      {
+        state.friction_power -= R[i] * slip[i];
+        state.creepage_power -= R[i] * rigid_slip[i];
+      }
+      state.transport_power = state.friction_power - state.creepage_power + rate;
     }
   } // namespace
 
   ContactStepper::ContactStepper(const ContactPair &pair, const CreepScheme &scheme,
                                  const ContactParameters &contact, const std::vector<ModalStep> &steps,
                                  const double h, const double speed)
-      : pair(pair), scheme(scheme), steps(steps), h(h), speed(speed), response_to_q(pair.modal_trace),
-        response_to_v(pair.modal_trace)
+      : pair(pair), scheme(scheme), steps(steps), h(h), speed(speed),
+        matrices(step_matrices(pair.interface.grid, scheme, pair.modal_trace, pair.residual_flexibility,
+                               steps, h, speed)),
+        q(pair.n_modes()), v(pair.n_modes())
   {
-    const ContactInterface &interface = pair.interface;
-    const ContactGrid &grid = interface.grid;
-    const unsigned int n = grid.n_points();
-    convert_to_slip_rows(grid, scheme, speed, response_to_q);
-    for (unsigned int k = 0; k < pair.n_modes(); ++k)
-      std::fill_n(&response_to_v(0, k), n, 0.);
-
-    DenseMatrix matrix = pair.residual_flexibility, velocity(3 * n);
-    if (pair.n_modes() > 0)
-    {
-      matrix.add(1., modal_compliance(pair.modal_trace, steps, 0));
-      velocity = modal_compliance(pair.modal_trace, steps, 1);
-    }
-    convert_to_slip_rows(grid, scheme, speed, matrix);
-    for (unsigned int j = 0; j < 3 * n; ++j)
-      for (unsigned int i = n; i < 3 * n; ++i)
-        matrix(i, j) += velocity(i, j) + pair.residual_flexibility(i, j) / h;
-
     Creepage none;
     none.speed = speed;
-    problem = rolling_problem(std::make_shared<DenseContactOperator>(std::move(matrix)), interface, scheme,
-                              none, contact);
-    constant_response = problem.b;
+    const ContactProblem whole = rolling_problem(nullptr, pair.interface, scheme, none, contact);
+    constant_response = whole.b;
+    problem.normal_law = whole.normal_law;
+    friction = whole.mu;
+    for (DenseVector *const x : {&free_displacement, &free_velocity, &displacement, &velocity, &c_n, &c_t})
+      x->reinit(matrices.shapes.rank());
   }
 
-  void complete(const ContactPair &pair, DynamicState &state)
+  void complete(const ContactPair &pair, const DenseVector &rigid_slip, DynamicState &state)
   {
     const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
-    state.normal_modal_force.reinit(n_modes);
-    state.tangential_modal_force.reinit(n_modes);
-    // only loaded columns count
-    state.residual_displacement.reinit(3 * n);
-    for (unsigned int j = 0; j < 3 * n; ++j)
-      if (state.R[j] != 0)
-      {
-        const double *const column = &pair.residual_flexibility(0, j);
-        for (unsigned int i = 0; i < 3 * n; ++i)
-          state.residual_displacement[i] += column[i] * state.R[j];
-      }
-    if (n_modes == 0)
-      return;
-    DenseVector normal(state.R), tangential(state.R);
-    std::fill(normal.begin() + n, normal.end(), 0.);
-    std::fill(tangential.begin(), tangential.begin() + n, 0.);
-    pair.modal_trace.Tvmult(state.normal_modal_force, normal);
-    pair.modal_trace.Tvmult(state.tangential_modal_force, tangential);
-  }
-
-  void set_powers(const ContactPair &pair, const DenseVector &rigid_slip, const DenseVector &residual_rate,
-                  DynamicState &state)
-  {
-    const unsigned int n = pair.n_points();
-    state.friction_power = state.creepage_power = 0;
-    double rate = 0;
-    for (unsigned int i = n; i < 3 * n; ++i)
+    residual_displacement(pair.residual_flexibility, state.R, state.residual_displacement);
+    state.modal_force.reinit(n_modes);
+    DenseVector tangential(n_modes), forces(state.R);
+    if (n_modes > 0)
     {
-      state.friction_power -= state.R[i] * state.contact.y[i];
-      state.creepage_power -= state.R[i] * rigid_slip[i];
-      rate += state.R[i] * residual_rate[i];
+      pair.modal_trace.Tvmult(state.modal_force, forces);
+      std::fill(forces.begin(), forces.begin() + n, 0.);
+      pair.modal_trace.Tvmult(tangential, forces);
     }
-    for (unsigned int k = 0; k < pair.n_modes(); ++k)
-      rate += state.tangential_modal_force[k] * state.v[k];
-    state.transport_power = state.friction_power - state.creepage_power + rate;
+    double rate = 0;
+    for (unsigned int k = 0; k < n_modes; ++k)
+      rate += tangential[k] * state.v[k];
+    if (!state.contact.empty())
+      set_powers(state.R, state.contact.y, rigid_slip, n, rate, state);
   }
 
   double longest_quiet_step(const ContactPair &pair)
@@ -108,52 +101,200 @@ namespace vibrocontact
     return longest;
   }
 
+  bool ContactStepper::must_look(const DynamicState &state) const
+  {
+    if (state.watched.empty() || state.steps_since_look >= longest_without_look)
+      return true;
+    auto watched = state.watched.begin();
+    for (unsigned int i = 0; i < pair.n_points(); ++i)
+      if (watched != state.watched.end() && *watched == i)
+        ++watched;
+      else if (state.contact.y[i] <= state.travel)
+        return true;
+    return false;
+  }
+
+  void ContactStepper::look(DynamicState &state)
+  {
+    const unsigned int n = pair.n_points();
+    residual_displacement(pair.residual_flexibility, state.R, state.residual_displacement);
+    std::copy(state.q.begin(), state.q.end(), q.begin());
+    multiply(matrices.shapes.amplitudes, q, displacement);
+    std::vector<double> gap(n);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      gap[i] = constant_response[i] + state.residual_displacement[i] - state.contact.approach;
+      if (!state.roughness.empty())
+        gap[i] += state.roughness[i];
+      for (unsigned int k = 0; k < displacement.size(); ++k)
+        gap[i] += matrices.shapes.basis(i, k) * displacement[k];
+    }
+
+    std::vector<double> sorted(gap);
+    std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
+    const double least = std::max(0., *std::min_element(gap.begin(), gap.end())),
+                 threshold = least + watched_share * std::max(0., sorted[n / 2] - least);
+    std::vector<bool> was_watched(n, false);
+    for (const unsigned int i : state.watched)
+      was_watched[i] = true;
+    state.watched.clear();
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      state.contact.y[i] = gap[i];
+      if (n <= always_watched || state.R[i] != 0 ||
+          gap[i] <= (was_watched[i] ? 2 * threshold - least : threshold))
+        state.watched.push_back(i);
+      else
+        state.contact.y[n + i] = state.contact.y[2 * n + i] = 0;
+    }
+    state.travel = 0;
+    state.steps_since_look = 0;
+  }
+
+  void ContactStepper::watch(const std::vector<unsigned int> &points)
+  {
+    if (step_operator && step_operator->points() == points)
+      return;
+    step_operator = std::make_shared<StepOperator>(matrices, points);
+    problem.A = step_operator;
+    problem.mu.clear();
+    for (const unsigned int i : points)
+      problem.mu.push_back(friction[i]);
+    problem.b.reinit(step_operator->n_rows());
+  }
+
   const ContactSolution &ContactStepper::advance(DynamicState &state, const Drive &drive,
                                                  ContactSolver &solver)
   {
-    const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
-    // modes under the forces of the beginning of the step and the constant loads
-    DenseVector q(n_modes), v(n_modes);
-    for (unsigned int k = 0; k < n_modes; ++k)
+    if (state.contact.empty())
+    {
+      state.contact.R = state.R;
+      state.contact.y.reinit(3 * pair.n_points());
+      state.contact.status.assign(pair.n_points(), ContactStatus::open);
+    }
+    for (unsigned int i = 0; i < drive.gap.size(); ++i)
+      state.contact.y[i] += drive.gap[i] - (state.roughness.empty() ? 0 : state.roughness[i]);
+    state.roughness = drive.gap;
+    if (must_look(state))
+      look(state);
+    watch(state.watched);
+
+    advance_modes(state);
+    const DenseVector rigid = rigid_slip(pair.interface.grid, scheme, drive.creepage);
+    set_problem(state, drive, rigid);
+    solution = solver.solve(problem, solution);
+    take_over(state, rigid);
+    return state.contact;
+  }
+
+  // modes under the forces of the beginning of the step and the constant loads
+  void ContactStepper::advance_modes(const DynamicState &state)
+  {
+    for (unsigned int k = 0; k < pair.n_modes(); ++k)
     {
       const ModalStep &s = steps[k];
-      const double p1 = pair.modal_load[k],
-                   p0 = p1 + state.normal_modal_force[k] + state.tangential_modal_force[k];
+      const double p1 = pair.modal_load[k], p0 = p1 + state.modal_force[k];
       q[k] = s.T[0][0] * state.q[k] + s.T[0][1] * state.v[k] + s.g0[0] * p0 + s.g1[0] * p1;
       v[k] = s.T[1][0] * state.q[k] + s.T[1][1] * state.v[k] + s.g0[1] * p0 + s.g1[1] * p1;
     }
+    multiply(matrices.shapes.amplitudes, q, free_displacement);
+    multiply(matrices.shapes.amplitudes, v, free_velocity);
+  }
 
-    const DenseVector rigid = rigid_slip(pair.interface.grid, scheme, drive.creepage);
-    problem.b = rigid;
-    problem.b += constant_response;
-    if (n_modes > 0)
-    {
-      response_to_q.vmult(problem.b, q, true);
-      response_to_v.vmult(problem.b, v, true);
-    }
-    for (unsigned int i = n; i < 3 * n; ++i)
-      problem.b[i] -= state.residual_displacement[i] / h;
-    for (unsigned int i = 0; i < drive.gap.size(); ++i)
-      problem.b[i] += drive.gap[i];
+  void ContactStepper::set_problem(const DynamicState &state, const Drive &drive, const DenseVector &rigid)
+  {
+    const StepOperator &A = *step_operator;
+    const std::vector<unsigned int> &points = A.points(), &rows = A.residual_rows();
+    const unsigned int n = pair.n_points(), m = points.size();
+    problem.b = 0;
+    A.respond(free_displacement, free_velocity, problem.b);
+    solution.R.reinit(3 * m);
+    solution.y.reinit(A.n_rows());
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int i = 0; i < m; ++i)
+      {
+        const unsigned int here = contact_row(m, c, i), there = contact_row(n, c, points[i]);
+        problem.b[here] += constant_response[there] + rigid[there];
+        if (c > 0)
+          problem.b[here] -= state.residual_displacement[there] / h;
+        else if (!state.roughness.empty())
+          problem.b[here] += state.roughness[points[i]];
+        solution.R[here] = state.R[there];
+      }
     problem.normal_force = drive.normal_force;
     problem.approach = drive.normal_force > 0 ? state.contact.approach : drive.approach;
-    state.contact = solver.solve(problem, state.contact);
 
-    state.R = state.contact.R;
-    const DenseVector previous = state.residual_displacement;
-    complete(pair, state);
-    for (unsigned int k = 0; k < n_modes; ++k)
+    // the forces of the beginning are the start; their response follows from what is known
+    for (unsigned int k = 0; k < rows.size(); ++k)
+      solution.y[3 * m + k] = state.residual_displacement[rows[k]];
+    A.modal_numbers(solution.R, c_n, c_t);
+    c_n += c_t;
+    multiply(matrices.displacement_gain, c_n, displacement);
+    multiply(matrices.velocity_gain, c_n, velocity);
+    A.respond(displacement, velocity, solution.y);
+    solution.y += problem.b;
+    for (unsigned int i = 0; i < m; ++i)
+      solution.y[i] -= problem.approach;
+    solution.approach = problem.approach;
+    solution.response_known = true;
+  }
+
+  void ContactStepper::take_over(DynamicState &state, const DenseVector &rigid)
+  {
+    const StepOperator &A = *step_operator;
+    const std::vector<unsigned int> &points = A.points(), &rows = A.residual_rows();
+    const unsigned int n = pair.n_points(), m = points.size();
+    double moved = 0, rate = 0;
+    for (unsigned int i = 0; i < m; ++i)
     {
-      const double force = state.normal_modal_force[k] + state.tangential_modal_force[k];
-      state.q[k] = q[k] + steps[k].g1[0] * force;
-      state.v[k] = v[k] + steps[k].g1[1] * force;
+      if (solution.R[i] == 0)
+        moved = std::max(moved, std::abs(solution.y[i] - state.contact.y[points[i]]));
+      state.contact.status[points[i]] = solution.status[i];
+    }
+    state.travel += 2 * moved;
+    ++state.steps_since_look;
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int i = 0; i < m; ++i)
+      {
+        const unsigned int here = contact_row(m, c, i), there = contact_row(n, c, points[i]);
+        state.contact.R[there] = state.R[there] = solution.R[here];
+        state.contact.y[there] = solution.y[here];
+        if (c > 0)
+          rate -= solution.R[here] * state.residual_displacement[there] / h;
+      }
+    for (unsigned int k = 0; k < rows.size(); ++k)
+      state.residual_displacement[rows[k]] = solution.y[3 * m + k];
+    for (unsigned int c = 1; c < 3; ++c)
+      for (unsigned int i = 0; i < m; ++i)
+      {
+        const unsigned int there = contact_row(n, c, points[i]);
+        rate += state.R[there] * state.residual_displacement[there] / h;
+      }
+
+    A.modal_numbers(solution.R, c_n, c_t);
+    c_n += c_t;
+    multiply(matrices.velocity_gain, c_n, velocity);
+    if (pair.n_modes() > 0)
+    {
+      rate += c_t * free_velocity + c_t * velocity;
+      matrices.shapes.amplitudes.Tvmult(state.modal_force, c_n);
+    }
+    for (unsigned int k = 0; k < pair.n_modes(); ++k)
+    {
+      state.q[k] = q[k] + steps[k].g1[0] * state.modal_force[k];
+      state.v[k] = v[k] + steps[k].g1[1] * state.modal_force[k];
     }
     state.time += h;
+    set_powers(state.R, state.contact.y, rigid, n, rate, state);
 
-    DenseVector rate = state.residual_displacement;
-    rate -= previous;
-    rate /= h;
-    set_powers(pair, rigid, rate, state);
-    return state.contact;
+    ContactSolution &to = state.contact;
+    to.approach = solution.approach;
+    to.converged = solution.converged;
+    to.residual = solution.residual;
+    to.iterations = solution.iterations;
+    to.factorisations = solution.factorisations;
+    to.linear_iterations = solution.linear_iterations;
+    to.fallbacks = solution.fallbacks;
+    to.seconds = solution.seconds;
   }
 } // namespace vibrocontact

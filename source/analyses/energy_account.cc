@@ -51,9 +51,7 @@ namespace vibrocontact
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
     {
       const double dq = after.q[k] - before.q[k], v = (after.v[k] + before.v[k]) / 2;
-      const double force = (before.normal_modal_force[k] + before.tangential_modal_force[k] +
-                            after.normal_modal_force[k] + after.tangential_modal_force[k]) /
-                           2;
+      const double force = (before.modal_force[k] + after.modal_force[k]) / 2;
       work += force * dq;
       loads += pair.modal_load[k] * dq;
       damping += 2 * pair.damping_ratio[k] * pair.omega[k] * v * v * h;

@@ -233,11 +233,8 @@ namespace vibrocontact
         state.q[k] = (force[k] + pair.modal_load[k]) / (pair.omega[k] * pair.omega[k]);
     }
     perturb(transient, pair, state);
-    complete(pair, state);
-    if (!state.contact.empty())
-      set_powers(pair,
-                 rigid_slip(pair.interface.grid, find_creep_scheme(contact.creep_scheme), drive.creepage),
-                 DenseVector(3 * n), state);
+    complete(pair, rigid_slip(pair.interface.grid, find_creep_scheme(contact.creep_scheme), drive.creepage),
+             state);
     return state;
   }
 

@@ -20,6 +20,8 @@ namespace vibrocontact
     constexpr double tangential_factor = 0.4;
     constexpr unsigned int fixed_point_steps_in_fallback = 100;
     constexpr unsigned int max_halvings = 6, patience = 8;
+    /// Newton steps whose round-off in y need not be removed
+    constexpr unsigned int steps_without_drift = 3;
 
     bool all_finite(const DenseVector &v)
     {
@@ -76,7 +78,8 @@ namespace vibrocontact
         s.converged = false;
         if (s.empty())
           frictionless_start(problem, 1e-3, s);
-        contact_response(problem, s.R, s.approach, s.y);
+        if (!s.response_known)
+          contact_response(problem, s.R, s.approach, s.y);
         judge_state();
         if (!std::isfinite(s.residual) || !std::isfinite(current))
           throw ConvergenceError("The operator of the contact problem '" + problem.title +
@@ -259,8 +262,10 @@ namespace vibrocontact
           best.fallbacks = s.fallbacks;
           s = best;
         }
-        // round-off collected in y over the steps is removed before the final judgement
-        contact_response(problem, s.R, s.approach, s.y);
+        // round-off collected in y over many steps is removed before the final judgement
+        if (s.iterations > steps_without_drift)
+          contact_response(problem, s.R, s.approach, s.y);
+        s.response_known = false;
         s.residual = merit(problem, judge.evaluate(s.R, s.y, judged, s.status), s.R);
         s.converged = s.residual <= parameters.tolerance;
         return s;

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/analyses/contact_pair.h>
 #include <vibrocontact/analyses/modal_step.h>
+#include <vibrocontact/analyses/step_operator.h>
 #include <vibrocontact/contact/contact_solver.h>
 
 #include <functional>
@@ -15,25 +16,29 @@ namespace vibrocontact
     double time = 0;
     /// modal amplitudes [m sqrt(kg)] and velocities; n_modes
     std::vector<double> q, v;
-    /// forces on body 1 [N] and their residual displacements W~ R [m]; 3 n
+    /// forces on body 1 [N]; residual displacements W~ R [m], kept at the watched points and upstream of them;
+    /// 3 n
     DenseVector R, residual_displacement;
-    /// modal forces of the normal and of the tangential forces, Psi^T R [N/sqrt(kg)]; n_modes
-    DenseVector normal_modal_force, tangential_modal_force;
+    /// Psi^T R [N/sqrt(kg)]; n_modes
+    DenseVector modal_force;
     /// powers of the tangential forces [W]: dissipated by friction (>= 0), given to the bodies by the
     /// creepage and by the transport -V R . du/dx
     double friction_power = 0, creepage_power = 0, transport_power = 0;
-    /// how the contact was solved at this instant: status, gap and slip, approach
+    /// how the contact was solved at this instant: status, gap and slip, approach. At points that are not
+    /// watched, the gap is that of the last look at all points (roughness kept up to date), the slip is zero.
     ContactSolution contact;
+    /// roughness that the gap holds [m]; n, empty: none
+    std::vector<double> roughness;
+    /// points in the contact problem of a step, ascending; empty: to be found
+    std::vector<unsigned int> watched;
+    /// how far open points may have moved since the last look at all of them [m], and the steps since
+    double travel = 0;
+    unsigned int steps_since_look = 0;
   };
 
-  /// Fills what follows from q, v, R: modal forces and W~ R.
-  void complete(const ContactPair &pair, DynamicState &state);
-
-  /// Fills the powers of a state from its forces, its slip (contact.y) and the rigid slip (3 n, [m/s]); what
-  /// the slip is beside the rigid part, the modal velocities and the residual rate (3 n, [m/s]) is the
-  /// transport.
-  void set_powers(const ContactPair &pair, const DenseVector &rigid_slip, const DenseVector &residual_rate,
-                  DynamicState &state);
+  /// Fills what follows from q, v, R and the slip (contact.y) of an initial state, at rest in the moving frame
+  /// but for v: modal forces, W~ R, powers (with the rigid slip, 3 n [m/s]).
+  void complete(const ContactPair &pair, const DenseVector &rigid_slip, DynamicState &state);
 
   /// Longest step for which reactions that are linear in the step do not ring, 2.7 sqrt(W~ / (Psi Psi^T)),
   /// the least over the normal rows of the contact points (doc/theory.md, "Time steps") [s]; infinite without
@@ -65,6 +70,11 @@ namespace vibrocontact
   ///
   /// (G, H: gains of displacement and velocity, ModalStep::g1) is constant as long as step and speed are. The
   /// rate of W~ R is differenced backwards: a trapezoidal rate rings.
+  ///
+  /// What a step costs follows from what can matter in it: modes and contact meet in few shapes (PatchShapes),
+  /// and only watched points enter the contact problem (StepOperator): those loaded or with a small gap. The
+  /// gaps of all are looked at again before any of the others could have closed, for which open watched
+  /// points show how fast gaps change, taken twice (doc/theory.md, "Time steps").
   class ContactStepper
   {
   public:
@@ -77,14 +87,35 @@ namespace vibrocontact
     const ContactSolution &advance(DynamicState &state, const Drive &drive, ContactSolver &solver);
 
   private:
+    /// Whether a point that is not watched may have closed since the last look.
+    bool must_look(const DynamicState &state) const;
+    /// Gaps of all points, and from them the points to watch.
+    void look(DynamicState &state);
+    /// Operator and friction of the watched points into the problem.
+    void watch(const std::vector<unsigned int> &points);
+    /// q, v at the end of the step without the forces there.
+    void advance_modes(const DynamicState &state);
+    /// The problem of the step, and where its solution starts.
+    void set_problem(const DynamicState &state, const Drive &drive, const DenseVector &rigid_slip);
+    void take_over(DynamicState &state, const DenseVector &rigid_slip);
+
     const ContactPair &pair;
     const CreepScheme &scheme;
     const std::vector<ModalStep> steps;
     const double h, speed;
-    /// gap and slip per modal amplitude: Psi_n, V d/dx Psi_t; slip per modal velocity: Psi_t; 3 n x n_modes
-    DenseMatrix response_to_q, response_to_v;
-    /// gap and slip that never change: undeformed gap and loads; 3 n
+    const StepMatrices matrices;
+    /// gap and slip without forces that never change: undeformed gap and loads; 3 n
     DenseVector constant_response;
+    /// mu of all points; n
+    std::vector<double> friction;
+    std::shared_ptr<const StepOperator> step_operator;
+    /// of the watched points
     ContactProblem problem;
+    ContactSolution solution;
+    /// modes without the forces at the end of the step; n_modes
+    DenseVector q, v;
+    /// their shapes, those that forces add, and basis^T R of normal and tangential forces (c_n: also of all);
+    /// rank
+    DenseVector free_displacement, free_velocity, displacement, velocity, c_n, c_t;
   };
 } // namespace vibrocontact

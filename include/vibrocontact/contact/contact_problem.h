@@ -55,6 +55,8 @@ namespace vibrocontact
     std::vector<ContactStatus> status;
     /// [m]
     double approach = 0;
+    /// of a start: y is that of R and approach for the problem to be solved, nobody has to compute it
+    bool response_known = false;
     bool converged = false;
     /// norm of R - projections over norm of mu N (over norm of N without friction), see ContactResidual
     double residual = 0;

@@ -1,0 +1,218 @@
+#include <vibrocontact/analyses/step_operator.h>
+
+#include <algorithm>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    // amplitudes diag(g1) amplitudes^T
+    DenseMatrix gain(const DenseMatrix &amplitudes, const std::vector<ModalStep> &steps,
+                     const unsigned int component)
+    {
+      DenseMatrix result(amplitudes.m()), scaled(amplitudes.m(), amplitudes.n());
+      for (unsigned int k = 0; k < amplitudes.n(); ++k)
+        for (unsigned int i = 0; i < amplitudes.m(); ++i)
+          scaled(i, k) = amplitudes(i, k) * steps[k].g1[component];
+      if (amplitudes.m() > 0)
+        scaled.mTmult(result, amplitudes);
+      return result;
+    }
+
+    // into += left middle right^T
+    void add_product(const DenseMatrix &left, const DenseMatrix &middle, const DenseMatrix &right,
+                     DenseMatrix &into)
+    {
+      if (middle.m() == 0)
+        return;
+      DenseMatrix half(left.m(), middle.n());
+      left.mmult(half, middle);
+      half.mTmult(into, right, true);
+    }
+
+    DenseMatrix rows_of_points(const DenseMatrix &matrix, const std::vector<unsigned int> &points)
+    {
+      const unsigned int n = matrix.m() / 3, m = points.size();
+      DenseMatrix result(3 * m, matrix.n());
+      for (unsigned int k = 0; k < matrix.n(); ++k)
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int i = 0; i < m; ++i)
+            result(contact_row(m, c, i), k) = matrix(contact_row(n, c, points[i]), k);
+      return result;
+    }
+
+    // y = A x, y += A x, y = A^T x; deal.II refuses empty matrices
+    void multiply(const DenseMatrix &A, const DenseVector &x, DenseVector &y, const bool adding = false)
+    {
+      if (A.n() > 0)
+        A.vmult(y, x, adding);
+    }
+  } // namespace
+
+  StepMatrices step_matrices(const ContactGrid &grid, const CreepScheme &scheme,
+                             const DenseMatrix &modal_trace, const DenseMatrix &residual_flexibility,
+                             const std::vector<ModalStep> &steps, const double h, const double speed)
+  {
+    const unsigned int n = grid.n_points();
+    StepMatrices result;
+    result.grid = grid;
+    result.scheme = scheme;
+    result.step = h;
+    result.speed = speed;
+    result.residual_flexibility = result.response = residual_flexibility;
+    result.shapes = patch_shapes(modal_trace, patch_shape_tolerance);
+    const PatchShapes &shapes = result.shapes;
+    result.displacement_gain = gain(shapes.amplitudes, steps, 0);
+    result.velocity_gain = gain(shapes.amplitudes, steps, 1);
+    result.by_displacement = result.by_velocity = shapes.basis;
+    convert_to_slip_rows(grid, scheme, speed, result.by_displacement);
+    for (unsigned int k = 0; k < shapes.rank(); ++k)
+      std::fill_n(&result.by_velocity(0, k), n, 0.);
+
+    DenseMatrix &A = result.response;
+    convert_to_slip_rows(grid, scheme, speed, A);
+    for (unsigned int j = 0; j < 3 * n; ++j)
+      for (unsigned int i = n; i < 3 * n; ++i)
+        A(i, j) += residual_flexibility(i, j) / h;
+    add_product(result.by_displacement, result.displacement_gain, shapes.basis, A);
+    add_product(result.by_velocity, result.velocity_gain, shapes.basis, A);
+    return result;
+  }
+
+  StepOperator::StepOperator(const StepMatrices &matrices, std::vector<unsigned int> points)
+      : matrices(matrices), watched(std::move(points)), basis(rows_of_points(matrices.shapes.basis, watched)),
+        by_displacement(rows_of_points(matrices.by_displacement, watched)),
+        by_velocity(rows_of_points(matrices.by_velocity, watched)), c_normal(basis.n()),
+        c_tangential(basis.n()), displacement(basis.n()), velocity(basis.n())
+  {
+    const ContactGrid &grid = matrices.grid;
+    const unsigned int n = grid.n_points();
+    const auto coefficients = [&](const unsigned int point) -> std::vector<double>
+    {
+      const unsigned int i = point % grid.n_x;
+      if (i == 0)
+        return {0.};
+      return i >= matrices.scheme.reach() ? matrices.scheme.coefficients
+                                          : creep_schemes().front().coefficients;
+    };
+    std::vector<unsigned int> wet;
+    for (const unsigned int point : watched)
+      for (unsigned int k = 0; k < coefficients(point).size(); ++k)
+        wet.push_back(point - k);
+    std::sort(wet.begin(), wet.end());
+    wet.erase(std::unique(wet.begin(), wet.end()), wet.end());
+    n_wet = wet.size();
+    for (const unsigned int point : watched)
+    {
+      const std::vector<double> c = coefficients(point);
+      transport.emplace_back();
+      for (unsigned int k = 0; k < c.size(); ++k)
+        transport.back().emplace_back(std::lower_bound(wet.begin(), wet.end(), point - k) - wet.begin(),
+                                      matrices.speed / grid.spacing_x * c[k] +
+                                          (k == 0 ? 1 / matrices.step : 0));
+    }
+
+    rows = watched;
+    for (unsigned int c = 1; c < 3; ++c)
+      for (const unsigned int point : wet)
+        rows.push_back(contact_row(n, c, point));
+    residual.reinit(rows.size());
+    // of the whole grid: rho does not move with the points that are watched
+    for (unsigned int c = 0; c < 3; ++c)
+    {
+      diagonal[c] = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        diagonal[c] += matrices.response(contact_row(n, c, i), contact_row(n, c, i)) / n;
+    }
+  }
+
+  void StepOperator::vmult(DenseVector &y, const DenseVector &R,
+                           const std::vector<unsigned int> &sources) const
+  {
+    const unsigned int m = n_points(), n = matrices.grid.n_points(), n_sources = sources.size();
+    y.reinit(3 * m + rows.size());
+    if (n_sources == 0)
+      return;
+    if (sources != sources_before)
+    {
+      residual_columns.reinit(rows.size(), 3 * n_sources);
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int j = 0; j < n_sources; ++j)
+        {
+          const double *const from =
+              &matrices.residual_flexibility(0, contact_row(n, c, watched[sources[j]]));
+          double *const to = &residual_columns(0, contact_row(n_sources, c, j));
+          for (unsigned int i = 0; i < rows.size(); ++i)
+            to[i] = from[rows[i]];
+        }
+      forces.reinit(3 * n_sources);
+      sources_before = sources;
+    }
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int j = 0; j < n_sources; ++j)
+        forces[contact_row(n_sources, c, j)] = R[contact_row(m, c, sources[j])];
+    residual_columns.vmult(residual, forces);
+    std::copy(residual.begin(), residual.end(), y.begin() + 3 * m);
+
+    modal_numbers(R, c_normal, c_tangential);
+    c_normal += c_tangential;
+    multiply(matrices.displacement_gain, c_normal, displacement);
+    multiply(matrices.velocity_gain, c_normal, velocity);
+    respond(displacement, velocity, y);
+  }
+
+  void StepOperator::respond(const DenseVector &d, const DenseVector &v, DenseVector &y) const
+  {
+    const unsigned int m = n_points();
+    const double *const w = y.data() + 3 * m;
+    std::copy_n(w, m, y.data());
+    for (unsigned int c = 1; c < 3; ++c)
+    {
+      const double *const tangential = w + m + (c - 1) * n_wet;
+      for (unsigned int i = 0; i < m; ++i)
+      {
+        double sum = 0;
+        for (const auto &[place, factor] : transport[i])
+          sum += factor * tangential[place];
+        y[contact_row(m, c, i)] = sum;
+      }
+    }
+    for (unsigned int k = 0; k < basis.n(); ++k)
+    {
+      const double *const a = &by_displacement(0, k), *const b = &by_velocity(0, k);
+      for (unsigned int i = 0; i < 3 * m; ++i)
+        y[i] += d[k] * a[i] + v[k] * b[i];
+    }
+  }
+
+  void StepOperator::modal_numbers(const DenseVector &R, DenseVector &c_n, DenseVector &c_t) const
+  {
+    const unsigned int m = n_points();
+    for (unsigned int k = 0; k < basis.n(); ++k)
+    {
+      const double *const column = &basis(0, k);
+      double normal = 0, tangential = 0;
+      for (unsigned int i = 0; i < m; ++i)
+        normal += column[i] * R[i];
+      for (unsigned int i = m; i < 3 * m; ++i)
+        tangential += column[i] * R[i];
+      c_n[k] = normal;
+      c_t[k] = tangential;
+    }
+  }
+
+  void StepOperator::extract(const std::vector<unsigned int> &points, DenseMatrix &block) const
+  {
+    const unsigned int n = matrices.grid.n_points(), m = points.size();
+    block.reinit(3 * m);
+    for (unsigned int component = 0; component < 3; ++component)
+      for (unsigned int j = 0; j < m; ++j)
+      {
+        const double *const from = &matrices.response(0, contact_row(n, component, watched[points[j]]));
+        double *const to = &block(0, contact_row(m, component, j));
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int i = 0; i < m; ++i)
+            to[contact_row(m, c, i)] = from[contact_row(n, c, watched[points[i]])];
+      }
+  }
+} // namespace vibrocontact
