@@ -1,5 +1,7 @@
 #include <vibrocontact/analyses/step_operator.h>
 
+#include <deal.II/lac/lapack_templates.h>
+
 #include <algorithm>
 
 namespace vibrocontact
@@ -41,11 +43,11 @@ namespace vibrocontact
       return result;
     }
 
-    // y = A x, y += A x, y = A^T x; deal.II refuses empty matrices
-    void multiply(const DenseMatrix &A, const DenseVector &x, DenseVector &y, const bool adding = false)
+    // deal.II refuses empty matrices
+    void multiply(const DenseMatrix &A, const DenseVector &x, DenseVector &y)
     {
       if (A.n() > 0)
-        A.vmult(y, x, adding);
+        A.vmult(y, x);
     }
   } // namespace
 
@@ -81,10 +83,17 @@ namespace vibrocontact
 
   StepOperator::StepOperator(const StepMatrices &matrices, std::vector<unsigned int> points)
       : matrices(matrices), watched(std::move(points)), basis(rows_of_points(matrices.shapes.basis, watched)),
-        by_displacement(rows_of_points(matrices.by_displacement, watched)),
-        by_velocity(rows_of_points(matrices.by_velocity, watched)), c_normal(basis.n()),
-        c_tangential(basis.n()), displacement(basis.n()), velocity(basis.n())
+        by_motion(3 * watched.size(), 2 * basis.n()), c_normal(basis.n()), c_tangential(basis.n()),
+        displacement(basis.n()), velocity(basis.n())
   {
+    for (unsigned int part = 0; part < 2; ++part)
+    {
+      const DenseMatrix rows =
+          rows_of_points(part == 0 ? matrices.by_displacement : matrices.by_velocity, watched);
+      for (unsigned int k = 0; k < basis.n(); ++k)
+        std::copy_n(&rows(0, k), rows.m(), &by_motion(0, part * basis.n() + k));
+    }
+    motion.reinit(2 * basis.n());
     const ContactGrid &grid = matrices.grid;
     const unsigned int n = grid.n_points();
     const auto coefficients = [&](const unsigned int point) -> std::vector<double>
@@ -177,28 +186,26 @@ namespace vibrocontact
         y[contact_row(m, c, i)] = sum;
       }
     }
-    for (unsigned int k = 0; k < basis.n(); ++k)
-    {
-      const double *const a = &by_displacement(0, k), *const b = &by_velocity(0, k);
-      for (unsigned int i = 0; i < 3 * m; ++i)
-        y[i] += d[k] * a[i] + v[k] * b[i];
-    }
+    const dealii::types::blas_int n_rows = 3 * m, n_columns = motion.size(), one = 1;
+    if (n_columns == 0)
+      return;
+    std::copy(d.begin(), d.end(), motion.begin());
+    std::copy(v.begin(), v.end(), motion.begin() + basis.n());
+    const double unit = 1;
+    dealii::gemv("N", &n_rows, &n_columns, &unit, &by_motion(0, 0), &n_rows, motion.data(), &one, &unit,
+                 y.data(), &one);
   }
 
   void StepOperator::modal_numbers(const DenseVector &R, DenseVector &c_n, DenseVector &c_t) const
   {
-    const unsigned int m = n_points();
-    for (unsigned int k = 0; k < basis.n(); ++k)
-    {
-      const double *const column = &basis(0, k);
-      double normal = 0, tangential = 0;
-      for (unsigned int i = 0; i < m; ++i)
-        normal += column[i] * R[i];
-      for (unsigned int i = m; i < 3 * m; ++i)
-        tangential += column[i] * R[i];
-      c_n[k] = normal;
-      c_t[k] = tangential;
-    }
+    const dealii::types::blas_int m = n_points(), twice = 2 * m, n_rows = 3 * m, n_columns = basis.n(),
+                                  one = 1;
+    if (n_columns == 0)
+      return;
+    const double unit = 1, zero = 0;
+    dealii::gemv("T", &m, &n_columns, &unit, &basis(0, 0), &n_rows, R.data(), &one, &zero, c_n.data(), &one);
+    dealii::gemv("T", &twice, &n_columns, &unit, &basis(m, 0), &n_rows, R.data() + m, &one, &zero, c_t.data(),
+                 &one);
   }
 
   void StepOperator::extract(const std::vector<unsigned int> &points, DenseMatrix &block) const

@@ -21,8 +21,8 @@ namespace vibrocontact
     unsigned int rank() const { return basis.n(); }
   };
 
-  /// Relative error that round-off hides: a time step cannot tell the shapes from the modal trace.
-  constexpr double patch_shape_tolerance = 1e-12;
+  /// Relative error of the shapes in time steps: far below what a step makes of them (doc/transient.md).
+  constexpr double patch_shape_tolerance = 1e-8;
 
   /// @param modal_trace 3 n x n_modes [1/sqrt(kg)]; without modes the rank is zero
   PatchShapes patch_shapes(const DenseMatrix &modal_trace, double tolerance);

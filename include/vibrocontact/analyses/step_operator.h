@@ -74,11 +74,12 @@ namespace vibrocontact
     /// V d/dx + 1/h at each watched point: places among the wet points and their factors [1/s]
     std::vector<std::vector<std::pair<unsigned int, double>>> transport;
     double diagonal[3];
-    /// of the watched points: basis and StepMatrices::by_displacement, by_velocity; 3 n_points x rank
-    DenseMatrix basis, by_displacement, by_velocity;
+    /// of the watched points: basis, and StepMatrices::by_displacement and by_velocity side by side; 3
+    /// n_points x rank, twice the rank
+    DenseMatrix basis, by_motion;
     /// columns of W~ of the sources of the last product, and their forces
     mutable std::vector<unsigned int> sources_before;
     mutable DenseMatrix residual_columns;
-    mutable DenseVector forces, residual, c_normal, c_tangential, displacement, velocity;
+    mutable DenseVector forces, residual, c_normal, c_tangential, displacement, velocity, motion;
   };
 } // namespace vibrocontact
