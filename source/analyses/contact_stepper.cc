@@ -12,8 +12,8 @@ namespace vibrocontact
     constexpr unsigned int always_watched = 16;
     /// points are watched below this share of the median gap, until they are beyond twice that
     constexpr double watched_share = 0.1;
-    /// steps after which W~ R is computed anew, without the round-off of the changes since
-    constexpr unsigned int longest_without_look = 1000;
+    /// steps after which W~ R is computed anew: the round-off of its changes grows with the steps^(3/2)
+    constexpr unsigned int longest_without_look = 64;
 
     // deal.II refuses empty matrices
     void multiply(const DenseMatrix &A, const DenseVector &x, DenseVector &y)
@@ -71,6 +71,8 @@ namespace vibrocontact
   {
     const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
     residual_displacement(pair.residual_flexibility, state.R, state.residual_displacement);
+    state.force_change.reinit(3 * n);
+    state.residual_change.reinit(3 * n);
     state.modal_force.reinit(n_modes);
     DenseVector tangential(n_modes), forces(state.R);
     if (n_modes > 0)
@@ -118,6 +120,7 @@ namespace vibrocontact
   {
     const unsigned int n = pair.n_points();
     residual_displacement(pair.residual_flexibility, state.R, state.residual_displacement);
+    residual_displacement(pair.residual_flexibility, state.force_change, state.residual_change);
     std::copy(state.q.begin(), state.q.end(), q.begin());
     multiply(matrices.shapes.amplitudes, q, displacement);
     std::vector<double> gap(n);
@@ -141,7 +144,7 @@ namespace vibrocontact
     for (unsigned int i = 0; i < n; ++i)
     {
       state.contact.y[i] = gap[i];
-      if (n <= always_watched || state.R[i] != 0 ||
+      if (n <= always_watched || state.R[i] != 0 || state.force_change[i] != 0 ||
           gap[i] <= (was_watched[i] ? 2 * threshold - least : threshold))
         state.watched.push_back(i);
       else
@@ -219,14 +222,13 @@ namespace vibrocontact
           problem.b[here] -= state.residual_displacement[there] / h;
         else if (!state.roughness.empty())
           problem.b[here] += state.roughness[points[i]];
-        solution.R[here] = state.R[there];
+        solution.R[here] = state.R[there] + state.force_change[there];
       }
     problem.normal_force = drive.normal_force;
     problem.approach = drive.normal_force > 0 ? state.contact.approach : drive.approach;
 
-    // the forces of the beginning are the start; their response follows from what is known
     for (unsigned int k = 0; k < rows.size(); ++k)
-      solution.y[3 * m + k] = state.residual_displacement[rows[k]];
+      solution.y[3 * m + k] = state.residual_displacement[rows[k]] + state.residual_change[rows[k]];
     A.modal_numbers(solution.R, c_n, c_t);
     c_n += c_t;
     multiply(matrices.displacement_gain, c_n, displacement);
@@ -252,18 +254,24 @@ namespace vibrocontact
       state.contact.status[points[i]] = solution.status[i];
     }
     state.travel += 2 * moved;
-    ++state.steps_since_look;
+    // a fallback computes W~ R anew, but not its change
+    state.steps_since_look = solution.fallbacks > 0 ? longest_without_look : state.steps_since_look + 1;
     for (unsigned int c = 0; c < 3; ++c)
       for (unsigned int i = 0; i < m; ++i)
       {
         const unsigned int here = contact_row(m, c, i), there = contact_row(n, c, points[i]);
+        state.force_change[there] = solution.R[here] - state.R[there];
         state.contact.R[there] = state.R[there] = solution.R[here];
         state.contact.y[there] = solution.y[here];
         if (c > 0)
           rate -= solution.R[here] * state.residual_displacement[there] / h;
       }
     for (unsigned int k = 0; k < rows.size(); ++k)
-      state.residual_displacement[rows[k]] = solution.y[3 * m + k];
+    {
+      double &displacement_of_row = state.residual_displacement[rows[k]];
+      state.residual_change[rows[k]] = solution.y[3 * m + k] - displacement_of_row;
+      displacement_of_row = solution.y[3 * m + k];
+    }
     for (unsigned int c = 1; c < 3; ++c)
       for (unsigned int i = 0; i < m; ++i)
       {

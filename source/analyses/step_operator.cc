@@ -106,8 +106,12 @@ namespace vibrocontact
     };
     std::vector<unsigned int> wet;
     for (const unsigned int point : watched)
+    {
       for (unsigned int k = 0; k < coefficients(point).size(); ++k)
         wet.push_back(point - k);
+      if (point % grid.n_x + 1 < grid.n_x)
+        wet.push_back(point + 1);
+    }
     std::sort(wet.begin(), wet.end());
     wet.erase(std::unique(wet.begin(), wet.end()), wet.end());
     n_wet = wet.size();

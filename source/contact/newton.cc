@@ -20,8 +20,6 @@ namespace vibrocontact
     constexpr double tangential_factor = 0.4;
     constexpr unsigned int fixed_point_steps_in_fallback = 100;
     constexpr unsigned int max_halvings = 6, patience = 8;
-    /// Newton steps whose round-off in y need not be removed
-    constexpr unsigned int steps_without_drift = 3;
 
     bool all_finite(const DenseVector &v)
     {
@@ -166,26 +164,10 @@ namespace vibrocontact
 
       bool solve_directly(const NewtonJacobian &J)
       {
-        // A factorisation is kept while no status changes and it still reduces the residual by ten at a
-        // stroke.
-        if (!kept.suits(problem, s.status, J.size()) || last_gain >= 0.1)
-        {
-          kept.A.reset();
-          J.assemble(kept.lu);
-          try
-          {
-            kept.lu.compute_lu_factorization();
-          }
-          catch (const dealii::LACExceptions::ExcSingular &)
-          {
-            return false;
-          }
-          kept.A = problem.A;
-          kept.force_given = problem.force_given();
-          kept.status = s.status;
-          ++s.factorisations;
-        }
-        kept.lu.solve(rhs);
+        // what is kept has to reduce the residual by ten at a stroke
+        if (!kept.prepare(problem, J, s.status, last_gain >= 0.1, s.factorisations))
+          return false;
+        kept.solve(rhs);
         return all_finite(rhs);
       }
 
@@ -246,7 +228,7 @@ namespace vibrocontact
         s.y = moved.y;
         s.approach = moved.approach;
         judge_state();
-        kept.A.reset();
+        kept.forget();
         if (s.residual < best.residual)
           best = s;
         return true;
@@ -262,8 +244,9 @@ namespace vibrocontact
           best.fallbacks = s.fallbacks;
           s = best;
         }
-        // round-off collected in y over many steps is removed before the final judgement
-        if (s.iterations > steps_without_drift)
+        // round-off collected in y over the steps is removed before the final judgement; who knew the response
+        // of the start cares for it
+        if (!s.response_known)
           contact_response(problem, s.R, s.approach, s.y);
         s.response_known = false;
         s.residual = merit(problem, judge.evaluate(s.R, s.y, judged, s.status), s.R);

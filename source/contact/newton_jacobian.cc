@@ -26,11 +26,10 @@ namespace vibrocontact
     return rows.empty() || rows[0].by_gap == 0 ? 1 : -1 / rows[0].by_gap;
   }
 
-  std::array<double, 3> NewtonJacobian::apply(const unsigned int k, const double dN, const double dTx,
+  std::array<double, 3> NewtonJacobian::apply(const Row &r, const double dN, const double dTx,
                                               const double dTy, const double dgap, const double dsx,
                                               const double dsy) const
   {
-    const Row &r = rows[k];
     const double dP = r.by_force * dN + r.by_gap * dgap;
     const double tx = dTx - rho_t * dsx, ty = dTy - rho_t * dsy;
     return {{dN - dP, dTx - r.by_trial[0][0] * tx - r.by_trial[0][1] * ty - r.by_radius[0] * dP,
@@ -49,7 +48,7 @@ namespace vibrocontact
     {
       const unsigned int i = active[k];
       const auto value =
-          apply(k, dR[i], dR[n + i], dR[2 * n + i], dy[i] - d_approach, dy[n + i], dy[2 * n + i]);
+          apply(rows[k], dR[i], dR[n + i], dR[2 * n + i], dy[i] - d_approach, dy[n + i], dy[2 * n + i]);
       for (unsigned int c = 0; c < 3; ++c)
         dst[c * m + k] = value[c];
       sum += dR[i];
@@ -58,11 +57,9 @@ namespace vibrocontact
       dst[3 * m] = sum;
   }
 
-  void NewtonJacobian::assemble(DenseMatrix &J) const
+  void NewtonJacobian::assemble(const DenseMatrix &A, DenseMatrix &J) const
   {
     const unsigned int m = active.size();
-    DenseMatrix A;
-    problem.A->extract(active, A);
     J.reinit(size());
     for (unsigned int column = 0; column < 3 * m; ++column)
     {
@@ -71,13 +68,12 @@ namespace vibrocontact
       const unsigned int c = column / m, own = column % m;
       for (unsigned int k = 0; k < m; ++k)
       {
-        const Row &r = rows[k];
-        const double dP = r.by_gap * a[k], tx = rho_t * a[m + k], ty = rho_t * a[2 * m + k];
-        out[k] = -dP;
-        out[m + k] = r.by_trial[0][0] * tx + r.by_trial[0][1] * ty - r.by_radius[0] * dP;
-        out[2 * m + k] = r.by_trial[1][0] * tx + r.by_trial[1][1] * ty - r.by_radius[1] * dP;
+        const auto value = apply(rows[k], 0, 0, 0, a[k], a[m + k], a[2 * m + k]);
+        out[k] = value[0];
+        out[m + k] = value[1];
+        out[2 * m + k] = value[2];
       }
-      const std::array<double, 3> diagonal = apply(own, c == 0, c == 1, c == 2, 0, 0, 0);
+      const std::array<double, 3> diagonal = apply(rows[own], c == 0, c == 1, c == 2, 0, 0, 0);
       for (unsigned int row = 0; row < 3; ++row)
         out[row * m + own] += diagonal[row];
       if (problem.force_given())
@@ -86,10 +82,34 @@ namespace vibrocontact
     if (problem.force_given())
       for (unsigned int k = 0; k < m; ++k)
       {
-        const std::array<double, 3> value = apply(k, 0, 0, 0, -approach_scale(), 0, 0);
+        const std::array<double, 3> value = apply(rows[k], 0, 0, 0, -approach_scale(), 0, 0);
         for (unsigned int row = 0; row < 3; ++row)
           J(row * m + k, 3 * m) = value[row];
       }
+  }
+
+  void NewtonJacobian::assemble_difference(const unsigned int k, const Row &before, const DenseMatrix &A,
+                                           DenseMatrix &differences, const unsigned int at) const
+  {
+    const unsigned int m = active.size();
+    const auto entries = [&](const Row &r, const unsigned int column)
+    {
+      const unsigned int c = column % m == k ? column / m : 3;
+      return apply(r, c == 0, c == 1, c == 2, A(k, column), A(m + k, column), A(2 * m + k, column));
+    };
+    for (unsigned int column = 0; column < 3 * m; ++column)
+    {
+      const auto now = entries(rows[k], column), then = entries(before, column);
+      for (unsigned int row = 0; row < 2; ++row)
+        differences(at + row, column) = now[row + 1] - then[row + 1];
+    }
+    if (problem.force_given())
+    {
+      const auto now = apply(rows[k], 0, 0, 0, -approach_scale(), 0, 0),
+                 then = apply(before, 0, 0, 0, -approach_scale(), 0, 0);
+      for (unsigned int row = 0; row < 2; ++row)
+        differences(at + row, 3 * m) = now[row + 1] - then[row + 1];
+    }
   }
 
   void NewtonJacobian::scatter(const DenseVector &values, DenseVector &full) const

@@ -16,9 +16,12 @@ namespace vibrocontact
     double time = 0;
     /// modal amplitudes [m sqrt(kg)] and velocities; n_modes
     std::vector<double> q, v;
-    /// forces on body 1 [N]; residual displacements W~ R [m], kept at the watched points and upstream of them;
+    /// forces on body 1 [N]; residual displacements W~ R [m], kept at the watched points and their
+    /// neighbours up- and downstream;
     /// 3 n
     DenseVector R, residual_displacement;
+    /// what both have changed by in the last step: the next one starts with the same change
+    DenseVector force_change, residual_change;
     /// Psi^T R [N/sqrt(kg)]; n_modes
     DenseVector modal_force;
     /// powers of the tangential forces [W]: dissipated by friction (>= 0), given to the bodies by the
@@ -95,7 +98,7 @@ namespace vibrocontact
     void watch(const std::vector<unsigned int> &points);
     /// q, v at the end of the step without the forces there.
     void advance_modes(const DynamicState &state);
-    /// The problem of the step, and where its solution starts.
+    /// The problem of the step, and where its solution starts: forces that go on changing as they did.
     void set_problem(const DynamicState &state, const Drive &drive, const DenseVector &rigid_slip);
     void take_over(DynamicState &state, const DenseVector &rigid_slip);
 

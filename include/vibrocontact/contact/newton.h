@@ -1,34 +1,18 @@
 #pragma once
 
 #include <vibrocontact/contact/contact_solver.h>
+#include <vibrocontact/contact/newton_factorisation.h>
 
 namespace vibrocontact
 {
-  /// The factorised matrix of a Newton step and what it belongs to.
-  struct NewtonFactorisation
-  {
-    /// operator and kind of load; null: nothing is kept
-    std::shared_ptr<const ContactOperator> A;
-    bool force_given = false;
-    /// status of all points when it was made
-    std::vector<ContactStatus> status;
-    DenseMatrix lu;
-
-    bool suits(const ContactProblem &problem, const std::vector<ContactStatus> &now,
-               const unsigned int size) const
-    {
-      return A == problem.A && force_given == problem.force_given() && status == now && lu.m() == size;
-    }
-  };
-
   /// Semi-smooth Newton on the projections (Alart & Curnier, CMAME 92 (1991) 353), with a tangential rho of
   /// 0.4 of that of ContactResidual: a smaller one takes more steps, a larger one starts to cycle between
   /// stick and slip (doc/contact.md). Solutions are judged by ContactResidual all the same.
   ///
   /// Only points whose projected normal force is positive enter the linear system: 3 m unknowns, one more if
-  /// the normal force is given. Its matrix is factorised by LAPACK and kept while the status of all points
-  /// stays and the residual falls fast, from one problem to the next of the same operator too (time steps); with a fast product and many points the system is solved by GMRES
-  /// instead.
+  /// the normal force is given. Its matrix is factorised by LAPACK and kept while the active points stay
+  /// and the residual falls fast (NewtonFactorisation); with a fast product and many points the system is
+  /// solved by GMRES instead.
   ///
   /// Declared fallback: a step that does not lower the residual below the largest of the last four is halved;
   /// if six halvings fail, the iteration stalls, the matrix is singular, or nothing touches although a force

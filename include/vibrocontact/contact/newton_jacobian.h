@@ -20,37 +20,52 @@ namespace vibrocontact
   class NewtonJacobian
   {
   public:
-    /// @param rho_normal, rho_tangential those of the projections [N/m, N s/m]
-    NewtonJacobian(const ContactProblem &problem, double rho_normal, double rho_tangential,
-                   const DenseVector &R, const DenseVector &y);
-
-    /// active points, ascending
-    const std::vector<unsigned int> &points() const { return active; }
-    unsigned int size() const { return 3 * active.size() + (problem.force_given() ? 1 : 0); }
-    /// [m/N]
-    double approach_scale() const;
-
-    /// The three rows of active point k for changes of its own forces and responses.
-    std::array<double, 3> apply(unsigned int k, double dN, double dTx, double dTy, double dgap, double dsx,
-                                double dsy) const;
-    /// dst = J src without forming J; what GMRES calls.
-    void vmult(DenseVector &dst, const DenseVector &src) const;
-    void assemble(DenseMatrix &J) const;
-    /// Values at the active points into a full vector of 3 n.
-    void scatter(const DenseVector &values, DenseVector &full) const;
-
-  private:
+    /// Derivatives of the projections at a point.
     struct Row
     {
       double by_force, by_gap;
       std::array<CoulombLaw::Vector2, 2> by_trial;
       CoulombLaw::Vector2 by_radius;
     };
+    using Rows = std::vector<Row>;
+
+    /// @param rho_normal, rho_tangential those of the projections [N/m, N s/m]
+    NewtonJacobian(const ContactProblem &problem, double rho_normal, double rho_tangential,
+                   const DenseVector &R, const DenseVector &y);
+
+    /// active points, ascending
+    const std::vector<unsigned int> &points() const { return active; }
+    const Rows &rows_of_points() const { return rows; }
+    unsigned int size() const { return 3 * active.size() + (problem.force_given() ? 1 : 0); }
+    /// [m/N]
+    double approach_scale() const;
+
+    /// The three rows of active point k for changes of its own forces and responses.
+    std::array<double, 3> apply(unsigned int k, double dN, double dTx, double dTy, double dgap, double dsx,
+                                double dsy) const
+    {
+      return apply(rows[k], dN, dTx, dTy, dgap, dsx, dsy);
+    }
+    /// dst = J src without forming J; what GMRES calls.
+    void vmult(DenseVector &dst, const DenseVector &src) const;
+    /// @param response A among the active points (ContactOperator::extract)
+    void assemble(const DenseMatrix &response, DenseMatrix &J) const;
+    /// The two tangential rows of active point k, less what they were with the derivatives `before`, into rows
+    /// `at` and at + 1.
+    void assemble_difference(unsigned int k, const Row &before, const DenseMatrix &response,
+                             DenseMatrix &differences, unsigned int at) const;
+    /// Values at the active points into a full vector of 3 n.
+    void scatter(const DenseVector &values, DenseVector &full) const;
+
+  private:
+    std::array<double, 3> apply(const Row &row, double dN, double dTx, double dTy, double dgap, double dsx,
+                                double dsy) const;
+
     const ContactProblem &problem;
     const unsigned int n;
     const double rho_t;
     std::vector<unsigned int> active;
-    std::vector<Row> rows;
+    Rows rows;
     mutable DenseVector dR, dy;
   };
 } // namespace vibrocontact

@@ -1,0 +1,108 @@
+#include <vibrocontact/contact/newton_factorisation.h>
+
+#include <algorithm>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// more changed points than this are factorised
+    constexpr unsigned int max_changed = 12;
+
+    bool factorise_lu(DenseMatrix &matrix)
+    {
+      try
+      {
+        matrix.compute_lu_factorization();
+      }
+      catch (const dealii::LACExceptions::ExcSingular &)
+      {
+        return false;
+      }
+      return true;
+    }
+  } // namespace
+
+  bool NewtonFactorisation::prepare(const ContactProblem &problem, const NewtonJacobian &J,
+                                    const std::vector<ContactStatus> &now, const bool anew,
+                                    unsigned int &factorisations)
+  {
+    if (!anew && A == problem.A && force_given == problem.force_given() && points == J.points())
+    {
+      std::vector<unsigned int> flipped;
+      for (unsigned int k = 0; k < points.size(); ++k)
+        if (now[points[k]] != status[k])
+          flipped.push_back(k);
+      if (flipped == changed || (flipped.size() <= max_changed && update(J, flipped)))
+        return true;
+    }
+    ++factorisations;
+    return factorise(problem, J, now);
+  }
+
+  bool NewtonFactorisation::factorise(const ContactProblem &problem, const NewtonJacobian &J,
+                                      const std::vector<ContactStatus> &now)
+  {
+    forget();
+    points = J.points();
+    status.clear();
+    for (const unsigned int i : points)
+      status.push_back(now[i]);
+    rows = J.rows_of_points();
+    changed.clear();
+    problem.A->extract(points, response);
+    J.assemble(response, lu);
+    if (!factorise_lu(lu))
+      return false;
+    A = problem.A;
+    force_given = problem.force_given();
+    return true;
+  }
+
+  bool NewtonFactorisation::update(const NewtonJacobian &J, const std::vector<unsigned int> &flipped)
+  {
+    const unsigned int m = points.size(), size = lu.m(), n_flipped = flipped.size();
+    DenseMatrix Z(size, 2 * n_flipped);
+    DenseVector column(size);
+    differences.reinit(2 * n_flipped, size);
+    for (unsigned int f = 0; f < n_flipped; ++f)
+    {
+      const unsigned int k = flipped[f];
+      const auto known = std::find(changed.begin(), changed.end(), k);
+      for (unsigned int c = 0; c < 2; ++c)
+      {
+        if (known != changed.end())
+          std::copy_n(&columns(0, 2 * (known - changed.begin()) + c), size, column.begin());
+        else
+        {
+          column = 0;
+          column[(c + 1) * m + k] = 1;
+          lu.solve(column);
+        }
+        std::copy(column.begin(), column.end(), &Z(0, 2 * f + c));
+      }
+      J.assemble_difference(k, rows[k], response, differences, 2 * f);
+    }
+    columns = Z;
+    changed = flipped;
+    if (n_flipped == 0)
+      return true;
+    small.reinit(2 * n_flipped);
+    differences.mmult(small, columns);
+    for (unsigned int i = 0; i < 2 * n_flipped; ++i)
+      small(i, i) += 1;
+    return factorise_lu(small);
+  }
+
+  void NewtonFactorisation::solve(DenseVector &x)
+  {
+    lu.solve(x);
+    if (changed.empty())
+      return;
+    DenseVector shares(small.m()), correction(x.size());
+    differences.vmult(shares, x);
+    small.solve(shares);
+    columns.vmult(correction, shares);
+    x -= correction;
+  }
+} // namespace vibrocontact
