@@ -46,6 +46,8 @@ namespace vibrocontact
   {
     const std::uintmax_t n_bytes = n * columns.size() * sizeof(double);
     std::error_code error;
+    if (n == 0)
+      return; // nothing had been flushed yet
     if (fs::file_size(stem + ".rows", error) >= n_bytes && !error)
     {
       fs::resize_file(stem + ".rows", n_bytes);

@@ -25,11 +25,16 @@ namespace vibrocontact
       file("state/v", state.v);
       file("state/R", state.R);
       file("state/residual_displacement", state.residual_displacement);
-      file("state/normal_modal_force", state.normal_modal_force);
-      file("state/tangential_modal_force", state.tangential_modal_force);
+      file("state/force_change", state.force_change);
+      file("state/residual_change", state.residual_change);
+      file("state/modal_force", state.modal_force);
       file("state/friction_power", state.friction_power);
       file("state/creepage_power", state.creepage_power);
       file("state/transport_power", state.transport_power);
+      file("state/roughness", state.roughness);
+      file("state/watched", state.watched);
+      file("state/travel", state.travel);
+      file("state/steps_since_look", state.steps_since_look);
       ContactSolution &contact = state.contact;
       file("contact/R", contact.R);
       file("contact/y", contact.y);
