@@ -16,6 +16,8 @@ namespace vibrocontact
     result.body = body.request().body;
     result.labels = modal.labels;
     result.damping_ratio = modal.damping_ratio;
+    for (double &ratio : result.damping_ratio)
+      ratio *= body.request().modes.damping_factor;
     result.n_dofs = modal.n_dofs;
     result.n_rigid_modes = modal.n_rigid_modes;
     result.seconds = modal.seconds;

@@ -25,6 +25,7 @@ namespace vibrocontact
                       "stuck; false: such "
                       "an equilibrium is refused. Units: none.",
                       Bool());
+    sweep.declare_parameters(prm);
   }
 
   LinearisationOptions StabilityParameters::options() const

@@ -25,7 +25,9 @@ namespace vibrocontact
     }
     else if (parameters.type == "block")
     {
-      mesh = make_block<3>(parameters.block, parameters.name, communicator);
+      BlockParameters block = parameters.block;
+      block.offset_y -= lateral_position;
+      mesh = make_block<3>(block, parameters.name, communicator);
       for (const std::string &boundary : parameters.block.held)
         model.held.push_back(mesh.boundary_id(boundary));
     }

@@ -1,56 +1,183 @@
 #include <vibrocontact/output/stability_output.h>
 
+#include <algorithm>
+#include <set>
+
 namespace vibrocontact
 {
   namespace
   {
     nlohmann::ordered_json root_json(const StabilityRoot &root)
     {
-      return {{"frequency_Hz", root.frequency},
-              {"growth_1_s", root.growth},
-              {"divergence_rate", root.divergence_rate},
-              {"label", root.label},
-              {"share", root.share}};
+      nlohmann::ordered_json result = {{"frequency_Hz", root.frequency},
+                                       {"growth_1_s", root.growth},
+                                       {"divergence_rate", root.divergence_rate},
+                                       {"label", root.label},
+                                       {"share", root.share}};
+      if (!root.path.empty())
+        result["root"] = root.path;
+      return result;
+    }
+
+    nlohmann::ordered_json values_json(const std::vector<std::string> &columns,
+                                       const std::vector<Table::Cell> &values)
+    {
+      nlohmann::ordered_json result = nlohmann::ordered_json::object();
+      for (unsigned int k = 0; k < columns.size(); ++k)
+        std::visit([&](const auto &value) { result[columns[k]] = value; }, values[k]);
+      return result;
+    }
+
+    using Cells = std::vector<Table::Cell>;
+
+    Cells joined(Cells a, const Cells &b)
+    {
+      a.insert(a.end(), b.begin(), b.end());
+      return a;
+    }
+
+    std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string> &b)
+    {
+      a.insert(a.end(), b.begin(), b.end());
+      return a;
     }
   } // namespace
 
-  Table stability_table(const std::vector<StabilityResult> &results)
+  Table stability_table(const StabilityOutcome &outcome)
   {
-    Table table({"case", "friction", "lateral_creepage", "longitudinal_creepage", "spin_1_m",
-                 "normal_force_N", "frequency_Hz", "growth_1_s", "divergence_rate", "label", "share"},
+    std::vector<std::string> columns = {
+        "case",           "friction",     "lateral_creepage", "longitudinal_creepage", "spin_1_m",
+        "normal_force_N", "frequency_Hz", "growth_1_s",       "divergence_rate",       "label",
+        "share"};
+    std::vector<unsigned int> swept;
+    for (unsigned int k = 0; k < outcome.columns.size(); ++k)
+      if (std::count(columns.begin(), columns.end(), outcome.columns[k]) == 0)
+        swept.push_back(k);
+    for (const unsigned int k : swept)
+      columns.push_back(outcome.columns[k]);
+    if (!outcome.columns.empty())
+      columns.push_back("root");
+    Table table(columns,
                 {"Complex eigenvalues about the rolling equilibrium of each case; growth > 0 is unstable",
                  "divergence_rate: real over imaginary part; label: the free mode with the largest share of "
-                 "the energy"});
-    for (unsigned int k = 0; k < results.size(); ++k)
+                 "the energy" +
+                     std::string(outcome.columns.empty() ? "" : "; root: the one that its path began as")});
+    for (unsigned int k = 0; k < outcome.results.size(); ++k)
     {
-      const RollingCase &one = results[k].rolling_case;
-      for (const StabilityRoot &root : results[k].roots)
-        table.add_row({double(k), one.friction, one.creepage.lateral, one.creepage.longitudinal,
-                       one.creepage.spin, results[k].normal_force, root.frequency, root.growth,
-                       root.divergence_rate, root.label, root.share});
+      const StabilityResult &result = outcome.results[k];
+      const RollingCase &one = result.rolling_case;
+      for (const StabilityRoot &root : result.roots)
+      {
+        Cells cells = {double(k),
+                       one.friction,
+                       one.creepage.lateral,
+                       one.creepage.longitudinal,
+                       one.creepage.spin,
+                       result.normal_force,
+                       root.frequency,
+                       root.growth,
+                       root.divergence_rate,
+                       root.label,
+                       root.share};
+        for (const unsigned int s : swept)
+          cells.push_back(outcome.values[k][s]);
+        if (!outcome.columns.empty())
+          cells.push_back(root.path);
+        table.add_row(cells);
+      }
     }
     return table;
   }
 
-  nlohmann::ordered_json stability_json(const std::vector<StabilityResult> &results)
+  Table stability_sweep_table(const StabilityOutcome &outcome)
+  {
+    std::set<std::string> wanted;
+    for (const StabilityResult &result : outcome.results)
+    {
+      for (const StabilityRoot *const root : result.unstable())
+        wanted.insert(root->path);
+      if (result.unstable().empty())
+        wanted.insert(result.nearest().path);
+    }
+    Table table(joined(joined({"case"}, outcome.columns),
+                       {"root", "frequency_Hz", "growth_1_s", "divergence_rate", "label", "share"}),
+                {"Paths of the roots that are unstable in some case of the sweep, or the nearest of a stable "
+                 "case; growth > 0 is unstable",
+                 "root: the free mode that the path began as; label: the free mode with the largest share of "
+                 "the energy in this case"});
+    for (unsigned int k = 0; k < outcome.results.size(); ++k)
+      for (const StabilityRoot &root : outcome.results[k].roots)
+        if (wanted.count(root.path) > 0)
+          table.add_row(
+              joined(joined({double(k)}, outcome.values[k]),
+                     {root.path, root.frequency, root.growth, root.divergence_rate, root.label, root.share}));
+    return table;
+  }
+
+  Table stability_map_table(const StabilityOutcome &outcome)
+  {
+    Table table(
+        joined(joined({"case"}, outcome.columns),
+               {"normal_force_N", "contact_points", "stick_points", "n_unstable", "unstable", "nearest",
+                "frequency_Hz", "growth_1_s", "divergence_rate"}),
+        {"What is unstable in each case of the sweep: number and names of the roots with growth > 0",
+         "nearest: the root with the largest divergence rate (positive: unstable), with frequency and "
+         "growth"});
+    for (unsigned int k = 0; k < outcome.results.size(); ++k)
+    {
+      const StabilityResult &result = outcome.results[k];
+      std::string names;
+      for (const StabilityRoot *const root : result.unstable())
+        names += (names.empty() ? "" : " + ") + root->path;
+      const StabilityRoot &nearest = result.nearest();
+      table.add_row(joined(joined({double(k)}, outcome.values[k]),
+                           {result.normal_force, double(result.contact_points), double(result.stick_points),
+                            double(result.unstable().size()), names, nearest.path, nearest.frequency,
+                            nearest.growth, nearest.divergence_rate}));
+    }
+    return table;
+  }
+
+  nlohmann::ordered_json stability_json(const StabilityOutcome &outcome)
   {
     nlohmann::ordered_json cases = nlohmann::ordered_json::array();
-    for (const StabilityResult &result : results)
+    for (unsigned int k = 0; k < outcome.results.size(); ++k)
     {
+      const StabilityResult &result = outcome.results[k];
       nlohmann::ordered_json unstable = nlohmann::ordered_json::array();
       for (const StabilityRoot *const root : result.unstable())
         unstable.push_back(root_json(*root));
-      cases.push_back({{"friction", result.rolling_case.friction},
-                       {"lateral_creepage", result.rolling_case.creepage.lateral},
-                       {"longitudinal_creepage", result.rolling_case.creepage.longitudinal},
-                       {"spin_1_m", result.rolling_case.creepage.spin},
-                       {"normal_force_N", result.normal_force},
-                       {"contact_points", result.contact_points},
-                       {"stick_points", result.stick_points},
-                       {"unstable", unstable},
-                       {"nearest", root_json(result.nearest())},
-                       {"seconds", result.seconds}});
+      nlohmann::ordered_json one = {{"friction", result.rolling_case.friction},
+                                    {"lateral_creepage", result.rolling_case.creepage.lateral},
+                                    {"longitudinal_creepage", result.rolling_case.creepage.longitudinal},
+                                    {"spin_1_m", result.rolling_case.creepage.spin},
+                                    {"normal_force_N", result.normal_force},
+                                    {"contact_points", result.contact_points},
+                                    {"stick_points", result.stick_points},
+                                    {"unstable", unstable},
+                                    {"nearest", root_json(result.nearest())},
+                                    {"seconds", result.seconds}};
+      if (!outcome.columns.empty())
+        one["swept"] = values_json(outcome.columns, outcome.values[k]);
+      cases.push_back(one);
     }
-    return {{"roots", "stability.csv"}, {"unstable", cases.front()["unstable"]}, {"cases", cases}};
+    nlohmann::ordered_json result = {
+        {"roots", "stability.csv"},
+        {"unstable", cases.empty() ? nlohmann::ordered_json::array() : cases.front()["unstable"]},
+        {"cases", cases}};
+    if (outcome.columns.empty())
+      return result;
+    result["sweep"] = "stability_sweep.csv";
+    result["map"] = "stability_map.csv";
+    result["swept_entries"] = outcome.entries;
+    result["swept_columns"] = outcome.columns;
+    result["left_out"] = nlohmann::ordered_json::array();
+    for (const auto &[values, reason] : outcome.left_out)
+    {
+      nlohmann::ordered_json one = values_json(outcome.columns, values);
+      one["reason"] = reason;
+      result["left_out"].push_back(one);
+    }
+    return result;
   }
 } // namespace vibrocontact

@@ -38,6 +38,11 @@ namespace vibrocontact
         "Modal damping ratio of a wheel's modes with two or more nodal diameters (Eq. 23). Units: none.",
         Double(0, 1));
     prm.add_parameter(
+        "Damping factor", damping_factor,
+        "All modal damping ratios of the body times this factor; the reduction in the cache stays "
+        "valid. Units: none.",
+        Double(0, 1e6));
+    prm.add_parameter(
         "Rim radius", rim_radius,
         "Points of a wheel further than this from its axle are its rim, whose motion names the family of a "
         "mode. Units: m.",

@@ -82,25 +82,27 @@ namespace vibrocontact
   MeshedBody::MeshedBody(const BodyParameters &parameters, const ModeParameters &modes, const bool above,
                          const double lateral_position, const ContactGrid *const grid, const std::string &key,
                          const std::string &cache_directory, const MPI_Comm communicator)
-      : parameters(parameters), above(above), lateral_position(lateral_position), grid(grid),
-        communicator(communicator), reduction(
-                                        request(parameters, modes, lateral_position, key, cache_directory),
-                                        [this]() { return assemble(); }, communicator)
+      : parameters(parameters), above(above), lateral_position(lateral_position),
+        grid(grid ? std::make_optional(*grid) : std::nullopt), communicator(communicator),
+        reduction(
+            request(parameters, modes, lateral_position, key, cache_directory),
+            [this]() { return assemble(); }, communicator)
   {
   }
 
   std::unique_ptr<SecondOrderSystem> MeshedBody::assemble()
   {
+    const ContactGrid *const pointer = grid ? &*grid : nullptr;
     if (parameters.type == "bar")
-      return assemble_bar(parameters.bar, parameters.material, parameters.name, above, grid, communicator);
+      return assemble_bar(parameters.bar, parameters.material, parameters.name, above, pointer, communicator);
     if (parameters.type == "beam rail")
     {
       if (grid && above)
         throw InputError(parameters.name +
                          " is a beam rail, which lies below the contact, but is body 1, above; "
                          "list it second in Bodies.");
-      auto system =
-          assemble_beam_rail(parameters.beam_rail, parameters.material, parameters.name, grid, communicator);
+      auto system = assemble_beam_rail(parameters.beam_rail, parameters.material, parameters.name, pointer,
+                                       communicator);
       if (grid)
         system->local_compliance =
             half_space_compliance(*grid, HalfSpacePair({std::numeric_limits<double>::infinity(), 0.},
@@ -143,7 +145,7 @@ namespace vibrocontact
     if (!body)
     {
       run_log().block("Finite elements of " + parameters.name);
-      body = make_elastic_body(parameters, lateral_position, grid, communicator);
+      body = make_elastic_body(parameters, lateral_position, grid ? &*grid : nullptr, communicator);
       run_log().value("cells", static_cast<unsigned int>(body->mesh.triangulation->n_global_active_cells()));
       run_log().value("dofs", static_cast<unsigned int>(body->dof_handler.n_dofs()));
     }

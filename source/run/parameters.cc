@@ -1,9 +1,11 @@
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/contact/problem_file.h>
+#include <vibrocontact/reduction/window.h>
 #include <vibrocontact/run/parameters.h>
 
 #include <algorithm>
@@ -55,8 +57,60 @@ namespace vibrocontact
     return contact.grid();
   }
 
+  Parameters::LateralPositions Parameters::lateral_positions() const
+  {
+    LateralPositions positions;
+    if (!scene.runs("stability") || !stability.sweep.sweeps(ParameterSweep::lateral_position))
+      return positions;
+    const ParameterSweep::Axis &axis = stability.sweep.first.entry == ParameterSweep::lateral_position
+                                           ? stability.sweep.first
+                                           : stability.sweep.second;
+    for (const std::string &text : axis.values())
+    {
+      char *end = nullptr;
+      const double value = std::strtod(text.c_str(), &end);
+      if (*end != 0 || !std::isfinite(value))
+        throw InputError("Stability/Sweep/Values lists " + text +
+                         " for Contact/Lateral position: give numbers in m.");
+      const ContactGrid grid = contact_grid(value);
+      const double two_rows = 1.999 * grid.spacing_y;
+      const bool lies_on = grid.n_y > 0 && grid.y(0) <= -two_rows && grid.y(grid.n_points() - 1) >= two_rows;
+      (lies_on ? positions.kept : positions.left_out).push_back(value);
+    }
+    if (positions.kept.empty())
+      throw InputError(
+          "Contact/Lateral position is swept, but none of its values lies on the tread of body " +
+          scene.bodies[0].name + ", two rows of contact points from its ends: choose others.");
+    return positions;
+  }
+
+  ContactGrid Parameters::contact_grid(const double lateral_position) const
+  {
+    const auto limits = scene.bodies[0].contact_limits();
+    const ContactGrid grid = contact_grid();
+    return limits ? clipped(grid, limits->first - lateral_position, limits->second - lateral_position) : grid;
+  }
+
+  ContactGrid Parameters::body_grid(const unsigned int k) const
+  {
+    const ContactGrid grid = contact_grid();
+    const std::vector<double> positions = lateral_positions().kept;
+    if (k != 0 || positions.empty() || !scene.bodies[0].is_meshed())
+      return grid;
+    const double nominal = contact.lateral_position;
+    for (const double position : positions)
+      band(grid, position - nominal, position - nominal);
+    const ContactGrid whole = band(grid, *std::min_element(positions.begin(), positions.end()) - nominal,
+                                   *std::max_element(positions.begin(), positions.end()) - nominal);
+    const auto limits = scene.bodies[0].contact_limits();
+    return limits ? clipped(whole, limits->first - nominal, limits->second - nominal) : whole;
+  }
+
   namespace
   {
+    /// a band of this size has a Schur complement of some 0.6 GB
+    constexpr unsigned int most_band_points = 3000;
+
     /// The static response of a body that nothing holds is infinite.
     void check_supports(const Scene &scene)
     {
@@ -91,6 +145,37 @@ namespace vibrocontact
           throw InputError(body.name +
                            "/Modes asks for no modes, but Frequency response/Method is modal; give Upper "
                            "frequency or Count, or set Method to direct");
+    }
+
+    void check_sweep(const Parameters &parameters)
+    {
+      const ParameterSweep &sweep = parameters.stability.sweep;
+      parameters.stability.check();
+      if (!sweep.any())
+        return;
+      const RollingParameters::Sweep &rolling = parameters.rolling.sweep;
+      for (const auto *values : {&rolling.longitudinal, &rolling.lateral, &rolling.spin,
+                                 &rolling.normal_force, &rolling.hub_displacement, &rolling.friction})
+        if (!values->empty())
+          throw InputError("Stability/Sweep/Entry and Rolling/Sweep are both given: leave one of them out.");
+      if (!sweep.sweeps(ParameterSweep::lateral_position))
+        return;
+      for (const char *other : {"quasi-static rolling", "transient", "frequency response"})
+        if (parameters.scene.runs(other))
+          throw InputError("Stability/Sweep/Entry sweeps Contact/Lateral position on one reduction of " +
+                           parameters.scene.bodies[0].name + " for all positions, which the analysis \"" +
+                           other + "\" does not take: run it from a file of its own.");
+      if (!parameters.scene.bodies[0].is_meshed())
+        throw InputError("Stability/Sweep/Entry is Contact/Lateral position, which moves the contact on body "
+                         "1, but " +
+                         parameters.scene.bodies[0].name + " has no mesh: sweep another entry.");
+      const ContactGrid grid = parameters.body_grid(0);
+      if (grid.n_points() > most_band_points)
+        throw InputError("Stability/Sweep/Range asks for a band of " + std::to_string(grid.n_x) + " x " +
+                         std::to_string(grid.n_y) + " contact points on " + parameters.scene.bodies[0].name +
+                         ", more than " + std::to_string(most_band_points) +
+                         ": sweep a shorter range, enlarge Contact/Grid spacing or make Contact/Half length "
+                         "and Half width smaller.");
     }
   } // namespace
 
@@ -129,6 +214,8 @@ namespace vibrocontact
     }
     if (scene.runs("frequency response"))
       check_frequency_response(scene, modes, frequency_response);
+    if (scene.runs("stability"))
+      check_sweep(*this);
     if (has_dynamics())
       for (const BodyParameters &body : scene.bodies)
         if (body.is_meshed() && !modes.at(body.name).any())

@@ -7,21 +7,49 @@
 
 namespace vibrocontact
 {
-  MeshedBodies meshed_bodies(Parameters &parameters, const DeclaredParameters &declared,
-                             const ContactGrid &grid)
+  namespace
   {
-    const ContactGrid *const contact_grid = parameters.has_contact() ? &grid : nullptr;
-    const double lateral_position = parameters.contact.lateral_position;
+    /// The lateral position that matters to body k: that of the contact on body 1, a wheel's in any place.
+    double lateral_position(const Parameters &parameters, const unsigned int k)
+    {
+      const std::string &type = parameters.scene.bodies[k].type;
+      return k == 0 || type == "wheel" || type == "mesh" ? parameters.contact.lateral_position : 0.;
+    }
+  } // namespace
+
+  std::string reduction_key(const Parameters &parameters, const DeclaredParameters &declared,
+                            const unsigned int k)
+  {
+    const ContactGrid grid = parameters.has_contact() ? parameters.body_grid(k) : ContactGrid();
+    return body_key(declared, parameters.scene.bodies[k].name, lateral_position(parameters, k),
+                    parameters.has_contact() ? &grid : nullptr) +
+           (k == 0 ? "above" : "below");
+  }
+
+  std::unique_ptr<MeshedBody> meshed_body(const Parameters &parameters, const std::string &key,
+                                          const unsigned int k)
+  {
+    const BodyParameters &body = parameters.scene.bodies[k];
+    if (!body.is_meshed())
+      return nullptr;
+    const ContactGrid grid = parameters.has_contact() ? parameters.body_grid(k) : ContactGrid();
+    return std::make_unique<MeshedBody>(
+        body, parameters.modes.at(body.name), k == 0, lateral_position(parameters, k),
+        parameters.has_contact() ? &grid : nullptr, key, parameters.output.cache_directory, MPI_COMM_WORLD);
+  }
+
+  MeshedBodies meshed_bodies(const Parameters &parameters, const DeclaredParameters &declared)
+  {
     MeshedBodies bodies;
-    for (const BodyParameters &body : parameters.scene.bodies)
-      bodies.push_back(body.is_meshed() ? std::make_unique<MeshedBody>(
-                                              body, parameters.modes[body.name], bodies.empty(),
-                                              lateral_position, contact_grid,
-                                              body_key(declared, body.name, lateral_position, contact_grid) +
-                                                  (bodies.empty() ? "above" : "below"),
-                                              parameters.output.cache_directory, MPI_COMM_WORLD)
-                                        : nullptr);
+    for (unsigned int k = 0; k < parameters.scene.bodies.size(); ++k)
+      bodies.push_back(meshed_body(parameters, reduction_key(parameters, declared, k), k));
     return bodies;
+  }
+
+  void scale_damping(ReducedBody &body, const ModeParameters &modes)
+  {
+    for (double &ratio : body.damping_ratio)
+      ratio *= modes.damping_factor;
   }
 
   std::unique_ptr<const PreparedPair> prepare_pair(const Parameters &parameters, const MeshedBodies &bodies,
@@ -32,7 +60,10 @@ namespace vibrocontact
     for (unsigned int k = 0; k < 2; ++k)
     {
       if (bodies[k])
+      {
         pair->reduced[k] = bodies[k]->reduction.reduced(with_modes);
+        scale_damping(pair->reduced[k], bodies[k]->reduction.request().modes);
+      }
       pair->bodies.push_back({&parameters.scene.bodies[k], bodies[k] ? &pair->reduced[k] : nullptr});
     }
     return pair;

@@ -63,8 +63,8 @@ namespace vibrocontact
     }
 
     /// @param resume whether an earlier run in the folder is continued
-    void run_analyses(Parameters &parameters, const MeshedBodies &bodies, RunRecord &record, Results &results,
-                      const bool resume, const Clock &clock)
+    void run_analyses(Parameters &parameters, const MeshedBodies &bodies, const StabilityCases &sweep,
+                      RunRecord &record, Results &results, const bool resume, const Clock &clock)
     {
       const OutputParameters &output = parameters.output;
       const auto due = [&](const std::string &analysis)
@@ -93,7 +93,11 @@ namespace vibrocontact
       }
       if (due("stability"))
       {
-        run_stability(parameters, bodies, record.folder, results);
+        if (sweep.cases.empty())
+          run_stability(parameters, bodies, record.folder, results);
+        else
+          run_stability_sweep(sweep, bodies, record.folder, results,
+                              [&] { record.save_sometimes(results, clock.seconds()); });
         save("stability");
       }
       // a resumed transient may have a later end
@@ -149,6 +153,7 @@ namespace vibrocontact
     Parameters parameters;
     dealii::ParameterHandler prm;
     read_parameters(file, prm, parameters);
+    const StabilityCases sweep = stability_cases(parameters, file, command_line.overrides);
     banner(command_line, parameters.scene);
     if (command_line.check)
       for (BodyParameters &body : parameters.scene.bodies)
@@ -158,7 +163,7 @@ namespace vibrocontact
     MeshedBodies bodies;
     try
     {
-      bodies = meshed_bodies(parameters, declared_parameters(prm), grid);
+      bodies = meshed_bodies(parameters, declared_parameters(prm));
       check_meshes(parameters, bodies, command_line.check);
       if (command_line.check)
       {
@@ -182,7 +187,7 @@ namespace vibrocontact
     RunRecord record(folder, file, prm, command_line.resume ? &results : nullptr);
     try
     {
-      run_analyses(parameters, bodies, record, results, command_line.resume, clock);
+      run_analyses(parameters, bodies, sweep, record, results, command_line.resume, clock);
     }
     catch (const InputError &error)
     {

@@ -45,7 +45,9 @@ namespace vibrocontact
     const std::vector<StabilityResult> all =
         stability(parameters.stability, parameters.rolling, parameters.contact, parameters.contact_solver,
                   pair, finished);
-    on_first_rank([&] { stability_table(all).write(folder + "/stability.csv"); });
-    results.analyses["stability"] = stability_json(all);
+    StabilityOutcome outcome;
+    outcome.results = all;
+    on_first_rank([&] { stability_table(outcome).write(folder + "/stability.csv"); });
+    results.analyses["stability"] = stability_json(outcome);
   }
 } // namespace vibrocontact

@@ -96,4 +96,13 @@ namespace vibrocontact
       return tread_radius(wheel_outline(mesh), lateral_position);
     return {};
   }
+
+  std::optional<std::pair<double, double>> BodyParameters::contact_limits() const
+  {
+    if (type == "wheel")
+      return tread_limits(wheel.section.read_outline(wheel.scale));
+    if (type == "mesh" && mesh.is_wheel())
+      return tread_limits(wheel_outline(mesh));
+    return {};
+  }
 } // namespace vibrocontact

@@ -55,7 +55,7 @@ namespace vibrocontact
       throw InputError(text.str());
   }
 
-  double tread_radius(const SectionOutline &outline, const double lateral_position)
+  std::pair<double, double> tread_limits(const SectionOutline &outline)
   {
     double low = 1e300, high = -1e300;
     for (const auto &row : outline.rows)
@@ -63,10 +63,20 @@ namespace vibrocontact
       {
         low = std::min({low, row.start[0], row.end[0]});
         high = std::max({high, row.start[0], row.end[0]});
+      }
+    return {low, high};
+  }
+
+  double tread_radius(const SectionOutline &outline, const double lateral_position)
+  {
+    for (const auto &row : outline.rows)
+      if (row.part == "tread" && !row.is_arc)
+      {
         const double t = (lateral_position - row.start[0]) / (row.end[0] - row.start[0]);
         if (t >= 0 && t <= 1)
           return row.start[1] + t * (row.end[1] - row.start[1]);
       }
+    const auto [low, high] = tread_limits(outline);
     std::ostringstream text;
     text << "Contact/Lateral position " << lateral_position
          << " m is not on the wheel's tread; give one between " << low << " and " << high << " m.";

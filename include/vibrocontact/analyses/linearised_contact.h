@@ -64,6 +64,8 @@ namespace vibrocontact
     /// the free mode with the largest share of its energy, and that share
     std::string label;
     double share = 0;
+    /// the free mode that the root began as, see RootPaths; empty if not followed
+    std::string path;
     /// modal amplitudes; n_modes
     std::vector<std::complex<double>> shape;
   };

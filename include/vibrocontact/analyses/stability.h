@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/linearised_contact.h>
+#include <vibrocontact/analyses/parameter_sweep.h>
 #include <vibrocontact/analyses/quasi_static_rolling.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -17,8 +18,11 @@ namespace vibrocontact
     bool lateral_damping = true, convection = false;
     /// take sticking points as stuck instead of refusing them
     bool stick = false;
+    ParameterSweep sweep;
 
     void declare_parameters(dealii::ParameterHandler &prm);
+    /// @throws InputError
+    void check() const { sweep.check("Stability"); }
     LinearisationOptions options() const;
   };
 

@@ -7,6 +7,7 @@
 namespace vibrocontact
 {
   /// Mesh, material, supports and loads of a meshed body as its parameters say, ready to be assembled.
+  /// @param lateral_position of the contact on a wheel or, beside its offset, a block [m]
   /// @param grid contact grid to refine for; null: a body without contact
   /// @throws InputError for anything that the mesh makers refuse
   std::unique_ptr<ElasticBody<3>> make_elastic_body(const BodyParameters &parameters, double lateral_position,

@@ -7,9 +7,29 @@
 
 namespace vibrocontact
 {
+  /// The cases of a run of the analysis `stability`. Without section Stability/Sweep nothing is swept and
+  /// values are empty.
+  struct StabilityOutcome
+  {
+    /// swept entries, e.g. Contact/Lateral position, and their columns, e.g. lateral_position_m
+    std::vector<std::string> entries, columns;
+    std::vector<StabilityResult> results;
+    /// swept values of each result, one per column
+    std::vector<std::vector<Table::Cell>> values;
+    /// swept values that have no result, and the reason
+    std::vector<std::pair<std::vector<Table::Cell>, std::string>> left_out;
+  };
+
   /// All roots of all cases: stability.csv.
-  Table stability_table(const std::vector<StabilityResult> &results);
+  Table stability_table(const StabilityOutcome &outcome);
+
+  /// The paths of the roots that are unstable somewhere in the sweep, or nearest to it in a stable case:
+  /// stability_sweep.csv, a row per case and root.
+  Table stability_sweep_table(const StabilityOutcome &outcome);
+
+  /// What is unstable in each case: stability_map.csv, a row per case.
+  Table stability_map_table(const StabilityOutcome &outcome);
 
   /// analyses.stability: the unstable roots of the first case, all cases in cases[].
-  nlohmann::ordered_json stability_json(const std::vector<StabilityResult> &results);
+  nlohmann::ordered_json stability_json(const StabilityOutcome &outcome);
 } // namespace vibrocontact

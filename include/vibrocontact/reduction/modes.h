@@ -18,6 +18,8 @@ namespace vibrocontact
     unsigned int count = 0;
     /// damping ratio by the number of nodal diameters (Eq. 23): 0, 1, 2 and more [-]
     double damping_0 = 1e-3, damping_1 = 1e-2, damping_2 = 1e-4;
+    /// all damping ratios of the body times this; no part of the reduction [-]
+    double damping_factor = 1;
     /// points further than this from the axle are the rim, whose motion names the family of a mode [m]
     double rim_radius = 0.385;
 

@@ -19,8 +19,8 @@ namespace vibrocontact
   class MeshedBody
   {
   public:
-    /// @param above whether this is body 1; @param grid contact grid, null if no analysis has contact; @param
-    /// key see body_key()
+    /// @param above whether this is body 1; @param grid contact grid, null if no analysis has contact (copied);
+    /// @param key see body_key()
     MeshedBody(const BodyParameters &parameters, const ModeParameters &modes, bool above,
                double lateral_position, const ContactGrid *grid, const std::string &key,
                const std::string &cache_directory, MPI_Comm communicator);
@@ -40,7 +40,7 @@ namespace vibrocontact
   private:
     const bool above;
     const double lateral_position;
-    const ContactGrid *const grid;
+    const std::optional<ContactGrid> grid;
     const MPI_Comm communicator;
     std::unique_ptr<ElasticBody<3>> body;
     std::optional<ContactTrace> trace;

@@ -12,6 +12,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace vibrocontact
 {
@@ -40,6 +41,18 @@ namespace vibrocontact
     bool has_dynamics() const { return scene.runs("transient") || scene.runs("stability"); }
     /// The grid of section Contact, or one point if a body has no more.
     ContactGrid contact_grid() const;
+    /// The lateral positions of a stability sweep [m]: those whose contact point lies on the tread of a wheel,
+    /// at least two rows of points from its ends, and those left out. Empty if the position is not swept.
+    struct LateralPositions
+    {
+      std::vector<double> kept, left_out;
+    };
+    LateralPositions lateral_positions() const;
+    /// The contact grid in a lateral position of the sweep: without the rows that leave the tread.
+    ContactGrid contact_grid(double lateral_position) const;
+    /// The grid on which body k (0 or 1) is reduced: that of the contact, or for body 1 the band of its
+    /// windows if the lateral position is swept.
+    ContactGrid body_grid(unsigned int k) const;
   };
 
   /// Both passes over a file and all checks that need no mesh. Says in the log which alternative an option

@@ -14,9 +14,15 @@ namespace vibrocontact
   /// The meshed bodies of a scene in its order, null for the others.
   using MeshedBodies = std::vector<std::unique_ptr<MeshedBody>>;
 
-  /// Prepares the meshed bodies; nothing is made yet. They refer to `parameters` and `grid`.
-  MeshedBodies meshed_bodies(Parameters &parameters, const DeclaredParameters &declared,
-                             const ContactGrid &grid);
+  /// The key of the reduction of meshed body k of the scene; see body_key().
+  std::string reduction_key(const Parameters &parameters, const DeclaredParameters &declared, unsigned int k);
+
+  /// Prepares meshed body k, null if it has no mesh; nothing is made yet. It refers to `parameters`.
+  std::unique_ptr<MeshedBody> meshed_body(const Parameters &parameters, const std::string &key,
+                                          unsigned int k);
+
+  /// All of them.
+  MeshedBodies meshed_bodies(const Parameters &parameters, const DeclaredParameters &declared);
 
   /// Both bodies of a contact, reduced where they are meshed.
   struct PreparedPair
@@ -30,6 +36,9 @@ namespace vibrocontact
   /// analysis. Collective.
   std::unique_ptr<const PreparedPair> prepare_pair(const Parameters &parameters, const MeshedBodies &bodies,
                                                    bool with_modes);
+
+  /// The damping ratios of a reduced body by its Damping factor.
+  void scale_damping(ReducedBody &body, const ModeParameters &modes);
 
   /// Makes the meshes and lays the contact grid on them, so that what is wrong there is said before the
   /// expensive steps. Bodies whose reduction is in the cache have passed already and are only made if `all`.

@@ -13,6 +13,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vibrocontact
@@ -62,5 +63,7 @@ namespace vibrocontact
     /// Height of the axle above the contact point [m] if the body is a wheel, built in or from a mesh file
     /// with Geometry = wheel; nothing for other bodies. Its modes have labels and Eq. 23's damping.
     std::optional<double> axle_height(double lateral_position) const;
+    /// Lateral positions between which the contact of a wheel can lie [m]; nothing for other bodies.
+    std::optional<std::pair<double, double>> contact_limits() const;
   };
 } // namespace vibrocontact

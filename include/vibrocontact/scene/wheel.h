@@ -47,6 +47,9 @@ namespace vibrocontact
                                                    const SectionOutline &outline, const double axis_height,
                                                    const double shift);
 
+  /// Axial positions between which the tread lies, fillets left out [m].
+  std::pair<double, double> tread_limits(const SectionOutline &outline);
+
   /// Radius of the tread at an axial position [m].
   double tread_radius(const SectionOutline &outline, const double lateral_position);
 } // namespace vibrocontact

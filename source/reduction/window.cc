@@ -1,0 +1,92 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/reduction/window.h>
+
+#include <cmath>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// distance in whole spacings; false if it is none
+    bool whole(const double distance, const double spacing, long &number)
+    {
+      number = std::lround(distance / spacing);
+      return std::abs(distance / spacing - number) < 1e-6;
+    }
+  } // namespace
+
+  ContactGrid band(const ContactGrid &grid, const double first, const double last)
+  {
+    long n_first, n_last;
+    if (!whole(first, grid.spacing_y, n_first) || !whole(last, grid.spacing_y, n_last))
+      throw InputError("Swept values of Contact/Lateral position lie " + number_text(first) + " to " +
+                       number_text(last) +
+                       " m from its single value, which is no multiple of Contact/Grid spacing (" +
+                       number_text(grid.spacing_y) + " m): choose values and step as multiples.");
+    ContactGrid result = grid;
+    result.y_first = grid.y_first + n_first * grid.spacing_y;
+    result.n_y = grid.n_y + (n_last - n_first);
+    return result;
+  }
+
+  ContactGrid clipped(const ContactGrid &grid, const double low, const double high)
+  {
+    ContactGrid result = grid;
+    result.n_y = 0;
+    const double slack = 1e-6 * grid.spacing_y;
+    for (unsigned int j = 0; j < grid.n_y; ++j)
+    {
+      const double y = grid.y_first + j * grid.spacing_y;
+      if (y - grid.spacing_y / 2 < low - slack || y + grid.spacing_y / 2 > high + slack)
+        continue;
+      if (result.n_y++ == 0)
+        result.y_first = y;
+    }
+    return result;
+  }
+
+  ReducedBody window(const ReducedBody &body, const ContactGrid &grid, const double lateral,
+                     const double height)
+  {
+    long i_first, j_first;
+    AssertThrow(whole(grid.x_first - body.grid.x_first, grid.spacing_x, i_first) &&
+                    whole(lateral + grid.y_first - body.grid.y_first, grid.spacing_y, j_first) &&
+                    i_first >= 0 && j_first >= 0 && i_first + grid.n_x <= body.grid.n_x &&
+                    j_first + grid.n_y <= body.grid.n_y,
+                dealii::ExcMessage("The window does not lie in the band of body " + body.name + "."));
+    const unsigned int n = grid.n_points();
+    std::vector<unsigned int> rows;
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int j = 0; j < grid.n_y; ++j)
+        for (unsigned int i = 0; i < grid.n_x; ++i)
+          rows.push_back(contact_row(body.grid.n_points(), c, body.grid.index(i_first + i, j_first + j)));
+
+    ReducedBody part;
+    part.name = body.name;
+    part.grid = grid;
+    part.n_dofs = body.n_dofs;
+    part.n_rigid_modes = body.n_rigid_modes;
+    part.omega = body.omega;
+    part.damping_ratio = body.damping_ratio;
+    part.labels = body.labels;
+    part.modal_load = body.modal_load;
+    part.participation = body.participation;
+    part.modal_trace.reinit(3 * n, body.modal_trace.n());
+    for (unsigned int k = 0; k < body.modal_trace.n(); ++k)
+      for (unsigned int r = 0; r < 3 * n; ++r)
+        part.modal_trace(r, k) = body.modal_trace(rows[r], k);
+    part.residual_flexibility.reinit(3 * n, 3 * n);
+    for (unsigned int s = 0; s < 3 * n; ++s)
+      for (unsigned int r = 0; r < 3 * n; ++r)
+        part.residual_flexibility(r, s) = body.residual_flexibility(rows[r], rows[s]);
+    for (const unsigned int r : rows)
+    {
+      part.lifting.push_back(body.lifting[r]);
+      part.residual_load_response.push_back(body.residual_load_response[r]);
+    }
+    for (unsigned int i = 0; i < n; ++i)
+      part.surface_height.push_back(body.surface_height[rows[i]] - height);
+    return part;
+  }
+} // namespace vibrocontact

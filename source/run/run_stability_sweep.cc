@@ -1,0 +1,185 @@
+#include <vibrocontact/analyses/root_paths.h>
+#include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/output/stability_output.h>
+#include <vibrocontact/reduction/window.h>
+#include <vibrocontact/run/run_stability.h>
+
+#include <cstdio>
+#include <map>
+#include <sstream>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// The reduced bodies of a sweep, each reduced once.
+    class ReducedBodies
+    {
+    public:
+      explicit ReducedBodies(const MeshedBodies &bodies) : bodies(bodies) {}
+
+      /// Body k of a case; null if it has no mesh.
+      const ReducedBody *find(const StabilityCase &one, const unsigned int k)
+      {
+        if (one.keys[k].empty())
+          return nullptr;
+        const ModeParameters &modes = one.parameters.modes.at(one.parameters.scene.bodies[k].name);
+        const std::string key = one.keys[k] + "\n" + modes.key();
+        const auto found = reduced.find(key);
+        if (found != reduced.end())
+          return &found->second;
+        const ReductionRequest &own = bodies[k]->reduction.request();
+        if (own.key + "\n" + own.modes.key() == key)
+          return &(reduced[key] = bodies[k]->reduction.reduced(true));
+        return &(reduced[key] = meshed_body(one.parameters, one.keys[k], k)->reduction.reduced(true));
+      }
+
+    private:
+      const MeshedBodies &bodies;
+      std::map<std::string, ReducedBody> reduced;
+    };
+
+    ContactGrid grid_of_case(const StabilityCase &one)
+    {
+      return one.parameters.stability.sweep.sweeps(ParameterSweep::lateral_position)
+                 ? one.parameters.contact_grid(one.lateral_position)
+                 : one.parameters.contact_grid();
+    }
+
+    ContactPair pair_of_case(const StabilityCase &one, ReducedBodies &reduced_bodies)
+    {
+      const Parameters &parameters = one.parameters;
+      const ContactGrid grid = grid_of_case(one);
+      std::vector<ReducedBody> own(2);
+      std::vector<ContactBody> bodies;
+      for (unsigned int k = 0; k < 2; ++k)
+      {
+        const BodyParameters &body = parameters.scene.bodies[k];
+        const ReducedBody *const reduced = reduced_bodies.find(one, k);
+        if (reduced)
+        {
+          double lateral = 0, height = 0;
+          if (k == 0)
+          {
+            const double nominal = parameters.contact.lateral_position;
+            lateral = one.lateral_position - nominal;
+            if (const auto axle = body.axle_height(nominal))
+              height = *axle - *body.axle_height(one.lateral_position);
+          }
+          own[k] = window(*reduced, grid, lateral, height);
+          scale_damping(own[k], parameters.modes.at(body.name));
+        }
+        bodies.push_back({&body, reduced ? &own[k] : nullptr});
+      }
+      return contact_pair(bodies[0], bodies[1], grid);
+    }
+
+    std::string case_text(const StabilityCases &sweep, const StabilityCase &one)
+    {
+      std::ostringstream text;
+      for (unsigned int k = 0; k < one.values.size(); ++k)
+      {
+        text << (k == 0 ? "" : ", ") << sweep.columns[k] << " ";
+        std::visit([&](const auto &value) { text << value; }, one.values[k]);
+      }
+      return text.str();
+    }
+
+    void print(const std::string &text, const StabilityResult &result)
+    {
+      char line[200];
+      if (result.unstable().empty())
+      {
+        const StabilityRoot &root = result.nearest();
+        std::snprintf(line, sizeof line, "stable, nearest %.2f Hz %+.3f 1/s %s", root.frequency, root.growth,
+                      root.path.c_str());
+        run_log().line(text + ": " + line);
+        return;
+      }
+      std::string all;
+      for (const StabilityRoot *const root : result.unstable())
+      {
+        std::snprintf(line, sizeof line, "%s%.2f Hz %+.3f 1/s %s", all.empty() ? "" : ", ", root->frequency,
+                      root->growth, root->path.c_str());
+        all += line;
+      }
+      run_log().line(text + ": UNSTABLE " + all);
+    }
+  } // namespace
+
+  void run_stability_sweep(const StabilityCases &sweep, const MeshedBodies &bodies, const std::string &folder,
+                           Results &results, const std::function<void()> &save)
+  {
+    ReducedBodies reduced(bodies);
+    StabilityOutcome outcome;
+    outcome.entries = sweep.entries;
+    outcome.columns = sweep.columns;
+    run_log().block("Stability");
+    if (!sweep.left_out.empty())
+    {
+      std::ostringstream text;
+      for (const double position : sweep.left_out)
+        text << (position == sweep.left_out.front() ? "" : ", ") << 1e3 * position;
+      run_log().warning("Contact/Lateral position: left out since the contact point is not on the tread, two "
+                        "rows of points from its ends: " +
+                        text.str() + " mm.");
+    }
+    Progress progress("stability cases", sweep.cases.size());
+    RootPaths paths, begin_of_row;
+    std::string failure;
+    for (const StabilityCase &one : sweep.cases)
+    {
+      const std::string text = case_text(sweep, one);
+      const auto leave_out = [&](const std::string &reason)
+      {
+        run_log().warning(text + " is left out. " + reason);
+        outcome.left_out.emplace_back(one.values, reason);
+        failure = reason;
+      };
+      try
+      {
+        const ContactPair pair = pair_of_case(one, reduced);
+        StabilityResult result =
+            stability(one.parameters.stability, one.parameters.rolling, one.parameters.contact,
+                      one.parameters.contact_solver, pair, [](const StabilityResult &) {})
+                .front();
+        if (one.second == 0)
+          paths = begin_of_row;
+        paths.follow(pair, result.roots);
+        if (one.second == 0)
+          begin_of_row = paths;
+        for (StabilityRoot &root : result.roots)
+          root.shape.clear();
+        print(text, result);
+        outcome.values.push_back(one.values);
+        outcome.results.push_back(std::move(result));
+        results.analyses["stability"] = stability_json(outcome);
+      }
+      catch (const InputError &error)
+      {
+        const bool at_end = grid_of_case(one).n_points() < one.parameters.contact_grid().n_points();
+        leave_out((at_end ? "The tread ends within the contact grid. " : "") + std::string(error.what()));
+      }
+      catch (const ConvergenceError &error)
+      {
+        leave_out(error.what());
+        results.converged = false;
+        results.messages.push_back(text + ": " + error.what());
+      }
+      progress.advance();
+      save();
+    }
+    if (outcome.results.empty())
+      throw InputError("Stability/Sweep/Entry: none of the cases has a result. " + failure);
+    on_first_rank(
+        [&]
+        {
+          stability_table(outcome).write(folder + "/stability.csv");
+          stability_sweep_table(outcome).write(folder + "/stability_sweep.csv");
+          stability_map_table(outcome).write(folder + "/stability_map.csv");
+        });
+    results.analyses["stability"] = stability_json(outcome);
+  }
+} // namespace vibrocontact
