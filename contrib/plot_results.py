@@ -5,6 +5,9 @@ figures/contact_patch_<k>.png   pressure, traction and status over the patch
 figures/centre_line_<k>.png     tractions along y = 0, as in Fig. 7 of Lai et al. (2018)
 figures/creep_curves.png        tangential force (spin: moment too) against what is swept
 figures/frequency_response.png  mobilities of the driving points over frequency, as in Fig. 6
+figures/stability_sweep.png     divergence rates along a sweep of one entry
+figures/stability_map.png       number of unstable roots and each one's divergence rate over a sweep of two entries
+figures/root_locus.png          paths of the followed roots: growth against frequency
 figures/mode_shapes_<body>.png  deformed shapes coloured by amplitude, as in Fig. 3 of the paper
 figures/divergence_rates.png    divergence rates of the roots, as in Fig. 8
 figures/transient_force.png     tangential force with stick and slip counts, as in Fig. 13
@@ -178,6 +181,100 @@ def plot_curves(folder, cases):
             axis.legend(fontsize=8)
     figure.tight_layout()
     save(figure, folder, "creep_curves")
+
+
+def short(label):
+    """wheel:axial(0,3) without the body"""
+    return label.split(":", 1)[-1]
+
+
+def axis_values(column):
+    """Places on an axis, their ticks if they are words, and each row's place."""
+    column = np.asarray(column)
+    if column.dtype.kind == "f":
+        values = np.unique(column)
+        return values, None, np.searchsorted(values, column)
+    words = list(dict.fromkeys(column))
+    return np.arange(len(words), dtype=float), words, np.array([words.index(word) for word in column])
+
+
+def edges(values):
+    if len(values) == 1:
+        return np.array([values[0] - 0.5, values[0] + 0.5])
+    middle = (values[1:] + values[:-1]) / 2
+    return np.concatenate([[2 * values[0] - middle[0]], middle, [2 * values[-1] - middle[-1]]])
+
+
+def plot_sweep(folder, columns):
+    cases = read_table(os.path.join(folder, "stability_map.csv"))
+    roots = read_table(os.path.join(folder, "stability_sweep.csv"))
+    names = list(dict.fromkeys(roots["root"]))
+    largest = {name: roots["divergence_rate"][roots["root"] == name].max() for name in names}
+    names = sorted(names, key=lambda name: -largest[name])[:11]
+    unstable = [name for name in names if largest[name] > 0] or names[:3]
+
+    figure, axes = plt.subplots(2, (len(unstable) + 1) // 2, figsize=(3.2 * ((len(unstable) + 1) // 2), 6), squeeze=False)
+    for axis, name in zip(axes.ravel(), unstable):
+        use = roots["root"] == name
+        x, _, place = axis_values(roots[columns[0]][use])
+        axis.plot(roots["growth_1_s"][use], roots["frequency_Hz"][use], "-", color="0.8", lw=0.8)
+        points = axis.scatter(roots["growth_1_s"][use], roots["frequency_Hz"][use], c=x[place], s=9)
+        axis.axvline(0, color="k", lw=0.6)
+        axis.set_title(short(name), fontsize=8)
+        axis.set_xlabel("growth [1/s]")
+        axis.set_ylabel("frequency [Hz]")
+        axis.ticklabel_format(useOffset=False)
+        figure.colorbar(points, ax=axis, label=columns[0])
+    for axis in axes.ravel()[len(unstable):]:
+        axis.set_axis_off()
+    figure.tight_layout()
+    save(figure, folder, "root_locus")
+
+    if len(columns) == 1:
+        figure, axis = plt.subplots(figsize=(7, 4))
+        for name in names:
+            use = roots["root"] == name
+            x, words, place = axis_values(roots[columns[0]][use])
+            axis.plot(x[place], roots["divergence_rate"][use], ".-", label=short(name))
+            if words:
+                axis.set_xticks(x, words)
+        axis.axhline(0, color="k", lw=0.6)
+        axis.set_xlabel(columns[0])
+        axis.set_ylabel("divergence rate Re/Im")
+        axis.legend(fontsize=7)
+        axis.grid(alpha=0.3)
+        save(figure, folder, "stability_sweep")
+        return
+    x, x_words, i = axis_values(cases[columns[0]])
+    y, y_words, j = axis_values(cases[columns[1]])
+    panels = [("number of unstable roots", i, j, cases["n_unstable"])]
+    for name in [name for name in names if largest[name] > 0]:
+        use = roots["root"] == name
+        panels.append((f"{short(name)}: divergence rate", axis_values(roots[columns[0]])[2][use],
+                       axis_values(roots[columns[1]])[2][use], roots["divergence_rate"][use]))
+    n = min(3, len(panels))
+    rows = (len(panels) + n - 1) // n
+    figure, axes = plt.subplots(rows, n, figsize=(4.2 * n, 3 * rows), squeeze=False)
+    for axis, (title, columns_i, rows_j, values) in zip(axes.ravel(), panels):
+        field = np.full((len(y), len(x)), np.nan)
+        field[rows_j, columns_i] = values
+        if title.startswith("number"):
+            image = axis.pcolormesh(edges(x), edges(y), field, cmap="YlOrRd", vmin=0)
+        else:
+            limit = max(np.nanmax(np.abs(field)), 1e-300)
+            image = axis.pcolormesh(edges(x), edges(y), field, cmap="RdBu_r", vmin=-limit, vmax=limit)
+        figure.colorbar(image, ax=axis)
+        axis.set_title(title, fontsize=8)
+        axis.set_xlabel(columns[0])
+        axis.set_ylabel(columns[1])
+        if x_words:
+            axis.set_xticks(x, x_words)
+        if y_words:
+            axis.set_yticks(y, y_words)
+    for axis in axes.ravel()[len(panels):]:
+        axis.set_axis_off()
+    figure.tight_layout()
+    save(figure, folder, "stability_map")
 
 
 def read_vtu(name):
@@ -493,6 +590,8 @@ def main():
     plot_curves(folder, cases)
     if "frequency_response" in analyses:
         plot_frequency_response(folder, analyses["frequency_response"])
+    if analyses.get("stability", {}).get("sweep"):
+        plot_sweep(folder, analyses["stability"]["swept_columns"])
     for body, modes in analyses.get("modes", {}).items():
         if isinstance(modes, dict) and "frequencies_Hz" in modes:
             plot_modes(folder, body, modes)

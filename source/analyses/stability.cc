@@ -25,7 +25,21 @@ namespace vibrocontact
                       "stuck; false: such "
                       "an equilibrium is refused. Units: none.",
                       Bool());
+    prm.add_parameter(
+        "Second count", second_count,
+        "Count the unstable roots also by the argument principle on the receptances of both "
+        "bodies, without eigenvalues (consistent linearisation; some ten seconds for 500 modes). "
+        "Units: none.",
+        Bool());
     sweep.declare_parameters(prm);
+  }
+
+  void StabilityParameters::check() const
+  {
+    sweep.check("Stability");
+    if (second_count && linearisation != "consistent")
+      throw InputError("Stability/Second count is for the consistent linearisation: set Linearisation to "
+                       "consistent, or Second count to false.");
   }
 
   LinearisationOptions StabilityParameters::options() const
@@ -82,6 +96,8 @@ namespace vibrocontact
                                      problem.force_given()};
       result.roots = stability_roots(pair, linearised_contact(pair, scheme, about, parameters.options()));
       result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      if (parameters.second_count)
+        result.second_count = count_unstable_roots(pair, scheme, about);
       results.push_back(std::move(result));
       finished(results.back());
     };

@@ -245,6 +245,29 @@ namespace vibrocontact
           refuse_fine(grid.spacing_y, h_y, "y");
       }
 
+      /// A node as free nodes, a hanging one by those that carry it; empty if it is held.
+      std::vector<std::pair<Key, double>> free_nodes(const Key &node) const
+      {
+        if (!body.constraints.is_constrained(node[0]))
+          return {{node, 1.}};
+        std::vector<std::pair<Key, double>> result;
+        // all components hang on the same nodes, in the same order
+        for (unsigned int c = 0; c < dim; ++c)
+        {
+          const auto &entries = *body.constraints.get_constraint_entries(node[c]);
+          if (c == 0)
+            for (const auto &[dof, share] : entries)
+              result.push_back({{{dof, 0, 0}}, share});
+          AssertThrow(entries.size() == result.size(), ExcInternalError());
+          for (unsigned int k = 0; k < entries.size(); ++k)
+          {
+            AssertThrow(entries[k].second == result[k].second, ExcInternalError());
+            result[k].first[c] = entries[k].first;
+          }
+        }
+        return result;
+      }
+
       void find_weights(const GridQuadrature &quadrature)
       {
         const unsigned int n_q = quadrature.n_per_cell();
@@ -272,20 +295,15 @@ namespace vibrocontact
                 continue;
               Key key = {{0, 0, 0}};
               for (unsigned int c = 0; c < dim; ++c)
-              {
                 key[c] = dofs[body.element.component_to_system_index(c, node)];
-                if (body.constraints.is_constrained(key[c]) && complaint.empty())
-                  complaint =
-                      "The contact grid touches " +
-                      std::string(body.constraints.get_constraint_entries(key[c])->empty()
-                                      ? "the held boundary"
-                                      : "hanging nodes at the edge of the refined patch") +
-                      " of body " + body.mesh.name +
-                      "; make the grid smaller or the refined patch larger (entry Refinement margin).";
-              }
-              for (const auto &[point, tau] : tractions)
-                if (tau > 0)
-                  weights[point][key] += tau * w * N;
+              const auto masters = free_nodes(key);
+              if (masters.empty() && complaint.empty())
+                complaint = "The contact grid touches the held boundary of body " + body.mesh.name +
+                            "; make the grid smaller or move the contact.";
+              for (const auto &[master, share] : masters)
+                for (const auto &[point, tau] : tractions)
+                  if (tau > 0)
+                    weights[point][master] += tau * w * N * share;
             }
           }
         throw_together(complaint, communicator);

@@ -157,6 +157,11 @@ namespace vibrocontact
                                     {"unstable", unstable},
                                     {"nearest", root_json(result.nearest())},
                                     {"seconds", result.seconds}};
+      if (result.second_count)
+        one["second_count"] = {{"unstable_roots", result.second_count->unstable},
+                               {"remainder", result.second_count->remainder},
+                               {"evaluations", result.second_count->evaluations},
+                               {"seconds", result.second_count->seconds}};
       if (!outcome.columns.empty())
         one["swept"] = values_json(outcome.columns, outcome.values[k]);
       cases.push_back(one);

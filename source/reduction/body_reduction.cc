@@ -123,6 +123,13 @@ namespace vibrocontact
     return *surface;
   }
 
+  bool BodyReduction::has_surface_shapes()
+  {
+    if (!surface)
+      surface = cache.load_shapes(asked.body, modes_key());
+    return surface && modal_part && surface->omega == modal_part->omega;
+  }
+
   ReducedBody BodyReduction::reduced(const bool with_modes)
   {
     return combine(statics(), with_modes && asked.modes.any() ? &modal() : nullptr);

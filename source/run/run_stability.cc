@@ -2,6 +2,7 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/output/stability_output.h>
 #include <vibrocontact/run/run_stability.h>
+#include <vibrocontact/run/unstable_shapes.h>
 
 #include <cstdio>
 
@@ -49,5 +50,7 @@ namespace vibrocontact
     outcome.results = all;
     on_first_rank([&] { stability_table(outcome).write(folder + "/stability.csv"); });
     results.analyses["stability"] = stability_json(outcome);
+    if (parameters.output.fields)
+      write_unstable_shapes(all.front(), pair, bodies, folder);
   }
 } // namespace vibrocontact

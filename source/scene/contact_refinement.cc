@@ -98,8 +98,16 @@ namespace vibrocontact
       // Coarser levels reach further out, so that sizes double ring by ring.
       const double cell = size / std::pow(2., level + 1);
       const double reach = std::max(0., cell - parameters.cell_size);
+      // one long cell of the coarse mesh does not make all others finer than asked for
+      const auto is_long = [&](const auto &active)
+      {
+        double length = 0;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          length = std::max(length, active->bounding_box().side_length(d));
+        return length > 1.05 * parameters.cell_size;
+      };
       for (const auto &active : triangulation.active_cell_iterators())
-        if (active->is_locally_owned() && active->level() == level &&
+        if (active->is_locally_owned() && active->level() == level && is_long(active) &&
             overlaps(active, parameters.margin + reach, parameters.depth + reach))
           active->set_refine_flag();
       triangulation.execute_coarsening_and_refinement();

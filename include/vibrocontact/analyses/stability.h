@@ -3,8 +3,11 @@
 #include <vibrocontact/analyses/linearised_contact.h>
 #include <vibrocontact/analyses/parameter_sweep.h>
 #include <vibrocontact/analyses/quasi_static_rolling.h>
+#include <vibrocontact/analyses/root_count.h>
 
 #include <deal.II/base/parameter_handler.h>
+
+#include <optional>
 
 namespace vibrocontact
 {
@@ -18,11 +21,13 @@ namespace vibrocontact
     bool lateral_damping = true, convection = false;
     /// take sticking points as stuck instead of refusing them
     bool stick = false;
+    /// count the unstable roots by the argument principle as well, see count_unstable_roots()
+    bool second_count = false;
     ParameterSweep sweep;
 
     void declare_parameters(dealii::ParameterHandler &prm);
     /// @throws InputError
-    void check() const { sweep.check("Stability"); }
+    void check() const;
     LinearisationOptions options() const;
   };
 
@@ -35,6 +40,8 @@ namespace vibrocontact
     std::vector<StabilityRoot> roots;
     /// wall time of the eigenvalues [s]
     double seconds = 0;
+
+    std::optional<RootCount> second_count;
 
     /// growth > 0
     std::vector<const StabilityRoot *> unstable() const;

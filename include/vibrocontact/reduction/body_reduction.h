@@ -43,6 +43,8 @@ namespace vibrocontact
     /// The modes on the body's surface. If the cache has the modes but not these (it was filled by an earlier
     /// version), the modes are computed anew, which is said: ask for them before reduced().
     const SurfaceShapes &surface_shapes();
+    /// Whether surface_shapes() needs no computation. Collective.
+    bool has_surface_shapes();
     bool has_shapes() const { return static_cast<bool>(mode_shapes); }
 
     /// The assembled system; assembles it.

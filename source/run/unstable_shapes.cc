@@ -1,0 +1,85 @@
+#include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/output/field_writer.h>
+#include <vibrocontact/output/rolling_output.h>
+#include <vibrocontact/output/surface_fields.h>
+#include <vibrocontact/run/unstable_shapes.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    constexpr unsigned int n_frames = 12;
+    constexpr double largest_amplitude = 1e-3;
+
+    /// real and imaginary part of a complex field on a body's surface
+    struct SurfaceShape
+    {
+      const MeshedBody *body;
+      const SurfaceShapes *surface;
+      std::vector<double> real, imaginary;
+    };
+
+    void write_frames(const SurfaceShape &shape, const double scale, const unsigned int number,
+                      const std::string &folder)
+    {
+      const std::string set = "unstable_" + std::to_string(number) + "_" + shape.body->parameters.name;
+      std::vector<std::pair<double, std::string>> files;
+      for (unsigned int frame = 0; frame < n_frames; ++frame)
+      {
+        const double phase = 2 * dealii::numbers::PI * frame / n_frames;
+        std::vector<double> displacement(shape.real.size());
+        for (unsigned int i = 0; i < displacement.size(); ++i)
+          displacement[i] = scale * (shape.real[i] * std::cos(phase) - shape.imaginary[i] * std::sin(phase));
+        files.emplace_back(double(frame) / n_frames, field_name(set, frame));
+        write_surface(shape.surface->points, shape.surface->quads, {{"displacement_m", displacement}},
+                      folder + "/" + files.back().second);
+      }
+      write_pvd(files, folder + "/" + set + ".pvd");
+    }
+  } // namespace
+
+  void write_unstable_shapes(const StabilityResult &result, const ContactPair &pair,
+                             const MeshedBodies &bodies, const std::string &folder)
+  {
+    unsigned int number = 0;
+    for (const StabilityRoot *const root : result.unstable())
+    {
+      std::vector<SurfaceShape> shapes;
+      double largest = 0;
+      for (unsigned int k = 0; k < bodies.size(); ++k)
+      {
+        if (!bodies[k])
+          continue;
+        if (!bodies[k]->reduction.has_surface_shapes())
+        {
+          if (number == 0)
+            run_log().line("no shapes of unstable roots on " + bodies[k]->parameters.name +
+                           ": the cache has its modes without their shapes");
+          continue;
+        }
+        std::vector<double> real, imaginary;
+        for (unsigned int i = 0; i < pair.n_modes(); ++i)
+          if (pair.body[i] == k + 1)
+          {
+            real.push_back(root->shape[i].real());
+            imaginary.push_back(root->shape[i].imag());
+          }
+        const SurfaceShapes &surface = bodies[k]->reduction.surface_shapes();
+        shapes.push_back({bodies[k].get(), &surface, surface_displacement(surface, real),
+                          surface_displacement(surface, imaginary)});
+        for (unsigned int i = 0; i < shapes.back().real.size(); ++i)
+          largest = std::max(largest, std::hypot(shapes.back().real[i], shapes.back().imaginary[i]));
+      }
+      for (const SurfaceShape &shape : shapes)
+        on_first_rank(
+            [&] { write_frames(shape, largest_amplitude / std::max(largest, 1e-300), number, folder); });
+      ++number;
+    }
+  }
+} // namespace vibrocontact

@@ -1,0 +1,103 @@
+# A stability sweep over lateral position and sense of sliding, all positions on one reduction: each case has the
+# roots of a run of its own at that position (equal meshes: to round-off) and those of its mirror image (position and
+# sense reversed); two ranks give the same.
+program=$1
+mpirun=$2
+cat >case.prm <<'END_OF_FILE'
+set Bodies = slider, base
+set Analyses = stability
+subsection slider
+  set Type = block
+  subsection Material
+    set Young modulus = 2e9
+    set Poisson ratio = 0.3
+    set Density = 2000
+    set Loss factor = 2e-4
+  end
+  subsection Block
+    set Length = 0.06
+    set Width = 0.06
+    set Height = 0.04
+    set Divisions x = 12
+    set Divisions y = 12
+    set Divisions z = 4
+    set Contact face = bottom
+    set Held = top
+  end
+  subsection Modes
+    set Count = 20
+  end
+end
+subsection base
+  set Type = half-space
+  subsection Material
+    set Young modulus = 20e9
+    set Poisson ratio = 0.3
+  end
+  subsection Half-space
+    set Radius x = 0.2
+    set Radius y = 0.15
+  end
+end
+subsection Contact
+  set Friction coefficient = 0.8
+  set Grid spacing = 2.5e-3
+  set Half length = 10e-3
+  set Half width = 7.5e-3
+end
+subsection Rolling
+  set Hub displacement = 0.2e-3
+  set Speed = 10
+  set Lateral creepage = -0.05
+end
+subsection Output
+  set Figures = false
+end
+END_OF_FILE
+cat >sweep.prm <<'END_OF_FILE'
+subsection Stability
+  set Second count = true
+  subsection Sweep
+    set Entry = Contact/Lateral position
+    set Range = -5e-3, 5e-3, 2.5e-3
+    set Second entry = Rolling/Lateral creepage
+    set Second values = -0.05, 0.05
+  end
+end
+END_OF_FILE
+cat case.prm sweep.prm >both.prm
+"$program" both.prm --quiet --output sweep
+"$program" case.prm --quiet --set "Contact/Lateral position=-0.005" --output own
+rm -r cache
+"$mpirun" -n 2 "$program" both.prm --quiet --output two_ranks
+cat >compare.py <<'END_OF_FILE'
+import csv, json
+def table(name):
+    return list(csv.DictReader(line for line in open(name) if not line.startswith("#")))
+def roots(rows, **wanted):
+    return sorted((float(r["frequency_Hz"]), float(r["growth_1_s"])) for r in rows
+                  if all(abs(float(r[k]) - v) < 1e-9 for k, v in wanted.items()))
+def same(a, b, tolerance, what):
+    assert len(a) == len(b) > 15, (what, len(a), len(b))
+    worst = max(max(abs(f - g), abs(s - t)) / max(f, 1.) for (f, s), (g, t) in zip(a, b))
+    print(what, worst)
+    assert worst < tolerance, (what, worst)
+sweep = table("sweep/stability.csv")
+at = lambda y, creepage: roots(sweep, lateral_position_m=y, lateral_creepage=creepage)
+same(at(-0.005, -0.05), roots(table("own/stability.csv")), 1e-7, "own reduction")
+same(at(-0.005, -0.05), at(0.005, 0.05), 1e-6, "mirror image")
+other = table("two_ranks/stability.csv")
+same(roots(sweep, case=3), roots(other, case=3), 1e-6, "two ranks")
+cases = json.load(open("sweep/results.json"))["analyses"]["stability"]["cases"]
+assert len(cases) == 10
+for case in cases:
+    assert case["second_count"]["unstable_roots"] == 2 * len(case["unstable"]), case
+assert sum(len(case["unstable"]) for case in cases) >= 3
+maps = table("sweep/stability_map.csv")
+assert [int(row["n_unstable"]) for row in maps] == [len(case["unstable"]) for case in cases]
+# a path keeps its name: one row per case and root
+paths = table("sweep/stability_sweep.csv")
+keys = [(row["case"], row["root"]) for row in paths]
+assert len(keys) == len(set(keys)) > 0
+END_OF_FILE
+python3 compare.py
