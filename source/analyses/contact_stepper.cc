@@ -182,21 +182,24 @@ namespace vibrocontact
       look(state);
     watch(state.watched);
 
-    advance_modes(state);
+    advance_modes(state, drive);
     const DenseVector rigid = rigid_slip(pair.interface.grid, scheme, drive.creepage);
     set_problem(state, drive, rigid);
     solution = solver.solve(problem, solution);
     take_over(state, rigid);
+    state.hub_acceleration = drive.hub_acceleration;
     return state.contact;
   }
 
   // modes under the forces of the beginning of the step and the constant loads
-  void ContactStepper::advance_modes(const DynamicState &state)
+  void ContactStepper::advance_modes(const DynamicState &state, const Drive &drive)
   {
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
     {
       const ModalStep &s = steps[k];
-      const double p1 = pair.modal_load[k], p0 = p1 + state.modal_force[k];
+      const double hub = pair.hub_participation(k);
+      const double p1 = pair.modal_load[k] + hub * drive.hub_acceleration,
+                   p0 = pair.modal_load[k] + hub * state.hub_acceleration + state.modal_force[k];
       q[k] = s.T[0][0] * state.q[k] + s.T[0][1] * state.v[k] + s.g0[0] * p0 + s.g1[0] * p1;
       v[k] = s.T[1][0] * state.q[k] + s.T[1][1] * state.v[k] + s.g0[1] * p0 + s.g1[1] * p1;
     }

@@ -47,19 +47,21 @@ namespace vibrocontact
   {
     const unsigned int n = pair.n_points();
     const double h = after.time - before.time;
-    double work = 0, damping = 0, loads = 0;
+    double work = 0, damping = 0, loads = 0, hub = 0;
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
     {
       const double dq = after.q[k] - before.q[k], v = (after.v[k] + before.v[k]) / 2;
       const double force = (before.modal_force[k] + after.modal_force[k]) / 2;
       work += force * dq;
       loads += pair.modal_load[k] * dq;
+      hub += pair.hub_participation(k) * (before.hub_acceleration + after.hub_acceleration) / 2 * dq;
       damping += 2 * pair.damping_ratio[k] * pair.omega[k] * v * v * h;
     }
     account.loads += loads;
+    account.hub += hub;
     account.damping += damping;
     account.numerical_modes +=
-        work + loads - damping - modal_energy(pair, after) + modal_energy(pair, before);
+        work + loads + hub - damping - modal_energy(pair, after) + modal_energy(pair, before);
     account.stored = stored_energy(pair, law, after);
 
     account.friction += h * (before.friction_power + after.friction_power) / 2;

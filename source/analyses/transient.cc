@@ -1,14 +1,11 @@
+#include <vibrocontact/analyses/step_ladder.h>
 #include <vibrocontact/analyses/transient.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/nearest_names.h>
 
-#include <deal.II/base/function_parser.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iostream>
-#include <memory>
 #include <sstream>
 
 namespace vibrocontact
@@ -17,6 +14,14 @@ namespace vibrocontact
   {
     using namespace dealii::Patterns;
     prm.add_parameter("Time step", time_step, "Length of a step. Units: s.", Double(1e-12, 1e3));
+    prm.add_parameter(
+        "Error tolerance", error_tolerance,
+        "0: all steps have the length Time step. Otherwise the step is halved, down to Shortest time "
+        "step, while the error of the modes in one step over the size of their vibration is "
+        "larger, and doubled again, up to Time step. Units: none.",
+        Double(0, 1));
+    prm.add_parameter("Shortest time step", shortest_step, "With an Error tolerance. Units: s.",
+                      Double(0, 1e3));
     prm.add_parameter("End time", end_time, "The run goes from 0 to this time. Units: s.", Double(0, 1e9));
     prm.add_parameter("Integrator", integrator,
                       "Of the modes: Jean's theta-method, or their exact solution over a step. Units: none.",
@@ -60,6 +65,14 @@ namespace vibrocontact
     expression("Spin", spin, "1/m");
     expression("Normal force", normal_force, "N");
     expression("Hub displacement", hub_displacement, "m");
+    prm.add_parameter("Drive table", drive_table,
+                      "CSV file with the column time_s and any of longitudinal_creepage, lateral_creepage, "
+                      "spin_1_m, normal_force_N, hub_displacement_m, which replace the constants of section "
+                      "Rolling; linear in between; it has to cover the run; empty: none. Units: none.",
+                      FileName());
+    prm.enter_subsection("Roughness");
+    roughness.declare_parameters(prm);
+    prm.leave_subsection();
     prm.add_parameter("History interval", history_interval,
                       "Distance of the lines of the histories; 0: every step. Units: s.", Double(0, 1e9));
     prm.add_parameter("Checkpoint interval", checkpoint_interval,
@@ -77,79 +90,18 @@ namespace vibrocontact
     if (!normal_force.empty() && !hub_displacement.empty())
       throw InputError("Section Transient gives expressions of both Normal force and Hub displacement: empty "
                        "one of them.");
+    if (error_tolerance > 0 &&
+        !(shortest_step > 0 && shortest_step <= time_step && shortest_step >= 1e-6 * time_step))
+      throw InputError(
+          "Section Transient gives an Error tolerance, for which the Shortest time step has to be "
+          "between a millionth of the Time step and the Time step: give it.");
+    roughness.check();
     if (perturbed_mode.empty() && (perturbation != 0 || perturbation_velocity != 0))
       throw InputError("Section Transient gives a perturbation, but no Perturbed mode: name one.");
   }
 
-  namespace
-  {
-    /// Nothing reaches standard error while it lives.
-    struct QuietErrors
-    {
-      QuietErrors() : kept(std::cerr.rdbuf(nullptr)) {}
-      ~QuietErrors()
-      {
-        std::cerr.rdbuf(kept);
-        std::cerr.clear();
-      }
-      std::streambuf *const kept;
-    };
-
-    std::function<double(double)> function_of_time(const std::string &expression, const std::string &entry,
-                                                   const double constant)
-    {
-      if (expression.empty())
-        return [constant](double) { return constant; };
-      const auto parser = std::make_shared<dealii::FunctionParser<1>>();
-      const QuietErrors quiet; // deal.II prints the parser's words itself
-      try
-      {
-        parser->initialize("t", expression, {{"pi", dealii::numbers::PI}}, false);
-        parser->value(dealii::Point<1>(0.));
-      }
-      catch (const dealii::ExceptionBase &)
-      {
-        throw InputError("Entry Transient/" + entry + " is '" + expression +
-                         "', which is no expression of the time t: write for instance 0.002*min(t/0.01,1).");
-      }
-      return [parser](const double t) { return parser->value(dealii::Point<1>(t)); };
-    }
-  } // namespace
-
-  DriveFunction drive_function(const TransientParameters &transient, const RollingCase &constant)
-  {
-    const auto longitudinal = function_of_time(transient.longitudinal_creepage, "Longitudinal creepage",
-                                               constant.creepage.longitudinal),
-               lateral = function_of_time(transient.lateral_creepage, "Lateral creepage",
-                                          constant.creepage.lateral),
-               spin = function_of_time(transient.spin, "Spin", constant.creepage.spin),
-               force = function_of_time(transient.normal_force, "Normal force", constant.normal_force),
-               hub = function_of_time(transient.hub_displacement, "Hub displacement",
-                                      constant.hub_displacement);
-    const bool by_force =
-        !transient.normal_force.empty() || (transient.hub_displacement.empty() && constant.normal_force > 0);
-    return [=, speed = constant.creepage.speed](const double t)
-    {
-      Drive drive;
-      drive.creepage = {speed, longitudinal(t), lateral(t), spin(t)};
-      if (by_force)
-      {
-        drive.normal_force = force(t);
-        if (!(drive.normal_force > 0))
-        {
-          std::ostringstream text;
-          text << "Entry Transient/Normal force is " << drive.normal_force << " N at t = " << t
-               << " s, but it has to be positive: a contact that opens is moved by Hub displacement.";
-          throw InputError(text.str());
-        }
-      }
-      else
-        drive.approach = hub(t);
-      return drive;
-    };
-  }
-
-  std::vector<ModalStep> modal_steps(const TransientParameters &parameters, const ContactPair &pair)
+  std::vector<ModalStep> modal_steps(const TransientParameters &parameters, const ContactPair &pair,
+                                     const double h)
   {
     const ReactionWeighting weighting = parameters.reaction == "end of step"
                                             ? ReactionWeighting::end_of_step
@@ -157,9 +109,8 @@ namespace vibrocontact
     std::vector<ModalStep> steps;
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
       steps.push_back(parameters.integrator == "exact propagator"
-                          ? exact_step(pair.omega[k], pair.damping_ratio[k], parameters.time_step, weighting)
-                          : theta_step(pair.omega[k], pair.damping_ratio[k], parameters.theta,
-                                       parameters.time_step, weighting));
+                          ? exact_step(pair.omega[k], pair.damping_ratio[k], h, weighting)
+                          : theta_step(pair.omega[k], pair.damping_ratio[k], parameters.theta, h, weighting));
     return steps;
   }
 
@@ -193,6 +144,7 @@ namespace vibrocontact
     const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
     DynamicState state;
     state.contact.approach = drive.approach;
+    state.hub_acceleration = drive.hub_acceleration;
     state.q.assign(n_modes, 0.);
     state.v.assign(n_modes, 0.);
     state.R.reinit(3 * n);
@@ -247,58 +199,57 @@ namespace vibrocontact
   } // namespace
 
   TransientResult transient(const TransientParameters &parameters, const ContactParameters &contact,
-                            const ContactSolverParameters &solver_parameters, const ContactPair &pair,
+                            const ContactSolverParameters &solver, const ContactPair &pair,
                             const DriveFunction &drive, DynamicState &state,
                             const std::function<bool(const DynamicState &, const TransientResult &)> &observe,
                             const TransientResult &before)
   {
     const auto begin = std::chrono::steady_clock::now();
-    const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
-    const double h = parameters.time_step;
     const unsigned int n = pair.n_points();
-    std::unique_ptr<ContactSolver> solver;
+    const auto law = contact.law();
+    const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
     Drive now = drive(state.time);
-    ContactStepper stepper(pair, scheme, contact, modal_steps(parameters, pair), h, now.creepage.speed);
+    StepLadder ladder(parameters, contact, solver, pair, now.creepage.speed);
 
     TransientResult result = before;
-    const auto law = contact.law();
     if (result.steps == 0)
-      result.energy.initial = result.energy.stored = stored_energy(pair, *law, state);
-    const auto first = std::llround(state.time / h), last = std::llround(parameters.end_time / h);
-    DynamicState next = state;
-    for (auto step = first; step < last; ++step)
     {
-      if (!solver || result.steps % steps_between_fresh_starts == 0)
-        solver = create_contact_solver(solver_parameters);
-      const Drive then = drive((step + 1) * h);
-      const ContactSolution &contact_solution = stepper.advance(next, then, *solver);
-      next.time = (step + 1) * h;
-      result.iterations += contact_solution.iterations;
-      result.factorisations += contact_solution.factorisations;
-      result.fallbacks += contact_solution.fallbacks;
-      result.converged = contact_solution.converged;
-      if (!result.converged)
-      {
-        result.message = "the contact of the next step did not converge; take a smaller Transient/Time step";
-        break;
-      }
+      result.energy.initial = result.energy.stored = stored_energy(pair, *law, state);
+      result.rung = ladder.n_rungs() - 1;
+    }
+    const long long last = std::llround(parameters.end_time / ladder.shortest());
+    DynamicState next = state;
+    Drive then;
+    while (ladder.tick(state) < last)
+    {
+      if (result.steps % steps_between_fresh_starts == 0)
+        ladder.start_afresh();
       try
       {
+        ladder.advance(state, drive, last, next, then, result);
         if (n > 1)
-          check_contact_in_grid(pair.interface.grid, contact_solution.status);
+          check_contact_in_grid(pair.interface.grid, next.contact.status);
       }
+      // what was computed so far is kept, whoever gives up
       catch (const InputError &error)
       {
         result.converged = false;
         result.message = error.what();
-        break;
       }
+      catch (const ConvergenceError &error)
+      {
+        result.converged = false;
+        result.message = error.what();
+      }
+      if (!result.converged)
+        break;
       ++result.steps;
       result.time = next.time;
+      const double h = next.time - state.time;
       for (unsigned int i = 0; i < n; ++i)
       {
         result.impulse += h * (state.R[i] + next.R[i]) / 2;
-        result.smallest_gap = std::min(result.smallest_gap, contact_solution.y[i]);
+        result.smallest_gap = std::min(result.smallest_gap, next.contact.y[i]);
       }
       add_step(result.energy, pair, *law, scheme, state, now, next, then);
       state = next;

@@ -99,6 +99,7 @@ namespace vibrocontact
             {"iterations_per_step", result.iterations / steps},
             {"factorisations_per_step", result.factorisations / steps},
             {"fallbacks", result.fallbacks},
+            {"rejected_steps", result.rejected},
             {"impulse_Ns", result.impulse},
             {"smallest_gap_m", result.smallest_gap},
             {"energy",

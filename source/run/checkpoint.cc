@@ -28,6 +28,7 @@ namespace vibrocontact
       file("state/force_change", state.force_change);
       file("state/residual_change", state.residual_change);
       file("state/modal_force", state.modal_force);
+      file("state/hub_acceleration", state.hub_acceleration);
       file("state/friction_power", state.friction_power);
       file("state/creepage_power", state.creepage_power);
       file("state/transport_power", state.transport_power);
@@ -50,6 +51,8 @@ namespace vibrocontact
       file("result/iterations", result.iterations);
       file("result/factorisations", result.factorisations);
       file("result/fallbacks", result.fallbacks);
+      file("result/rejected", result.rejected);
+      file("result/rung", result.rung);
       file("result/time", result.time);
       file("result/seconds", result.seconds);
       file("result/impulse", result.impulse);

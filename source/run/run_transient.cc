@@ -139,8 +139,8 @@ namespace vibrocontact
         contact_pair(prepared->bodies[0], prepared->bodies[1], parameters.contact_grid());
     run_log().value("modes", pair.n_modes());
     run_log().value("contact points", pair.n_points());
-    const DriveFunction drive =
-        drive_function(own, rolling_cases(parameters.rolling, parameters.contact).front());
+    const DriveFunction drive = drive_function(
+        own, rolling_cases(parameters.rolling, parameters.contact).front(), parameters.contact_grid());
     warn_of_ringing(own, pair);
 
     const auto law = parameters.contact.law();

@@ -35,6 +35,12 @@ namespace vibrocontact
     /// bodies; 3 n square [m/N]
     DenseMatrix residual_flexibility;
 
+    /// modal force per acceleration of the approach, Gamma_z of body 1's modes, 0 for others and if unknown [sqrt(kg)]
+    double hub_participation(const unsigned int mode) const
+    {
+      return body[mode] == 1 && mode < participation.m() ? participation(mode, 2) : 0.;
+    }
+
     unsigned int n_points() const { return interface.grid.n_points(); }
     unsigned int n_modes() const { return omega.size(); }
   };

@@ -27,6 +27,8 @@ namespace vibrocontact
     /// powers of the tangential forces [W]: dissipated by friction (>= 0), given to the bodies by the
     /// creepage and by the transport -V R . du/dx
     double friction_power = 0, creepage_power = 0, transport_power = 0;
+    /// Drive::hub_acceleration at this instant
+    double hub_acceleration = 0;
     /// how the contact was solved at this instant: status, gap and slip, approach. At points that are not
     /// watched, the gap is that of the last look at all points (roughness kept up to date), the slip is zero.
     ContactSolution contact;
@@ -54,6 +56,9 @@ namespace vibrocontact
     Creepage creepage;
     /// given normal force [N], or 0 if the approach is given [m]
     double normal_force = 0, approach = 0;
+    /// of a given approach [m/s^2]; acts on the modes of body 1, which are those of the held structure: its hub
+    /// moves by -approach along z, the modes are relative to that, p += Gamma_z d2(approach)/dt2
+    double hub_acceleration = 0;
     /// added to the undeformed gap [m]; n, empty: none (roughness)
     std::vector<double> gap;
   };
@@ -97,7 +102,7 @@ namespace vibrocontact
     /// Operator and friction of the watched points into the problem.
     void watch(const std::vector<unsigned int> &points);
     /// q, v at the end of the step without the forces there.
-    void advance_modes(const DynamicState &state);
+    void advance_modes(const DynamicState &state, const Drive &drive);
     /// The problem of the step, and where its solution starts: forces that go on changing as they did.
     void set_problem(const DynamicState &state, const Drive &drive, const DenseVector &rigid_slip);
     void take_over(DynamicState &state, const DenseVector &rigid_slip);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <vibrocontact/analyses/drive.h>
 #include <vibrocontact/analyses/energy_account.h>
 #include <vibrocontact/analyses/quasi_static_rolling.h>
+#include <vibrocontact/analyses/roughness.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -15,6 +17,9 @@ namespace vibrocontact
   {
     /// h, end of the run [s]
     double time_step = 1e-6, end_time = 1e-2;
+    /// error per step over the size of the vibration, at which the step is halved, see StepLadder; 0: all steps
+    /// are equal; otherwise between this and the time step [s]
+    double error_tolerance = 0, shortest_step = 0;
     /// "theta method" or "exact propagator"; theta
     std::string integrator = "theta method";
     double theta = 0.5;
@@ -31,6 +36,10 @@ namespace vibrocontact
     double perturbation = 0, perturbation_velocity = 0;
     /// expressions of the time t that replace the constants of section Rolling; empty: constant
     std::string longitudinal_creepage, lateral_creepage, spin, normal_force, hub_displacement;
+    /// CSV file that does the same, columns time_s and any of longitudinal_creepage, lateral_creepage, spin_1_m,
+    /// normal_force_N, hub_displacement_m
+    std::string drive_table;
+    RoughnessParameters roughness;
     /// distance of the lines of the histories [s], 0: every step
     double history_interval = 0;
     /// wall time between checkpoints [s], 0: only when the run is stopped and at its end
@@ -49,6 +58,9 @@ namespace vibrocontact
   struct TransientResult
   {
     unsigned long steps = 0, iterations = 0, factorisations = 0, fallbacks = 0;
+    /// steps that were repeated with half their length; the next step is 2^rung of the shortest
+    unsigned long rejected = 0;
+    unsigned int rung = 0;
     double time = 0, seconds = 0;
     /// normal impulse over the run [Ns]
     double impulse = 0;
@@ -60,15 +72,9 @@ namespace vibrocontact
     std::string message;
   };
 
-  /// What moves the bodies at a time [s].
-  using DriveFunction = std::function<Drive(double time)>;
-
-  /// The drive that sections Rolling (by its only case) and Transient describe.
-  /// @throws InputError for an expression that cannot be read
-  DriveFunction drive_function(const TransientParameters &transient, const RollingCase &constant);
-
-  /// One ModalStep per mode of the pair.
-  std::vector<ModalStep> modal_steps(const TransientParameters &parameters, const ContactPair &pair);
+  /// One ModalStep per mode of the pair, for a step of h [s].
+  std::vector<ModalStep> modal_steps(const TransientParameters &parameters, const ContactPair &pair,
+                                     double h);
 
   /// State at time zero, by TransientParameters::initial_state. The quasi-static one is the equilibrium under
   /// the drive at time zero, q = diag(w^-2) Psi^T R, v = 0.
@@ -81,10 +87,9 @@ namespace vibrocontact
   /// ends the run, with converged = false and the states so far.
   /// @param observe called after every step; false: stop
   /// @param before sums of the run that led to `state`, if it is continued
-  TransientResult
-  transient(const TransientParameters &parameters, const ContactParameters &contact,
-            const ContactSolverParameters &solver, const ContactPair &pair, const DriveFunction &drive,
-            DynamicState &state,
-            const std::function<bool(const DynamicState &, const TransientResult &)> &observe,
-            const TransientResult &before = {});
+  TransientResult transient(const TransientParameters &parameters, const ContactParameters &contact,
+                            const ContactSolverParameters &solver, const ContactPair &pair,
+                            const DriveFunction &drive, DynamicState &state,
+                            const std::function<bool(const DynamicState &, const TransientResult &)> &observe,
+                            const TransientResult &before = {});
 } // namespace vibrocontact

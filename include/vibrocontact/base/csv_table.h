@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// Columns of numbers by name, from a text such as
+  ///
+  ///     # measured on 3 May
+  ///     time_s, normal_force_N
+  ///     0, 66000
+  ///     0.1, 70000
+  ///
+  /// # begins a comment; the first other line names the columns.
+  struct CsvTable
+  {
+    std::string file_name;
+    std::vector<std::string> names;
+    /// one per name, equally long
+    std::vector<std::vector<double>> columns;
+
+    /// null if there is no such column
+    const std::vector<double> *find(const std::string &name) const;
+    /// @throws InputError that names the columns there are
+    const std::vector<double> &column(const std::string &name) const;
+  };
+
+  /// @throws InputError with file and line
+  CsvTable read_csv(const std::string &file_name, const std::string &text);
+
+  /// Piecewise linear function.
+  class LinearTable
+  {
+  public:
+    /// @param source for messages, such as a file and a column
+    /// @throws InputError if x does not increase or there are less than two points
+    LinearTable(const std::string &source, const std::vector<double> &x, const std::vector<double> &y);
+    /// @throws InputError outside the table
+    double operator()(double x) const;
+    double first() const { return x.front(); }
+    double last() const { return x.back(); }
+
+  private:
+    std::string source;
+    std::vector<double> x, y;
+  };
+} // namespace vibrocontact

@@ -1,0 +1,112 @@
+#include <vibrocontact/analyses/step_ladder.h>
+#include <vibrocontact/base/exceptions.h>
+
+#include <cmath>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// the error of a step is of third order: twice the step has eight times as much
+    constexpr double growth_of_error = 8;
+
+    unsigned int count_rungs(const TransientParameters &parameters)
+    {
+      return parameters.error_tolerance > 0
+                 ? 1 + std::ceil(std::log2(parameters.time_step / parameters.shortest_step) - 1e-9)
+                 : 1;
+    }
+  } // namespace
+
+  StepLadder::StepLadder(const TransientParameters &parameters, const ContactParameters &contact,
+                         const ContactSolverParameters &solver, const ContactPair &pair, const double speed)
+      : parameters(parameters), contact(contact), solver(solver), pair(pair), speed(speed),
+        rungs(count_rungs(parameters))
+  {
+    if (n_rungs() > 1 && pair.n_modes() == 0)
+      throw InputError("Entry Transient/Error tolerance judges the motion of modes, but no body has any: set "
+                       "it to 0 and give the Time step.");
+    shortest_step = std::ldexp(parameters.time_step, 1 - static_cast<int>(n_rungs()));
+  }
+
+  long long StepLadder::tick(const DynamicState &state) const
+  {
+    return std::llround(state.time / shortest_step);
+  }
+
+  StepLadder::Rung &StepLadder::rung(const unsigned int k)
+  {
+    if (!rungs[k])
+    {
+      const double h = std::ldexp(shortest_step, k);
+      rungs[k].reset(new Rung{{pair, find_creep_scheme(contact.creep_scheme), contact,
+                               modal_steps(parameters, pair, h), h, speed},
+                              nullptr});
+    }
+    if (!rungs[k]->solver)
+      rungs[k]->solver = create_contact_solver(solver);
+    return *rungs[k];
+  }
+
+  void StepLadder::start_afresh()
+  {
+    for (const auto &one : rungs)
+      if (one)
+        one->solver.reset();
+  }
+
+  void StepLadder::advance(const DynamicState &state, const DriveFunction &drive, const long long last,
+                           DynamicState &next, Drive &then, TransientResult &result)
+  {
+    const long long now = tick(state);
+    unsigned int k = result.rung;
+    while (k > 0 && (now % (1ll << k) != 0 || now + (1ll << k) > last))
+      --k;
+    double error = 0;
+    for (;; --k, ++result.rejected)
+    {
+      const double time = (now + (1ll << k)) * shortest_step;
+      then = drive(time);
+      next = state;
+      Rung &used = rung(k);
+      const ContactSolution &solution = used.stepper.advance(next, then, *used.solver);
+      next.time = time;
+      result.iterations += solution.iterations;
+      result.factorisations += solution.factorisations;
+      result.fallbacks += solution.fallbacks;
+      result.converged = solution.converged;
+      error = n_rungs() > 1 && result.converged ? step_error(parameters, pair, state, next) : 0;
+      if (k == 0 || (result.converged && error <= parameters.error_tolerance))
+        break;
+    }
+    if (!result.converged)
+      result.message = "the contact of the next step did not converge; take a smaller Transient/Time step";
+    result.rung = k;
+    if (k + 1 < n_rungs() && growth_of_error * error <= 0.5 * parameters.error_tolerance)
+      ++result.rung;
+  }
+
+  double step_error(const TransientParameters &parameters, const ContactPair &pair,
+                    const DynamicState &before, const DynamicState &after)
+  {
+    const bool exact = parameters.integrator == "exact propagator";
+    const double h = after.time - before.time;
+    double error = 0, size = 0;
+    for (unsigned int k = 0; k < pair.n_modes(); ++k)
+    {
+      const double w = pair.omega[k];
+      const auto force = [&](const DynamicState &state) {
+        return pair.modal_load[k] + pair.hub_participation(k) * state.hub_acceleration + state.modal_force[k];
+      };
+      const auto acceleration = [&](const DynamicState &state)
+      { return force(state) - 2 * pair.damping_ratio[k] * w * state.v[k] - w * w * state.q[k]; };
+      const double a = acceleration(after);
+      double dq = h * h / 12 * std::abs(exact ? force(after) - force(before) : a - acceleration(before));
+      if (!exact)
+        dq += (parameters.theta - 0.5) * h * std::abs(after.v[k] - before.v[k]);
+      error += w * w * dq * dq;
+      size += after.v[k] * after.v[k] + (w > 0 ? a * a / (w * w) : 0);
+    }
+    return size > 0 ? std::sqrt(error / size) : 0;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,110 @@
+#include <vibrocontact/base/csv_table.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/base/parameter_text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace vibrocontact
+{
+  const std::vector<double> *CsvTable::find(const std::string &name) const
+  {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? nullptr : &columns[found - names.begin()];
+  }
+
+  const std::vector<double> &CsvTable::column(const std::string &name) const
+  {
+    const std::vector<double> *const found = find(name);
+    if (!found)
+      throw InputError("The table \"" + file_name + "\" has no column " + name + "; it has " +
+                       quoted_list(names, "and") + ".");
+    return *found;
+  }
+
+  namespace
+  {
+    std::vector<std::string> cells_of(const std::string &line)
+    {
+      std::vector<std::string> cells;
+      std::istringstream stream(line);
+      for (std::string cell; std::getline(stream, cell, ',');)
+        cells.push_back(trimmed(cell));
+      return cells;
+    }
+  } // namespace
+
+  CsvTable read_csv(const std::string &file_name, const std::string &text)
+  {
+    CsvTable table;
+    table.file_name = file_name;
+    std::istringstream lines(text);
+    unsigned int number = 0;
+    for (std::string line; std::getline(lines, line);)
+    {
+      ++number;
+      line = trimmed(line.substr(0, line.find('#')));
+      if (line.empty())
+        continue;
+      const std::vector<std::string> cells = cells_of(line);
+      const std::string where = "The table \"" + file_name + "\", line " + std::to_string(number) + ", ";
+      if (table.names.empty())
+      {
+        table.names = cells;
+        table.columns.resize(cells.size());
+        continue;
+      }
+      if (cells.size() != table.names.size())
+        throw InputError(where + "has " + std::to_string(cells.size()) + " values for " +
+                         std::to_string(table.names.size()) +
+                         " columns: separate them by commas, with points in the numbers.");
+      for (unsigned int k = 0; k < cells.size(); ++k)
+      {
+        char *end = nullptr;
+        const double value = std::strtod(cells[k].c_str(), &end);
+        if (cells[k].empty() || *end != 0 || !std::isfinite(value))
+          throw InputError(where + "has '" + cells[k] + "' where a number is due.");
+        table.columns[k].push_back(value);
+      }
+    }
+    if (table.names.empty())
+      throw InputError("The table \"" + file_name +
+                       "\" is empty: its first line names the columns, the rows follow.");
+    return table;
+  }
+
+  LinearTable::LinearTable(const std::string &source, const std::vector<double> &x,
+                           const std::vector<double> &y)
+      : source(source), x(x), y(y)
+  {
+    if (x.size() < 2)
+      throw InputError(source + " has less than two rows: give the range that is needed.");
+    for (std::size_t i = 1; i < x.size(); ++i)
+      if (!(x[i] > x[i - 1]))
+      {
+        std::ostringstream text;
+        text << source << " does not increase in its first column: " << x[i] << " follows " << x[i - 1]
+             << ".";
+        throw InputError(text.str());
+      }
+  }
+
+  double LinearTable::operator()(const double value) const
+  {
+    // round-off of a last time step is no matter
+    const double slack = 1e-9 * (x.back() - x.front());
+    if (!(value >= x.front() - slack && value <= x.back() + slack))
+    {
+      std::ostringstream text;
+      text << source << " ends at " << (value < x.front() ? x.front() : x.back()) << ", but " << value
+           << " is needed: extend it.";
+      throw InputError(text.str());
+    }
+    const std::size_t k =
+        std::clamp<std::ptrdiff_t>(std::upper_bound(x.begin(), x.end(), value) - x.begin(), 1, x.size() - 1);
+    const double share = std::clamp((value - x[k - 1]) / (x[k] - x[k - 1]), 0., 1.);
+    return y[k - 1] + share * (y[k] - y[k - 1]);
+  }
+} // namespace vibrocontact
