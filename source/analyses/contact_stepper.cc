@@ -250,15 +250,18 @@ namespace vibrocontact
     const std::vector<unsigned int> &points = A.points(), &rows = A.residual_rows();
     const unsigned int n = pair.n_points(), m = points.size();
     double moved = 0, rate = 0;
+    bool any_open = m == n;
     for (unsigned int i = 0; i < m; ++i)
     {
+      any_open = any_open || solution.R[i] == 0;
       if (solution.R[i] == 0)
         moved = std::max(moved, std::abs(solution.y[i] - state.contact.y[points[i]]));
       state.contact.status[points[i]] = solution.status[i];
     }
     state.travel += 2 * moved;
-    // a fallback computes W~ R anew, but not its change
-    state.steps_since_look = solution.fallbacks > 0 ? longest_without_look : state.steps_since_look + 1;
+    // a fallback computes W~ R anew, but not its change; without open points nobody knows how gaps change
+    state.steps_since_look =
+        solution.fallbacks > 0 || !any_open ? longest_without_look : state.steps_since_look + 1;
     for (unsigned int c = 0; c < 3; ++c)
       for (unsigned int i = 0; i < m; ++i)
       {

@@ -60,9 +60,25 @@ namespace
   struct Outcome
   {
     TransientResult result;
-    double largest_force = 0;
+    double largest_force = 0, penetration = 0;
     unsigned int times_open = 0, times_closed = 0;
   };
+
+  /// The deepest of all points, whether the step looked at them or not [m].
+  double penetration(const ContactPair &pair, const DynamicState &state)
+  {
+    double deepest = 0;
+    for (unsigned int i = 0; i < pair.n_points(); ++i)
+    {
+      double gap = pair.interface.gap[i] - state.contact.approach;
+      for (unsigned int k = 0; k < pair.n_modes(); ++k)
+        gap += pair.modal_trace(i, k) * state.q[k];
+      for (unsigned int j = 0; j < state.R.size(); ++j)
+        gap += pair.residual_flexibility(i, j) * state.R[j];
+      deepest = std::max(deepest, -gap);
+    }
+    return deepest;
+  }
 
   Outcome run(const Case &c)
   {
@@ -96,6 +112,7 @@ namespace
                                  }
                                  for (unsigned int k = 0; k < s.q.size(); ++k)
                                    EXPECT_TRUE(std::isfinite(s.q[k]) && std::isfinite(s.v[k]));
+                                 outcome.penetration = std::max(outcome.penetration, penetration(pair, s));
                                  outcome.largest_force = std::max(outcome.largest_force, sum);
                                  const bool open = sum == 0;
                                  outcome.times_open += open && !was_open;
@@ -104,6 +121,7 @@ namespace
                                  return true;
                                });
     EXPECT_TRUE(std::isfinite(outcome.result.energy.imbalance()));
+    EXPECT_LT(outcome.penetration * 1e6, 1e-4) << "um, on an approach of some 50";
     std::printf(
         "%s: %lu steps, %.1f iterations per step, %lu fallbacks, largest force %.3g N, opened %u times %s\n",
         testing::UnitTest::GetInstance()->current_test_info()->name(), outcome.result.steps,
