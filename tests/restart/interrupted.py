@@ -136,7 +136,8 @@ bar.check("later")
 # what is refused, in one sentence, without harm
 for setting, text in (("Transient/Theta=0.6", "Transient/Theta"), ("Transient/End time=1", "End time")):
     message = bar.run("later", "--resume", "--set", setting, code=1)
-    if text not in message or len(message.splitlines()) != 1:
+    # the machine may earn a warning about its BLAS above
+    if not message.splitlines()[-1].startswith("vibrocontact: ") or text not in message.splitlines()[-1]:
         fail(f"refused with: {message}")
 bar.check("later")
 
