@@ -103,17 +103,30 @@ namespace vibrocontact
     return longest;
   }
 
-  bool ContactStepper::must_look(const DynamicState &state) const
+  bool ContactStepper::unwatched_within(const DynamicState &state, const double distance) const
   {
-    if (state.watched.empty() || state.steps_since_look >= longest_without_look)
-      return true;
     auto watched = state.watched.begin();
     for (unsigned int i = 0; i < pair.n_points(); ++i)
       if (watched != state.watched.end() && *watched == i)
         ++watched;
-      else if (state.contact.y[i] <= state.travel)
+      else if (state.contact.y[i] <= distance)
         return true;
     return false;
+  }
+
+  std::vector<double> ContactStepper::gaps(const DynamicState &state, const DenseVector &residual,
+                                           const DenseVector &shapes, const double approach) const
+  {
+    std::vector<double> gap(pair.n_points());
+    for (unsigned int i = 0; i < gap.size(); ++i)
+    {
+      gap[i] = constant_response[i] + residual[i] - approach;
+      if (!state.roughness.empty())
+        gap[i] += state.roughness[i];
+      for (unsigned int k = 0; k < shapes.size(); ++k)
+        gap[i] += matrices.shapes.basis(i, k) * shapes[k];
+    }
+    return gap;
   }
 
   void ContactStepper::look(DynamicState &state)
@@ -123,15 +136,8 @@ namespace vibrocontact
     residual_displacement(pair.residual_flexibility, state.force_change, state.residual_change);
     std::copy(state.q.begin(), state.q.end(), q.begin());
     multiply(matrices.shapes.amplitudes, q, displacement);
-    std::vector<double> gap(n);
-    for (unsigned int i = 0; i < n; ++i)
-    {
-      gap[i] = constant_response[i] + state.residual_displacement[i] - state.contact.approach;
-      if (!state.roughness.empty())
-        gap[i] += state.roughness[i];
-      for (unsigned int k = 0; k < displacement.size(); ++k)
-        gap[i] += matrices.shapes.basis(i, k) * displacement[k];
-    }
+    const std::vector<double> gap =
+        gaps(state, state.residual_displacement, displacement, state.contact.approach);
 
     std::vector<double> sorted(gap);
     std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
@@ -166,6 +172,52 @@ namespace vibrocontact
     problem.b.reinit(step_operator->n_rows());
   }
 
+  double ContactStepper::motion_of_open_points(const DynamicState &state) const
+  {
+    const std::vector<unsigned int> &points = step_operator->points();
+    double motion = 0;
+    bool any_open = points.size() == pair.n_points();
+    for (unsigned int i = 0; i < points.size(); ++i)
+      if (solution.R[i] == 0)
+      {
+        any_open = true;
+        motion = std::max(motion, std::abs(solution.y[i] - state.contact.y[points[i]]));
+      }
+    return any_open ? motion : std::numeric_limits<double>::infinity();
+  }
+
+  bool ContactStepper::closes_unwatched(DynamicState &state)
+  {
+    if (!solution.converged || !unwatched_within(state, state.travel + 2 * motion_of_open_points(state)))
+      return false;
+    const std::vector<unsigned int> &points = step_operator->points();
+    const unsigned int n = pair.n_points(), m = points.size();
+    DenseVector R(3 * n), residual;
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int i = 0; i < m; ++i)
+        R[contact_row(n, c, points[i])] = solution.R[contact_row(m, c, i)];
+    residual_displacement(pair.residual_flexibility, R, residual);
+    step_operator->modal_numbers(solution.R, c_n, c_t);
+    c_n += c_t;
+    multiply(matrices.displacement_gain, c_n, displacement);
+    if (pair.n_modes() > 0)
+      displacement += free_displacement;
+    const std::vector<double> gap = gaps(state, residual, displacement, solution.approach);
+    std::vector<unsigned int> closed;
+    for (unsigned int i = 0; i < n; ++i)
+      if (gap[i] < 0 && !std::binary_search(points.begin(), points.end(), i))
+        closed.push_back(i);
+    if (closed.empty())
+      return false;
+    closed.insert(closed.end(), points.begin(), points.end());
+    look(state);
+    closed.insert(closed.end(), state.watched.begin(), state.watched.end());
+    std::sort(closed.begin(), closed.end());
+    closed.erase(std::unique(closed.begin(), closed.end()), closed.end());
+    state.watched = closed;
+    return true;
+  }
+
   const ContactSolution &ContactStepper::advance(DynamicState &state, const Drive &drive,
                                                  ContactSolver &solver)
   {
@@ -178,14 +230,21 @@ namespace vibrocontact
     for (unsigned int i = 0; i < drive.gap.size(); ++i)
       state.contact.y[i] += drive.gap[i] - (state.roughness.empty() ? 0 : state.roughness[i]);
     state.roughness = drive.gap;
-    if (must_look(state))
+    if (state.watched.empty() || state.steps_since_look >= longest_without_look ||
+        unwatched_within(state, state.travel))
       look(state);
-    watch(state.watched);
 
-    advance_modes(state, drive);
     const DenseVector rigid = rigid_slip(pair.interface.grid, scheme, drive.creepage);
-    set_problem(state, drive, rigid);
-    solution = solver.solve(problem, solution);
+    unsigned int iterations = 0;
+    do
+    {
+      watch(state.watched);
+      advance_modes(state, drive);
+      set_problem(state, drive, rigid);
+      solution = solver.solve(problem, solution);
+      iterations += solution.iterations;
+    } while (closes_unwatched(state));
+    solution.iterations = iterations;
     take_over(state, rigid);
     state.hub_acceleration = drive.hub_acceleration;
     return state.contact;
@@ -249,19 +308,14 @@ namespace vibrocontact
     const StepOperator &A = *step_operator;
     const std::vector<unsigned int> &points = A.points(), &rows = A.residual_rows();
     const unsigned int n = pair.n_points(), m = points.size();
-    double moved = 0, rate = 0;
-    bool any_open = m == n;
+    // without open points nobody knows how gaps change; a fallback computes W~ R anew, but not its change
+    const double motion = motion_of_open_points(state);
+    const bool unknown = !std::isfinite(motion) || solution.fallbacks > 0;
+    state.travel += unknown ? 0 : 2 * motion;
+    state.steps_since_look = unknown ? longest_without_look : state.steps_since_look + 1;
+    double rate = 0;
     for (unsigned int i = 0; i < m; ++i)
-    {
-      any_open = any_open || solution.R[i] == 0;
-      if (solution.R[i] == 0)
-        moved = std::max(moved, std::abs(solution.y[i] - state.contact.y[points[i]]));
       state.contact.status[points[i]] = solution.status[i];
-    }
-    state.travel += 2 * moved;
-    // a fallback computes W~ R anew, but not its change; without open points nobody knows how gaps change
-    state.steps_since_look =
-        solution.fallbacks > 0 || !any_open ? longest_without_look : state.steps_since_look + 1;
     for (unsigned int c = 0; c < 3; ++c)
       for (unsigned int i = 0; i < m; ++i)
       {

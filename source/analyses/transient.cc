@@ -46,8 +46,10 @@ namespace vibrocontact
                       Double(-1e6, 1e6));
     prm.add_parameter(
         "Perturbed mode", perturbed_mode,
-        "Mode that the initial state is perturbed by, as body:label, for instance wheel:axial(0,2); empty: "
-        "none. Units: none.",
+        "Mode that the initial state is perturbed by, as body:label, for instance wheel:axial(0,2); the "
+        "second of a "
+        "pair, axial(0,2)#2 in tables, is written axial(0,2)/2, for # begins a comment; empty: none. Units: "
+        "none.",
         Anything());
     prm.add_parameter("Perturbation", perturbation,
                       "Largest displacement of this mode in the contact. Units: m.", Double(-1, 1));
@@ -120,7 +122,9 @@ namespace vibrocontact
     {
       if (parameters.perturbed_mode.empty())
         return;
-      const auto found = std::find(pair.labels.begin(), pair.labels.end(), parameters.perturbed_mode);
+      std::string name = parameters.perturbed_mode;
+      std::replace(name.begin(), name.end(), '/', '#');
+      const auto found = std::find(pair.labels.begin(), pair.labels.end(), name);
       if (found == pair.labels.end())
         throw InputError("Entry Transient/Perturbed mode names '" + parameters.perturbed_mode +
                          "', but there is no such mode; " +

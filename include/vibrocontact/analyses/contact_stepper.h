@@ -81,8 +81,8 @@ namespace vibrocontact
   ///
   /// What a step costs follows from what can matter in it: modes and contact meet in few shapes (PatchShapes),
   /// and only watched points enter the contact problem (StepOperator): those loaded or with a small gap. The
-  /// gaps of all are looked at again before any of the others could have closed, for which open watched
-  /// points show how fast gaps change, taken twice (doc/theory.md, "Time steps").
+  /// gaps of all are looked at again when any of the others could have closed, for which open watched points
+  /// show how far gaps have changed, taken twice; a step that closes one is solved again with it.
   class ContactStepper
   {
   public:
@@ -95,10 +95,17 @@ namespace vibrocontact
     const ContactSolution &advance(DynamicState &state, const Drive &drive, ContactSolver &solver);
 
   private:
-    /// Whether a point that is not watched may have closed since the last look.
-    bool must_look(const DynamicState &state) const;
-    /// Gaps of all points, and from them the points to watch.
+    /// Whether a point that is not watched had, at the last look, a gap of at most the distance [m].
+    bool unwatched_within(const DynamicState &state, double distance) const;
+    /// Gaps of all points [m]; n. @param residual W~ R, 3 n [m]; @param shapes amplitudes of the shapes
+    std::vector<double> gaps(const DynamicState &state, const DenseVector &residual,
+                             const DenseVector &shapes, double approach) const;
+    /// Gaps of all points at the beginning of the step, and from them the points to watch.
     void look(DynamicState &state);
+    /// How far open watched points move in the step [m]; infinite if there is none.
+    double motion_of_open_points(const DynamicState &state) const;
+    /// Whether the solution closes points that are not watched; then they are watched as well.
+    bool closes_unwatched(DynamicState &state);
     /// Operator and friction of the watched points into the problem.
     void watch(const std::vector<unsigned int> &points);
     /// q, v at the end of the step without the forces there.
