@@ -52,6 +52,21 @@ namespace vibrocontact
                               rigid = {std::numeric_limits<double>::infinity(), 0.};
       return half_space_compliance(grid, first ? HalfSpacePair(own, rigid) : HalfSpacePair(rigid, own));
     }
+    // In plane strain nothing moves along y and nothing drives it there. A compliance of its own, which never
+    // feels a force, keeps the lateral force of a sticking point determined (zero).
+    void hold_across(ContactPair &pair)
+    {
+      const unsigned int n = pair.n_points(), m = pair.n_modes();
+      if (!pair.interface.grid.whole_surface || pair.interface.grid.n_y > 1)
+        return;
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        double along_x = pair.residual_flexibility(n + i, n + i);
+        for (unsigned int k = 0; k < m; ++k)
+          along_x += std::pow(pair.modal_trace(n + i, k) / pair.omega[k], 2);
+        pair.residual_flexibility(2 * n + i, 2 * n + i) = along_x;
+      }
+    }
   } // namespace
 
   ContactInterface contact_interface(const ContactBody &body_1, const ContactBody &body_2,
@@ -105,6 +120,7 @@ namespace vibrocontact
       first += reduced.omega.size();
       add_load_jump(reduced, side, pair.interface.load_jump);
     }
+    hold_across(pair);
     return pair;
   }
 

@@ -52,7 +52,7 @@ namespace vibrocontact
   ContactStepper::ContactStepper(const ContactPair &pair, const CreepScheme &scheme,
                                  const ContactParameters &contact, const std::vector<ModalStep> &steps,
                                  const double h, const double speed)
-      : pair(pair), scheme(scheme), steps(steps), h(h), speed(speed),
+      : pair(pair), scheme(scheme), steps(steps), h(h), speed(speed), falling(contact.falling),
         matrices(step_matrices(pair.interface.grid, scheme, pair.modal_trace, pair.residual_flexibility,
                                steps, h, speed)),
         q(pair.n_modes()), v(pair.n_modes())
@@ -241,7 +241,10 @@ namespace vibrocontact
       watch(state.watched);
       advance_modes(state, drive);
       set_problem(state, drive, rigid);
-      solution = solver.solve(problem, solution);
+      if (falling.acts())
+        solve_with_falling_friction(state, solver);
+      else
+        solution = solver.solve(problem, solution);
       iterations += solution.iterations;
     } while (closes_unwatched(state));
     solution.iterations = iterations;
@@ -301,6 +304,37 @@ namespace vibrocontact
       solution.y[i] -= problem.approach;
     solution.approach = problem.approach;
     solution.response_known = true;
+  }
+
+  void ContactStepper::solve_with_falling_friction(const DynamicState &state, ContactSolver &solver)
+  {
+    const std::vector<unsigned int> &points = step_operator->points(), &rows = step_operator->residual_rows();
+    const unsigned int n = pair.n_points(), m = points.size();
+    // starts from what the state alone says, so that a resumed run does the same
+    for (unsigned int i = 0; i < m; ++i)
+      problem.mu[i] = friction[points[i]] * falling.factor(std::hypot(state.contact.y[n + points[i]],
+                                                                      state.contact.y[2 * n + points[i]]));
+    std::vector<unsigned int> place(3 * n, 0);
+    for (unsigned int k = 0; k < rows.size(); ++k)
+      place[rows[k]] = 3 * m + k;
+    const auto speed_of = [&](const ContactSolution &now)
+    {
+      std::vector<double> speeds(m);
+      for (unsigned int i = 0; i < m; ++i)
+      {
+        double slip[2];
+        for (unsigned int c = 1; c < 3; ++c)
+        {
+          const unsigned int there = contact_row(n, c, points[i]);
+          slip[c - 1] =
+              now.y[contact_row(m, c, i)] - (now.y[place[there]] - state.residual_displacement[there]) / h;
+        }
+        speeds[i] = std::hypot(slip[0], slip[1]);
+      }
+      return speeds;
+    };
+    solution = vibrocontact::solve_with_falling_friction(problem, solver, solution, falling,
+                                                         friction.empty() ? 0. : friction[0], speed_of);
   }
 
   void ContactStepper::take_over(DynamicState &state, const DenseVector &rigid)

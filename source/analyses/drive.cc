@@ -123,11 +123,10 @@ namespace vibrocontact
           "them out.");
     const auto load = sources.function(by_force ? force_source : hub_source);
     sources.check_all_used();
-    const double h = transient.time_step;
+    const double speed = constant.creepage.speed, h = transient.time_step;
     const FunctionOfTime hub_acceleration =
         moved ? acceleration(load, h, sources.last_time()) : FunctionOfTime();
 
-    const double speed = constant.creepage.speed;
     std::shared_ptr<const Roughness> roughness;
     if (transient.roughness.any())
     {
@@ -138,10 +137,13 @@ namespace vibrocontact
       roughness->heights(0);
       roughness->heights(speed * transient.end_time);
     }
-    return [=](const double t)
+    return [=, creepage = constant.creepage](const double t)
     {
       Drive drive;
-      drive.creepage = {speed, longitudinal(t), lateral(t), spin(t)};
+      drive.creepage = creepage;
+      drive.creepage.longitudinal = longitudinal(t);
+      drive.creepage.lateral = lateral(t);
+      drive.creepage.spin = spin(t);
       if (by_force)
       {
         drive.normal_force = load(t);

@@ -1,4 +1,5 @@
 #include <vibrocontact/analyses/linearised_contact.h>
+#include <vibrocontact/analyses/sliding_frame.h>
 #include <vibrocontact/base/exceptions.h>
 
 #include <deal.II/base/numbers.h>
@@ -11,24 +12,6 @@ namespace vibrocontact
 {
   namespace
   {
-    // rows of a matrix, each a combination of the rows of x and y of a point: direction . (row_x, row_y)
-    struct Direction
-    {
-      unsigned int point;
-      double x, y;
-    };
-
-    DenseMatrix along(const DenseMatrix &matrix, const std::vector<Direction> &directions,
-                      const unsigned int n)
-    {
-      DenseMatrix result(directions.size(), matrix.n());
-      for (unsigned int j = 0; j < matrix.n(); ++j)
-        for (unsigned int k = 0; k < directions.size(); ++k)
-          result(k, j) = directions[k].x * matrix(n + directions[k].point, j) +
-                         directions[k].y * matrix(2 * n + directions[k].point, j);
-      return result;
-    }
-
     DenseMatrix rows(const DenseMatrix &matrix, const std::vector<unsigned int> &points)
     {
       DenseMatrix result(points.size(), matrix.n());
@@ -106,44 +89,11 @@ namespace vibrocontact
                                  const RollingEquilibrium &equilibrium, const LinearisationOptions &options)
   {
     const unsigned int n = pair.n_points(), m = pair.n_modes();
-    const ContactSolution &contact = equilibrium.contact;
     const DenseMatrix &W = pair.residual_flexibility, &Psi = pair.modal_trace;
 
-    std::vector<unsigned int> points;
-    for (unsigned int i = 0; i < n; ++i)
-      if (contact.status[i] != ContactStatus::open && contact.R[i] > 0)
-        points.push_back(i);
-    const unsigned int c = points.size();
-
-    // R = E_N N + E_z z: friction that follows the normal force, and the states z of friction along
-    // directions
-    DenseMatrix E_N(3 * n, c);
-    std::vector<Direction> directions;
-    std::vector<double> mobility; // 1 / c_b, zero at sticking points
-    unsigned int n_stick = 0;
-    for (unsigned int k = 0; k < c; ++k)
-    {
-      const unsigned int i = points[k];
-      E_N(i, k) = 1;
-      const double mu = equilibrium.friction[i];
-      if (mu == 0)
-        continue;
-      const double sx = contact.y[n + i], sy = contact.y[2 * n + i], s = std::hypot(sx, sy);
-      if (contact.status[i] == ContactStatus::stick || s == 0)
-      {
-        ++n_stick;
-        directions.push_back({i, 1, 0});
-        directions.push_back({i, 0, 1});
-        mobility.insert(mobility.end(), 2, 0.);
-        continue;
-      }
-      E_N(n + i, k) = -mu * sx / s;
-      E_N(2 * n + i, k) = -mu * sy / s;
-      if (!options.lateral_damping)
-        continue;
-      directions.push_back({i, -sy / s, sx / s});
-      mobility.push_back(s / (mu * contact.R[i]));
-    }
+    SlidingFrame frame = sliding_frame(equilibrium);
+    const std::vector<unsigned int> &points = frame.points;
+    const unsigned int c = points.size(), n_stick = frame.n_stick;
     if (n_stick > 0 && !options.stick)
       throw InputError(
           "The equilibrium is not in full sliding (" + std::to_string(n_stick) + " of " + std::to_string(c) +
@@ -151,36 +101,63 @@ namespace vibrocontact
     if (n_stick > 0 && !options.residual_rate)
       throw InputError("Points stick at the equilibrium, which only the consistent linearisation takes: set "
                        "Stability/Linearisation to consistent.");
-    const unsigned int n_z = directions.size();
-    DenseMatrix E_z(3 * n, n_z);
-    for (unsigned int k = 0; k < n_z; ++k)
-    {
-      E_z(n + directions[k].point, k) = directions[k].x;
-      E_z(2 * n + directions[k].point, k) = directions[k].y;
-    }
+    if (!options.lateral_damping)
+      frame.keep_sticking_only();
+    const std::vector<ContactDirection> &across = frame.across;
+    const unsigned int n_z = across.size();
 
-    // R = X_q q + X_z z from the closed gaps
-    const DenseMatrix W_n = rows(W, points), G = product(W_n, E_N);
-    const bool force_given = equilibrium.force_given;
-    DenseMatrix X_q = product(E_N, close_gaps(G, rows(Psi, points), force_given));
-    X_q *= -1;
-    DenseMatrix X_z = product(E_N, close_gaps(G, product(W_n, E_z), force_given));
-    X_z *= -1;
-    X_z.add(1., E_z);
-
-    // slip along the directions: ds = S_q q + S_r R + Psi_d v + W_d R'
-    const DenseMatrix Psi_d = along(Psi, directions, n);
-    DenseMatrix W_d(n_z, 3 * n), S_q(n_z, m), S_r(n_z, 3 * n);
-    if (options.residual_rate)
-      W_d = along(W, directions, n);
+    // gap and slip by R and q: W, Psi, V d/dx of their tangential rows
+    DenseMatrix slip_by_q(3 * n, m), slip_by_R(3 * n, 3 * n);
     if (options.convection)
     {
-      DenseMatrix slip_q = Psi, slip_r = W;
-      convert_to_slip_rows(pair.interface.grid, scheme, equilibrium.speed, slip_q);
-      convert_to_slip_rows(pair.interface.grid, scheme, equilibrium.speed, slip_r);
-      S_q = along(slip_q, directions, n);
-      S_r = along(slip_r, directions, n);
+      slip_by_q = Psi;
+      slip_by_R = W;
+      convert_to_slip_rows(pair.interface.grid, scheme, equilibrium.speed, slip_by_q);
+      convert_to_slip_rows(pair.interface.grid, scheme, equilibrium.speed, slip_by_R);
     }
+
+    // R = E_N N + E_z z + E_q q + E_v v; the last two from friction that falls with the speed, itself among R
+    DenseMatrix E_N = frame.normal, E_z = forces_along(across, n), E_q(3 * n, m), E_v(3 * n, m);
+    if (!frame.along.empty())
+    {
+      DenseMatrix fall = forces_along(frame.along, n);
+      for (unsigned int k = 0; k < frame.along.size(); ++k)
+        for (unsigned int i = 0; i < 3 * n; ++i)
+          fall(i, k) *= -frame.falling[k];
+      E_q = product(fall, rows_along(slip_by_q, frame.along, n));
+      E_v = product(fall, rows_along(Psi, frame.along, n));
+      if (equilibrium.speed > 0 && options.convection)
+      {
+        DenseMatrix own = product(fall, rows_along(slip_by_R, frame.along, n));
+        own *= -1;
+        for (unsigned int i = 0; i < 3 * n; ++i)
+          own(i, i) += 1;
+        for (DenseMatrix *const E : {&E_N, &E_z, &E_q, &E_v})
+          *E = solve(own, *E, "friction that falls with the slip speed");
+      }
+    }
+
+    // R = X_q q + X_v v + X_z z from the closed gaps
+    const DenseMatrix W_n = rows(W, points), G = product(W_n, E_N);
+    const auto closed = [&](const DenseMatrix &E, const DenseMatrix *const gap)
+    {
+      DenseMatrix opened = product(W_n, E);
+      if (gap)
+        opened.add(1., *gap);
+      DenseMatrix X = product(E_N, close_gaps(G, opened, equilibrium.force_given));
+      X *= -1;
+      X.add(1., E);
+      return X;
+    };
+    const DenseMatrix Psi_n = rows(Psi, points);
+    const DenseMatrix X_q = closed(E_q, &Psi_n), X_v = closed(E_v, nullptr), X_z = closed(E_z, nullptr);
+
+    // slip across t: ds = S_q q + S_r R + Psi_d v + W_d R'
+    const DenseMatrix Psi_d = rows_along(Psi, across, n), S_q = rows_along(slip_by_q, across, n),
+                      S_r = rows_along(slip_by_R, across, n);
+    DenseMatrix W_d(n_z, 3 * n);
+    if (options.residual_rate)
+      W_d = rows_along(W, across, n);
 
     // q'' = -2 zeta w v - w^2 q + Psi^T (X_q q + X_z z)
     DenseMatrix Psi_T(m, 3 * n);
@@ -197,22 +174,32 @@ namespace vibrocontact
       A(m + k, m + k) = -2 * pair.damping_ratio[k] * pair.omega[k];
     }
     insert(A, product(Psi_T, X_q), m, 0);
+    insert(A, product(Psi_T, X_v), m, m);
     if (n_z == 0)
       return A;
 
     DenseMatrix slip_q = product(S_r, X_q), slip_v = product(W_d, X_q), slip_z = product(S_r, X_z);
     slip_q.add(1., S_q);
     slip_v.add(1., Psi_d);
+    slip_v.add(1., product(S_r, X_v));
     if (has_states)
     {
-      // W_d X_z z' = -(slip_q q + slip_v v + slip_z z) - mobility z
+      // W_d X_z z' = -(slip_q q + slip_v v + slip_z z) - mobility z - W_d X_v v'
       insert(A, product(Psi_T, X_z), m, 2 * m);
       for (unsigned int k = 0; k < n_z; ++k)
-        slip_z(k, k) += mobility[k];
+        slip_z(k, k) += frame.mobility[k];
       DenseMatrix right(n_z, 2 * m + n_z);
       insert(right, slip_q, 0, 0, -1);
       insert(right, slip_v, 0, m, -1);
       insert(right, slip_z, 0, 2 * m, -1);
+      if (!frame.along.empty())
+      {
+        DenseMatrix acceleration(m, 2 * m + n_z);
+        for (unsigned int j = 0; j < 2 * m + n_z; ++j)
+          for (unsigned int k = 0; k < m; ++k)
+            acceleration(k, j) = A(m + k, j);
+        insert(right, product(product(W_d, X_v), acceleration), 0, 0, -1);
+      }
       insert(A, solve(product(W_d, X_z), right, "tangential flexibility"), 2 * m, 0);
     }
     else
@@ -220,28 +207,29 @@ namespace vibrocontact
       // mobility z = -(slip_q q + Psi_d v + slip_z z) is no state; the paper's C_b, whose effect on N is left
       // out
       for (unsigned int k = 0; k < n_z; ++k)
-        slip_z(k, k) += mobility[k];
+        slip_z(k, k) += frame.mobility[k];
       DenseMatrix right(n_z, 2 * m);
       insert(right, slip_q, 0, 0, -1);
-      insert(right, Psi_d, 0, m, -1);
+      insert(right, slip_v, 0, m, -1);
       const DenseMatrix z = solve(slip_z, right, "sliding mobility");
       insert(A, product(product(Psi_T, options.convection ? X_z : E_z), z), m, 0);
     }
     return A;
   }
 
-  std::vector<StabilityRoot> stability_roots(const ContactPair &pair, DenseMatrix linearised)
+  Eigenvalues eigenvalues(DenseMatrix matrix)
   {
-    const unsigned int m = pair.n_modes();
-    const dealii::types::blas_int size = linearised.m();
-    std::vector<double> real(size), imaginary(size), vectors(size * size), work(1);
+    const dealii::types::blas_int size = matrix.m();
+    Eigenvalues result;
+    result.vectors.reinit(size);
+    std::vector<double> real(size), imaginary(size), work(1);
     dealii::types::blas_int info = 0, n_work = -1;
     double none = 0;
     const dealii::types::blas_int one = 1;
     for (unsigned int pass = 0; pass < 2; ++pass)
     {
-      dealii::geev("N", "V", &size, &linearised(0, 0), &size, real.data(), imaginary.data(), &none, &one,
-                   vectors.data(), &size, work.data(), &n_work, &info);
+      dealii::geev("N", "V", &size, &matrix(0, 0), &size, real.data(), imaginary.data(), &none, &one,
+                   &result.vectors(0, 0), &size, work.data(), &n_work, &info);
       if (pass == 0)
       {
         n_work = static_cast<dealii::types::blas_int>(work[0]);
@@ -251,37 +239,66 @@ namespace vibrocontact
     if (info != 0)
       throw ConvergenceError(
           "LAPACK found no eigenvalues of the linearised contact (dgeev: " + std::to_string(info) + ").");
-    std::vector<StabilityRoot> roots, still;
-    for (unsigned int k = 0; k < linearised.m(); ++k)
+    for (int k = 0; k < size; ++k)
+      result.values.emplace_back(real[k], imaginary[k]);
+    return result;
+  }
+
+  bool is_listed(const std::complex<double> &lambda)
+  {
+    return lambda.imag() > 0 || (lambda.imag() == 0 && lambda.real() > 0);
+  }
+
+  StabilityRoot named_root(const std::complex<double> &lambda, std::vector<std::complex<double>> amplitudes,
+                           const std::vector<double> &omega, const std::vector<std::string> &labels)
+  {
+    StabilityRoot root;
+    root.frequency = lambda.imag() / (2 * dealii::numbers::PI);
+    root.growth = lambda.real();
+    root.divergence_rate = lambda.imag() > 0 ? lambda.real() / lambda.imag() : 0;
+    double sum = 0, largest = 0;
+    for (unsigned int i = 0; i < amplitudes.size(); ++i)
     {
-      const std::complex<double> lambda(real[k], imaginary[k]);
-      if (lambda.imag() < 0 || (lambda.imag() == 0 && lambda.real() <= 0))
-        continue;
-      StabilityRoot root;
-      root.frequency = lambda.imag() / (2 * dealii::numbers::PI);
-      root.growth = lambda.real();
-      root.divergence_rate = lambda.imag() > 0 ? lambda.real() / lambda.imag() : 0;
-      double sum = 0, largest = 0;
-      for (unsigned int i = 0; i < m; ++i)
+      const double energy = std::norm(amplitudes[i]) * (omega[i] * omega[i] + std::norm(lambda));
+      sum += energy;
+      if (energy > largest)
       {
-        // a conjugate pair holds real and imaginary part in two columns
-        root.shape.emplace_back(vectors[k * size + i], imaginary[k] > 0 ? vectors[(k + 1) * size + i] : 0.);
-        const double energy =
-            std::norm(root.shape.back()) * (pair.omega[i] * pair.omega[i] + std::norm(lambda));
-        sum += energy;
-        if (energy > largest)
-        {
-          largest = energy;
-          root.label = pair.labels[i];
-        }
+        largest = energy;
+        root.label = labels[i];
       }
-      root.share = sum > 0 ? largest / sum : 0;
-      (lambda.imag() > 0 ? roots : still).push_back(std::move(root));
     }
-    const auto ascending = [](const StabilityRoot &a, const StabilityRoot &b)
-    { return a.frequency < b.frequency; };
-    std::stable_sort(roots.begin(), roots.end(), ascending);
-    roots.insert(roots.end(), still.begin(), still.end());
+    root.share = sum > 0 ? largest / sum : 0;
+    root.shape = std::move(amplitudes);
+    return root;
+  }
+
+  void sort_roots(std::vector<StabilityRoot> &roots)
+  {
+    const auto still = std::stable_partition(roots.begin(), roots.end(),
+                                             [](const StabilityRoot &root) { return root.frequency > 0; });
+    std::stable_sort(roots.begin(), still,
+                     [](const StabilityRoot &a, const StabilityRoot &b)
+                     { return a.frequency < b.frequency; });
+    // two roots that differ by growth alone, as undamped ones that couple do: round-off does not choose
+    for (auto root = roots.begin(); root != still && root + 1 != still; ++root)
+      if (root[1].frequency - root->frequency < 1e-7 * root->frequency && root[1].growth > root->growth)
+        std::swap(root[0], root[1]);
+  }
+
+  std::vector<StabilityRoot> stability_roots(const ContactPair &pair, DenseMatrix linearised)
+  {
+    const Eigenvalues lambda = eigenvalues(std::move(linearised));
+    std::vector<StabilityRoot> roots;
+    for (unsigned int k = 0; k < lambda.values.size(); ++k)
+    {
+      if (!is_listed(lambda.values[k]))
+        continue;
+      std::vector<std::complex<double>> amplitudes;
+      for (unsigned int i = 0; i < pair.n_modes(); ++i)
+        amplitudes.push_back(lambda.component(i, k));
+      roots.push_back(named_root(lambda.values[k], std::move(amplitudes), pair.omega, pair.labels));
+    }
+    sort_roots(roots);
     return roots;
   }
 } // namespace vibrocontact

@@ -22,7 +22,8 @@ namespace vibrocontact
                       "at the nominal contact point, or empty "
                       "if the normal force is given. Units: m.",
                       positive_or_empty);
-    prm.add_parameter("Speed", creepage.speed, "Rolling speed; 0 only in a transient. Units: m/s.",
+    prm.add_parameter("Speed", creepage.speed,
+                      "Rolling speed; 0 in a transient or with a Sliding velocity. Units: m/s.",
                       Double(0, 1000));
     prm.add_parameter("Longitudinal creepage", creepage.longitudinal,
                       "Velocity of body 1 minus body 2 along x over the speed. Units: none.", Double(-1, 1));
@@ -30,6 +31,12 @@ namespace vibrocontact
                       "Velocity of body 1 minus body 2 along y over the speed. Units: none.", Double(-1, 1));
     prm.add_parameter("Spin", creepage.spin,
                       "Rotation of body 1 against body 2 about +z over the speed. Units: 1/m.",
+                      Double(-1000, 1000));
+    prm.add_parameter("Sliding velocity x", creepage.sliding_x,
+                      "Velocity of body 1 minus body 2 along x beside the creepage. Units: m/s.",
+                      Double(-1000, 1000));
+    prm.add_parameter("Sliding velocity y", creepage.sliding_y,
+                      "Velocity of body 1 minus body 2 along y beside the creepage. Units: m/s.",
                       Double(-1000, 1000));
     prm.enter_subsection("Sweep");
     prm.add_parameter("Longitudinal creepage", sweep.longitudinal,
@@ -54,8 +61,10 @@ namespace vibrocontact
 
   void RollingParameters::check() const
   {
-    if (!(creepage.speed > 0))
-      throw InputError("Entry Rolling/Speed is 0: steady rolling needs a positive speed.");
+    if (!(creepage.speed > 0) && creepage.sliding_x == 0 && creepage.sliding_y == 0)
+      throw InputError(
+          "Entry Rolling/Speed is 0 and there is no Sliding velocity: nothing moves; steady rolling "
+          "needs one of them.");
     const auto name = [](const std::vector<double> &single, const std::string &entry)
     { return (single.empty() ? "Rolling/Sweep/" : "Rolling/") + entry; };
     const bool force = !normal_force.empty() || !sweep.normal_force.empty();
@@ -189,7 +198,11 @@ namespace vibrocontact
         failure.clear();
         try
         {
-          return solver->solve(problem, start);
+          if (!laws.falling.acts())
+            return solver->solve(problem, start);
+          return solve_with_falling_friction(problem, *solver, start, laws.falling, laws.friction,
+                                             [](const ContactSolution &state)
+                                             { return slip_speed(state.y); });
         }
         catch (const ConvergenceError &error)
         {

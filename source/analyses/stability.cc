@@ -1,6 +1,8 @@
 #include <vibrocontact/analyses/stability.h>
 #include <vibrocontact/base/exceptions.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <chrono>
 
@@ -9,6 +11,11 @@ namespace vibrocontact
   void StabilityParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
+    prm.add_parameter("Model", model,
+                      "What moves. reduced: modes, contact points without mass; attachment inertia: the "
+                      "residual attachment "
+                      "responses keep theirs; finite elements: all dofs, for small scenes. Units: none.",
+                      Selection("reduced|attachment inertia|finite elements"));
     prm.add_parameter(
         "Linearisation", linearisation,
         "consistent: slip direction per point, transport V d/dx and the rate of the residual displacements, "
@@ -20,6 +27,11 @@ namespace vibrocontact
         Bool());
     prm.add_parameter("Convective slip", convection,
                       "Keep V d/dx of the perturbed slip (paper's linearisation). Units: none.", Bool());
+    prm.add_parameter(
+        "Number of roots", n_roots,
+        "Roots of lowest frequency to be found of finite elements with more than 1,500 dofs; below "
+        "that all are. Units: none.",
+        Integer(1, 1000));
     prm.add_parameter("Linearise sticking points", stick,
                       "Linearise about an equilibrium that is not in full sliding: its sticking points stay "
                       "stuck; false: such "
@@ -37,6 +49,11 @@ namespace vibrocontact
   void StabilityParameters::check() const
   {
     sweep.check("Stability");
+    if (model != "reduced" && (second_count || sweep.any()))
+      throw InputError(
+          "Stability/Model is " + model +
+          ", but Sweep and Second count are those of the reduced model: set it to reduced or leave "
+          "them out.");
     if (second_count && linearisation != "consistent")
       throw InputError("Stability/Second count is for the consistent linearisation: set Linearisation to "
                        "consistent, or Second count to false.");
@@ -57,7 +74,8 @@ namespace vibrocontact
   {
     std::vector<const StabilityRoot *> result;
     for (const StabilityRoot &root : roots)
-      if (root.growth > 0)
+      // an undamped root that stays where it is has a growth of round-off
+      if (root.growth > 1e-9 * 2 * dealii::numbers::PI * root.frequency)
         result.push_back(&root);
     return result;
   }
@@ -72,7 +90,8 @@ namespace vibrocontact
   std::vector<StabilityResult> stability(const StabilityParameters &parameters,
                                          const RollingParameters &rolling, const ContactParameters &contact,
                                          const ContactSolverParameters &solver, const ContactPair &pair,
-                                         const std::function<void(const StabilityResult &)> &finished)
+                                         const std::function<void(const StabilityResult &)> &finished,
+                                         const RootFinder &roots_about)
   {
     if (contact.normal_law != "signorini")
       throw InputError("Contact/Normal law is '" + contact.normal_law +
@@ -92,9 +111,14 @@ namespace vibrocontact
       result.contact_points = equilibrium.contact_points;
       result.stick_points = equilibrium.stick_points;
       result.normal_force = equilibrium.normal_force;
-      const RollingEquilibrium about{equilibrium.solution, problem.mu, rolling.creepage.speed,
-                                     problem.force_given()};
-      result.roots = stability_roots(pair, linearised_contact(pair, scheme, about, parameters.options()));
+      RollingEquilibrium about{
+          equilibrium.solution, problem.mu, rolling.creepage.speed, problem.force_given(), {}};
+      if (contact.falling.acts())
+        for (const double speed : slip_speed(equilibrium.solution.y))
+          about.friction_slope.push_back(equilibrium.rolling_case.friction * contact.falling.slope(speed));
+      result.roots =
+          roots_about ? roots_about(about)
+                      : stability_roots(pair, linearised_contact(pair, scheme, about, parameters.options()));
       result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       if (parameters.second_count)
         result.second_count = count_unstable_roots(pair, scheme, about);

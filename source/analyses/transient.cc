@@ -171,7 +171,12 @@ namespace vibrocontact
       problem.approach = drive.approach;
       for (unsigned int i = 0; i < drive.gap.size(); ++i)
         problem.b[i] += drive.gap[i];
-      state.contact = create_contact_solver(solver)->solve(problem, {});
+      const auto method = create_contact_solver(solver);
+      state.contact =
+          contact.falling.acts()
+              ? solve_with_falling_friction(problem, *method, {}, contact.falling, contact.friction,
+                                            [](const ContactSolution &now) { return slip_speed(now.y); })
+              : method->solve(problem, {});
       if (!state.contact.converged)
       {
         std::ostringstream text;

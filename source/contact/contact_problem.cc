@@ -26,18 +26,29 @@ namespace vibrocontact
 
   namespace
   {
-    // Bodies that cannot move along the contact (a bar on a stop) have no tangential diagonal; the law holds
-    // for any rho.
-    double tangential_rho(const ContactOperator &A, const double factor)
+    // The law holds for any rho. Without a tangential diagonal forces do not change the slip (steady sliding
+    // at rolling speed 0, a bar on a stop): rho then takes the trial force of sliding points well out of the
+    // disc.
+    double tangential_rho(const ContactProblem &problem, const double factor)
     {
-      const double diagonal = A.mean_diagonal(1) + A.mean_diagonal(2);
-      return diagonal == 0 ? 1. : 2 * factor / diagonal;
+      const double diagonal = problem.A->mean_diagonal(1) + problem.A->mean_diagonal(2);
+      if (diagonal != 0)
+        return 2 * factor / diagonal;
+      double slip = 0, approach = std::abs(problem.approach);
+      const unsigned int n = problem.n_points();
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        slip = std::max(slip, std::hypot(problem.b[n + i], problem.b[2 * n + i]));
+        approach = std::max(approach, std::abs(problem.b[i] - problem.approach));
+      }
+      const double force = std::max(problem.normal_force, approach / problem.A->mean_diagonal(0));
+      return slip > 0 && force > 0 ? 1e3 * force / slip : 1.;
     }
   } // namespace
 
   ContactResidual::ContactResidual(const ContactProblem &problem, const double tangential_factor)
       : rho_normal(1 / problem.A->mean_diagonal(0)),
-        rho_tangential(tangential_rho(*problem.A, tangential_factor)), problem(problem)
+        rho_tangential(tangential_rho(problem, tangential_factor)), problem(problem)
   {
     AssertThrow(rho_normal > 0 && rho_tangential > 0 && std::isfinite(rho_normal) &&
                     std::isfinite(rho_tangential),

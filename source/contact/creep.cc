@@ -30,10 +30,12 @@ namespace vibrocontact
     DenseVector slip(3 * n);
     for (unsigned int i = 0; i < n; ++i)
     {
-      slip[contact_row(n, 1, i)] = creepage.speed * (creepage.longitudinal - creepage.spin * grid.y(i));
+      slip[contact_row(n, 1, i)] =
+          creepage.sliding_x + creepage.speed * (creepage.longitudinal - creepage.spin * grid.y(i));
       slip[contact_row(n, 2, i)] =
+          creepage.sliding_y +
           creepage.speed *
-          (creepage.lateral + creepage.spin * (grid.x(i) - scheme.spin_shift * grid.spacing_x));
+              (creepage.lateral + creepage.spin * (grid.x(i) - scheme.spin_shift * grid.spacing_x));
     }
     return slip;
   }

@@ -9,8 +9,10 @@ namespace vibrocontact
   void ContactParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
-    prm.add_parameter("Friction coefficient", friction, "Coulomb's mu, constant. Units: none.",
+    prm.add_parameter("Friction coefficient", friction,
+                      "Coulomb's mu; with a Static friction ratio its value at high slip speed. Units: none.",
                       Double(0, 10));
+    falling.declare_parameters(prm);
     prm.add_parameter("Grid spacing", spacing, "Distance of the contact points along x and y. Units: m.",
                       Double(1e-6, 0.1));
     prm.add_parameter("Half length", half_length,
@@ -116,6 +118,8 @@ namespace vibrocontact
 
   void check_contact_in_grid(const ContactGrid &grid, const std::vector<ContactStatus> &status)
   {
+    if (grid.whole_surface)
+      return;
     constexpr unsigned int free_upstream = 2;
     const std::string larger_x = "enlarge Contact/Half length", larger_y = "enlarge Contact/Half width";
     for (unsigned int point = 0; point < grid.n_points(); ++point)

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/output/scene_summary.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -58,6 +59,15 @@ namespace vibrocontact
     {
       log.value("length", parameters.beam_rail.length, "m");
       log.value("supports", static_cast<unsigned int>(parameters.beam_rail.supports().size()));
+      return;
+    }
+    if (parameters.type == "layer")
+    {
+      const LayerParameters &layer = parameters.layer;
+      log.value("length", layer.length, "m");
+      log.value("height", layer.height, "m");
+      log.value("width", layer.plane_strain() ? "plane strain, per metre" : number_text(layer.width) + " m");
+      log.value("contact points", layer.grid().n_points());
       return;
     }
     if (!body)

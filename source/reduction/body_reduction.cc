@@ -1,4 +1,5 @@
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/reduction/attachment_inertia.h>
 #include <vibrocontact/reduction/body_reduction.h>
 
 #include <deal.II/base/timer.h>
@@ -133,5 +134,19 @@ namespace vibrocontact
   ReducedBody BodyReduction::reduced(const bool with_modes)
   {
     return combine(statics(), with_modes && asked.modes.any() ? &modal() : nullptr);
+  }
+
+  DenseMatrix BodyReduction::attachment_mass()
+  {
+    std::optional<DenseMatrix> mass = cache.load_attachment_mass(asked.body, asked.key);
+    if (!mass)
+    {
+      Flexibility &inverse = flexibility();
+      dealii::Timer timer;
+      mass = vibrocontact::attachment_mass(system(), inverse);
+      timings.emplace_back("inertia of the attachment responses", timer.wall_time());
+      cache.save_attachment_mass(asked.body, asked.key, *mass);
+    }
+    return *mass;
   }
 } // namespace vibrocontact

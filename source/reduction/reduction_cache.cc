@@ -115,6 +115,8 @@ namespace vibrocontact
         visit_response(archive, part);
       else if constexpr (std::is_same_v<Kind, DirectResponse>)
         visit_direct(archive, part);
+      else if constexpr (std::is_same_v<Kind, DenseMatrix>)
+        archive("attachment_mass", part);
       else
         visit_modal(archive, part);
     }
@@ -363,5 +365,20 @@ namespace vibrocontact
   {
     if (!folder.empty() && is_host)
       save_on_host(file_name(body, "shapes", key), key, part);
+  }
+
+  std::optional<DenseMatrix> ReductionCache::load_attachment_mass(const std::string &body,
+                                                                  const std::string &key) const
+  {
+    if (folder.empty())
+      return {};
+    return load<DenseMatrix>(file_name(body, "inertia", key), key, is_host, communicator);
+  }
+
+  void ReductionCache::save_attachment_mass(const std::string &body, const std::string &key,
+                                            const DenseMatrix &mass) const
+  {
+    if (!folder.empty() && is_host)
+      save_on_host(file_name(body, "inertia", key), key, mass);
   }
 } // namespace vibrocontact

@@ -54,6 +54,8 @@ namespace vibrocontact
         point.spacing_x = point.spacing_y = std::sqrt(body.bar.section);
         return point;
       }
+      else if (body.type == "layer")
+        return body.layer.grid();
     return contact.grid();
   }
 
@@ -179,9 +181,33 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    /// A layer stays where it is; what it slides on is rigid.
+    void check_layer(const Scene &scene, const RollingParameters &rolling)
+    {
+      for (const BodyParameters &body : scene.bodies)
+        if (body.type == "layer")
+        {
+          if (&body != &scene.bodies[0] || scene.bodies.size() < 2 || scene.bodies[1].type != "rigid")
+            throw InputError(
+                "The layer " + body.name +
+                " slides on a rigid plane: list it first in Bodies and a body of type rigid second.");
+          if (scene.bodies[1].half_space.curvature_x() != 0 || scene.bodies[1].half_space.curvature_y() != 0)
+            throw InputError(scene.bodies[1].name + "/Rigid has a curvature, but a layer slides on a plane: "
+                                                    "leave its radii out.");
+          if (rolling.creepage.speed != 0)
+            throw InputError("Entry Rolling/Speed has to be 0 for the layer " + body.name +
+                             ", whose material stays in place: give a Sliding velocity.");
+        }
+    }
+  } // namespace
+
   void Parameters::check() const
   {
     scene.check();
+    if (has_contact())
+      check_layer(scene, rolling);
     for (const auto &[name, mode] : modes)
       mode.check(name + "/Modes");
     if (scene.runs("modes"))
@@ -224,6 +250,17 @@ namespace vibrocontact
                            "them; give Upper frequency or Count");
     if (scene.runs("stability") && !scene.bodies[0].is_meshed() && !scene.bodies[1].is_meshed())
       throw InputError("Analyses asks for stability, but no body has modes; leave \"stability\" out");
+    if (scene.runs("stability") && stability.second_count && contact.falling.acts())
+      throw InputError(
+          "Stability/Second count knows constant friction only: set Contact/Static friction ratio to "
+          "1 or leave the count out.");
+    if (scene.runs("stability") && stability.model != "reduced")
+      for (const BodyParameters &body : scene.bodies)
+        if (body.type == "half-space")
+          throw InputError(
+              "Stability/Model is " + stability.model + ", but " + body.name +
+              " is a half-space, which has no inertia: set it to reduced, or make the body rigid or "
+              "of elements.");
     if (has_contact())
     {
       const ContactGrid grid = contact_grid();

@@ -1,10 +1,14 @@
+#include <vibrocontact/analyses/finite_element_pair.h>
+#include <vibrocontact/analyses/sparse_roots.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/output/stability_output.h>
+#include <vibrocontact/reduction/attachment_inertia.h>
 #include <vibrocontact/run/run_stability.h>
 #include <vibrocontact/run/unstable_shapes.h>
 
 #include <cstdio>
+#include <memory>
 
 namespace vibrocontact
 {
@@ -27,6 +31,50 @@ namespace vibrocontact
       if (result.unstable().empty())
         line(result.nearest(), "stable; nearest root:");
     }
+    InertialPair with_inertia(const Parameters &parameters, const MeshedBodies &bodies,
+                              const PreparedPair &prepared)
+    {
+      std::vector<ReducedBody> reduced(2);
+      std::vector<ContactBody> with = prepared.bodies;
+      for (unsigned int k = 0; k < 2; ++k)
+        if (bodies[k])
+        {
+          reduced[k] = with_attachment_inertia(prepared.reduced[k], bodies[k]->reduction.attachment_mass());
+          with[k].reduced = &reduced[k];
+        }
+      return inertial_pair(contact_pair(with[0], with[1], parameters.contact_grid()));
+    }
+
+    /// Of what Stability/Model says; empty for the reduced pair itself.
+    RootFinder root_finder(const Parameters &parameters, const MeshedBodies &bodies,
+                           const PreparedPair &prepared, const ContactPair &pair)
+    {
+      const StabilityParameters &stability = parameters.stability;
+      const CreepScheme &scheme = find_creep_scheme(parameters.contact.creep_scheme);
+      const LinearisationOptions options = stability.options();
+      const auto dense = [&](InertialPair &&inertial) -> RootFinder
+      {
+        run_log().value("degrees of freedom", inertial.mass.m());
+        return [=, inertial = std::make_shared<const InertialPair>(std::move(inertial))](
+                   const RollingEquilibrium &about)
+        { return inertial_roots(*inertial, scheme, about, options); };
+      };
+      if (stability.model == "reduced")
+        return {};
+      if (stability.model == "attachment inertia")
+        return dense(with_inertia(parameters, bodies, prepared));
+      FiniteElementPair elements;
+      for (unsigned int k = 0; k < 2; ++k)
+        elements.push_back(
+            bodies[k] ? FiniteElementBody{&bodies[k]->reduction.system(), &bodies[k]->reduction.shapes()}
+                      : FiniteElementBody());
+      const unsigned int n_dofs = n_moving_dofs(elements);
+      if (n_dofs <= most_dense_dofs)
+        return dense(finite_element_pair(elements, pair));
+      run_log().value("degrees of freedom", n_dofs);
+      return [=, &pair](const RollingEquilibrium &about)
+      { return sparse_roots(elements, pair, scheme, about, options, stability.n_roots); };
+    }
   } // namespace
 
   void run_stability(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
@@ -37,6 +85,7 @@ namespace vibrocontact
     const ContactPair pair =
         contact_pair(prepared->bodies[0], prepared->bodies[1], parameters.contact_grid());
     run_log().value("modes", pair.n_modes());
+    const RootFinder roots_about = root_finder(parameters, bodies, *prepared, pair);
     Progress progress("stability cases", rolling_cases(parameters.rolling, parameters.contact).size());
     const auto finished = [&](const StabilityResult &result)
     {
@@ -45,7 +94,7 @@ namespace vibrocontact
     };
     const std::vector<StabilityResult> all =
         stability(parameters.stability, parameters.rolling, parameters.contact, parameters.contact_solver,
-                  pair, finished);
+                  pair, finished, roots_about);
     StabilityOutcome outcome;
     outcome.results = all;
     on_first_rank([&] { stability_table(outcome).write(folder + "/stability.csv"); });

@@ -14,6 +14,7 @@ namespace vibrocontact
         {"beam rail", "Beam rail", "rail as a Timoshenko beam on pads, half-space under the contact", true,
          false},
         {"block", "Block", "box of hexahedra", true, true},
+        {"layer", "Layer", "elastic layer on a rigid plane: plane strain or a box, held on top", true, false},
         {"bar", "Bar", "straight bar along z that only stretches", true, false},
         {"mesh", "Mesh", "hexahedra with named groups from a gmsh file", true, true},
     };
@@ -54,6 +55,8 @@ namespace vibrocontact
       declare("Bar", bar);
     if (type == "block")
       declare("Block", block);
+    if (type == "layer")
+      declare("Layer", layer);
     if (type == "wheel")
       declare("Wheel", wheel);
     if (type == "rail")
@@ -76,6 +79,8 @@ namespace vibrocontact
       bar.check(section + "/Bar");
     if (type == "block")
       block.check(section + "/Block");
+    if (type == "layer")
+      layer.check(section + "/Layer");
     if (type == "wheel")
       wheel.check(section + "/Wheel");
     if (type == "rail")

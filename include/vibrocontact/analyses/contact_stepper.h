@@ -112,12 +112,15 @@ namespace vibrocontact
     void advance_modes(const DynamicState &state, const Drive &drive);
     /// The problem of the step, and where its solution starts: forces that go on changing as they did.
     void set_problem(const DynamicState &state, const Drive &drive, const DenseVector &rigid_slip);
+    /// Solves it with mu at the slip of rolling and modes, without the rate of the residual displacements.
+    void solve_with_falling_friction(const DynamicState &state, ContactSolver &solver);
     void take_over(DynamicState &state, const DenseVector &rigid_slip);
 
     const ContactPair &pair;
     const CreepScheme &scheme;
     const std::vector<ModalStep> steps;
     const double h, speed;
+    const FallingFriction falling;
     const StepMatrices matrices;
     /// gap and slip without forces that never change: undeformed gap and loads; 3 n
     DenseVector constant_response;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/contact_pair.h>
-#include <vibrocontact/contact/contact_problem.h>
+#include <vibrocontact/analyses/rolling_equilibrium.h>
 
 #include <complex>
 #include <string>
@@ -22,19 +22,6 @@ namespace vibrocontact
     bool stick = false;
   };
 
-  /// A rolling equilibrium and what its slip depends on.
-  struct RollingEquilibrium
-  {
-    /// R and y = (gap, slip) by contact_row(), status
-    ContactSolution contact;
-    /// mu of each point; n
-    std::vector<double> friction;
-    /// V [m/s]
-    double speed = 0;
-    /// the normal force is given, so that the approach moves and sum dN = 0; otherwise the hub is fixed
-    bool force_given = false;
-  };
-
   /// The pair linearised about an equilibrium, x' = A x, x = (q, v, z): modal amplitudes and velocities, and
   /// what friction keeps in memory (doc/theory.md, "Steady sliding and its stability", "Time steps").
   ///
@@ -48,6 +35,13 @@ namespace vibrocontact
   /// and residual rate this is the paper's reduced problem (Eqs 19-22),
   ///
   ///   (lambda^2 I + lambda (C_r + Psi^T C_b Psi) + diag(w^2) + K_c) q = 0.
+  ///
+  /// If friction falls with the slip speed (RollingEquilibrium::friction_slope), T has one more part along t,
+  ///
+  ///   -N (dmu/ds) ds_t t,    ds_t = V d/dx (Psi_t q + W~_t R) + Psi_t v  along t,
+  ///
+  /// a negative damping. The rate of the residual displacements is no part of that slip, as in the law itself
+  /// (contact/falling_friction.h).
   ///
   /// The contact law is Signorini's; the hub is fixed, or the normal force is given.
   /// @throws InputError if points stick and options.stick is false or the residual rate is left out
@@ -69,6 +63,29 @@ namespace vibrocontact
     /// modal amplitudes; n_modes
     std::vector<std::complex<double>> shape;
   };
+
+  /// Eigenvalues of a real matrix, and right eigenvectors as dgeev lays them out (conjugate pairs in two
+  /// columns). @throws ConvergenceError if LAPACK finds none
+  struct Eigenvalues
+  {
+    std::vector<std::complex<double>> values;
+    DenseMatrix vectors;
+    /// of eigenvalue k with a positive (or no) imaginary part
+    std::complex<double> component(const unsigned int i, const unsigned int k) const
+    {
+      return {vectors(i, k), values[k].imag() > 0 ? vectors(i, k + 1) : 0.};
+    }
+  };
+  Eigenvalues eigenvalues(DenseMatrix matrix);
+
+  /// A root of given modal amplitudes: its name is that of the free mode with the largest share of
+  /// sum (w^2 + |lambda|^2) |q|^2.
+  StabilityRoot named_root(const std::complex<double> &lambda, std::vector<std::complex<double>> amplitudes,
+                           const std::vector<double> &omega, const std::vector<std::string> &labels);
+  /// Whether a root is listed: frequency > 0, or growth without oscillation.
+  bool is_listed(const std::complex<double> &lambda);
+  /// By ascending frequency (of two that are equal the faster growing first), those without oscillation last.
+  void sort_roots(std::vector<StabilityRoot> &roots);
 
   /// All roots with frequency > 0 by ascending frequency (one of each conjugate pair), then those without
   /// oscillation that grow. @throws ConvergenceError if LAPACK finds no eigenvalues

@@ -14,11 +14,16 @@ namespace vibrocontact
   /// `subsection Stability`
   struct StabilityParameters
   {
+    /// what moves: "reduced" (modes, and residual flexibility without inertia), "attachment inertia" (modes, and
+    /// residual attachment modes), "finite elements"
+    std::string model = "reduced";
     /// "consistent": all of the step's equations linearised; "paper": K_c and C_b of Lai et al. 2018, Eqs
     /// 19-22
     std::string linearisation = "consistent";
     /// of the paper's linearisation: C_b and the convective part of the perturbed slip
     bool lateral_damping = true, convection = false;
+    /// roots to be listed of finite elements that are too many for LAPACK
+    unsigned int n_roots = 20;
     /// take sticking points as stuck instead of refusing them
     bool stick = false;
     /// count the unstable roots by the argument principle as well, see count_unstable_roots()
@@ -43,18 +48,23 @@ namespace vibrocontact
 
     std::optional<RootCount> second_count;
 
-    /// growth > 0
+    /// growth > 0, beyond the round-off of an undamped root (1e-9 of 2 pi frequency)
     std::vector<const StabilityRoot *> unstable() const;
     /// the root with the largest divergence rate: how near the next instability is
     const StabilityRoot &nearest() const;
   };
 
+  /// The roots of another model about an equilibrium.
+  using RootFinder = std::function<std::vector<StabilityRoot>(const RollingEquilibrium &)>;
+
   /// Complex eigenvalues about each rolling equilibrium of section Rolling (its sweep included), on the modes
-  /// of the pair.
+  /// of the pair, or by `roots_about` unless that is empty. The equilibria are those of the pair in any case:
+  /// all models have the same static compliance.
   /// @throws InputError if an equilibrium is not in full sliding and sticking points are not asked for;
   /// ConvergenceError if an equilibrium does not converge
   std::vector<StabilityResult> stability(const StabilityParameters &parameters,
                                          const RollingParameters &rolling, const ContactParameters &contact,
                                          const ContactSolverParameters &solver, const ContactPair &pair,
-                                         const std::function<void(const StabilityResult &)> &finished);
+                                         const std::function<void(const StabilityResult &)> &finished,
+                                         const RootFinder &roots_about = {});
 } // namespace vibrocontact

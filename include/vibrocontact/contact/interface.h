@@ -2,6 +2,7 @@
 
 #include <vibrocontact/contact/contact_problem.h>
 #include <vibrocontact/contact/creep.h>
+#include <vibrocontact/contact/falling_friction.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -12,6 +13,8 @@ namespace vibrocontact
   {
     /// mu [-]
     double friction = 0.3;
+    /// of the slip speed, beside mu as its value at high speed; by default friction is constant
+    FallingFriction falling;
     /// spacing of the contact points along x and y [m]
     double spacing = 1e-3;
     /// the grid covers at least [-half_length, half_length] x [-half_width, half_width] [m]

@@ -38,6 +38,8 @@ namespace vibrocontact
     const ModalReduction &modal();
     /// The reduced body; without modes W~ is the whole static compliance.
     ReducedBody reduced(bool with_modes);
+    /// Mass of the attachment responses, P_c G M G P_c^T (reduction/attachment_inertia.h).
+    DenseMatrix attachment_mass();
     /// The shapes themselves: not kept in the cache, computed if this run has not yet done so.
     const Modes &shapes();
     /// The modes on the body's surface. If the cache has the modes but not these (it was filled by an earlier

@@ -34,7 +34,11 @@ namespace vibrocontact
     void save(const std::string &body, const std::string &key, const ResponseReduction &part) const;
     void save(const std::string &body, const std::string &key, const DirectResponse &part) const;
 
-    /// File of a part: `kind` is "static", "modes", "shapes", "response" or "direct".
+    /// attachment_mass() of a body, in a file of its own: only stability asks for it
+    std::optional<DenseMatrix> load_attachment_mass(const std::string &body, const std::string &key) const;
+    void save_attachment_mass(const std::string &body, const std::string &key, const DenseMatrix &mass) const;
+
+    /// File of a part: `kind` is "static", "modes", "shapes", "response", "direct" or "inertia".
     std::string file_name(const std::string &body, const std::string &kind, const std::string &key) const;
 
   private:

@@ -5,6 +5,7 @@
 #include <vibrocontact/scene/beam_rail.h>
 #include <vibrocontact/scene/block.h>
 #include <vibrocontact/scene/half_space_body.h>
+#include <vibrocontact/scene/layer.h>
 #include <vibrocontact/scene/loads.h>
 #include <vibrocontact/scene/material.h>
 #include <vibrocontact/scene/mesh_file.h>
@@ -31,7 +32,7 @@ namespace vibrocontact
     bool is_solid;
   };
 
-  /// half-space, rigid, wheel, rail, beam rail, block, bar, mesh
+  /// half-space, rigid, wheel, rail, beam rail, block, layer, bar, mesh
   const std::vector<BodyType> &body_types();
 
   /// `subsection <name of the body>`: its type, and one nested subsection per group of entries. Only the
@@ -43,6 +44,7 @@ namespace vibrocontact
     ElasticMaterial material;
     HalfSpaceParameters half_space;
     BlockParameters block;
+    LayerParameters layer;
     BarParameters bar;
     WheelParameters wheel;
     RailParameters rail;

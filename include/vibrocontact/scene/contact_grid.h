@@ -35,6 +35,8 @@ namespace vibrocontact
     /// coordinates of the first point (smallest x and y) [m]
     double x_first = 0, y_first = 0;
     TractionShape traction = TractionShape::constant;
+    /// the grid ends where the body's surface does (a layer), so that the contact may fill it
+    bool whole_surface = false;
 
     unsigned int n_points() const { return n_x * n_y; }
     unsigned int index(const unsigned int i, const unsigned int j) const { return j * n_x + i; }

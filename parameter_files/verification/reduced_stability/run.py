@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+"""Reduced models of section Stability against unreduced finite elements; see README.md.
+
+usage: run.py [PROGRAM] [--only layer|segment]
+"""
+import argparse
+import csv
+import json
+import os
+import subprocess
+import tempfile
+
+here = os.path.dirname(os.path.abspath(__file__))
+top = os.path.join(here, "..", "..", "..")
+arguments = argparse.ArgumentParser()
+arguments.add_argument("program", nargs="?", default=os.path.join(top, "build", "vibrocontact"))
+arguments.add_argument("--only", default="")
+options = arguments.parse_args()
+
+# name, file, body, numbers of modes, roots that are compared: the unstable ones, or the lowest
+CASES = [("layer", os.path.join(top, "parameter_files", "examples", "sliding_layer.prm"), "layer", [10, 20, 40, 80, 160], "unstable"),
+         ("segment", os.path.join(here, "wheel_segment.prm"), "segment", [10, 20, 40, 80, 160], "lowest")]
+MODELS = [("paper (a)", "reduced", "paper"), ("consistent (d)", "reduced", "consistent"),
+          ("attachment inertia (b)", "attachment inertia", "consistent")]
+
+
+def run(file, body, model, linearisation, modes, cache):
+    """Roots (frequency, growth) of a model, seconds of its eigenvalues and of everything."""
+    with tempfile.TemporaryDirectory() as folder:
+        entries = {"Stability/Model": model, "Stability/Linearisation": linearisation, body + "/Modes/Count": modes,
+                   "Output/Cache directory": cache, "Output/Figures": "false", "Output/Fields": "false"}
+        command = [options.program, file, "--quiet", "--output", folder]
+        for entry, value in entries.items():
+            command += ["--set", "%s=%s" % (entry, value)]
+        subprocess.run(command, check=True, cwd=os.path.dirname(file))
+        results = json.load(open(os.path.join(folder, "results.json")))
+        lines = [line for line in open(os.path.join(folder, "stability.csv")) if not line.startswith("#")]
+        roots = [(float(r["frequency_Hz"]), float(r["growth_1_s"])) for r in csv.DictReader(lines) if float(r["frequency_Hz"]) > 0]
+        return roots, results["analyses"]["stability"]["cases"][0]["seconds"], results["wall_s"]
+
+
+table = open(os.path.join(here, "reduced_stability.csv"), "w")
+
+
+def row(*values):
+    print(",".join(values), flush=True)
+    table.write(",".join(values) + "\n")
+    table.flush()
+
+
+table.write("# Roots of reduced models against those of the unreduced finite elements; nearest root in the complex plane\n")
+table.write("# error_frequency: relative; error_growth: of the growth over 2 pi frequency; largest of the compared roots; seconds: shared cores\n")
+row("scene", "model", "modes", "roots", "error_frequency", "error_growth", "seconds_eigenvalues", "seconds_in_all")
+for name, file, body, counts, which in CASES:
+    if options.only and name != options.only:
+        continue
+    exact, seconds, wall = run(file, body, "finite elements", "consistent", 40, "")
+    compared = [r for r in exact if r[1] > 1e-6 * r[0]][:3] if which == "unstable" else exact[:6]
+    row(name, "finite elements (c)", "", " ".join("%.1f Hz %+.1f 1/s;" % r for r in compared), "", "", "%.2g" % seconds, "%.2g" % wall)
+    for title, model, linearisation in MODELS:
+        for n in counts:
+            roots, seconds, wall = run(file, body, model, linearisation, n, "")
+            frequency = growth = 0
+            for f, g in compared:
+                near = min(roots, key=lambda r: abs(r[0] - f) + abs(r[1] - g) / 6.283185307179586)
+                frequency = max(frequency, abs(near[0] / f - 1))
+                growth = max(growth, abs(near[1] - g) / (6.283185307179586 * f))
+            row(name, title, str(n), str(len(compared)), "%.1e" % frequency, "%.1e" % growth, "%.2g" % seconds, "%.2g" % wall)
