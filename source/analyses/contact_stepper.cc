@@ -200,7 +200,7 @@ namespace vibrocontact
     step_operator->modal_numbers(solution.R, c_n, c_t);
     c_n += c_t;
     multiply(matrices.displacement_gain, c_n, displacement);
-    if (pair.n_modes() > 0)
+    if (matrices.shapes.rank() > 0)
       displacement += free_displacement;
     const std::vector<double> gap = gaps(state, residual, displacement, solution.approach);
     std::vector<unsigned int> closed;
@@ -376,7 +376,7 @@ namespace vibrocontact
     A.modal_numbers(solution.R, c_n, c_t);
     c_n += c_t;
     multiply(matrices.velocity_gain, c_n, velocity);
-    if (pair.n_modes() > 0)
+    if (matrices.shapes.rank() > 0)
     {
       rate += c_t * free_velocity + c_t * velocity;
       matrices.shapes.amplitudes.Tvmult(state.modal_force, c_n);

@@ -85,7 +85,8 @@ namespace vibrocontact
       add_owned_rows(system, system.stiffness, number, result.stiffness);
       for (unsigned int row = 0; row < system.trace.rows.size(); ++row)
         for (const auto &[dof, weight] : system.trace.rows[row])
-          result.trace(row, number[dof]) += b == 0 ? weight : -weight;
+          if (number[dof] != dealii::numbers::invalid_unsigned_int)
+            result.trace(row, number[dof]) += b == 0 ? weight : -weight;
       dealii::PETScWrappers::MPI::Vector inertia(system.locally_owned, system.communicator);
       for (const auto &shape : bodies[b].modes->shapes)
       {

@@ -119,6 +119,8 @@ namespace vibrocontact
       result.roots =
           roots_about ? roots_about(about)
                       : stability_roots(pair, linearised_contact(pair, scheme, about, parameters.options()));
+      if (result.roots.empty())
+        throw ConvergenceError("No root of the linearised contact oscillates or grows: keep more modes.");
       result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       if (parameters.second_count)
         result.second_count = count_unstable_roots(pair, scheme, about);

@@ -226,7 +226,8 @@ namespace vibrocontact
       result.energy.initial = result.energy.stored = stored_energy(pair, *law, state);
       result.rung = ladder.n_rungs() - 1;
     }
-    const long long last = std::llround(parameters.end_time / ladder.shortest());
+    // never beyond the end, where tables may stop
+    const long long last = std::floor(parameters.end_time / ladder.shortest() + 1e-6);
     DynamicState next = state;
     Drive then;
     while (ladder.tick(state) < last)

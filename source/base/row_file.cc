@@ -50,7 +50,11 @@ namespace vibrocontact
       return; // nothing had been flushed yet
     if (fs::file_size(stem + ".rows", error) >= n_bytes && !error)
     {
-      fs::resize_file(stem + ".rows", n_bytes);
+      fs::resize_file(stem + ".rows", n_bytes, error);
+      if (error)
+        throw InputError("The file \"" + stem +
+                         ".rows\" cannot be shortened to what the checkpoint counts; give the "
+                         "folder write permission.");
       n_written = n;
       return;
     }

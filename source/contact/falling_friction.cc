@@ -46,6 +46,8 @@ namespace vibrocontact
     unsigned int iterations = 0, factorisations = 0, fallbacks = 0;
     for (unsigned int round = 0; round < max_rounds; ++round)
     {
+      // the response does not depend on mu
+      solution.response_known = start.response_known;
       solution = solver.solve(problem, solution);
       solution.iterations = iterations += solution.iterations;
       solution.factorisations = factorisations += solution.factorisations;

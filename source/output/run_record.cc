@@ -40,7 +40,7 @@ namespace vibrocontact
     {
       std::error_code ignored;
       for (const auto &entry : fs::directory_iterator(folder, ignored))
-        for (const char *name : {"results.json.", "histories.h5.", "checkpoint.h5."})
+        for (const char *name : {"results.json.", "histories.h5.", "signals.h5.", "checkpoint.h5."})
           if (entry.path().filename().string().rfind(name, 0) == 0 && entry.path().extension() == ".part")
             fs::remove(entry.path(), ignored);
     }
@@ -55,7 +55,7 @@ namespace vibrocontact
         if (!(keeps_input && name == "input.prm"))
           fs::remove(folder / name, ignored);
       // a killed run may have written these after its list
-      for (const char *name : {"results.json", "histories.rows", "checkpoint.h5"})
+      for (const char *name : {"results.json", "histories.rows", "signals.rows", "checkpoint.h5"})
         fs::remove(folder / name, ignored);
       remove_parts(folder);
     }
@@ -113,9 +113,12 @@ namespace vibrocontact
           names.push_back((fs::path(place) / entry.path().filename()).string());
     };
     // only what a run writes: the folder may hold other things, even other runs
-    collect("", {".csv", ".pvd"});
+    collect("", {".csv", ".pvd", ".wav"});
+    for (const std::string &name : std::vector<std::string>(names))
+      if (fs::path(name).extension() == ".wav")
+        names.push_back(name + ".txt");
     for (const char *name : {"input.prm", "used.prm", "log.txt", "results.json", "histories.h5",
-                             "histories.rows", "checkpoint.h5"})
+                             "histories.rows", "signals.h5", "signals.rows", "checkpoint.h5"})
       if (!(keeps_input && std::string(name) == "input.prm") && fs::is_regular_file(fs::path(folder) / name))
         names.push_back(name);
     collect("fields", {".vtu"});

@@ -256,11 +256,11 @@ namespace vibrocontact
           "1 or leave the count out.");
     if (scene.runs("stability") && stability.model != "reduced")
       for (const BodyParameters &body : scene.bodies)
-        if (body.type == "half-space")
-          throw InputError(
-              "Stability/Model is " + stability.model + ", but " + body.name +
-              " is a half-space, which has no inertia: set it to reduced, or make the body rigid or "
-              "of elements.");
+        if (body.type == "half-space" || body.type == "beam rail")
+          throw InputError("Stability/Model is " + stability.model + ", but " + body.name + " is a " +
+                           body.type +
+                           ", whose contact lies on a half-space without inertia: set it to reduced, or make "
+                           "the body rigid or of solid elements.");
     if (has_contact())
     {
       const ContactGrid grid = contact_grid();

@@ -128,9 +128,16 @@ namespace vibrocontact
     }
     Progress progress("stability cases", sweep.cases.size());
     RootPaths paths, begin_of_row;
+    bool row_has_begun = false;
     std::string failure;
     for (const StabilityCase &one : sweep.cases)
     {
+      // a row follows the beginning of the row before, whichever cases were left out
+      if (one.second == 0)
+      {
+        paths = begin_of_row;
+        row_has_begun = false;
+      }
       const std::string text = case_text(sweep, one);
       const auto leave_out = [&](const std::string &reason)
       {
@@ -145,11 +152,10 @@ namespace vibrocontact
             stability(one.parameters.stability, one.parameters.rolling, one.parameters.contact,
                       one.parameters.contact_solver, pair, [](const StabilityResult &) {})
                 .front();
-        if (one.second == 0)
-          paths = begin_of_row;
         paths.follow(pair, result.roots);
-        if (one.second == 0)
+        if (!row_has_begun)
           begin_of_row = paths;
+        row_has_begun = true;
         for (StabilityRoot &root : result.roots)
           root.shape.clear();
         print(text, result);
