@@ -5,6 +5,8 @@ A bar against its stop and two half-spaces that roll into creepage are stopped b
 at random moments (also before the first checkpoint and while one is written: they write all the time), resumed, and
 compared: histories bit for bit on the same number of ranks, to 1e-9 from one rank to two. Further: a later end time, and
 what --resume refuses. VIBROCONTACT_KILLS=20 in the environment: so many kills per scene instead of 2.
+
+interrupted.py PROGRAM MPIRUN PARAMETER_FILES SCENE SETTING...: kills and ranks of another example, e.g. curve_squeal.
 """
 import glob, json, os, random, signal, subprocess, sys, time
 
@@ -122,6 +124,12 @@ class Scene:
             if len(values) != len(b) or abs(values - b).max() > 1e-9 * abs(b).max():
                 fail(f"{self.name}, 1 -> 2 ranks: {column} differs")
 
+
+if len(sys.argv) > 4:
+    scene = Scene(*sys.argv[4:])
+    scene.kill()
+    scene.more_ranks()
+    sys.exit()
 
 bar = Scene("bouncing_bar", "Transient/End time=8", "Transient/Signals/Probes=top: bar 0 0 10 along z")
 bar.stop(signal.SIGTERM)
