@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/drive.h>
-#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/analyses/quasi_static_rolling.h>
+#include <vibrocontact/analyses/transient_parameters.h>
 #include <vibrocontact/base/csv_table.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/expression.h>

@@ -5,8 +5,8 @@
 #include <vibrocontact/analyses/step_operator.h>
 #include <vibrocontact/contact/contact_solver.h>
 
-#include <functional>
 #include <memory>
+#include <vector>
 
 namespace vibrocontact
 {

@@ -1,6 +1,9 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/analyses/contact_stepper.h>
+#include <vibrocontact/analyses/drive.h>
+#include <vibrocontact/analyses/transient_parameters.h>
+#include <vibrocontact/analyses/transient_result.h>
 
 #include <memory>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/analyses/contact_stepper.h>
 #include <vibrocontact/base/checkpoint_file.h>
 
 #include <memory>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/analyses/transient_result.h>
 #include <vibrocontact/base/row_file.h>
 #include <vibrocontact/output/probes.h>
 #include <vibrocontact/output/recorder.h>

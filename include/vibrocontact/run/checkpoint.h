@@ -1,6 +1,7 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/analyses/contact_stepper.h>
+#include <vibrocontact/analyses/transient_result.h>
 #include <vibrocontact/output/recorder.h>
 
 #include <string>

@@ -2,7 +2,7 @@
 
 #include <vibrocontact/analyses/frequency_response.h>
 #include <vibrocontact/analyses/stability.h>
-#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/analyses/transient_parameters.h>
 #include <vibrocontact/base/parameter_file.h>
 #include <vibrocontact/contact/interface.h>
 #include <vibrocontact/output/output_parameters.h>

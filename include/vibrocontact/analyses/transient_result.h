@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vibrocontact/analyses/energy_account.h>
+
+#include <string>
+
+namespace vibrocontact
+{
+  /// Sums over a run and how it went.
+  struct TransientResult
+  {
+    unsigned long steps = 0, iterations = 0, factorisations = 0, fallbacks = 0;
+    /// steps that were repeated with half their length; the next step is 2^rung of the shortest
+    unsigned long rejected = 0;
+    unsigned int rung = 0;
+    double time = 0, seconds = 0;
+    /// normal impulse over the run [Ns]
+    double impulse = 0;
+    /// least gap seen, negative: penetration [m]
+    double smallest_gap = 0;
+    EnergyAccount energy;
+    bool converged = true;
+    /// why it did not
+    std::string message;
+  };
+} // namespace vibrocontact
