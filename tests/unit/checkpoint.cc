@@ -1,0 +1,123 @@
+// A checkpoint comes back bit for bit; a damaged one and one of other bodies are refused.
+
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/run/checkpoint.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+
+using namespace vibrocontact;
+
+namespace
+{
+  /// Flexibilities as small as they are, 1e-9 m/N, on two points.
+  ContactPair small_pair(const bool with_mode)
+  {
+    ContactPair pair;
+    pair.interface.grid.n_x = 2;
+    pair.interface.gap = {0., 1e-6};
+    pair.residual_flexibility.reinit(6, 6);
+    for (unsigned int i = 0; i < 6; ++i)
+      for (unsigned int j = 0; j < 6; ++j)
+        pair.residual_flexibility(i, j) = i == j ? 2e-9 : 1e-10;
+    if (!with_mode)
+      return pair;
+    pair.omega = {2000.};
+    pair.damping_ratio = {1e-4};
+    pair.modal_load = {0.};
+    pair.modal_trace.reinit(6, 1);
+    pair.modal_trace(0, 0) = 0.03;
+    return pair;
+  }
+
+  std::string refusal(const std::string &folder, const ContactPair &pair)
+  {
+    DynamicState state;
+    TransientResult result;
+    try
+    {
+      read_checkpoint(folder, pair, state, result, {});
+    }
+    catch (const InputError &error)
+    {
+      return error.what();
+    }
+    return "";
+  }
+} // namespace
+
+TEST(Checkpoint, OfOtherBodiesIsRefused)
+{
+  const std::string folder = "checkpoint_test";
+  std::filesystem::create_directories(folder);
+  for (const bool with_mode : {false, true})
+  {
+    const ContactPair pair = small_pair(with_mode);
+    DynamicState state;
+    state.time = 0.1234567;
+    state.R.reinit(6);
+    state.R[0] = 1. / 3;
+    TransientResult result;
+    result.steps = 50;
+    write_checkpoint(folder, pair, state, result, {});
+
+    DynamicState again;
+    TransientResult sums;
+    ASSERT_TRUE(read_checkpoint(folder, pair, again, sums, {}));
+    EXPECT_EQ(again.time, state.time);
+    EXPECT_EQ(again.R[0], state.R[0]);
+    EXPECT_EQ(sums.steps, result.steps);
+
+    const auto differs = [&](const std::function<void(ContactPair &)> &change)
+    {
+      ContactPair other = small_pair(with_mode);
+      change(other);
+      return refusal(folder, other).find("belongs to other bodies") != std::string::npos;
+    };
+    EXPECT_FALSE(differs([](ContactPair &p) { p.residual_flexibility(5, 5) *= 1 + 1e-9; }));
+    EXPECT_TRUE(differs([](ContactPair &p) { p.residual_flexibility(5, 5) *= 1.001; }));
+    EXPECT_TRUE(differs([](ContactPair &p) { p.residual_flexibility(0, 4) *= 1.01; }));
+    EXPECT_TRUE(differs([](ContactPair &p) { p.interface.gap[1] *= 1.001; }));
+    EXPECT_TRUE(differs([](ContactPair &p) { p.residual_flexibility.reinit(9, 9); }));
+    if (with_mode)
+    {
+      EXPECT_TRUE(differs([](ContactPair &p) { p.omega[0] += 0.1; }));
+      EXPECT_TRUE(differs([](ContactPair &p) { p.damping_ratio[0] *= 1.01; }));
+      EXPECT_TRUE(differs([](ContactPair &p) { p.modal_trace(0, 0) *= 1.001; }));
+    }
+  }
+}
+
+TEST(Checkpoint, DamagedIsRefused)
+{
+  const std::string folder = "damaged_checkpoint_test", name = folder + "/checkpoint.h5";
+  std::filesystem::create_directories(folder);
+  const ContactPair pair = small_pair(true);
+  DynamicState state;
+  state.time = 0.1234567;
+  TransientResult result;
+  const auto damaged = [&](const std::function<void()> &how)
+  {
+    write_checkpoint(folder, pair, state, result, {});
+    EXPECT_EQ(refusal(folder, pair), "");
+    how();
+    return refusal(folder, pair).find("is damaged or incomplete") != std::string::npos;
+  };
+  // one bit of the time
+  EXPECT_TRUE(damaged(
+      [&]
+      {
+        std::fstream stream(name, std::ios::in | std::ios::out | std::ios::binary);
+        const std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+        const std::size_t place = bytes.find(std::string(reinterpret_cast<const char *>(&state.time), 8));
+        ASSERT_NE(place, std::string::npos);
+        stream.seekp(place + 2);
+        stream.put(bytes[place + 2] ^ 0x40);
+      }));
+  EXPECT_TRUE(damaged([&] { std::filesystem::resize_file(name, std::filesystem::file_size(name) / 2); }));
+  EXPECT_TRUE(damaged([&] { std::ofstream(name) << "not HDF5"; }));
+}
