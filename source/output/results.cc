@@ -31,7 +31,7 @@ namespace vibrocontact
                       {"commit", commit()},
                       {"dealii", dealii_version()},
                       {"ranks", dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)}};
-    top["status"] = results.converged && results.complete ? "converged" : "not converged";
+    top["status"] = results.converged() && results.complete ? "converged" : "not converged";
     top["complete"] = results.complete;
     top["wall_s"] = wall_seconds;
     if (results.figures_seconds >= 0)
@@ -39,11 +39,13 @@ namespace vibrocontact
     if (!results.peak_memory.empty())
       top["peak_memory_MB"] = results.peak_memory;
     top["finished"] = results.finished;
-    top["finished_converged"] = results.converged;
     if (results.stopped_by != 0)
       top["interrupted"] = true;
-    if (!results.messages.empty())
-      top["messages"] = results.messages;
+    for (const auto &[analysis, message] : results.failures)
+    {
+      top["messages"].push_back(message);
+      top["not_converged"].push_back({{"analysis", analysis}, {"message", message}});
+    }
     top["analyses"] = results.analyses;
     if (!results.reductions.empty())
       top["reductions"] = results.reductions;
@@ -57,13 +59,14 @@ namespace vibrocontact
       const auto top = nlohmann::ordered_json::parse(text);
       Results results;
       results.finished = top.at("finished").get<std::set<std::string>>();
-      // those of an analysis that did not finish are found anew
-      if (results.finished.empty())
-        return results;
-      results.converged = top.at("finished_converged").get<bool>();
-      if (top.contains("messages"))
-        results.messages = top["messages"].get<std::vector<std::string>>();
-      results.analyses = top.at("analyses");
+      for (const auto &failure : top.value("not_converged", nlohmann::ordered_json::array()))
+      {
+        const auto analysis = failure.at("analysis").get<std::string>();
+        if (results.finished.count(analysis) > 0)
+          results.failures.push_back({analysis, failure.at("message").get<std::string>()});
+      }
+      if (!results.finished.empty())
+        results.analyses = top.at("analyses");
       return results;
     }
     catch (const nlohmann::json::exception &)

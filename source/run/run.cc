@@ -100,11 +100,14 @@ namespace vibrocontact
                               [&] { record.save_sometimes(results, clock.seconds()); });
         save("stability");
       }
-      // a resumed transient may have a later end
+      // a resumed transient may have a later end, and one that did not converge goes on from its checkpoint
       if (parameters.scene.runs("transient"))
       {
+        results.finished.erase("transient");
+        const std::size_t n_failures = results.failures.size();
         run_transient(parameters, bodies, record.folder, resume, results);
-        save(results.stopped_by == 0 ? "transient" : "");
+        const bool at_the_end = results.stopped_by == 0 && results.failures.size() == n_failures;
+        save(at_the_end ? "transient" : "");
         if (results.stopped_by != 0)
           return;
       }
@@ -132,7 +135,7 @@ namespace vibrocontact
       run_log().block("Results");
       run_log().value("folder", record.folder);
       run_log().value("status", results.stopped_by != 0 ? "interrupted, --resume continues"
-                                : results.converged     ? "converged"
+                                : results.converged()   ? "converged"
                                                         : "not converged");
       run_log().value("wall time", time_text(clock.seconds()));
       record.save(results, clock.seconds());
@@ -196,14 +199,13 @@ namespace vibrocontact
     }
     catch (const ConvergenceError &error)
     {
-      results.converged = false;
-      results.messages.push_back(error.what());
+      results.failures.push_back({"", error.what()});
       run_log().warning(error.what());
     }
     catch (const OutputError &error)
     {
       // what was written stays, and says that it is not all
-      results.messages.push_back(error.what());
+      results.failures.push_back({"", error.what()});
       try
       {
         record.save(results, clock.seconds());
@@ -217,6 +219,6 @@ namespace vibrocontact
     finish(parameters.output.figures, record, results, clock);
     if (results.stopped_by != 0)
       return 128 + results.stopped_by;
-    return results.converged ? 0 : 2;
+    return results.converged() ? 0 : 2;
   }
 } // namespace vibrocontact

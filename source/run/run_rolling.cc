@@ -48,8 +48,7 @@ namespace vibrocontact
                << " iterations.";
         else
           text << result.failure;
-        results.converged = false;
-        results.messages.push_back(text.str());
+        results.failures.push_back({"quasi-static rolling", text.str()});
       }
       else if (result.contact_points == 0)
       {

@@ -171,8 +171,7 @@ namespace vibrocontact
       catch (const ConvergenceError &error)
       {
         leave_out(error.what());
-        results.converged = false;
-        results.messages.push_back(text + ": " + error.what());
+        results.failures.push_back({"stability", text + ": " + error.what()});
       }
       progress.advance();
       save();

@@ -223,8 +223,7 @@ namespace vibrocontact
       std::ostringstream text;
       text << "The transient ended at " << result.time << " s: " << result.message
            << (result.message.back() == '.' ? "" : ".");
-      results.converged = false;
-      results.messages.push_back(text.str());
+      results.failures.push_back({"transient", text.str()});
       run_log().warning(text.str());
     }
     print(result);

@@ -142,11 +142,22 @@ bar.run("later", "--set", "Transient/End time=4")
 bar.run("later", "--resume")
 bar.check("later")
 # what is refused, in one sentence, without harm
-for setting, text in (("Transient/Theta=0.6", "Transient/Theta"), ("Transient/End time=1", "End time")):
+for setting, text in (("Transient/Theta=0.6", "Transient/Theta"), ("Transient/End time=1", "End time"),
+                      ("Contact/Friction coefficient=0.123", "Contact/Friction coefficient"),
+                      ("bar/Bar/Length=11", "bar/Bar/Length")):
     message = bar.run("later", "--resume", "--set", setting, code=1)
     # the machine may earn a warning about its BLAS above
     if not message.splitlines()[-1].startswith("vibrocontact: ") or text not in message.splitlines()[-1]:
         fail(f"refused with: {message}")
+bar.check("later")
+checkpoint = bar.folder("later") + "/checkpoint.h5"
+content = open(checkpoint, "rb").read()
+open(checkpoint, "wb").write(content[:len(content) // 2])
+message = bar.run("later", "--resume", code=1)
+if "is damaged or incomplete" not in message.splitlines()[-1]:
+    fail(f"a torn checkpoint is refused with: {message}")
+open(checkpoint, "wb").write(content)
+bar.run("later", "--resume")
 bar.check("later")
 
 rolling = Scene("rolling_transient", "Contact/Grid spacing=2e-3", "Transient/Time step=1e-5", "Transient/End time=4e-3")
@@ -156,3 +167,22 @@ rolling.more_ranks()
 adapted = Scene("bouncing_bar", "Transient/End time=10", "Transient/Time step=0.032", "Transient/Error tolerance=1e-5",
                 "Transient/Shortest time step=6.25e-5", label="adapted_steps")
 adapted.stop(signal.SIGTERM)
+
+# a run that failed goes on once its reason is gone, and nothing of the failure is left
+def drive_table(force):
+    open("drive.csv", "w").write(f"time_s, normal_force_N\n0, 66000\n2.6e-3, 66000\n2.9e-3, {force}\n4e-3, {force}\n")
+
+
+drive_table(33000)
+failing = Scene("rolling_transient", "Contact/Grid spacing=2e-3", "Transient/Time step=1e-5", "Transient/End time=4e-3",
+                "Transient/Drive table=drive.csv", label="failed")
+drive_table(0)
+failing.run("mended", code=2)
+failed = results(failing.folder("mended"))
+if failed["status"] != "not converged" or not failed["messages"] or "transient" in failed["finished"]:
+    fail("results.json does not say that the transient did not converge")
+drive_table(33000)
+failing.run("mended", "--resume")
+failing.check("mended")
+if "messages" in results(failing.folder("mended")) or "not_converged" in results(failing.folder("mended")):
+    fail("messages of the failure are left in results.json")

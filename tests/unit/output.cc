@@ -89,10 +89,25 @@ TEST(Results, NamesOfTheInterface)
   for (const char *name : {"version", "commit", "dealii", "ranks"})
     EXPECT_TRUE(json["program"].contains(name)) << name;
   EXPECT_EQ(json["analyses"]["modes"]["wheel"]["frequencies_Hz"][1], 334.1);
-  results.converged = false;
+  results.failures.push_back({"modes", "no"});
   EXPECT_EQ(nlohmann::json::parse(results_text(results, 0))["status"], "not converged");
   results.analyses["wrong"] = {1., std::numeric_limits<double>::infinity()};
   EXPECT_THROW(results_text(results, 0), dealii::ExceptionBase);
+}
+
+TEST(Results, AResumedRunForgetsFailuresOfWhatItDoesAgain)
+{
+  Results results;
+  results.finished = {"stability"};
+  results.failures = {{"stability", "a case"}, {"transient", "a step"}, {"", "the run"}};
+  const std::string text = results_text(results, 0);
+  EXPECT_EQ(nlohmann::json::parse(text)["messages"].size(), 3u);
+  const Results later = results_of_text(text);
+  ASSERT_EQ(later.failures.size(), 1u);
+  EXPECT_EQ(later.failures[0].analysis, "stability");
+  EXPECT_EQ(later.failures[0].message, "a case");
+  results.failures.erase(results.failures.begin());
+  EXPECT_TRUE(results_of_text(results_text(results, 0)).converged());
 }
 
 TEST(RunRecordMpi, TheFolderSaysWhatItIsFromTheBeginning)

@@ -9,8 +9,8 @@
 namespace vibrocontact
 {
   /// results.json: program (version, commit, dealii, ranks), status, complete, wall_s, finished (analyses that
-  /// came to their end) and whether they converged, interrupted if a signal stopped the run, analyses with one
-  /// object per analysis, reductions with one per meshed body.
+  /// came to their end), messages and not_converged (by analysis) about what did not converge, interrupted if a
+  /// signal stopped the run, analyses with one object per analysis, reductions with one per meshed body.
   ///
   /// Analyses fill `analyses` ("modes", "quasi_static_rolling", ...) with plain numbers, lists and objects
   /// under the names of the interface, SI units in the names; Hz for frequencies. Filled on every rank,
@@ -20,16 +20,19 @@ namespace vibrocontact
     nlohmann::ordered_json analyses = nlohmann::ordered_json::object();
     /// what the reductions of meshed bodies took, see reductions_json()
     nlohmann::ordered_json reductions = nlohmann::ordered_json::object();
-    /// false as soon as a computation did not converge; exit code 2
-    bool converged = true;
     /// whether the run has come to its end; until then its status is "not converged"
     bool complete = false;
     /// analyses that have come to their end; a resumed run does not repeat them
     std::set<std::string> finished;
     /// signal that stopped the run (SIGTERM, SIGINT), 0: none; exit code 128 + signal
     int stopped_by = 0;
-    /// sentences about what did not converge; written as "messages" if there are any
-    std::vector<std::string> messages;
+    /// what did not converge: the analysis, empty for the run as a whole, and a sentence; exit code 2
+    struct Failure
+    {
+      std::string analysis, message;
+    };
+    std::vector<Failure> failures;
+    bool converged() const { return failures.empty(); }
     /// part of wall_s that the figures took; negative: none were drawn [s]
     double figures_seconds = -1;
     /// per rank, at the end of the run; empty before [MB]
@@ -39,7 +42,8 @@ namespace vibrocontact
   /// Text of results.json. @throws dealii::ExceptionBase if a number is not finite
   std::string results_text(const Results &results, double wall_seconds);
 
-  /// What a results.json says about analyses, for a run that goes on where it ended.
+  /// What a results.json says about analyses that came to their end, for a run that goes on where it ended: the
+  /// failures of others are left out, they are done again.
   /// @throws InputError if it is no such text
   Results results_of_text(const std::string &text);
 
