@@ -1,4 +1,5 @@
 #include <vibrocontact/analyses/contact_stepper.h>
+#include <vibrocontact/base/dense_operations.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +15,6 @@ namespace vibrocontact
     constexpr double watched_share = 0.1;
     /// steps after which W~ R is computed anew: the round-off of its changes grows with the steps^(3/2)
     constexpr unsigned int longest_without_look = 64;
-
-    // deal.II refuses empty matrices
-    void multiply(const DenseMatrix &A, const DenseVector &x, DenseVector &y)
-    {
-      if (A.m() > 0)
-        A.vmult(y, x);
-    }
 
     // W~ R, loaded columns only
     void residual_displacement(const DenseMatrix &W, const DenseVector &R, DenseVector &result)
@@ -242,7 +236,7 @@ namespace vibrocontact
       advance_modes(state, drive);
       set_problem(state, drive, rigid);
       if (falling.acts())
-        solve_with_falling_friction(state, solver);
+        solve_with_modal_slip_in_friction(state, solver);
       else
         solution = solver.solve(problem, solution);
       iterations += solution.iterations;
@@ -306,7 +300,7 @@ namespace vibrocontact
     solution.response_known = true;
   }
 
-  void ContactStepper::solve_with_falling_friction(const DynamicState &state, ContactSolver &solver)
+  void ContactStepper::solve_with_modal_slip_in_friction(const DynamicState &state, ContactSolver &solver)
   {
     const std::vector<unsigned int> &points = step_operator->points(), &rows = step_operator->residual_rows();
     const unsigned int n = pair.n_points(), m = points.size();
@@ -333,8 +327,8 @@ namespace vibrocontact
       }
       return speeds;
     };
-    solution = vibrocontact::solve_with_falling_friction(problem, solver, solution, falling,
-                                                         friction.empty() ? 0. : friction[0], speed_of);
+    solution = solve_with_falling_friction(problem, solver, solution, falling,
+                                           friction.empty() ? 0. : friction[0], speed_of);
   }
 
   void ContactStepper::take_over(DynamicState &state, const DenseVector &rigid)

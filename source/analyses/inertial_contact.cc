@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/inertial_contact.h>
 #include <vibrocontact/analyses/sliding_frame.h>
+#include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/reduction/attachment_inertia.h>
 
@@ -11,14 +12,6 @@ namespace vibrocontact
 {
   namespace
   {
-    DenseMatrix product(const DenseMatrix &a, const DenseMatrix &b)
-    {
-      DenseMatrix c(a.m(), b.n());
-      if (a.m() > 0 && b.n() > 0 && a.n() > 0)
-        a.mmult(c, b);
-      return c;
-    }
-
     DenseMatrix transposed(const DenseMatrix &a)
     {
       DenseMatrix result(a.n(), a.m());

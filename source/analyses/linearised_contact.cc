@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/linearised_contact.h>
 #include <vibrocontact/analyses/sliding_frame.h>
+#include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
 
 #include <deal.II/base/numbers.h>
@@ -19,22 +20,6 @@ namespace vibrocontact
         for (unsigned int k = 0; k < points.size(); ++k)
           result(k, j) = matrix(points[k], j);
       return result;
-    }
-
-    DenseMatrix product(const DenseMatrix &a, const DenseMatrix &b)
-    {
-      DenseMatrix c(a.m(), b.n());
-      if (a.m() > 0 && b.n() > 0 && a.n() > 0)
-        a.mmult(c, b);
-      return c;
-    }
-
-    void insert(DenseMatrix &into, const DenseMatrix &block, const unsigned int row,
-                const unsigned int column, const double factor = 1)
-    {
-      for (unsigned int j = 0; j < block.n(); ++j)
-        for (unsigned int i = 0; i < block.m(); ++i)
-          into(row + i, column + j) += factor * block(i, j);
     }
 
     // inverse(a) b
@@ -62,7 +47,7 @@ namespace vibrocontact
       if (G.m() == 0 || b.n() == 0)
         return b;
       DenseMatrix right(b.m(), b.n() + 1);
-      insert(right, b, 0, 0);
+      add_block(right, b, 0, 0);
       for (unsigned int i = 0; i < b.m(); ++i)
         right(i, b.n()) = 1;
       const DenseMatrix x = solve(G, right, "normal flexibility");
@@ -141,6 +126,8 @@ namespace vibrocontact
     const DenseMatrix W_n = rows(W, points), G = product(W_n, E_N);
     const auto closed = [&](const DenseMatrix &E, const DenseMatrix *const gap)
     {
+      if (E.n() == 0)
+        return E;
       DenseMatrix opened = product(W_n, E);
       if (gap)
         opened.add(1., *gap);
@@ -173,8 +160,8 @@ namespace vibrocontact
       A(m + k, k) = -pair.omega[k] * pair.omega[k];
       A(m + k, m + k) = -2 * pair.damping_ratio[k] * pair.omega[k];
     }
-    insert(A, product(Psi_T, X_q), m, 0);
-    insert(A, product(Psi_T, X_v), m, m);
+    add_block(A, product(Psi_T, X_q), m, 0);
+    add_block(A, product(Psi_T, X_v), m, m);
     if (n_z == 0)
       return A;
 
@@ -185,22 +172,22 @@ namespace vibrocontact
     if (has_states)
     {
       // W_d X_z z' = -(slip_q q + slip_v v + slip_z z) - mobility z - W_d X_v v'
-      insert(A, product(Psi_T, X_z), m, 2 * m);
+      add_block(A, product(Psi_T, X_z), m, 2 * m);
       for (unsigned int k = 0; k < n_z; ++k)
         slip_z(k, k) += frame.mobility[k];
       DenseMatrix right(n_z, 2 * m + n_z);
-      insert(right, slip_q, 0, 0, -1);
-      insert(right, slip_v, 0, m, -1);
-      insert(right, slip_z, 0, 2 * m, -1);
+      add_block(right, slip_q, 0, 0, -1);
+      add_block(right, slip_v, 0, m, -1);
+      add_block(right, slip_z, 0, 2 * m, -1);
       if (!frame.along.empty())
       {
         DenseMatrix acceleration(m, 2 * m + n_z);
         for (unsigned int j = 0; j < 2 * m + n_z; ++j)
           for (unsigned int k = 0; k < m; ++k)
             acceleration(k, j) = A(m + k, j);
-        insert(right, product(product(W_d, X_v), acceleration), 0, 0, -1);
+        add_block(right, product(product(W_d, X_v), acceleration), 0, 0, -1);
       }
-      insert(A, solve(product(W_d, X_z), right, "tangential flexibility"), 2 * m, 0);
+      add_block(A, solve(product(W_d, X_z), right, "tangential flexibility"), 2 * m, 0);
     }
     else
     {
@@ -209,10 +196,10 @@ namespace vibrocontact
       for (unsigned int k = 0; k < n_z; ++k)
         slip_z(k, k) += frame.mobility[k];
       DenseMatrix right(n_z, 2 * m);
-      insert(right, slip_q, 0, 0, -1);
-      insert(right, slip_v, 0, m, -1);
+      add_block(right, slip_q, 0, 0, -1);
+      add_block(right, slip_v, 0, m, -1);
       const DenseMatrix z = solve(slip_z, right, "sliding mobility");
-      insert(A, product(product(Psi_T, options.convection ? X_z : E_z), z), m, 0);
+      add_block(A, product(product(Psi_T, options.convection ? X_z : E_z), z), m, 0);
     }
     return A;
   }
@@ -279,10 +266,16 @@ namespace vibrocontact
     std::stable_sort(roots.begin(), still,
                      [](const StabilityRoot &a, const StabilityRoot &b)
                      { return a.frequency < b.frequency; });
-    // two roots that differ by growth alone, as undamped ones that couple do: round-off does not choose
-    for (auto root = roots.begin(); root != still && root + 1 != still; ++root)
-      if (root[1].frequency - root->frequency < 1e-7 * root->frequency && root[1].growth > root->growth)
-        std::swap(root[0], root[1]);
+    // roots that differ by growth alone, as undamped ones that couple do: round-off does not choose
+    for (auto first = roots.begin(); first != still;)
+    {
+      const double above = first->frequency * (1 + 1e-7);
+      const auto last =
+          std::find_if(first, still, [&](const StabilityRoot &root) { return root.frequency >= above; });
+      std::stable_sort(first, last,
+                       [](const StabilityRoot &a, const StabilityRoot &b) { return a.growth > b.growth; });
+      first = last;
+    }
   }
 
   std::vector<StabilityRoot> stability_roots(const ContactPair &pair, DenseMatrix linearised)

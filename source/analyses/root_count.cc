@@ -1,4 +1,7 @@
+#include <vibrocontact/analyses/patch_shapes.h>
 #include <vibrocontact/analyses/root_count.h>
+#include <vibrocontact/analyses/sliding_frame.h>
+#include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
 
@@ -16,88 +19,28 @@ namespace vibrocontact
   {
     using Complex = std::complex<double>;
 
+    /// the count has to see what the eigenvalues see
+    constexpr double shape_tolerance = 1e-11;
+
     /// F(s) = A_0 + s A_1 + (L_0 + s L_1) S diag(d(s)) S^T P,  d_i = 1 / (s^2 + 2 zeta_i w_i s + w_i^2), where
-    /// Psi = B S: shapes over a patch have low rank
+    /// Psi = B S, see PatchShapes
     struct Receptance
     {
       DenseMatrix A_0, A_1, L_0, L_1, S, P;
       unsigned int n_states = 0;
     };
 
-    DenseMatrix product(const DenseMatrix &a, const DenseMatrix &b)
-    {
-      DenseMatrix c(a.m(), b.n());
-      if (a.m() > 0 && a.n() > 0 && b.n() > 0)
-        a.mmult(c, b);
-      return c;
-    }
-
-    /// Psi = B S to 1e-11 of its largest singular value, B with orthonormal columns
-    void split_shapes(const DenseMatrix &Psi, DenseMatrix &B, DenseMatrix &S)
-    {
-      DenseMatrix decomposed = Psi;
-      decomposed.compute_svd();
-      unsigned int rank = 1;
-      while (rank < std::min(Psi.m(), Psi.n()) &&
-             decomposed.singular_value(rank) > 1e-11 * decomposed.singular_value(0))
-        ++rank;
-      const DenseMatrix &U = decomposed.get_svd_u();
-      B.reinit(Psi.m(), rank);
-      for (unsigned int k = 0; k < rank; ++k)
-        for (unsigned int i = 0; i < Psi.m(); ++i)
-          B(i, k) = U(i, k);
-      S.reinit(rank, Psi.n());
-      B.Tmmult(S, Psi);
-    }
-
     /// rows of normal gaps, then of slip along the directions
     Receptance receptance(const ContactPair &pair, const CreepScheme &scheme,
                           const RollingEquilibrium &equilibrium)
     {
       const unsigned int n = pair.n_points();
-      const ContactSolution &contact = equilibrium.contact;
-      struct Direction
-      {
-        unsigned int point;
-        double x, y, mobility;
-      };
-      std::vector<unsigned int> points;
-      std::vector<Direction> directions;
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        if (contact.status[i] == ContactStatus::open || !(contact.R[i] > 0))
-          continue;
-        points.push_back(i);
-        const double sx = contact.y[n + i], sy = contact.y[2 * n + i], s = std::hypot(sx, sy),
-                     bound = equilibrium.friction[i] * contact.R[i];
-        if (bound == 0)
-          continue;
-        if (contact.status[i] == ContactStatus::stick || s == 0)
-        {
-          directions.push_back({i, 1, 0, 0});
-          directions.push_back({i, 0, 1, 0});
-        }
-        else
-          directions.push_back({i, -sy / s, sx / s, s / bound});
-      }
-      const unsigned int c = points.size(), n_z = directions.size(),
+      const SlidingFrame frame = sliding_frame(equilibrium);
+      const unsigned int c = frame.points.size(), n_z = frame.across.size(),
                          size = c + n_z + (equilibrium.force_given ? 1 : 0);
       DenseMatrix E(3 * n, size);
-      for (unsigned int k = 0; k < c; ++k)
-      {
-        const unsigned int i = points[k];
-        E(i, k) = 1;
-        const double sx = contact.y[n + i], sy = contact.y[2 * n + i], s = std::hypot(sx, sy);
-        if (contact.status[i] == ContactStatus::stick || s == 0)
-          continue;
-        E(n + i, k) = -equilibrium.friction[i] * sx / s;
-        E(2 * n + i, k) = -equilibrium.friction[i] * sy / s;
-      }
-      for (unsigned int k = 0; k < n_z; ++k)
-      {
-        E(n + directions[k].point, c + k) = directions[k].x;
-        E(2 * n + directions[k].point, c + k) = directions[k].y;
-      }
+      add_block(E, frame.normal, 0, 0);
+      add_block(E, forces_along(frame.across, n), 0, c);
 
       // rows of gap and of V d/dx slip, rows of slip rate
       const auto split = [&](const DenseMatrix &response, DenseMatrix &rows_0, DenseMatrix &rows_1)
@@ -107,26 +50,21 @@ namespace vibrocontact
         rows_0.reinit(size, response.n());
         rows_1.reinit(size, response.n());
         for (unsigned int j = 0; j < response.n(); ++j)
-        {
           for (unsigned int k = 0; k < c; ++k)
-            rows_0(k, j) = response(points[k], j);
-          for (unsigned int k = 0; k < n_z; ++k)
-          {
-            const Direction &d = directions[k];
-            rows_0(c + k, j) = d.x * moved(n + d.point, j) + d.y * moved(2 * n + d.point, j);
-            rows_1(c + k, j) = d.x * response(n + d.point, j) + d.y * response(2 * n + d.point, j);
-          }
-        }
+            rows_0(k, j) = response(frame.points[k], j);
+        add_block(rows_0, rows_along(moved, frame.across, n), c, 0);
+        add_block(rows_1, rows_along(response, frame.across, n), c, 0);
       };
       Receptance F;
       split(product(pair.residual_flexibility, E), F.A_0, F.A_1);
-      DenseMatrix B;
-      split_shapes(pair.modal_trace, B, F.S);
-      split(B, F.L_0, F.L_1);
-      F.P.reinit(B.n(), size);
-      B.Tmmult(F.P, E);
+      const PatchShapes shapes = patch_shapes(pair.modal_trace, shape_tolerance);
+      F.S = shapes.amplitudes;
+      split(shapes.basis, F.L_0, F.L_1);
+      F.P.reinit(shapes.rank(), size);
+      if (shapes.rank() > 0)
+        shapes.basis.Tmmult(F.P, E);
       for (unsigned int k = 0; k < n_z; ++k)
-        F.A_0(c + k, c + k) += directions[k].mobility;
+        F.A_0(c + k, c + k) += frame.mobility[k];
       if (equilibrium.force_given)
         for (unsigned int k = 0; k < c; ++k)
           F.A_0(k, size - 1) = F.A_0(size - 1, k) = 1;
@@ -154,7 +92,8 @@ namespace vibrocontact
       }
       for (unsigned int part = 0; part < 2; ++part)
       {
-        scaled[part].mTmult(K, F.S);
+        if (rank > 0)
+          scaled[part].mTmult(K, F.S);
         KP[part] = product(K, F.P);
       }
       const DenseMatrix Z[4] = {product(F.L_0, KP[0]), product(F.L_0, KP[1]), product(F.L_1, KP[0]),
@@ -169,6 +108,14 @@ namespace vibrocontact
           matrix[std::size_t(j) * size + i] = value;
           largest[i] = std::max(largest[i], std::abs(value));
         }
+      const auto refuse = [&]
+      {
+        throw ConvergenceError("The count of unstable roots met a singular contact at " +
+                               number_text(w / (2 * dealii::numbers::PI)) + " Hz: a root lies on the axis.");
+      };
+      // points that stick without rolling do not resist at 0 Hz
+      if (!std::all_of(largest.begin(), largest.end(), [](const double value) { return value > 0; }))
+        refuse();
       for (unsigned int j = 0; j < size; ++j)
         for (unsigned int i = 0; i < size; ++i)
           matrix[std::size_t(j) * size + i] /= largest[i];
@@ -177,8 +124,7 @@ namespace vibrocontact
       dealii::types::blas_int info = 0;
       dealii::getrf(&order, &order, matrix.data(), &order, pivots.data(), &info);
       if (info != 0)
-        throw ConvergenceError("The count of unstable roots met a singular contact at " +
-                               number_text(w / (2 * dealii::numbers::PI)) + " Hz: a root lies on the axis.");
+        refuse();
       double sum = -double(F.n_states) * std::arg(Complex(a, w));
       for (unsigned int k = 0; k < size; ++k)
         sum += std::arg(matrix[std::size_t(k) * size + k]) +
@@ -186,22 +132,28 @@ namespace vibrocontact
       return std::remainder(sum, 2 * dealii::numbers::PI);
     }
 
-    /// Frequencies round each free mode from half its damping on, twice as far each time, and a coarse net
-    /// over everything [rad/s]
-    std::vector<double> frequencies(const ContactPair &pair)
+    /// Frequencies round each free mode and each expected root from half its damping on, twice as far each
+    /// time, and a coarse net over everything [rad/s]
+    std::vector<double> frequencies(const ContactPair &pair, const std::vector<StabilityRoot> &expected)
     {
       std::vector<double> result = {0.};
       for (double w = 1; w < 1e11; w *= 1.15)
         result.push_back(w);
-      for (unsigned int k = 0; k < pair.n_modes(); ++k)
+      const auto add_round = [&](const double w, const double width)
       {
-        const double w = pair.omega[k];
         result.push_back(w);
-        for (double distance = pair.damping_ratio[k] * w / 2; distance < 0.1 * w; distance *= 2)
+        for (double distance = width / 2; distance < 0.1 * w; distance *= 2)
         {
           result.push_back(w - distance);
           result.push_back(w + distance);
         }
+      };
+      for (unsigned int k = 0; k < pair.n_modes(); ++k)
+        add_round(pair.omega[k], pair.damping_ratio[k] * pair.omega[k]);
+      for (const StabilityRoot &root : expected)
+      {
+        const double w = 2 * dealii::numbers::PI * root.frequency;
+        add_round(w, std::max(std::abs(root.growth), 1e-8 * w));
       }
       std::sort(result.begin(), result.end());
       result.erase(std::unique(result.begin(), result.end(),
@@ -212,7 +164,8 @@ namespace vibrocontact
   } // namespace
 
   RootCount count_unstable_roots(const ContactPair &pair, const CreepScheme &scheme,
-                                 const RollingEquilibrium &equilibrium)
+                                 const RollingEquilibrium &equilibrium,
+                                 const std::vector<StabilityRoot> &expected)
   {
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
       if (!(pair.damping_ratio[k] > 0) || !(pair.omega[k] > 0))
@@ -238,7 +191,7 @@ namespace vibrocontact
       const double w = (w_0 + w_1) / 2, arg = evaluate(w);
       return turn(w_0, arg_0, w, arg, depth - 1) + turn(w, arg, w_1, arg_1, depth - 1);
     };
-    const std::vector<double> net = frequencies(pair);
+    const std::vector<double> net = frequencies(pair, expected);
     double sum = 0, last = evaluate(net[0]);
     for (unsigned int k = 1; k < net.size(); ++k)
     {

@@ -123,7 +123,7 @@ namespace vibrocontact
         throw ConvergenceError("No root of the linearised contact oscillates or grows: keep more modes.");
       result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       if (parameters.second_count)
-        result.second_count = count_unstable_roots(pair, scheme, about);
+        result.second_count = count_unstable_roots(pair, scheme, about, result.roots);
       results.push_back(std::move(result));
       finished(results.back());
     };

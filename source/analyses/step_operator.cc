@@ -1,4 +1,5 @@
 #include <vibrocontact/analyses/step_operator.h>
+#include <vibrocontact/base/dense_operations.h>
 
 #include <deal.II/lac/lapack_templates.h>
 
@@ -27,9 +28,7 @@ namespace vibrocontact
     {
       if (middle.m() == 0)
         return;
-      DenseMatrix half(left.m(), middle.n());
-      left.mmult(half, middle);
-      half.mTmult(into, right, true);
+      product(left, middle).mTmult(into, right, true);
     }
 
     DenseMatrix rows_of_points(const DenseMatrix &matrix, const std::vector<unsigned int> &points)
@@ -41,13 +40,6 @@ namespace vibrocontact
           for (unsigned int i = 0; i < m; ++i)
             result(contact_row(m, c, i), k) = matrix(contact_row(n, c, points[i]), k);
       return result;
-    }
-
-    // deal.II refuses empty matrices
-    void multiply(const DenseMatrix &A, const DenseVector &x, DenseVector &y)
-    {
-      if (A.n() > 0)
-        A.vmult(y, x);
     }
   } // namespace
 
@@ -96,14 +88,8 @@ namespace vibrocontact
     motion.reinit(2 * basis.n());
     const ContactGrid &grid = matrices.grid;
     const unsigned int n = grid.n_points();
-    const auto coefficients = [&](const unsigned int point) -> std::vector<double>
-    {
-      const unsigned int i = point % grid.n_x;
-      if (i == 0)
-        return {0.};
-      return i >= matrices.scheme.reach() ? matrices.scheme.coefficients
-                                          : creep_schemes().front().coefficients;
-    };
+    const auto coefficients = [&](const unsigned int point) -> const std::vector<double> &
+    { return matrices.scheme.at_column(point % grid.n_x); };
     std::vector<unsigned int> wet;
     for (const unsigned int point : watched)
     {
@@ -117,7 +103,7 @@ namespace vibrocontact
     n_wet = wet.size();
     for (const unsigned int point : watched)
     {
-      const std::vector<double> c = coefficients(point);
+      const std::vector<double> &c = coefficients(point);
       transport.emplace_back();
       for (unsigned int k = 0; k < c.size(); ++k)
         transport.back().emplace_back(std::lower_bound(wet.begin(), wet.end(), point - k) - wet.begin(),

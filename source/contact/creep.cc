@@ -12,6 +12,14 @@ namespace vibrocontact
     return table;
   }
 
+  const std::vector<double> &CreepScheme::at_column(const unsigned int i) const
+  {
+    static const std::vector<double> none = {0.};
+    if (i == 0)
+      return none;
+    return i >= reach() ? coefficients : creep_schemes().front().coefficients;
+  }
+
   const CreepScheme &find_creep_scheme(const std::string &name)
   {
     std::vector<std::string> names;
@@ -52,13 +60,10 @@ namespace vibrocontact
       std::copy(tangential, tangential + 2 * n, displacement.begin());
       for (unsigned int row = 0; row < 2 * n; ++row)
       {
-        const unsigned int i = row % grid.n_x;
-        const std::vector<double> &c =
-            i >= scheme.reach() ? scheme.coefficients : creep_schemes().front().coefficients;
+        const std::vector<double> &c = scheme.at_column(row % grid.n_x);
         double derivative = 0;
-        if (i > 0)
-          for (unsigned int k = 0; k < c.size(); ++k)
-            derivative += c[k] * displacement[row - k];
+        for (unsigned int k = 0; k < c.size(); ++k)
+          derivative += c[k] * displacement[row - k];
         tangential[row] = factor * derivative;
       }
     }

@@ -113,7 +113,7 @@ namespace vibrocontact
     /// The problem of the step, and where its solution starts: forces that go on changing as they did.
     void set_problem(const DynamicState &state, const Drive &drive, const DenseVector &rigid_slip);
     /// Solves it with mu at the slip of rolling and modes, without the rate of the residual displacements.
-    void solve_with_falling_friction(const DynamicState &state, ContactSolver &solver);
+    void solve_with_modal_slip_in_friction(const DynamicState &state, ContactSolver &solver);
     void take_over(DynamicState &state, const DenseVector &rigid_slip);
 
     const ContactPair &pair;

@@ -84,7 +84,7 @@ namespace vibrocontact
                            const std::vector<double> &omega, const std::vector<std::string> &labels);
   /// Whether a root is listed: frequency > 0, or growth without oscillation.
   bool is_listed(const std::complex<double> &lambda);
-  /// By ascending frequency (of two that are equal the faster growing first), those without oscillation last.
+  /// By ascending frequency (of equal ones the faster growing first), those without oscillation last.
   void sort_roots(std::vector<StabilityRoot> &roots);
 
   /// All roots with frequency > 0 by ascending frequency (one of each conjugate pair), then those without

@@ -38,6 +38,9 @@ namespace vibrocontact
     double spin_shift;
     /// columns that the scheme looks upstream
     unsigned int reach() const { return coefficients.size() - 1; }
+    /// the coefficients in a column of the grid, counted from the upstream side: lower-order ones where the
+    /// stencil would leave the grid, a single zero in the first column
+    const std::vector<double> &at_column(unsigned int i) const;
   };
 
   /// first-order upwind (CONTACT's scheme) and second-order upwind.

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vibrocontact/base/dense.h>
+
+namespace vibrocontact
+{
+  // deal.II refuses empty matrices, which bodies without modes and contacts without sliding points have.
+
+  /// a b
+  inline DenseMatrix product(const DenseMatrix &a, const DenseMatrix &b)
+  {
+    DenseMatrix c(a.m(), b.n());
+    if (a.m() > 0 && a.n() > 0 && b.n() > 0)
+      a.mmult(c, b);
+    return c;
+  }
+
+  /// y <- A x, y of the right size; an empty A leaves y as it is
+  inline void multiply(const DenseMatrix &A, const DenseVector &x, DenseVector &y)
+  {
+    if (A.m() > 0 && A.n() > 0)
+      A.vmult(y, x);
+  }
+
+  /// into += factor * block, at a row and a column of `into`
+  inline void add_block(DenseMatrix &into, const DenseMatrix &block, const unsigned int row,
+                        const unsigned int column, const double factor = 1)
+  {
+    for (unsigned int j = 0; j < block.n(); ++j)
+      for (unsigned int i = 0; i < block.m(); ++i)
+        into(row + i, column + j) += factor * block(i, j);
+  }
+} // namespace vibrocontact
