@@ -1,3 +1,4 @@
+#include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/fe/face_map.h>
 #include <vibrocontact/fe/grid_quadrature.h>
@@ -5,7 +6,10 @@
 
 #include <deal.II/fe/fe_values.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <map>
 #include <sstream>
 
 namespace vibrocontact
@@ -14,14 +18,6 @@ namespace vibrocontact
 
   namespace
   {
-    /// Throw on all ranks if a rank has something to complain of.
-    void throw_together(const std::string &message, const MPI_Comm communicator)
-    {
-      for (const std::string &text : Utilities::MPI::all_gather(communicator, message))
-        if (!text.empty())
-          throw InputError(text);
-    }
-
     /// Range of cells 0..n-1 that [low, high] touches.
     std::pair<int, int> cell_range(const double low, const double high, const double first,
                                    const double spacing, const unsigned int n)
@@ -29,6 +25,7 @@ namespace vibrocontact
       return {std::max(0, int(std::floor((low - first) / spacing + 0.5))),
               std::min(int(n) - 1, int(std::floor((high - first) / spacing + 0.5)))};
     }
+
     /// One trace in the making: the steps of make_contact_trace() and what they hand to each other.
     template <int dim>
     class TraceMaker
@@ -49,7 +46,8 @@ namespace vibrocontact
         const GridQuadrature quadrature = fitting_quadrature();
         find_points(quadrature);
         check_points(quadrature);
-        find_weights(quadrature);
+        // a rank finds what is wrong with its own faces alone
+        on_all_ranks([&] { find_weights(quadrature); }, communicator);
         return joined_trace();
       }
 
@@ -258,12 +256,12 @@ namespace vibrocontact
           if (c == 0)
             for (const auto &[dof, share] : entries)
               result.push_back({{{dof, 0, 0}}, share});
-          AssertThrow(entries.size() == result.size(), ExcInternalError());
+          const bool alike =
+              std::equal(entries.begin(), entries.end(), result.begin(), result.end(),
+                         [](const auto &entry, const auto &first) { return entry.second == first.second; });
+          AssertThrow(alike, ExcMessage("The components of a hanging node hang on different nodes."));
           for (unsigned int k = 0; k < entries.size(); ++k)
-          {
-            AssertThrow(entries[k].second == result[k].second, ExcInternalError());
             result[k].first[c] = entries[k].first;
-          }
         }
         return result;
       }
@@ -274,7 +272,6 @@ namespace vibrocontact
         weights.resize(n);
         surface_height.assign(n, 0.);
         std::vector<types::global_dof_index> dofs(body.element.n_dofs_per_cell());
-        std::string complaint;
         for (unsigned int k = 0; k < owner.size(); ++k)
           if (owner[k] == rank)
           {
@@ -297,16 +294,15 @@ namespace vibrocontact
               for (unsigned int c = 0; c < dim; ++c)
                 key[c] = dofs[body.element.component_to_system_index(c, node)];
               const auto masters = free_nodes(key);
-              if (masters.empty() && complaint.empty())
-                complaint = "The contact grid touches the held boundary of body " + body.mesh.name +
-                            "; make the grid smaller or move the contact.";
+              if (masters.empty())
+                throw InputError("The contact grid touches the held boundary of body " + body.mesh.name +
+                                 "; make the grid smaller or move the contact.");
               for (const auto &[master, share] : masters)
                 for (const auto &[point, tau] : tractions)
                   if (tau > 0)
                     weights[point][master] += tau * w * N * share;
             }
           }
-        throw_together(complaint, communicator);
       }
 
       ContactTrace joined_trace() const
