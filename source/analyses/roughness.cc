@@ -4,6 +4,8 @@
 #include <vibrocontact/base/expression.h>
 #include <vibrocontact/base/parameter_file.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <cmath>
 #include <random>
 
@@ -62,7 +64,7 @@ namespace vibrocontact
     std::mt19937_64 generator(seed);
     // standard distributions differ between libraries
     const auto random = [&] { return std::ldexp(static_cast<double>(generator() >> 11), -53); };
-    const double pi = std::acos(-1.);
+    constexpr double pi = dealii::numbers::PI;
     for (unsigned int band = 0; band < wavelengths.size(); ++band)
     {
       if (!(wavelengths[band] > 0))

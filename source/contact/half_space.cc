@@ -1,5 +1,7 @@
 #include <vibrocontact/contact/half_space.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <boost/math/tools/roots.hpp>
@@ -10,7 +12,7 @@ namespace vibrocontact
 {
   namespace
   {
-    constexpr double pi = 3.14159265358979323846;
+    constexpr double pi = dealii::numbers::PI;
 
     /// log(x + r), r^2 = x^2 + y^2, without the cancellation for negative x
     double log_sum(const double x, const double y, const double r)

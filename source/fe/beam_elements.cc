@@ -83,8 +83,6 @@ namespace vibrocontact
       DoFHandler<1> dof_handler;
     };
 
-    using Row = std::vector<std::pair<types::global_dof_index, double>>;
-
     /// Fields at a place of a cell, times `weight`, added to a row.
     class CellFields
     {
@@ -361,8 +359,8 @@ namespace vibrocontact
     return system;
   }
 
-  std::vector<Row> beam_rail_rows(const BeamRailParameters &rail, const std::string &name, const double x,
-                                  const double y, const double length)
+  std::vector<TraceRow> beam_rail_rows(const BeamRailParameters &rail, const std::string &name,
+                                       const double x, const double y, const double length)
   {
     if (std::abs(x) + length / 2 > rail.length / 2 * (1 + 1e-9))
       throw InputError("The place x = " + std::to_string(x) + " m is not on the rail " + name +
@@ -389,7 +387,7 @@ namespace vibrocontact
           fields.add(rows[c], motion[c], weight);
       }
     }
-    std::vector<Row> result;
+    std::vector<TraceRow> result;
     for (const auto &row : rows)
       result.emplace_back(row.begin(), row.end());
     return result;

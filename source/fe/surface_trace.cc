@@ -13,7 +13,7 @@ namespace vibrocontact
     struct Vertex
     {
       Point<3> place;
-      std::array<std::vector<std::pair<types::global_dof_index, double>>, 3> rows;
+      std::array<TraceRow, 3> rows;
 
       template <typename Archive>
       void serialize(Archive &archive, const unsigned int)

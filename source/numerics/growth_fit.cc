@@ -1,6 +1,7 @@
 #include <vibrocontact/numerics/growth_fit.h>
 #include <vibrocontact/numerics/spectrum.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace vibrocontact
     using Complex = std::complex<double>;
     using Matrix = dealii::LAPACKFullMatrix<Complex>;
     constexpr unsigned int n_instants = 64, n_columns = 24, most_motions = 12;
-    const double two_pi = 2 * std::acos(-1.);
+    constexpr double two_pi = 2 * dealii::numbers::PI;
 
     double singular(const Matrix &matrix, const unsigned int i)
     {

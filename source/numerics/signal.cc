@@ -1,5 +1,7 @@
 #include <vibrocontact/numerics/signal.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <fftw3.h>
 
 #include <algorithm>
@@ -76,7 +78,7 @@ namespace vibrocontact
 
   Signal resampled(const Signal &signal, const double rate, const double fade)
   {
-    const double pi = std::acos(-1.);
+    constexpr double pi = dealii::numbers::PI;
     Signal result;
     result.begin = signal.begin;
     result.step = 1 / rate;

@@ -1,5 +1,7 @@
 #include <vibrocontact/numerics/spectrum.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <fftw3.h>
 
 #include <algorithm>
@@ -16,7 +18,7 @@ namespace vibrocontact
     /// Amplitudes of sines at the frequencies k / (padding N step).
     std::vector<double> amplitude_spectrum(const Signal &signal)
     {
-      const double pi = std::acos(-1.);
+      constexpr double pi = dealii::numbers::PI;
       const std::size_t n = signal.size(), length = padding * n;
       const double mean = std::accumulate(signal.values.begin(), signal.values.end(), 0.) / n;
       std::vector<double> values(length, 0.);

@@ -111,7 +111,7 @@ namespace vibrocontact
   }
 
   std::vector<std::complex<double>> HarmonicSolver::receptance(const double omega,
-                                                               const std::vector<Row> &rows)
+                                                               const std::vector<TraceRow> &rows)
   {
     Implementation &my = *implementation;
     for (std::size_t k = 0; k < my.values.size(); ++k)

@@ -58,7 +58,7 @@ namespace vibrocontact
 
     /// Static answers to forces on the points, and to the loss in them.
     std::vector<Vector> static_answers(const SecondOrderSystem &system, Flexibility &flexibility,
-                                       const std::vector<HarmonicSolver::Row> &points)
+                                       const std::vector<TraceRow> &points)
     {
       std::vector<Vector> answers, corrections;
       for (const auto &point : points)
@@ -107,7 +107,7 @@ namespace vibrocontact
 
   ResponseReduction reduce_response(const SecondOrderSystem &system, Flexibility &flexibility,
                                     const Modes &modes, const std::vector<double> &damping_ratio,
-                                    const bool wheel, const std::vector<HarmonicSolver::Row> &points)
+                                    const bool wheel, const std::vector<TraceRow> &points)
   {
     dealii::Timer timer;
     ResponseReduction result;
@@ -151,8 +151,7 @@ namespace vibrocontact
     return result;
   }
 
-  DirectResponse solve_directly(const SecondOrderSystem &system,
-                                const std::vector<HarmonicSolver::Row> &points,
+  DirectResponse solve_directly(const SecondOrderSystem &system, const std::vector<TraceRow> &points,
                                 const std::vector<double> &frequency, const std::function<void()> &advance)
   {
     dealii::Timer timer;

@@ -20,10 +20,10 @@ namespace vibrocontact
 {
   namespace
   {
-    using Rows = std::vector<HarmonicSolver::Row>;
+    using Rows = std::vector<TraceRow>;
 
     /// The dof of the body next to a place, in one direction.
-    HarmonicSolver::Row nearest_dof(const SecondOrderSystem &system, const ResponsePoint &point)
+    TraceRow nearest_dof(const SecondOrderSystem &system, const ResponsePoint &point)
     {
       const unsigned int directions[3] = {2, 0, 1};
       const dealii::Point<3> place(point.x, point.y, *point.z);

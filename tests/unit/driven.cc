@@ -14,7 +14,7 @@ using namespace vibrocontact;
 
 namespace
 {
-  const double pi = std::acos(-1.);
+  const double pi = dealii::numbers::PI;
 
   /// A bar of unit length, mass and stiffness (c = 1) held at its upper end, touching with its lower one: n modes of
   /// sin((k - 1/2) pi (1 - z)), residual flexibility at the end as given.

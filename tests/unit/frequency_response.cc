@@ -53,7 +53,7 @@ TEST(FrequencyResponseMpi, lossy_bar_in_closed_form)
   grid.n_x = grid.n_y = 1;
   grid.spacing_x = grid.spacing_y = 1;
   const auto system = assemble_bar(bar, material, "bar", true, &grid, MPI_COMM_WORLD);
-  const std::vector<HarmonicSolver::Row> points = {system->trace.rows[0]};
+  const std::vector<TraceRow> points = {system->trace.rows[0]};
   HarmonicSolver solver(*system);
   Flexibility flexibility(*system);
   ModeParameters parameters;
@@ -122,7 +122,7 @@ TEST(FrequencyResponseMpi, modal_response_converges_to_the_direct_one)
   // Loss couples the modes strongly here: pads have a loss factor of 1, the rail of 0.02.
   BeamRailParameters rail;
   const auto system = short_rail(4.8, rail);
-  std::vector<HarmonicSolver::Row> points = {beam_rail_rows(rail, "rail", 0., 0., 0.08)[0],
+  std::vector<TraceRow> points = {beam_rail_rows(rail, "rail", 0., 0., 0.08)[0],
                                              beam_rail_rows(rail, "rail", 0.3, 0., 0.08)[0],
                                              beam_rail_rows(rail, "rail", 0., 0., 0.08)[2]};
   Flexibility flexibility(*system);

@@ -12,7 +12,7 @@ using namespace vibrocontact;
 
 namespace
 {
-  const double pi = std::acos(-1.);
+  const double pi = dealii::numbers::PI;
 
   /// Steel half-spaces, radius 0.3 m, that three modes of a 20 kg body move as a whole: lateral 400 Hz, normal 600 Hz, and
   /// one that couples both at 1 kHz.

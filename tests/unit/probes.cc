@@ -85,7 +85,7 @@ TEST(Probes, RimOfAWheel)
        {std::pair(0.40, 0.06), std::pair(0.45, 0.06), std::pair(0.42, -0.08), std::pair(0.2, 0.09)})
     for (unsigned int k = 0; k < 36; ++k)
     {
-      const double angle = k * std::acos(-1.) / 18;
+      const double angle = k * dealii::numbers::PI / 18;
       wheel.points.insert(wheel.points.end(),
                           {radius * std::sin(angle), y, height - radius * std::cos(angle)});
     }

@@ -12,7 +12,7 @@ using namespace vibrocontact;
 
 namespace
 {
-  const double two_pi = 2 * std::acos(-1.);
+  const double two_pi = 2 * dealii::numbers::PI;
 
   struct Sine
   {

@@ -20,7 +20,7 @@ namespace
     grid.n_x = grid.n_y = 1;
     grid.spacing_x = grid.spacing_y = std::sqrt(section);
     pair.interface.gap = {0.};
-    const double pi = std::acos(-1.), mass = density * section * length;
+    const double pi = dealii::numbers::PI, mass = density * section * length;
     pair.modal_trace.reinit(3, n_modes);
     pair.participation.reinit(n_modes, 3);
     double residual = length / (3 * young * section);

@@ -61,7 +61,7 @@ TEST(WheelLabels, NamedModesOfTheWheelAndOfOneTwiceAsLarge)
     const auto found = std::find(texts.begin(), texts.end(), label);
     ASSERT_NE(found, texts.end()) << label;
     const unsigned int i = found - texts.begin(), n = labels[i].nodal_diameters;
-    EXPECT_NEAR(wheel.modes.omega[i] / (2 * std::acos(-1.)) / frequency, 1, 0.06) << label;
+    EXPECT_NEAR(wheel.modes.omega[i] / (2 * dealii::numbers::PI) / frequency, 1, 0.06) << label;
     EXPECT_EQ(damping[i], n == 0 ? 1e-3 : n == 1 ? 1e-2 : 1e-4);
     // the second of the pair follows
     if (n > 0)

@@ -38,8 +38,6 @@ namespace vibrocontact
     LinearTable(const std::string &source, const std::vector<double> &x, const std::vector<double> &y);
     /// @throws InputError outside the table
     double operator()(double x) const;
-    double first() const { return x.front(); }
-    double last() const { return x.back(); }
 
   private:
     std::string source;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/fe/second_order_system.h>
+#include <vibrocontact/fe/trace_row.h>
 #include <vibrocontact/scene/beam_rail.h>
 #include <vibrocontact/scene/material.h>
 
@@ -38,6 +39,6 @@ namespace vibrocontact
   /// Mean motion of a piece of the beam's crown, no local part: rows normal, x, y as those of a trace. From
   /// x - length / 2 to x + length / 2, at y from the contact point [m].
   /// @throws InputError if the piece leaves the rail
-  std::vector<std::vector<std::pair<dealii::types::global_dof_index, double>>>
-  beam_rail_rows(const BeamRailParameters &rail, const std::string &name, double x, double y, double length);
+  std::vector<TraceRow> beam_rail_rows(const BeamRailParameters &rail, const std::string &name, double x,
+                                       double y, double length);
 } // namespace vibrocontact

@@ -1,10 +1,8 @@
 #pragma once
 
+#include <vibrocontact/fe/trace_row.h>
 #include <vibrocontact/scene/contact_grid.h>
 
-#include <deal.II/base/types.h>
-
-#include <utility>
 #include <vector>
 
 namespace vibrocontact
@@ -23,8 +21,8 @@ namespace vibrocontact
   struct ContactTrace
   {
     ContactGrid grid;
-    /// rows[contact_row(n, c, i)]: (global dof, weight) pairs, dofs sorted, no constrained dof; 3 n rows
-    std::vector<std::vector<std::pair<dealii::types::global_dof_index, double>>> rows;
+    /// rows[contact_row(n, c, i)]: dofs sorted, no constrained dof; 3 n rows
+    std::vector<TraceRow> rows;
     /// mean height z of the undeformed surface over each cell, relative to the nominal contact point [m]; n
     std::vector<double> surface_height;
     /// whether the outward normal of the surface under the grid points up, as that of a body below does

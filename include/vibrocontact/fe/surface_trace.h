@@ -1,10 +1,10 @@
 #pragma once
 
+#include <vibrocontact/fe/trace_row.h>
+
 #include <deal.II/base/point.h>
-#include <deal.II/base/types.h>
 
 #include <array>
-#include <utility>
 #include <vector>
 
 namespace vibrocontact
@@ -21,8 +21,8 @@ namespace vibrocontact
     std::vector<dealii::Point<3>> points;
     /// four points of each face in turn around it; a line (axis of a bar or beam, plane body) is a quad a, b, b, a
     std::vector<std::array<int, 4>> quads;
-    /// (global dof, weight) pairs of displacement d (0 x, 1 y, 2 z) of point i in rows[3 i + d]; empty: zero
-    std::vector<std::vector<std::pair<dealii::types::global_dof_index, double>>> rows;
+    /// displacement d (0 x, 1 y, 2 z) of point i in rows[3 i + d]; empty: zero
+    std::vector<TraceRow> rows;
   };
 
   /// Collective. A plane body lies in the plane y = 0.

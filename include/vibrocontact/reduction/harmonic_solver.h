@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/fe/second_order_system.h>
+#include <vibrocontact/fe/trace_row.h>
 
 #include <complex>
 #include <memory>
@@ -18,8 +19,6 @@ namespace vibrocontact
   class HarmonicSolver
   {
   public:
-    using Row = std::vector<std::pair<dealii::types::global_dof_index, double>>;
-
     explicit HarmonicSolver(const SecondOrderSystem &system);
     ~HarmonicSolver();
     HarmonicSolver(const HarmonicSolver &) = delete;
@@ -27,7 +26,7 @@ namespace vibrocontact
 
     /// P (K + i K'' - w^2 M)^-1 P^T between the rows of P, on all ranks: entry [i * n + j] is the motion of
     /// row i under a unit force on row j [m/N]. @param omega [rad/s]
-    std::vector<std::complex<double>> receptance(double omega, const std::vector<Row> &rows);
+    std::vector<std::complex<double>> receptance(double omega, const std::vector<TraceRow> &rows);
 
   private:
     struct Implementation;

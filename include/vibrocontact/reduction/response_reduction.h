@@ -46,10 +46,9 @@ namespace vibrocontact
   /// @param wheel damped by mode: its damping ratios are added to D as 2 zeta w^2
   ResponseReduction reduce_response(const SecondOrderSystem &system, Flexibility &flexibility,
                                     const Modes &modes, const std::vector<double> &damping_ratio, bool wheel,
-                                    const std::vector<HarmonicSolver::Row> &points);
+                                    const std::vector<TraceRow> &points);
 
   /// @param advance called after each frequency
-  DirectResponse solve_directly(const SecondOrderSystem &system,
-                                const std::vector<HarmonicSolver::Row> &points,
+  DirectResponse solve_directly(const SecondOrderSystem &system, const std::vector<TraceRow> &points,
                                 const std::vector<double> &frequency, const std::function<void()> &advance);
 } // namespace vibrocontact
