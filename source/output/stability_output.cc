@@ -28,6 +28,32 @@ namespace vibrocontact
       return result;
     }
 
+    nlohmann::ordered_json case_json(const StabilityOutcome &outcome, const std::size_t k)
+    {
+      const StabilityResult &result = outcome.results[k];
+      nlohmann::ordered_json unstable = nlohmann::ordered_json::array();
+      for (const StabilityRoot *const root : result.unstable())
+        unstable.push_back(root_json(*root));
+      nlohmann::ordered_json one = {{"friction", result.rolling_case.friction},
+                                    {"lateral_creepage", result.rolling_case.creepage.lateral},
+                                    {"longitudinal_creepage", result.rolling_case.creepage.longitudinal},
+                                    {"spin_1_m", result.rolling_case.creepage.spin},
+                                    {"normal_force_N", result.normal_force},
+                                    {"contact_points", result.contact_points},
+                                    {"stick_points", result.stick_points},
+                                    {"unstable", unstable},
+                                    {"nearest", root_json(result.nearest())},
+                                    {"seconds", result.seconds}};
+      if (result.second_count)
+        one["second_count"] = {{"unstable_roots", result.second_count->unstable},
+                               {"remainder", result.second_count->remainder},
+                               {"evaluations", result.second_count->evaluations},
+                               {"seconds", result.second_count->seconds}};
+      if (!outcome.columns.empty())
+        one["swept"] = values_json(outcome.columns, outcome.values[k]);
+      return one;
+    }
+
     using Cells = std::vector<Table::Cell>;
 
     Cells joined(Cells a, const Cells &b)
@@ -140,49 +166,36 @@ namespace vibrocontact
 
   nlohmann::ordered_json stability_json(const StabilityOutcome &outcome)
   {
-    nlohmann::ordered_json cases = nlohmann::ordered_json::array();
-    for (unsigned int k = 0; k < outcome.results.size(); ++k)
+    nlohmann::ordered_json result = {{"roots", "stability.csv"},
+                                     {"unstable", nlohmann::ordered_json::array()},
+                                     {"cases", nlohmann::ordered_json::array()}};
+    if (!outcome.columns.empty())
     {
-      const StabilityResult &result = outcome.results[k];
-      nlohmann::ordered_json unstable = nlohmann::ordered_json::array();
-      for (const StabilityRoot *const root : result.unstable())
-        unstable.push_back(root_json(*root));
-      nlohmann::ordered_json one = {{"friction", result.rolling_case.friction},
-                                    {"lateral_creepage", result.rolling_case.creepage.lateral},
-                                    {"longitudinal_creepage", result.rolling_case.creepage.longitudinal},
-                                    {"spin_1_m", result.rolling_case.creepage.spin},
-                                    {"normal_force_N", result.normal_force},
-                                    {"contact_points", result.contact_points},
-                                    {"stick_points", result.stick_points},
-                                    {"unstable", unstable},
-                                    {"nearest", root_json(result.nearest())},
-                                    {"seconds", result.seconds}};
-      if (result.second_count)
-        one["second_count"] = {{"unstable_roots", result.second_count->unstable},
-                               {"remainder", result.second_count->remainder},
-                               {"evaluations", result.second_count->evaluations},
-                               {"seconds", result.second_count->seconds}};
-      if (!outcome.columns.empty())
-        one["swept"] = values_json(outcome.columns, outcome.values[k]);
-      cases.push_back(one);
+      result["sweep"] = "stability_sweep.csv";
+      result["map"] = "stability_map.csv";
+      result["swept_entries"] = outcome.entries;
+      result["swept_columns"] = outcome.columns;
+      result["left_out"] = nlohmann::ordered_json::array();
     }
-    nlohmann::ordered_json result = {
-        {"roots", "stability.csv"},
-        {"unstable", cases.empty() ? nlohmann::ordered_json::array() : cases.front()["unstable"]},
-        {"cases", cases}};
-    if (outcome.columns.empty())
-      return result;
-    result["sweep"] = "stability_sweep.csv";
-    result["map"] = "stability_map.csv";
-    result["swept_entries"] = outcome.entries;
-    result["swept_columns"] = outcome.columns;
-    result["left_out"] = nlohmann::ordered_json::array();
-    for (const auto &[values, reason] : outcome.left_out)
-    {
-      nlohmann::ordered_json one = values_json(outcome.columns, values);
-      one["reason"] = reason;
-      result["left_out"].push_back(one);
-    }
+    add_new_cases(outcome, result);
     return result;
+  }
+
+  void add_new_cases(const StabilityOutcome &outcome, nlohmann::ordered_json &json)
+  {
+    for (std::size_t k = json["cases"].size(); k < outcome.results.size(); ++k)
+    {
+      json["cases"].push_back(case_json(outcome, k));
+      if (k == 0)
+        json["unstable"] = json["cases"][0]["unstable"];
+    }
+    if (!json.contains("left_out"))
+      return;
+    for (std::size_t k = json["left_out"].size(); k < outcome.left_out.size(); ++k)
+    {
+      const auto &[values, reason] = outcome.left_out[k];
+      json["left_out"].push_back(values_json(outcome.columns, values));
+      json["left_out"].back()["reason"] = reason;
+    }
   }
 } // namespace vibrocontact

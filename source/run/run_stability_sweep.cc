@@ -14,6 +14,17 @@ namespace vibrocontact
 {
   namespace
   {
+    std::string case_text(const StabilityCases &sweep, const StabilityCase &one)
+    {
+      std::ostringstream text;
+      for (unsigned int k = 0; k < one.values.size(); ++k)
+      {
+        text << (k == 0 ? "" : ", ") << sweep.columns[k] << " ";
+        std::visit([&](const auto &value) { text << value; }, one.values[k]);
+      }
+      return text.str();
+    }
+
     /// The reduced bodies of a sweep, each reduced once.
     class ReducedBodies
     {
@@ -34,6 +45,25 @@ namespace vibrocontact
         if (own.key + "\n" + own.modes.key() == key)
           return &(reduced[key] = bodies[k]->reduction.reduced(true));
         return &(reduced[key] = meshed_body(one.parameters, one.keys[k], k)->reduction.reduced(true));
+      }
+
+      /// Before the first case, so that what is wrong with a body is heard of then.
+      void reduce_all(const StabilityCases &sweep)
+      {
+        for (const StabilityCase &one : sweep.cases)
+          for (unsigned int k = 0; k < 2; ++k)
+            try
+            {
+              find(one, k);
+            }
+            catch (const InputError &error)
+            {
+              throw InputError("Stability/Sweep, " + case_text(sweep, one) + ": " + error.what());
+            }
+            catch (const ConvergenceError &error)
+            {
+              throw ConvergenceError("Stability/Sweep, " + case_text(sweep, one) + ": " + error.what());
+            }
       }
 
     private:
@@ -76,17 +106,6 @@ namespace vibrocontact
       return contact_pair(bodies[0], bodies[1], grid);
     }
 
-    std::string case_text(const StabilityCases &sweep, const StabilityCase &one)
-    {
-      std::ostringstream text;
-      for (unsigned int k = 0; k < one.values.size(); ++k)
-      {
-        text << (k == 0 ? "" : ", ") << sweep.columns[k] << " ";
-        std::visit([&](const auto &value) { text << value; }, one.values[k]);
-      }
-      return text.str();
-    }
-
     void print(const std::string &text, const StabilityResult &result)
     {
       char line[200];
@@ -126,6 +145,8 @@ namespace vibrocontact
                         "rows of points from its ends: " +
                         text.str() + " mm.");
     }
+    reduced.reduce_all(sweep);
+    results.analyses["stability"] = stability_json(outcome);
     Progress progress("stability cases", sweep.cases.size());
     RootPaths paths, begin_of_row;
     bool row_has_begun = false;
@@ -161,7 +182,6 @@ namespace vibrocontact
         print(text, result);
         outcome.values.push_back(one.values);
         outcome.results.push_back(std::move(result));
-        results.analyses["stability"] = stability_json(outcome);
       }
       catch (const InputError &error)
       {
@@ -173,6 +193,7 @@ namespace vibrocontact
         leave_out(error.what());
         results.failures.push_back({"stability", text + ": " + error.what()});
       }
+      add_new_cases(outcome, results.analyses["stability"]);
       progress.advance();
       save();
     }
@@ -185,6 +206,5 @@ namespace vibrocontact
           stability_sweep_table(outcome).write(folder + "/stability_sweep.csv");
           stability_map_table(outcome).write(folder + "/stability_map.csv");
         });
-    results.analyses["stability"] = stability_json(outcome);
   }
 } // namespace vibrocontact

@@ -32,4 +32,6 @@ namespace vibrocontact
 
   /// analyses.stability: the unstable roots of the first case, all cases in cases[].
   nlohmann::ordered_json stability_json(const StabilityOutcome &outcome);
+  /// Brings it up to date after more cases.
+  void add_new_cases(const StabilityOutcome &outcome, nlohmann::ordered_json &json);
 } // namespace vibrocontact
