@@ -14,7 +14,9 @@
 
 #include <chrono>
 #include <exception>
+#include <memory>
 #include <sstream>
+#include <utility>
 
 namespace vibrocontact
 {
@@ -66,12 +68,16 @@ namespace vibrocontact
     };
 
     /// What follows the run, on rank 0: a new recorder goes into this list.
+    /// @param signal_recorder <- the one that knows when sticking changed
     Recorders make_recorders(const Parameters &parameters, const ContactPair &pair, const NormalLaw &law,
-                             const std::vector<Probe> &probes, const std::string &folder)
+                             const std::vector<Probe> &probes, const std::string &folder,
+                             const SignalRecorder *&signal_recorder)
     {
       const SignalParameters &signals = parameters.signals;
       Recorders recorders;
-      recorders.push_back(std::make_unique<SignalRecorder>(probes, folder));
+      auto first = std::make_unique<SignalRecorder>(probes, folder);
+      signal_recorder = first.get();
+      recorders.push_back(std::move(first));
       recorders.push_back(std::make_unique<TransientHistory>(pair, law, parameters.transient.history_interval,
                                                              probes, folder));
       if (signals.patch_interval > 0 && parameters.output.fields)
@@ -81,12 +87,12 @@ namespace vibrocontact
     }
 
     /// After the recorders have finished, on rank 0: spectra, growth rates, sounds and the table.
-    void evaluate_signals(const SignalParameters &parameters, const Recorders &recorders,
+    void evaluate_signals(const SignalParameters &parameters, const SignalRecorder &recorder,
                           const std::vector<Probe> &probes, const std::string &folder,
                           nlohmann::ordered_json &json)
     {
-      const double change = dynamic_cast<const SignalRecorder &>(*recorders.front()).change_of_sticking();
-      json.update(signals_json(recorded_signals(probes, folder), parameters, change, folder));
+      json.update(
+          signals_json(recorded_signals(probes, folder), parameters, recorder.change_of_sticking(), folder));
       if (parameters.table)
         write_history_table(probes, folder);
     }
@@ -145,8 +151,9 @@ namespace vibrocontact
 
     const auto law = parameters.contact.law();
     Recorders recorders;
+    const SignalRecorder *signal_recorder = nullptr;
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      recorders = make_recorders(parameters, pair, *law, probes, folder);
+      recorders = make_recorders(parameters, pair, *law, probes, folder, signal_recorder);
     DynamicState state;
     TransientResult before;
     begin(parameters, pair, drive(0), folder, resume, recorders, state, before);
@@ -214,8 +221,10 @@ namespace vibrocontact
     results.analyses["transient"] = transient_json(result, state);
     results.analyses["transient"]["friction"] = parameters.contact.friction;
     on_first_rank(
-        [&]
-        { evaluate_signals(parameters.signals, recorders, probes, folder, results.analyses["transient"]); });
+        [&] {
+          evaluate_signals(parameters.signals, *signal_recorder, probes, folder,
+                           results.analyses["transient"]);
+        });
     if (results.stopped_by != 0)
       run_log().warning("Interrupted; a checkpoint is written, --resume continues.");
     if (!result.converged)
