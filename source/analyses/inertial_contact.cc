@@ -7,6 +7,7 @@
 #include <deal.II/lac/lapack_templates.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vibrocontact
 {

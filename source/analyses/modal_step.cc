@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/modal_step.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -22,8 +22,8 @@ namespace vibrocontact
     /// the count has to see what the eigenvalues see
     constexpr double shape_tolerance = 1e-11;
 
-    /// F(s) = A_0 + s A_1 + (L_0 + s L_1) S diag(d(s)) S^T P,  d_i = 1 / (s^2 + 2 zeta_i w_i s + w_i^2), where
-    /// Psi = B S, see PatchShapes
+    /// F(s) = A_0 + s A_1 + (L_0 + s L_1) S diag(d(s)) S^T P,  d_i = 1 / (s^2 + 2 zeta_i w_i s + w_i^2),
+    /// where Psi = B S, see PatchShapes
     struct Receptance
     {
       DenseMatrix A_0, A_1, L_0, L_1, S, P;

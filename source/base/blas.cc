@@ -1,5 +1,6 @@
 #include <vibrocontact/base/blas.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <dlfcn.h>

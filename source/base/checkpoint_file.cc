@@ -1,5 +1,7 @@
 #include <vibrocontact/base/checkpoint_file.h>
 
+#include <algorithm>
+
 namespace vibrocontact
 {
   void CheckpointFile::operator()(const std::string &name, std::vector<double> &values)

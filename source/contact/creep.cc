@@ -2,6 +2,8 @@
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/contact/creep.h>
 
+#include <algorithm>
+
 namespace vibrocontact
 {
   const std::vector<CreepScheme> &creep_schemes()

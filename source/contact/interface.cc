@@ -2,6 +2,7 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/contact/interface.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vibrocontact

@@ -2,6 +2,7 @@
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/contact/laws.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vibrocontact

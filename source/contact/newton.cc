@@ -244,8 +244,8 @@ namespace vibrocontact
           best.fallbacks = s.fallbacks;
           s = best;
         }
-        // round-off collected in y over the steps is removed before the final judgement; who knew the response
-        // of the start cares for it
+        // round-off collected in y over the steps is removed before the final judgement; who knew the
+        // response of the start cares for it
         if (!s.response_known)
           contact_response(problem, s.R, s.approach, s.y);
         s.response_known = false;

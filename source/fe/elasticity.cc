@@ -5,6 +5,9 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace vibrocontact
 {
   using namespace dealii;

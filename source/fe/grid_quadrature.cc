@@ -2,6 +2,8 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <cmath>
+
 namespace vibrocontact
 {
   GridQuadrature::Line::Line(const unsigned int n_sub, const unsigned int n_gauss)

@@ -7,6 +7,7 @@
 #include <deal.II/numerics/data_out_faces.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace vibrocontact

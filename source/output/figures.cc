@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <vector>
 
 extern char **environ;
 
@@ -37,7 +38,8 @@ namespace vibrocontact
         run_log().line("no figures: " + script + " is not there");
         return;
       }
-      // The exit code 4 says that this Python has no matplotlib (or h5py, which histories need); Debian's own may have it.
+      // The exit code 4 says that this Python has no matplotlib (or h5py, which histories need); Debian's own
+      // may have it.
       int code = -1;
       for (const char *python : {"python3", "/usr/bin/python3"})
         if (code == -1 || code == 4 || code == 127)

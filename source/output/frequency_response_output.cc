@@ -37,8 +37,8 @@ namespace vibrocontact
                  : receptance;
     }
 
-    /// what differences of an entry are compared with: the entry at driving points, the geometric mean of both
-    /// driving points at transfers, which may vanish by symmetry
+    /// what differences of an entry are compared with: the entry at driving points, the geometric mean of
+    /// both driving points at transfers, which may vanish by symmetry
     double scale(const Receptance &response, const unsigned int index)
     {
       const unsigned int n = std::lround(std::sqrt(double(response.size())));

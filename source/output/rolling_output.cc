@@ -5,6 +5,7 @@
 #include <deal.II/base/data_out_base.h>
 
 #include <sstream>
+#include <utility>
 
 namespace vibrocontact
 {

@@ -4,6 +4,7 @@
 
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 

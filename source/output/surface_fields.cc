@@ -4,6 +4,7 @@
 #include <deal.II/base/data_out_base.h>
 
 #include <sstream>
+#include <tuple>
 
 namespace vibrocontact
 {

@@ -5,6 +5,7 @@
 
 #include <deal.II/numerics/rtree.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -4,6 +4,7 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/timer.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vibrocontact

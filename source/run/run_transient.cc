@@ -12,6 +12,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <memory>

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/bounding_box.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 

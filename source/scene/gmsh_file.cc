@@ -2,6 +2,8 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/scene/gmsh_file.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <type_traits>

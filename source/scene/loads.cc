@@ -1,6 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/scene/loads.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace vibrocontact

@@ -1,5 +1,6 @@
 #include <vibrocontact/scene/section_manifolds.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vibrocontact

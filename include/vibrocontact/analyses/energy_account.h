@@ -14,13 +14,14 @@ namespace vibrocontact
   struct EnergyAccount
   {
     double initial = 0, stored = 0;
-    /// work done on the bodies by the creepage, by the transport -V R . du/dx (of W~ R by central differences), by hub and roughness, by
-    /// constant loads. The hub moves the frame in which modes move: its acceleration works on them there
+    /// work done on the bodies by the creepage, by the transport -V R . du/dx (of W~ R by central
+    /// differences), by hub and roughness, by constant loads. The hub moves the frame in which modes move:
+    /// its acceleration works on them there
     double creepage = 0, transport = 0, hub = 0, loads = 0;
     double friction = 0, damping = 0;
-    /// what the differences take instead of the continuous equations (doc/theory.md, "Energy account"): the time
-    /// scheme from the modes; the upwind d/dx of W~ R against a central one; the backward rate of W~ R against
-    /// the mean force over the step
+    /// what the differences take instead of the continuous equations (doc/theory.md, "Energy account"): the
+    /// time scheme from the modes; the upwind d/dx of W~ R against a central one; the backward rate of W~ R
+    /// against the mean force over the step
     double numerical_modes = 0, numerical_upwind = 0, numerical_rate = 0;
     double numerical() const { return numerical_modes + numerical_upwind + numerical_rate; }
 

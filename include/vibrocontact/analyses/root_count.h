@@ -23,8 +23,8 @@ namespace vibrocontact
   ///   F(s) (N, z) = 0:      n: H_n R = 0 (hub fixed; force given: H_n R = const, sum dN = 0)
   ///                         b: (V d/dx + s) H_b R + z / c_b = 0
   ///
-  /// No state matrix appears, so that its assembly is checked too. det F has its zeros at the roots, its poles
-  /// at the free modes (all of them damped: none on the right), and grows as s^n_z. Hence
+  /// No state matrix appears, so that its assembly is checked too. det F has its zeros at the roots, its
+  /// poles at the free modes (all of them damped: none on the right), and grows as s^n_z. Hence
   ///
   ///   unstable roots = -1/pi [arg det F(i w) - n_z arg(i w + a)], w from 0 to infinity, a > 0.
   ///

@@ -25,15 +25,15 @@ namespace vibrocontact
     bool any() const { return !expression.empty() || !table.empty() || !spectrum.empty(); }
   };
 
-  /// Roughness along the track, the heights of both surfaces in one, the same for all y, > 0 towards the other
-  /// body: it takes from the gap. The contact travels towards -x at speed V, hence
+  /// Roughness along the track, the heights of both surfaces in one, the same for all y, > 0 towards the
+  /// other body: it takes from the gap. The contact travels towards -x at speed V, hence
   ///
   ///   gap_i(t) = g_i - h(V t - x_i),      s = 0 under the nominal contact point at t = 0
   ///
   /// A spectrum is given by levels L in 1/3-octave bands of wavelength, 20 log10(rms / 1 um) at the centres
   /// lambda (bands lambda 10^(+-0.05), EN 15610). Each band is a sum of `waves_per_band` sines of equal
-  /// amplitude, whose wavenumbers share the band and whose phases are random; the generator (mt19937_64, whose
-  /// numbers the C++ standard fixes) gives the same ones on every machine.
+  /// amplitude, whose wavenumbers share the band and whose phases are random; the generator (mt19937_64,
+  /// whose numbers the C++ standard fixes) gives the same ones on every machine.
   class Roughness
   {
   public:

@@ -4,8 +4,8 @@
 
 namespace vibrocontact
 {
-  /// The roots of lowest frequency of unreduced finite elements too many for LAPACK, by SLEPc: the same problem
-  /// as inertial_roots(), its constraints kept with their forces as unknowns,
+  /// The roots of lowest frequency of unreduced finite elements too many for LAPACK, by SLEPc: the same
+  /// problem as inertial_roots(), its constraints kept with their forces as unknowns,
   ///
   ///   [ lambda^2 M + lambda C_b + K + K_b   -P^T E ] [ u  ]
   ///   [ P_n                                   0    ] [ dN ] = 0

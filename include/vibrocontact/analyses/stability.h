@@ -14,8 +14,8 @@ namespace vibrocontact
   /// `subsection Stability`
   struct StabilityParameters
   {
-    /// what moves: "reduced" (modes, and residual flexibility without inertia), "attachment inertia" (modes, and
-    /// residual attachment modes), "finite elements"
+    /// what moves: "reduced" (modes, and residual flexibility without inertia), "attachment inertia" (modes,
+    /// and residual attachment modes), "finite elements"
     std::string model = "reduced";
     /// "consistent": all of the step's equations linearised; "paper": K_c and C_b of Lai et al. 2018, Eqs
     /// 19-22

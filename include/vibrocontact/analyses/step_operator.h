@@ -69,8 +69,8 @@ namespace vibrocontact
     const StepMatrices &matrices;
     const std::vector<unsigned int> watched;
     std::vector<unsigned int> rows;
-    /// points whose tangential residual displacements count: the watched ones, those upstream and the next one
-    /// downstream (for the energy account)
+    /// points whose tangential residual displacements count: the watched ones, those upstream and the next
+    /// one downstream (for the energy account)
     unsigned int n_wet = 0;
     /// V d/dx + 1/h at each watched point: places among the wet points and their factors [1/s]
     std::vector<std::vector<std::pair<unsigned int, double>>> transport;

@@ -13,8 +13,8 @@ namespace vibrocontact
   {
     /// h, end of the run [s]
     double time_step = 1e-6, end_time = 1e-2;
-    /// error per step over the size of the vibration, at which the step is halved, see StepLadder; 0: all steps
-    /// are equal; otherwise between this and the time step [s]
+    /// error per step over the size of the vibration, at which the step is halved, see StepLadder; 0: all
+    /// steps are equal; otherwise between this and the time step [s]
     double error_tolerance = 0, shortest_step = 0;
     /// "theta method" or "exact propagator"; theta
     std::string integrator = "theta method";
@@ -32,8 +32,8 @@ namespace vibrocontact
     double perturbation = 0, perturbation_velocity = 0;
     /// expressions of the time t that replace the constants of section Rolling; empty: constant
     std::string longitudinal_creepage, lateral_creepage, spin, normal_force, hub_displacement;
-    /// CSV file that does the same, columns time_s and any of longitudinal_creepage, lateral_creepage, spin_1_m,
-    /// normal_force_N, hub_displacement_m
+    /// CSV file that does the same, columns time_s and any of longitudinal_creepage, lateral_creepage,
+    /// spin_1_m, normal_force_N, hub_displacement_m
     std::string drive_table;
     RoughnessParameters roughness;
     /// distance of the lines of the histories [s], 0: every step

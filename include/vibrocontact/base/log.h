@@ -23,8 +23,8 @@ namespace vibrocontact
   public:
     /// Whether rank 0 writes to standard output (default yes).
     void set_screen(bool screen);
-    /// Writes to this file from now on, first everything said so far; behind what an earlier run left there if
-    /// this one resumes it. An empty name closes the file.
+    /// Writes to this file from now on, first everything said so far; behind what an earlier run left there
+    /// if this one resumes it. An empty name closes the file.
     void open_file(const std::string &file_name, bool append = false);
 
     /// Begins the block of a step; closes the one before with its wall time.

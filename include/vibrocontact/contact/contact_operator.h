@@ -19,8 +19,9 @@ namespace vibrocontact
   public:
     virtual ~ContactOperator() = default;
     virtual unsigned int n_points() const = 0;
-    /// y = A R; sources: the points where R is not zero (a hint, everything else is taken as zero). An operator
-    /// may have rows of its own behind the 3 n of y; b then has them too, and solvers carry them along.
+    /// y = A R; sources: the points where R is not zero (a hint, everything else is taken as zero). An
+    /// operator may have rows of its own behind the 3 n of y; b then has them too, and solvers carry them
+    /// along.
     virtual void vmult(DenseVector &y, const DenseVector &R,
                        const std::vector<unsigned int> &sources) const = 0;
     /// the same, but y is only meaningful at the sources themselves; what iterative solvers call

@@ -19,7 +19,8 @@ namespace vibrocontact
   ///
   /// The slip speed in mu is that of rolling and modes; the rate of the residual displacements d(W~ R)/dt is
   /// no part of it. A contact point without mass on a spring W~ would jump at once under a falling
-  /// characteristic (its growth rate 1 / (W~ N |dmu/ds|) is that of no mode), which the reduction cannot mean.
+  /// characteristic (its growth rate 1 / (W~ N |dmu/ds|) is that of no mode), which the reduction cannot
+  /// mean.
   struct FallingFriction
   {
     double ratio = 1, velocity = 0.1;
@@ -37,9 +38,9 @@ namespace vibrocontact
   /// Solves a contact problem whose friction falls with the slip speed. An outer loop repeats the solution
   /// with problem.mu = mu(speed of the last solution) until no mu changes by more than 1e-9 of mu_k. Its
   /// contraction is N |dmu/ds| times the slip per tangential force: in a time step that is of the order of
-  /// the step (theta h N |dmu/ds| Psi_t Psi_t^T), so that the loop converges for small steps; a loop that does
-  /// not within 100 rounds is returned as not converged. problem.mu is left as it was last used, a good start
-  /// for the next step.
+  /// the step (theta h N |dmu/ds| Psi_t Psi_t^T), so that the loop converges for small steps; a loop that
+  /// does not within 100 rounds is returned as not converged. problem.mu is left as it was last used, a good
+  /// start for the next step.
   /// @param speed the slip speed of each point that counts in mu, from a solution
   ContactSolution
   solve_with_falling_friction(ContactProblem &problem, ContactSolver &solver, const ContactSolution &start,

@@ -50,8 +50,8 @@ namespace vibrocontact
     void vmult(DenseVector &dst, const DenseVector &src) const;
     /// @param response A among the active points (ContactOperator::extract)
     void assemble(const DenseMatrix &response, DenseMatrix &J) const;
-    /// The two tangential rows of active point k, less what they were with the derivatives `before`, into rows
-    /// `at` and at + 1.
+    /// The two tangential rows of active point k, less what they were with the derivatives `before`, into
+    /// rows `at` and at + 1.
     void assemble_difference(unsigned int k, const Row &before, const DenseMatrix &response,
                              DenseMatrix &differences, unsigned int at) const;
     /// Values at the active points into a full vector of 3 n.

@@ -40,17 +40,16 @@ namespace vibrocontact
     unsigned int n_rigid_modes = 0;
     /// orthonormal (not mass-orthonormal) basis of those motions, n_rigid_modes vectors
     std::vector<dealii::PETScWrappers::MPI::Vector> rigid_motions;
-    /// place [m, contact frame] and direction (0 x, 1 y, 2 z; beams: 3 to 5 rotations about x, y, z, 6 warping)
-    /// of each locally owned dof, in their order: what
-    /// labels and the orientation of pairs look at
+    /// place [m, contact frame] and direction (0 x, 1 y, 2 z; beams: 3 to 5 rotations about x, y, z, 6
+    /// warping) of each locally owned dof, in their order: what labels and the orientation of pairs look at
     std::vector<dealii::Point<3>> dof_position;
     std::vector<unsigned char> dof_direction;
     /// a held boundary alone carries the body (no springs): it follows a displacement of that boundary
     /// rigidly
     bool follows_hub = false;
     ContactTrace trace;
-    /// flexibility of the contact points that the elements do not have (a beam's crown): added to their static
-    /// compliance, 3 n square [m/N]; empty for solids
+    /// flexibility of the contact points that the elements do not have (a beam's crown): added to their
+    /// static compliance, 3 n square [m/N]; empty for solids
     DenseMatrix local_compliance;
     SurfaceTrace surface;
   };

@@ -12,8 +12,8 @@ namespace vibrocontact
   /// found (Newton on the face's polynomial map, nearest to z = 0) and the shape functions are evaluated
   /// there. The integral is exact if face edges lie on sub-cell edges, as with 2 mm cells and a 1 mm grid
   /// with a node on the contact point; otherwise a uniform pressure is uneven by some 0.1 %. In 2d the
-  /// contact is the x axis (n_y = 1) and the rows of the lateral component stay empty. Hanging nodes are replaced
-  /// by the nodes that carry them.
+  /// contact is the x axis (n_y = 1) and the rows of the lateral component stay empty. Hanging nodes are
+  /// replaced by the nodes that carry them.
   ///
   /// @throws InputError if the grid leaves the contact surface, is finer than the nodes of the mesh (spacing
   ///   below cell size over degree), or touches held nodes. Collective: all ranks throw.

@@ -14,10 +14,11 @@ namespace vibrocontact
   ///
   /// The mean is taken off, a Hann window put on and zeros appended to four times the length (FFTW); a peak
   /// is a sample of the spectrum larger than all within two of the window's resolutions (2 / duration), and a
-  /// parabola through the logarithms of it and its neighbours gives its frequency and amplitude. A steady sine
-  /// is found to 1e-3 / duration in frequency and to 1e-3 in amplitude; sines closer than 4 / duration are not
-  /// told apart.
-  /// What is smaller than 1e-3 of the signal's largest departure from its mean is no peak: a slow drift has none.
+  /// parabola through the logarithms of it and its neighbours gives its frequency and amplitude. A steady
+  /// sine is found to 1e-3 / duration in frequency and to 1e-3 in amplitude; sines closer than 4 / duration
+  /// are not told apart.
+  /// What is smaller than 1e-3 of the signal's largest departure from its mean is no peak, a slow
+  /// drift has none.
   /// @param n at most so many peaks; @param floor those smaller than this share of the largest are left out
   std::vector<SpectralPeak> spectral_peaks(const Signal &signal, unsigned int n = 10, double floor = 1e-2);
 } // namespace vibrocontact

@@ -36,8 +36,8 @@ namespace vibrocontact
   /// @throws InputError if the surface is further from the place than a tenth of the body's size
   Probe place_probe(const ProbeRequest &request, const SurfaceShapes &surface, unsigned int first);
 
-  /// Requests for the rim of a wheel: on the middle of its field-side face (larger y) beside the contact, axial
-  /// (along y) and radial (away from the axle).
+  /// Requests for the rim of a wheel: on the middle of its field-side face (larger y) beside the contact,
+  /// axial (along y) and radial (away from the axle).
   /// @param axle_height of the axle in the contact frame [m]; @param rim_radius points further from the axle
   /// are the rim [m]
   std::vector<ProbeRequest> rim_probes(const std::string &body, const SurfaceShapes &surface,

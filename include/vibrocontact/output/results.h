@@ -8,9 +8,10 @@
 
 namespace vibrocontact
 {
-  /// results.json: program (version, commit, dealii, ranks), status, complete, wall_s, finished (analyses that
-  /// came to their end), messages and not_converged (by analysis) about what did not converge, interrupted if a
-  /// signal stopped the run, analyses with one object per analysis, reductions with one per meshed body.
+  /// results.json: program (version, commit, dealii, ranks), status, complete, wall_s, finished (analyses
+  /// that came to their end), messages and not_converged (by analysis) about what did not converge,
+  /// interrupted if a signal stopped the run, analyses with one object per analysis, reductions with one per
+  /// meshed body.
   ///
   /// Analyses fill `analyses` ("modes", "quasi_static_rolling", ...) with plain numbers, lists and objects
   /// under the names of the interface, SI units in the names; Hz for frequencies. Filled on every rank,
@@ -42,8 +43,8 @@ namespace vibrocontact
   /// Text of results.json. @throws dealii::ExceptionBase if a number is not finite
   std::string results_text(const Results &results, double wall_seconds);
 
-  /// What a results.json says about analyses that came to their end, for a run that goes on where it ended: the
-  /// failures of others are left out, they are done again.
+  /// What a results.json says about analyses that came to their end, for a run that goes on where it ended:
+  /// the failures of others are left out, they are done again.
   /// @throws InputError if it is no such text
   Results results_of_text(const std::string &text);
 

@@ -13,16 +13,16 @@ namespace vibrocontact
   /// The output folder of a run. Made only after the input has been checked, so that wrong input leaves
   /// nothing: input.prm (bytes as given), used.prm (every value used), log.txt (from here on, with all said
   /// before), results.json and .vibrocontact_files, the list of what the run wrote. What an earlier run
-  /// listed there is removed first, so that no old table stands beside new ones; no other file ever is, nor the
-  /// parameter file itself when it is the input.prm of its own output folder.
+  /// listed there is removed first, so that no old table stands beside new ones; no other file ever is, nor
+  /// the parameter file itself when it is the input.prm of its own output folder.
   ///
   /// results.json is there from the beginning and follows the run, so that the folder of a run that was
   /// killed says so ("complete": false). All functions are collective; rank 0 works.
   class RunRecord
   {
   public:
-    /// @param resumed results of the earlier run in the folder that this one continues: all its files stay; null:
-    /// a new run
+    /// @param resumed results of the earlier run in the folder that this one continues: all its files stay;
+    /// null: a new run
     /// @throws InputError on every rank if the folder cannot be written to
     RunRecord(const std::string &folder, const ParameterFile &file, const dealii::ParameterHandler &prm,
               const Results *resumed = nullptr);

@@ -23,9 +23,9 @@ namespace vibrocontact
   ///
   /// - `dominant_frequencies_Hz`: peaks of the first signal's spectrum, the largest first
   /// - `signals[]`: `name`, `unit`, `spectrum_window_s`, `peaks[]` (`frequency_Hz`, `amplitude`; at most ten
-  ///   above 1 % of the largest), `cycle` (`frequency_Hz`, `amplitude`, `rms`, `drift`, `spread`, `periods`; see
-  ///   CycleMeasure), `growth_window_s`, `growth[]` (`frequency_Hz`, `growth_1_s`, `amplitude`, `residual`; see
-  ///   GrowthFit), `sound` (`file`, `full_scale_m_s`)
+  ///   above 1 % of the largest), `cycle` (`frequency_Hz`, `amplitude`, `rms`, `drift`, `spread`, `periods`;
+  ///   see CycleMeasure), `growth_window_s`, `growth[]` (`frequency_Hz`, `growth_1_s`, `amplitude`,
+  ///   `residual`; see GrowthFit), `sound` (`file`, `full_scale_m_s`)
   ///
   /// and the WAV files. A signal that does not vary (1e-9 of its size) has no peaks.
   /// @param end_of_growth end of the window of the growth rates if the parameters give none [s]

@@ -16,7 +16,8 @@ namespace vibrocontact
   {
     /// x, y, z of one point after the other, contact frame [m]; 3 n_points
     std::vector<double> points;
-    /// four points of each face in turn around it; a line (axis of a bar or beam, plane body) is a quad a, b, b, a
+    /// four points of each face in turn around it; a line (axis of a bar or beam, plane body) is a quad
+    /// a, b, b, a
     std::vector<int> quads;
     /// angular frequencies of the modes, as in ModalReduction, rigid modes first [rad/s]; n_modes
     std::vector<double> omega;

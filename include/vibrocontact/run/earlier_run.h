@@ -8,8 +8,8 @@
 
 namespace vibrocontact
 {
-  /// What `--resume` finds in the output folder: the results of the analyses that came to their end there. The
-  /// transient goes on from checkpoint.h5, see checkpoint.h. Reads only.
+  /// What `--resume` finds in the output folder: the results of the analyses that came to their end there.
+  /// The transient goes on from checkpoint.h5, see checkpoint.h. Reads only.
   ///
   /// The parameters have to be those of the earlier run (its used.prm) but for where it ends and what it
   /// writes: section Output, Transient/End time and Checkpoint interval.

@@ -19,8 +19,8 @@ namespace vibrocontact
   class MeshedBody
   {
   public:
-    /// @param above whether this is body 1; @param grid contact grid, null if no analysis has contact (copied);
-    /// @param key see body_key()
+    /// @param above whether this is body 1; @param key see body_key()
+    /// @param grid contact grid, copied; null if no analysis has contact
     MeshedBody(const BodyParameters &parameters, const ModeParameters &modes, bool above,
                double lateral_position, const ContactGrid *grid, const std::string &key,
                const std::string &cache_directory, MPI_Comm communicator);

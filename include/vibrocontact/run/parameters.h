@@ -41,8 +41,9 @@ namespace vibrocontact
     bool has_dynamics() const { return scene.runs("transient") || scene.runs("stability"); }
     /// The grid of section Contact, or one point if a body has no more.
     ContactGrid contact_grid() const;
-    /// The lateral positions of a stability sweep [m]: those whose contact point lies on the tread of a wheel,
-    /// at least two rows of points from its ends, and those left out. Empty if the position is not swept.
+    /// The lateral positions of a stability sweep [m]: those whose contact point lies on the tread of a
+    /// wheel, at least two rows of points from its ends, and those left out. Empty if the position is not
+    /// swept.
     struct LateralPositions
     {
       std::vector<double> kept, left_out;

@@ -12,7 +12,8 @@ namespace vibrocontact
   /// numbers on all), rank 0 writes. Collective.
   ///
   /// Checkpoints (run/checkpoint.h) are written every Transient/Checkpoint interval, when SIGTERM or SIGINT
-  /// comes, which stops the run (Results::stopped_by), and at the end, from where a later End time may continue.
+  /// comes, which stops the run (Results::stopped_by), and at the end, from where a later End time may
+  /// continue.
   /// @param resume continue from the checkpoint in the folder; from the beginning if there is none
   void run_transient(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
                      bool resume, Results &results);

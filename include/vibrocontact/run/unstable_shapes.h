@@ -7,7 +7,8 @@
 
 namespace vibrocontact
 {
-  /// The shapes of the unstable roots of a case on the surfaces of the meshed bodies, animated over one period:
+  /// The shapes of the unstable roots of a case on the surfaces of the meshed bodies, animated over one
+  /// period:
   ///
   ///   u(phase) = Re(sum_k a_k phi_k exp(i phase)),   the largest amplitude of both bodies scaled to 1 mm
   ///

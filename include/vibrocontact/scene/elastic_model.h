@@ -5,6 +5,7 @@
 #include <deal.II/base/tensor.h>
 #include <deal.II/base/types.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 #include <vector>

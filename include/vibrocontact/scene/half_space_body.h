@@ -2,6 +2,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <string>
+
 namespace vibrocontact
 {
   /// An elastic half-space: no mesh, its compliance is Boussinesq's and Cerruti's (half_space.h); what

@@ -4,6 +4,8 @@
 
 #include <deal.II/grid/manifold.h>
 
+#include <memory>
+
 namespace vibrocontact
 {
   /// Body of revolution about the axis y through z = axis_height: x = b sin(phi), y = a - shift,

@@ -3,6 +3,8 @@
 #include <vibrocontact/scene/contact_refinement.h>
 #include <vibrocontact/scene/section_parameters.h>
 
+#include <utility>
+
 namespace vibrocontact
 {
   /// A wheel: its half section revolved about the axle.
