@@ -1,125 +1,31 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/fe/beam_elements.h>
+#include <vibrocontact/fe/beam_space.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
-#include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q1.h>
-#include <deal.II/grid/grid_generator.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
 namespace vibrocontact
 {
   using namespace dealii;
+  using namespace beam_field;
 
   namespace
   {
-    enum Field : unsigned int
-    {
-      U,
-      V,
-      W,
-      tx,
-      ty,
-      tz,
-      p,
-      n_fields
-    };
-
-    using Coefficients = std::map<unsigned int, double>;
-
     /// factor * (sum of value[f] field_f + slope[f] field_f')^2, an energy per length
     struct Term
     {
       double factor;
-      Coefficients value, slope;
+      BeamMotion value, slope;
     };
-
-    /// The mesh is small and stands on every rank: nodes at the contact, at edges (or points) of pads and at
-    /// the ends of anechoic pieces.
-    struct BeamSpace
-    {
-      explicit BeamSpace(const BeamRailParameters &rail)
-          : element(FE_Q<1>(rail.degree), n_fields), dof_handler(mesh)
-      {
-        const double half = rail.length / 2;
-        std::vector<double> knots = {-half, 0., half};
-        for (const double support : rail.supports())
-          for (const int side : {-1, 1})
-            knots.push_back(support + side * rail.pad_length / 2);
-        double piece_end = half;
-        for (unsigned int k = rail.anechoic_lengths.size(); k-- > 0;)
-        {
-          piece_end -= rail.anechoic_lengths[k];
-          knots.insert(knots.end(), {-piece_end, piece_end});
-        }
-        std::sort(knots.begin(), knots.end());
-        std::vector<double> steps;
-        double last = -half;
-        for (const double knot : knots)
-        {
-          const double gap = knot - last;
-          if (gap < 1e-6)
-            continue;
-          const unsigned int n = std::ceil(gap / rail.element_length - 1e-6);
-          steps.insert(steps.end(), n, gap / n);
-          last = knot;
-        }
-        GridGenerator::subdivided_hyper_rectangle(mesh, {steps}, Point<1>(-half), Point<1>(half));
-        dof_handler.distribute_dofs(element);
-      }
-
-      Triangulation<1> mesh;
-      FESystem<1> element;
-      DoFHandler<1> dof_handler;
-    };
-
-    /// Fields at a place of a cell, times `weight`, added to a row.
-    class CellFields
-    {
-    public:
-      CellFields(const BeamSpace &space, const DoFHandler<1>::active_cell_iterator &cell, const double x)
-          : space(space), place((x - cell->vertex(0)[0]) / (cell->vertex(1)[0] - cell->vertex(0)[0])),
-            dofs(space.element.n_dofs_per_cell())
-      {
-        cell->get_dof_indices(dofs);
-      }
-      void add(std::map<types::global_dof_index, double> &row, const Coefficients &value,
-               const double weight) const
-      {
-        for (unsigned int k = 0; k < dofs.size(); ++k)
-        {
-          const auto found = value.find(space.element.system_to_component_index(k).first);
-          const double shape = space.element.shape_value(k, Point<1>(place));
-          if (found != value.end() && std::abs(shape) > 1e-14)
-            row[dofs[k]] += weight * found->second * shape;
-        }
-      }
-
-    private:
-      const BeamSpace &space;
-      const double place;
-      std::vector<types::global_dof_index> dofs;
-    };
-
-    /// Motion of a point of the crown at arm x from its section and y from the contact point: u_z, u_x, u_y.
-    std::array<Coefficients, 3> crown_motion(const BeamRailParameters &rail, const double arm_x,
-                                             const double y)
-    {
-      const double crown = rail.crown_height(rail.lateral_position), eta = rail.lateral_position + y;
-      return {{{{W, 1.}, {tx, eta}, {ty, -arm_x}},
-               {{U, 1.}, {ty, crown - rail.centroid_height}, {tz, -eta}},
-               {{V, 1.}, {tx, -(crown - rail.shear_centre_height)}, {tz, arm_x}}}};
-    }
 
     /// Energies per length of rail at x, without the pads.
     std::vector<Term> rail_stiffness(const BeamRailParameters &rail, const ElasticMaterial &material)
@@ -165,7 +71,7 @@ namespace vibrocontact
                    const unsigned int q, const double weight)
     {
       const FiniteElement<1> &element = values.get_fe();
-      const auto coefficient = [](const Coefficients &of, const unsigned int field)
+      const auto coefficient = [](const BeamMotion &of, const unsigned int field)
       {
         const auto found = of.find(field);
         return found == of.end() ? 0. : found->second;
@@ -228,7 +134,7 @@ namespace vibrocontact
       auto under_contact = space.dof_handler.begin_active();
       while (under_contact->vertex(1)[0] < 1e-9)
         ++under_contact;
-      const CellFields fields(space, under_contact, 0.);
+      const BeamPlace fields(space, under_contact, 0.);
       const double crown = rail.crown_height(rail.lateral_position);
       for (unsigned int i = 0; i < grid.n_points(); ++i)
       {
@@ -381,7 +287,7 @@ namespace vibrocontact
       {
         const double place = is_point ? x : from + gauss.point(q)[0] * (to - from),
                      weight = is_point ? 1. : gauss.weight(q) * (to - from) / length;
-        const CellFields fields(space, cell, place);
+        const BeamPlace fields(space, cell, place);
         const auto motion = crown_motion(rail, 0., y);
         for (unsigned int c = 0; c < 3; ++c)
           fields.add(rows[c], motion[c], weight);

@@ -28,10 +28,10 @@ namespace vibrocontact
   ///
   ///   unstable roots = -1/pi [arg det F(i w) - n_z arg(i w + a)], w from 0 to infinity, a > 0.
   ///
-  /// The frequencies lie densely round each free mode and each expected root and are halved where the argument
-  /// moves by more than 0.5. The expected roots only say where to look: without them two roots of little
-  /// damping far from all free modes could turn the argument by 2 pi unseen; wrong ones do no harm. For the
-  /// consistent linearisation.
+  /// The frequencies lie densely round each free mode and each expected root and are halved where the
+  /// argument moves by more than 0.5. The expected roots only say where to look: without them two roots of
+  /// little damping far from all free modes could turn the argument by 2 pi unseen; wrong ones do no harm.
+  /// For the consistent linearisation.
   /// @throws InputError if a mode is undamped; ConvergenceError if a root lies on the axis
   RootCount count_unstable_roots(const ContactPair &pair, const CreepScheme &scheme,
                                  const RollingEquilibrium &equilibrium,

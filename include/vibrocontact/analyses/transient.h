@@ -9,8 +9,8 @@
 
 namespace vibrocontact
 {
-  /// After so many steps the contact solver starts afresh, so that what it keeps from step to step need not be
-  /// in a checkpoint: a run that continues there goes the same way bit for bit.
+  /// After so many steps the contact solver starts afresh, so that what it keeps from step to step need not
+  /// be in a checkpoint: a run that continues there goes the same way bit for bit.
   constexpr unsigned long steps_between_fresh_starts = 50;
 
   /// State at time zero, by TransientParameters::initial_state. The quasi-static one is the equilibrium under

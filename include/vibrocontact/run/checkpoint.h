@@ -10,8 +10,8 @@ namespace vibrocontact
 {
   /// The transient's checkpoint in the output folder, checkpoint.h5: the state that the next step starts
   /// from, the sums so far, what the recorders need, marks of bodies and modes, by which a resumed run sees
-  /// that it has the same ones, and a sum over all of it. Numbers are kept bit for bit; the file appears whole
-  /// or not at all, so that a run killed while writing leaves the one before.
+  /// that it has the same ones, and a sum over all of it. Numbers are kept bit for bit; the file appears
+  /// whole or not at all, so that a run killed while writing leaves the one before.
   ///
   /// What a solver keeps from step to step (factorisations) is not in it: transient() starts with a fresh
   /// solver every steps_between_fresh_starts, and only there a checkpoint continues bit for bit.
