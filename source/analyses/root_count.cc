@@ -153,7 +153,11 @@ namespace vibrocontact
       for (const StabilityRoot &root : expected)
       {
         const double w = 2 * dealii::numbers::PI * root.frequency;
-        add_round(w, std::max(std::abs(root.growth), 1e-8 * w));
+        bool at_a_mode = false;
+        for (unsigned int k = 0; k < pair.n_modes(); ++k)
+          at_a_mode = at_a_mode || std::abs(w - pair.omega[k]) < pair.damping_ratio[k] * pair.omega[k];
+        if (!at_a_mode)
+          add_round(w, std::max(std::abs(root.growth), 1e-8 * w));
       }
       std::sort(result.begin(), result.end());
       result.erase(std::unique(result.begin(), result.end(),
