@@ -9,6 +9,7 @@ figures/stability_sweep.png     divergence rates along a sweep of one entry
 figures/stability_map.png       number of unstable roots and each one's divergence rate over a sweep of two entries
 figures/root_locus.png          paths of the followed roots: growth against frequency
 figures/mode_shapes_<body>.png  deformed shapes coloured by amplitude, as in Fig. 3 of the paper
+figures/unstable_shapes.png     deformed shapes of the unstable roots at their largest, as in Figs 9 to 12
 figures/divergence_rates.png    divergence rates of the roots, as in Fig. 8
 figures/transient_force.png     tangential force with stick and slip counts, as in Fig. 13
 figures/transient_status.png    status of the contact points through a period, as in Fig. 14 (needs Patch interval)
@@ -334,23 +335,12 @@ def surface_quads(points, cells):
     return faces[index[count == 1]]
 
 
-def plot_modes(folder, body, modes):
-    """Deformed shapes from fields/mode_<body>_<number>.vtu: those of the paper's Fig. 3, or else the first six."""
+def plot_shapes(folder, name, panels, columns):
+    """Deformed surfaces coloured by their displacement: title, points, quadrilaterals and displacement of each panel."""
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
-    frequencies, labels = modes["frequencies_Hz"], modes.get("labels", [])
-    files = {int(re.findall(r"\d+", name)[-1]): name
-             for name in glob.glob(os.path.join(folder, "fields", f"mode_{glob.escape(body)}_*.vtu"))}
-    wanted = [labels.index(label) for label in ("axial(0,1)", "radial(1,5)", "axial(0,6)") if label in labels]
-    elastic = [i for i in sorted(files) if i < len(frequencies) and frequencies[i] > 0]
-    chosen = [i for i in wanted if i in files] or elastic[:6]
-    if not chosen:
-        return
-    columns = min(3, len(chosen))
-    rows = (len(chosen) + columns - 1) // columns
+    rows = (len(panels) + columns - 1) // columns
     figure = plt.figure(figsize=(4 * columns, 4 * rows))
-    for position, i in enumerate(chosen):
-        points, quads, data = read_vtu(files[i])
-        values = next(v for v in data.values() if v.ndim == 2 and v.shape[1] == 3)
+    for position, (title, points, quads, values) in enumerate(panels):
         axis = figure.add_subplot(rows, columns, position + 1, projection="3d")
         amplitude = np.linalg.norm(values, axis=1)
         size = np.ptp(points, axis=0).max()
@@ -365,8 +355,47 @@ def plot_modes(folder, body, modes):
         axis.set_box_aspect((1, 1, 1), zoom=1.4)
         axis.view_init(elev=18, azim=-35)
         axis.set_axis_off()
-        axis.set_title(f"{labels[i]}, {frequencies[i]:.1f} Hz" if i < len(labels) else f"{frequencies[i]:.1f} Hz")
-    save(figure, folder, f"mode_shapes_{body}")
+        axis.set_title(title)
+    save(figure, folder, name)
+
+
+def plot_modes(folder, body, modes):
+    """Deformed shapes from fields/mode_<body>_<number>.vtu: those of the paper's Fig. 3, or else the first six."""
+    frequencies, labels = modes["frequencies_Hz"], modes.get("labels", [])
+    files = {int(re.findall(r"\d+", name)[-1]): name
+             for name in glob.glob(os.path.join(folder, "fields", f"mode_{glob.escape(body)}_*.vtu"))}
+    wanted = [labels.index(label) for label in ("axial(0,1)", "radial(1,5)", "axial(0,6)") if label in labels]
+    elastic = [i for i in sorted(files) if i < len(frequencies) and frequencies[i] > 0]
+    chosen = [i for i in wanted if i in files] or elastic[:6]
+    if not chosen:
+        return
+    panels = []
+    for i in chosen:
+        points, quads, data = read_vtu(files[i])
+        values = next(v for v in data.values() if v.ndim == 2 and v.shape[1] == 3)
+        title = f"{labels[i]}, {frequencies[i]:.1f} Hz" if i < len(labels) else f"{frequencies[i]:.1f} Hz"
+        panels.append((title, points, quads, values))
+    plot_shapes(folder, f"mode_shapes_{body}", panels, min(3, len(panels)))
+
+
+def plot_unstable(folder, analysis):
+    """The first six unstable roots from unstable_<root>_<body>.pvd: the body that moves most, when it moves most."""
+    cases = analysis.get("cases") or [analysis]
+    panels = []
+    for number, root in enumerate(cases[0].get("unstable", [])[:6]):
+        most = None
+        for index in glob.glob(os.path.join(folder, f"unstable_{number}_*.pvd")):
+            frames = [node.get("file") for node in ElementTree.parse(index).getroot().iter("DataSet")]
+            for frame in frames[:len(frames) // 2]:  # the other half of the period is the opposite
+                points, quads, data = read_vtu(os.path.join(folder, frame))
+                values = data["displacement_m"]
+                largest = np.linalg.norm(values, axis=1).max()
+                if most is None or largest > most[0]:
+                    most = largest, points, quads, values
+        if most:
+            panels.append((f"{root['label']}, {root['frequency_Hz']:.1f} Hz, {root['growth_1_s']:+.2f} 1/s",) + most[1:])
+    if panels:
+        plot_shapes(folder, "unstable_shapes", panels, 2 if len(panels) in (2, 4) else min(3, len(panels)))
 
 
 def plot_divergence(folder):
@@ -597,6 +626,7 @@ def main():
             plot_modes(folder, body, modes)
     if "stability" in analyses and os.path.exists(os.path.join(folder, "stability.csv")):
         plot_divergence(folder)
+        plot_unstable(folder, analyses["stability"])
     if os.path.exists(os.path.join(folder, "histories.h5")):
         plot_transient(folder, analyses.get("transient", {}))
 

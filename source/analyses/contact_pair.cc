@@ -42,9 +42,10 @@ namespace vibrocontact
         jump[i] += side * body.residual_load_response[i];
     }
 
-    DenseMatrix residual_flexibility(const ContactBody &body, const bool first, const ContactGrid &grid)
+    DenseMatrix residual_flexibility(const ContactBody &body, const bool first,
+                                     const ContactParameters &contact, const ContactGrid &grid)
     {
-      if (body.reduced)
+      if (body.reduced && !(body.parameters->is_solid() && contact.half_space_flexibility()))
         return body.reduced->residual_flexibility;
       if (body.parameters->type == "rigid")
         return DenseMatrix(3 * grid.n_points());
@@ -52,6 +53,15 @@ namespace vibrocontact
                               rigid = {std::numeric_limits<double>::infinity(), 0.};
       return half_space_compliance(grid, first ? HalfSpacePair(own, rigid) : HalfSpacePair(rigid, own));
     }
+
+    void uncouple(DenseMatrix &flexibility)
+    {
+      const unsigned int n = flexibility.m() / 3;
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = n; j < 3 * n; ++j)
+          flexibility(i, j) = flexibility(j, i) = 0;
+    }
+
     // In plane strain nothing moves along y and nothing drives it there. A compliance of its own, which never
     // feels a force, keeps the lateral force of a sticking point determined (zero).
     void hold_across(ContactPair &pair)
@@ -87,13 +97,16 @@ namespace vibrocontact
     return interface;
   }
 
-  ContactPair contact_pair(const ContactBody &body_1, const ContactBody &body_2, const ContactGrid &grid)
+  ContactPair contact_pair(const ContactBody &body_1, const ContactBody &body_2,
+                           const ContactParameters &contact, const ContactGrid &grid)
   {
     ContactPair pair;
     pair.interface = contact_interface(body_1, body_2, grid);
     const unsigned int n = grid.n_points();
-    pair.residual_flexibility = residual_flexibility(body_1, true, grid);
-    pair.residual_flexibility.add(1., residual_flexibility(body_2, false, grid));
+    pair.residual_flexibility = residual_flexibility(body_1, true, contact, grid);
+    pair.residual_flexibility.add(1., residual_flexibility(body_2, false, contact, grid));
+    if (!contact.coupling)
+      uncouple(pair.residual_flexibility);
     unsigned int n_modes = 0, first = 0;
     for (const ContactBody *const body : {&body_1, &body_2})
       n_modes += body->reduced ? body->reduced->omega.size() : 0;

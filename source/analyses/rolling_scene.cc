@@ -46,11 +46,11 @@ namespace vibrocontact
       scene.interface = contact_interface(body_1, body_2, grid);
       check_curvatures(*body_1.parameters, *body_2.parameters, contact.strip_length > 0);
       const HalfSpacePair pair(half_space_material(*body_1.parameters),
-                               half_space_material(*body_2.parameters));
+                               half_space_material(*body_2.parameters), contact.coupling);
       scene.operator_at = [=](const double speed) { return rolling_operator(grid, pair, scheme, speed); };
       return scene;
     }
-    const ContactPair pair = contact_pair(body_1, body_2, grid);
+    const ContactPair pair = contact_pair(body_1, body_2, contact, grid);
     const auto compliance = std::make_shared<const DenseMatrix>(static_compliance(pair));
     scene.interface = static_interface(pair);
     scene.operator_at = [=](const double speed)

@@ -22,7 +22,8 @@ namespace vibrocontact
     }
   } // namespace
 
-  HalfSpacePair::HalfSpacePair(const HalfSpaceMaterial &body_1, const HalfSpaceMaterial &body_2)
+  HalfSpacePair::HalfSpacePair(const HalfSpaceMaterial &body_1, const HalfSpaceMaterial &body_2,
+                               const bool coupling)
       : a(0), b(0), c(0), inverse_modulus(0)
   {
     double sign = 1;
@@ -31,7 +32,7 @@ namespace vibrocontact
       const double nu = body->poisson_ratio, compliance = 1 / (2 * pi * body->shear_modulus());
       a += (1 - nu) * compliance;
       b += nu * compliance;
-      c += sign * 0.5 * (1 - 2 * nu) * compliance;
+      c += coupling ? sign * 0.5 * (1 - 2 * nu) * compliance : 0.;
       inverse_modulus += (1 - nu * nu) / body->young_modulus;
       sign = -1;
     }

@@ -46,6 +46,15 @@ namespace vibrocontact
         "Traction constant on each contact cell (lumped) or bilinear between the contact points "
         "(consistent); meshed bodies only. Units: none.",
         Selection("lumped|consistent"));
+    prm.add_parameter(
+        "Local flexibility", local_flexibility,
+        "What solid bodies add to their modes: the residual flexibility of their finite elements, or that of "
+        "a half-space of their material in place of it. Units: none.",
+        Selection("finite elements|half-space"));
+    prm.add_parameter("Normal-tangential coupling", coupling,
+                      "Whether the local flexibility couples normal and tangential directions; the coupling "
+                      "by the modes stays. Units: none.",
+                      Bool());
     std::string laws;
     for (const NormalLawEntry &law : normal_laws())
       laws += (laws.empty() ? "" : "|") + law.name;

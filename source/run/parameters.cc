@@ -183,6 +183,34 @@ namespace vibrocontact
 
   namespace
   {
+    /// What stands in place of the elements' local flexibility, and what then carries the rest.
+    void check_local_flexibility(const Parameters &parameters)
+    {
+      const ContactParameters &contact = parameters.contact;
+      if (!contact.replaces_flexibility())
+        return;
+      const std::string entry = contact.half_space_flexibility()
+                                    ? "Contact/Local flexibility is half-space"
+                                    : "Contact/Normal-tangential coupling is false";
+      if (parameters.scene.runs("stability") && parameters.stability.model != "reduced")
+        throw InputError(
+            entry + ", but Stability/Model is " + parameters.stability.model +
+            ", which takes the local flexibility from the elements themselves: set it to reduced.");
+      if (contact.half_space_flexibility() && contact.quadrature == "consistent")
+        throw InputError(entry + ", which knows tractions that are constant on each cell only: set "
+                                 "Contact/Quadrature to lumped.");
+      for (const BodyParameters &body : parameters.scene.bodies)
+      {
+        if (contact.half_space_flexibility() && (body.type == "bar" || body.type == "layer"))
+          throw InputError(entry + ", but the surface of the " + body.type + " " + body.name +
+                           " is no half-space: set it to finite elements.");
+        if (body.is_meshed() && !parameters.modes.at(body.name).any())
+          throw InputError(body.name + "/Modes asks for no modes, but " + entry +
+                           ", so that the modes have to carry the rest of the body's flexibility; give Upper "
+                           "frequency or Count");
+      }
+    }
+
     /// A layer stays where it is; what it slides on is rigid.
     void check_layer(const Scene &scene, const RollingParameters &rolling)
     {
@@ -207,7 +235,10 @@ namespace vibrocontact
   {
     scene.check();
     if (has_contact())
+    {
       check_layer(scene, rolling);
+      check_local_flexibility(*this);
+    }
     for (const auto &[name, mode] : modes)
       mode.check(name + "/Modes");
     if (scene.runs("modes"))

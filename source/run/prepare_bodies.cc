@@ -74,7 +74,7 @@ namespace vibrocontact
     for (const auto &body : bodies)
       if (body)
       {
-        const bool with_modes = (parameters.scene.runs("modes") || parameters.has_dynamics()) &&
+        const bool with_modes = (parameters.scene.runs("modes") || parameters.needs_modes()) &&
                                 body->reduction.request().modes.any();
         // a mesh that is to be written has to be made
         const bool wanted = all || !body->parameters.wheel.write_mesh.empty();

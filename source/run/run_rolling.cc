@@ -92,7 +92,7 @@ namespace vibrocontact
   RollingResult run_rolling(const Parameters &parameters, const MeshedBodies &bodies,
                             const std::string &folder, Results &results, const std::function<void()> &save)
   {
-    const auto pair = prepare_pair(parameters, bodies, false);
+    const auto pair = prepare_pair(parameters, bodies, parameters.contact.replaces_flexibility());
     results.reductions = reductions_json(bodies);
     save();
 

@@ -42,7 +42,7 @@ namespace vibrocontact
           reduced[k] = with_attachment_inertia(prepared.reduced[k], bodies[k]->reduction.attachment_mass());
           with[k].reduced = &reduced[k];
         }
-      return inertial_pair(contact_pair(with[0], with[1], parameters.contact_grid()));
+      return inertial_pair(contact_pair(with[0], with[1], parameters.contact, parameters.contact_grid()));
     }
 
     /// Of what Stability/Model says; empty for the reduced pair itself.
@@ -83,7 +83,7 @@ namespace vibrocontact
     const auto prepared = prepare_pair(parameters, bodies, true);
     run_log().block("Stability");
     const ContactPair pair =
-        contact_pair(prepared->bodies[0], prepared->bodies[1], parameters.contact_grid());
+        contact_pair(prepared->bodies[0], prepared->bodies[1], parameters.contact, parameters.contact_grid());
     run_log().value("modes", pair.n_modes());
     const RootFinder roots_about = root_finder(parameters, bodies, *prepared, pair);
     Progress progress("stability cases", rolling_cases(parameters.rolling, parameters.contact).size());

@@ -103,7 +103,7 @@ namespace vibrocontact
         }
         bodies.push_back({&body, reduced ? &own[k] : nullptr});
       }
-      return contact_pair(bodies[0], bodies[1], grid);
+      return contact_pair(bodies[0], bodies[1], parameters.contact, grid);
     }
 
     void print(const std::string &text, const StabilityResult &result)

@@ -143,7 +143,7 @@ namespace vibrocontact
     run_log().block("Transient");
     const TransientParameters &own = parameters.transient;
     const ContactPair pair =
-        contact_pair(prepared->bodies[0], prepared->bodies[1], parameters.contact_grid());
+        contact_pair(prepared->bodies[0], prepared->bodies[1], parameters.contact, parameters.contact_grid());
     run_log().value("modes", pair.n_modes());
     run_log().value("contact points", pair.n_points());
     const DriveFunction drive = drive_function(

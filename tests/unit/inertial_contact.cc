@@ -181,7 +181,7 @@ namespace
     modes.count = n_modes;
     const ModalReduction modal = reduce_modally(*scene->system, flexibility, modes, {}, &scene->modes);
     scene->reduced = combine(reduce_statically(*scene->system, flexibility), &modal);
-    scene->pair = contact_pair({&scene->layer, &scene->reduced}, {&scene->plane, nullptr}, grid);
+    scene->pair = contact_pair({&scene->layer, &scene->reduced}, {&scene->plane, nullptr}, {}, grid);
     return scene;
   }
 

@@ -31,8 +31,8 @@ namespace vibrocontact
     std::vector<double> modal_load;
     /// phi^T M e of unit translations of the mode's body along x, y, z; n_modes x 3 [sqrt(kg)]
     DenseMatrix participation;
-    /// W~ of both bodies: residual flexibilities, the whole compliance of half-spaces, nothing of rigid
-    /// bodies; 3 n square [m/N]
+    /// W~ of both bodies: residual flexibilities (or what Contact/Local flexibility puts in their place), the
+    /// whole compliance of half-spaces, nothing of rigid bodies; 3 n square [m/N]
     DenseMatrix residual_flexibility;
 
     /// modal force per acceleration of the approach, Gamma_z of body 1's modes, 0 for others and if unknown [sqrt(kg)]
@@ -62,8 +62,11 @@ namespace vibrocontact
   ContactInterface contact_interface(const ContactBody &body_1, const ContactBody &body_2,
                                      const ContactGrid &grid);
 
-  /// Brings two bodies together. A meshed body's compliance is that of its own elements only.
-  ContactPair contact_pair(const ContactBody &body_1, const ContactBody &body_2, const ContactGrid &grid);
+  /// Brings two bodies together. A meshed body's compliance is that of its own elements only, unless
+  /// `contact` asks for half-spaces: these replace W~ of solid bodies, whose modes, undeformed surface and
+  /// answer to loads stay. Without normal-tangential coupling W~'s blocks between the directions are zero.
+  ContactPair contact_pair(const ContactBody &body_1, const ContactBody &body_2,
+                           const ContactParameters &contact, const ContactGrid &grid);
 
   /// W~ + Psi diag(w^-2) Psi^T: what a static analysis sees; 3 n square [m/N].
   /// @throws InputError if a body can move freely

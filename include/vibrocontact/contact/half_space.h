@@ -26,8 +26,9 @@ namespace vibrocontact
   class HalfSpacePair
   {
   public:
-    /// A rigid body is given by an infinite Young modulus.
-    HalfSpacePair(const HalfSpaceMaterial &body_1, const HalfSpaceMaterial &body_2);
+    /// A rigid body is given by an infinite Young modulus. Without coupling c is left out: normal forces move
+    /// nothing tangentially and tangential ones nothing normally (Kalker's and Pieringer's simplification).
+    HalfSpacePair(const HalfSpaceMaterial &body_1, const HalfSpaceMaterial &body_2, bool coupling = true);
 
     /// Jump at (x, y) from unit forces spread over the rectangle size_x * size_y centred at the origin:
     /// matrix [displacement component][force component], components normal, x, y [m/N]. Symmetric under

@@ -29,6 +29,11 @@ namespace vibrocontact
     std::string creep_scheme = "second-order upwind";
     /// how tractions are spread over the bodies' elements: "lumped" or "consistent"
     std::string quadrature = "lumped";
+    /// what stands under the contact of a solid body beside its modes: "finite elements" (its residual
+    /// flexibility) or "half-space" (Boussinesq and Cerruti's of its material in place of it)
+    std::string local_flexibility = "finite elements";
+    /// false: normal forces move no point tangentially by the local flexibility, nor tangential ones normally
+    bool coupling = true;
     std::string normal_law = "signorini";
     /// exponential penalty only: a [N], alpha [1/m]
     double penalty_amplitude = 1e8, penalty_exponent = 50;
@@ -38,6 +43,9 @@ namespace vibrocontact
     ContactGrid grid() const;
     /// The normal law that the entries describe.
     std::shared_ptr<const NormalLaw> law() const;
+    bool half_space_flexibility() const { return local_flexibility == "half-space"; }
+    /// Whether the local flexibility is another than the elements', so that modes have to carry the rest.
+    bool replaces_flexibility() const { return half_space_flexibility() || !coupling; }
   };
 
   /// Geometry of the contact between two bodies on one grid.

@@ -37,8 +37,10 @@ namespace vibrocontact
     void check() const;
     /// Whether a contact grid is needed.
     bool has_contact() const { return scene.runs("quasi-static rolling") || has_dynamics(); }
-    /// Whether the contact needs the modes of the bodies.
+    /// Whether the bodies move.
     bool has_dynamics() const { return scene.runs("transient") || scene.runs("stability"); }
+    /// Whether the contact needs the modes of the bodies.
+    bool needs_modes() const { return has_dynamics() || (has_contact() && contact.replaces_flexibility()); }
     /// The grid of section Contact, or one point if a body has no more.
     ContactGrid contact_grid() const;
     /// The lateral positions of a stability sweep [m]: those whose contact point lies on the tread of a
