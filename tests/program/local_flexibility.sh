@@ -1,6 +1,6 @@
 # Half-spaces under a meshed body and contact without coupling in all analyses of one file: the same normal force, other
 # than that of the elements;
-# a checkpoint belongs to its values.
+# a checkpoint belongs to its values. And the figure of the unstable shapes..
 program=$1
 cat >case.prm <<'END_OF_FILE'
 set Bodies = slider, base
@@ -58,8 +58,8 @@ subsection Output
 end
 END_OF_FILE
 "$program" case.prm --quiet --output elements
-"$program" case.prm --quiet --output half_space --set "Contact/Local flexibility=half-space"
-"$program" case.prm --quiet --output uncoupled --set "Contact/Normal-tangential coupling=false"
+"$program" case.prm --quiet --output half_space --set "Contact/Local flexibility=half-space" --set Output/Figures=true
+"$program" case.prm --quiet --output uncoupled --set "Contact/Normal-tangential coupling=false" --set Output/Figures=true
 "$program" case.prm --quiet --output both --set "Contact/Normal-tangential coupling=false" --set "Contact/Local flexibility=half-space"
 cat >compare.py <<'END_OF_FILE'
 import json
@@ -75,6 +75,11 @@ values = sorted(force.values())
 assert all(b > a * (1 + 1e-4) for a, b in zip(values, values[1:])), force
 END_OF_FILE
 python3 compare.py
+# unstable shapes are drawn where there are any
+if ! grep -q "no figures" uncoupled/log.txt; then
+  [ -s uncoupled/figures/unstable_shapes.png ]
+  [ ! -e half_space/figures/unstable_shapes.png ]
+fi
 if "$program" case.prm --quiet --output both --resume --set "Contact/Local flexibility=half-space" 2>refused; then
   echo "FAILED: resumed with another coupling"
   exit 1
