@@ -63,17 +63,21 @@ namespace vibrocontact
     }
 
     // In plane strain nothing moves along y and nothing drives it there. A compliance of its own, which never
-    // feels a force, keeps the lateral force of a sticking point determined (zero).
+    // feels a force, keeps the lateral force of a sticking point determined (zero). It is of the size of the
+    // compliance along x; with all modes kept that is the inertia's, far below the static one, and rho_t, which
+    // follows the mean of both, must not notice this one.
     void hold_across(ContactPair &pair)
     {
       const unsigned int n = pair.n_points(), m = pair.n_modes();
       if (!pair.interface.grid.whole_surface || pair.interface.grid.n_y > 1)
         return;
+      const double fastest = m > 0 ? *std::max_element(pair.omega.begin(), pair.omega.end()) : 0;
       for (unsigned int i = 0; i < n; ++i)
       {
-        double along_x = pair.residual_flexibility(n + i, n + i);
+        const double residual = pair.residual_flexibility(n + i, n + i);
+        double along_x = residual;
         for (unsigned int k = 0; k < m; ++k)
-          along_x += std::pow(pair.modal_trace(n + i, k) / pair.omega[k], 2);
+          along_x += std::pow(pair.modal_trace(n + i, k) / (residual > 0 ? pair.omega[k] : 1e3 * fastest), 2);
         pair.residual_flexibility(2 * n + i, 2 * n + i) = along_x;
       }
     }

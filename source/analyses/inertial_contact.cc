@@ -2,9 +2,8 @@
 #include <vibrocontact/analyses/sliding_frame.h>
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/numerics/null_space.h>
 #include <vibrocontact/reduction/attachment_inertia.h>
-
-#include <deal.II/lac/lapack_templates.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,48 +21,13 @@ namespace vibrocontact
       return result;
     }
 
-    // orthonormal basis of the vectors z of N entries with columns^T z = 0, by a QR factorisation (deal.II
-    // takes a matrix without columns for one without rows)
-    DenseMatrix null_space(DenseMatrix columns, const unsigned int N)
+    DenseMatrix independent_null_space(const DenseMatrix &columns, const unsigned int N)
     {
-      const dealii::types::blas_int rows = N, n = columns.n();
-      DenseMatrix Q(rows);
-      for (int i = 0; i < rows; ++i)
-        Q(i, i) = 1;
-      if (n > 0)
-      {
-        std::vector<double> tau(n), work(1);
-        dealii::types::blas_int info = 0, n_work = -1;
-        for (unsigned int pass = 0; pass < 2; ++pass)
-        {
-          dealii::geqrf(&rows, &n, &columns(0, 0), &rows, tau.data(), work.data(), &n_work, &info);
-          n_work = pass == 0 ? static_cast<dealii::types::blas_int>(work[0]) : n_work;
-          work.resize(n_work);
-        }
-        double largest = 0, smallest = std::abs(columns(0, 0));
-        for (int k = 0; k < n; ++k)
-        {
-          largest = std::max(largest, std::abs(columns(k, k)));
-          smallest = std::min(smallest, std::abs(columns(k, k)));
-        }
-        if (!(smallest > 1e-10 * largest))
-          throw ConvergenceError("The gaps of the contact points depend on each other: the bodies have fewer "
-                                 "dofs than contact points; keep more modes.");
-        n_work = -1;
-        for (unsigned int pass = 0; pass < 2; ++pass)
-        {
-          dealii::ormqr("L", "N", &rows, &rows, &n, &columns(0, 0), &rows, tau.data(), &Q(0, 0), &rows,
-                        work.data(), &n_work, &info);
-          n_work = pass == 0 ? static_cast<dealii::types::blas_int>(work[0]) : n_work;
-          work.resize(n_work);
-        }
-        AssertThrow(info == 0, dealii::ExcInternalError());
-      }
-      DenseMatrix basis(rows, rows - n);
-      for (int j = n; j < rows; ++j)
-        for (int i = 0; i < rows; ++i)
-          basis(i, j - n) = Q(i, j);
-      return basis;
+      std::optional<DenseMatrix> basis = null_space(columns, N);
+      if (!basis)
+        throw ConvergenceError("The gaps of the contact points depend on each other: the bodies have fewer "
+                               "dofs than contact points; keep more modes.");
+      return *basis;
     }
 
     // with a given force all gaps change alike and dN sums to zero: differences to the first point
@@ -178,8 +142,8 @@ namespace vibrocontact
     damping.add(1., coupling.damping);
     stiffness.add(1., coupling.stiffness);
     // u = Z z, tested with Y
-    const DenseMatrix Z = null_space(coupling.gaps, pair.mass.m()),
-                      Y = null_space(coupling.forces, pair.mass.m());
+    const DenseMatrix Z = independent_null_space(coupling.gaps, pair.mass.m()),
+                      Y = independent_null_space(coupling.forces, pair.mass.m());
     const unsigned int size = Z.n();
     const auto projected = [&](const DenseMatrix &matrix)
     {

@@ -91,12 +91,16 @@ namespace vibrocontact
       result.factorisations += solution.factorisations;
       result.fallbacks += solution.fallbacks;
       result.converged = solution.converged;
-      error = n_rungs() > 1 && result.converged ? step_error(parameters, pair, state, next) : 0;
+      error =
+          parameters.error_tolerance > 0 && result.converged ? step_error(parameters, pair, state, next) : 0;
       if (k == 0 || (result.converged && error <= parameters.error_tolerance))
         break;
     }
+    result.above_tolerance += result.converged && error > parameters.error_tolerance;
     if (!result.converged)
-      result.message = "the contact of the next step did not converge; take a smaller Transient/Time step";
+      result.message =
+          std::string("the contact of the next step did not converge; take a smaller Transient/") +
+          (n_rungs() > 1 ? "Shortest time step" : "Time step");
     result.rung = k;
     if (k + 1 < n_rungs() && growth_of_error * error <= 0.5 * parameters.error_tolerance)
       ++result.rung;

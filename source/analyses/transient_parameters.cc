@@ -6,6 +6,11 @@ namespace vibrocontact
   void TransientParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
+    prm.add_parameter("Model", model,
+                      "What moves. reduced: modes, contact points without mass; finite elements: all dofs, "
+                      "contact points with mass, for small scenes (1,500 dofs), with Reaction = end of step. "
+                      "Units: none.",
+                      Selection("reduced|finite elements"));
     prm.add_parameter("Time step", time_step, "Length of a step. Units: s.", Double(1e-12, 1e3));
     prm.add_parameter(
         "Error tolerance", error_tolerance,
@@ -90,6 +95,10 @@ namespace vibrocontact
       throw InputError(
           "Section Transient gives an Error tolerance, for which the Shortest time step has to be "
           "between a millionth of the Time step and the Time step: give it.");
+    if (model == "finite elements" && reaction != "end of step")
+      throw InputError("Transient/Model is finite elements, whose contact points have mass: there reactions "
+                       "weighted as other forces ring with growing amplitude; set Transient/Reaction to end "
+                       "of step.");
     roughness.check();
     if (perturbed_mode.empty() && (perturbation != 0 || perturbation_velocity != 0))
       throw InputError("Section Transient gives a perturbation, but no Perturbed mode: name one.");

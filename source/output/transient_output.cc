@@ -100,6 +100,7 @@ namespace vibrocontact
             {"factorisations_per_step", result.factorisations / steps},
             {"fallbacks", result.fallbacks},
             {"rejected_steps", result.rejected},
+            {"steps_above_tolerance", result.above_tolerance},
             {"impulse_Ns", result.impulse},
             {"smallest_gap_m", result.smallest_gap},
             {"energy",

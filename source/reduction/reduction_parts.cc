@@ -88,12 +88,8 @@ namespace vibrocontact
     return result;
   }
 
-  ModalReduction reduce_modally(const SecondOrderSystem &system, Flexibility &flexibility,
-                                const ModeParameters &parameters, const std::optional<WheelFrame> &wheel,
-                                Modes *const shapes)
+  ModalReduction modal_reduction(const SecondOrderSystem &system, const Modes &modes)
   {
-    dealii::Timer timer;
-    Modes modes = compute_modes(system, flexibility, parameters);
     ModalReduction result;
     const unsigned int n = modes.omega.size();
     result.n_rigid_modes = modes.n_rigid_modes;
@@ -104,6 +100,17 @@ namespace vibrocontact
     result.participation = participation(system, modes.shapes);
     result.orthonormality_error = modes.orthonormality_error;
     result.residual = modes.residual;
+    return result;
+  }
+
+  ModalReduction reduce_modally(const SecondOrderSystem &system, Flexibility &flexibility,
+                                const ModeParameters &parameters, const std::optional<WheelFrame> &wheel,
+                                Modes *const shapes)
+  {
+    dealii::Timer timer;
+    Modes modes = compute_modes(system, flexibility, parameters);
+    ModalReduction result = modal_reduction(system, modes);
+    const unsigned int n = modes.omega.size();
     if (wheel)
     {
       const auto labels = wheel_labels(system, modes, *wheel);

@@ -17,7 +17,7 @@ namespace vibrocontact
   namespace
   {
     /// changes whenever what is exchanged or what it means does
-    constexpr int format = 2;
+    constexpr int format = 3;
 
     std::string checkpoint_name(const std::string &folder)
     {
@@ -58,6 +58,7 @@ namespace vibrocontact
       file("result/factorisations", result.factorisations);
       file("result/fallbacks", result.fallbacks);
       file("result/rejected", result.rejected);
+      file("result/above_tolerance", result.above_tolerance);
       file("result/rung", result.rung);
       file("result/time", result.time);
       file("result/seconds", result.seconds);

@@ -285,10 +285,12 @@ namespace vibrocontact
       throw InputError(
           "Stability/Second count knows constant friction only: set Contact/Static friction ratio to "
           "1 or leave the count out.");
-    if (scene.runs("stability") && stability.model != "reduced")
+    for (const auto &[section, model] :
+         {std::make_pair("Stability", scene.runs("stability") ? stability.model : "reduced"),
+          {"Transient", scene.runs("transient") ? transient.model : "reduced"}})
       for (const BodyParameters &body : scene.bodies)
-        if (body.type == "half-space" || body.type == "beam rail")
-          throw InputError("Stability/Model is " + stability.model + ", but " + body.name + " is a " +
+        if (model != "reduced" && (body.type == "half-space" || body.type == "beam rail"))
+          throw InputError(std::string(section) + "/Model is " + model + ", but " + body.name + " is a " +
                            body.type +
                            ", whose contact lies on a half-space without inertia: set it to reduced, or make "
                            "the body rigid or of solid elements.");

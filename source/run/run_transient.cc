@@ -9,6 +9,7 @@
 #include <vibrocontact/run/checkpoint.h>
 #include <vibrocontact/run/run_transient.h>
 #include <vibrocontact/run/transient_probes.h>
+#include <vibrocontact/run/unreduced_pair.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -31,10 +32,29 @@ namespace vibrocontact
       log.value("per step", result.seconds / std::max(1ul, result.steps) * 1e6, "us");
       log.value("wall time over simulated time", result.seconds / std::max(1e-300, result.time));
       log.value("solver iterations per step", result.iterations / std::max(1., double(result.steps)));
+      if (result.rejected > 0)
+        log.value("steps repeated with half their length", static_cast<unsigned long long>(result.rejected));
+      if (result.above_tolerance > 0)
+        log.warning(std::to_string(result.above_tolerance) +
+                    " steps of the Shortest time step are above the Error tolerance: make it shorter, or the "
+                    "tolerance larger.");
       log.value("normal impulse", result.impulse, "N s");
       log.value("energy stored at the end", result.energy.stored, "J");
       log.value("energy taken by differences", result.energy.numerical(), "J");
       log.value("energy imbalance", result.energy.imbalance(), "J");
+    }
+
+    ContactPair transient_pair(const Parameters &parameters, const MeshedBodies &bodies,
+                               std::vector<Probe> &probes)
+    {
+      UnreducedPair unreduced;
+      if (parameters.transient.model == "finite elements")
+        unreduced = prepare_unreduced_pair(parameters, bodies);
+      probes = transient_probes(parameters, bodies, unreduced.surfaces);
+      const auto prepared =
+          unreduced.prepared ? std::move(unreduced.prepared) : prepare_pair(parameters, bodies, true);
+      return contact_pair(prepared->bodies[0], prepared->bodies[1], parameters.contact,
+                          parameters.contact_grid());
     }
 
     /// What all ranks agree on where a checkpoint may be: rank 0's clock and any rank's signal.
@@ -100,6 +120,13 @@ namespace vibrocontact
 
     void warn_of_ringing(const TransientParameters &parameters, const ContactPair &pair)
     {
+      if (parameters.model == "finite elements" &&
+          (parameters.integrator == "exact propagator" || parameters.theta < 0.55))
+        run_log().warning("The contact points have mass (Transient/Model = finite elements): after an impact "
+                          "velocities and forces there ring from step to step; the theta method with Theta = "
+                          "1 damps that, and every mode with it.");
+      if (parameters.model == "finite elements")
+        return;
       const double quiet = longest_quiet_step(pair);
       if (parameters.integrator != "exact propagator" || parameters.time_step <= quiet)
         return;
@@ -138,12 +165,10 @@ namespace vibrocontact
   void run_transient(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
                      const bool resume, Results &results)
   {
-    const std::vector<Probe> probes = transient_probes(parameters, bodies);
-    const auto prepared = prepare_pair(parameters, bodies, true);
-    run_log().block("Transient");
     const TransientParameters &own = parameters.transient;
-    const ContactPair pair =
-        contact_pair(prepared->bodies[0], prepared->bodies[1], parameters.contact, parameters.contact_grid());
+    std::vector<Probe> probes;
+    const ContactPair pair = transient_pair(parameters, bodies, probes);
+    run_log().block("Transient");
     run_log().value("modes", pair.n_modes());
     run_log().value("contact points", pair.n_points());
     const DriveFunction drive = drive_function(

@@ -2,6 +2,7 @@
 // the attachment responses, the layer by LAPACK and by SLEPc, and a sliding mass under falling friction in closed
 // form and in time.
 
+#include "element_scene.h"
 #include "random_structure.h"
 
 #include <vibrocontact/analyses/drive.h>
@@ -9,9 +10,7 @@
 #include <vibrocontact/analyses/sparse_roots.h>
 #include <vibrocontact/analyses/stability.h>
 #include <vibrocontact/analyses/transient.h>
-#include <vibrocontact/fe/layer_elements.h>
 #include <vibrocontact/reduction/attachment_inertia.h>
-#include <vibrocontact/reduction/reduction_parts.h>
 
 #include <gtest/gtest.h>
 
@@ -154,46 +153,6 @@ TEST(InertialContact, GivenForceMovesTheHub)
                        inertial_roots(whole(s), scheme, equilibrium, {}), 8),
             1e-4);
 }
-
-namespace
-{
-  struct LayerScene
-  {
-    BodyParameters layer, plane;
-    std::unique_ptr<SecondOrderSystem> system;
-    Modes modes;
-    ReducedBody reduced;
-    ContactPair pair;
-  };
-
-  std::unique_ptr<LayerScene> layer_scene(const LayerParameters &parameters, const ElasticMaterial &material,
-                                          const unsigned int n_modes)
-  {
-    auto scene = std::make_unique<LayerScene>();
-    scene->layer.name = scene->layer.type = "layer";
-    scene->layer.layer = parameters;
-    scene->plane.name = "plane";
-    scene->plane.type = "rigid";
-    const ContactGrid grid = parameters.grid();
-    scene->system = assemble_layer(parameters, material, "layer", &grid, MPI_COMM_WORLD);
-    Flexibility flexibility(*scene->system);
-    ModeParameters modes;
-    modes.count = n_modes;
-    const ModalReduction modal = reduce_modally(*scene->system, flexibility, modes, {}, &scene->modes);
-    scene->reduced = combine(reduce_statically(*scene->system, flexibility), &modal);
-    scene->pair = contact_pair({&scene->layer, &scene->reduced}, {&scene->plane, nullptr}, {}, grid);
-    return scene;
-  }
-
-  ElasticMaterial soft()
-  {
-    ElasticMaterial material;
-    material.young_modulus = 2e9;
-    material.poisson_ratio = 0.3;
-    material.density = 2000;
-    return material;
-  }
-} // namespace
 
 // A layer without Poisson's effect is pressed down uniformly: N = E (length x width) / height per displacement.
 TEST(LayerMpi, PressedUniformly)

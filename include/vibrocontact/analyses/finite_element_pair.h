@@ -1,16 +1,13 @@
 #pragma once
 
 #include <vibrocontact/analyses/inertial_contact.h>
-#include <vibrocontact/fe/second_order_system.h>
+#include <vibrocontact/fe/dense_system.h>
 #include <vibrocontact/reduction/modes.h>
 
 #include <vector>
 
 namespace vibrocontact
 {
-  /// dofs up to which the unreduced finite elements go to LAPACK (some 20 s on one core)
-  constexpr unsigned int most_dense_dofs = 1500;
-
   /// A body of elements and its modes, which name the roots; null: a rigid body.
   struct FiniteElementBody
   {

@@ -29,7 +29,8 @@ namespace vibrocontact
 
     /// next <- state after a step of at most the length that result.rung says, then <- its drive. The step is
     /// halved while its error is above the tolerance or its contact does not converge; afterwards result.rung is
-    /// what the next step may try. Counts iterations and repeated steps; result.converged = false if the
+    /// what the next step may try. Counts iterations, repeated steps and those of the shortest length that
+    /// stay above the tolerance; result.converged = false if the
     /// shortest step does not converge.
     void advance(const DynamicState &state, const DriveFunction &drive, long long last, DynamicState &next,
                  Drive &then, TransientResult &result);

@@ -11,6 +11,9 @@ namespace vibrocontact
   /// `subsection Transient`
   struct TransientParameters
   {
+    /// what moves: "reduced" (modes, and residual flexibility without inertia), "finite elements" (all their
+    /// modes: contact points with mass, see with_all_modes())
+    std::string model = "reduced";
     /// h, end of the run [s]
     double time_step = 1e-6, end_time = 1e-2;
     /// error per step over the size of the vibration, at which the step is halved, see StepLadder; 0: all

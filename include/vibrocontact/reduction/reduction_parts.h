@@ -51,6 +51,9 @@ namespace vibrocontact
 
   StaticReduction reduce_statically(const SecondOrderSystem &system, Flexibility &flexibility);
 
+  /// Traces, loads and participations of given modes; without names and damping.
+  ModalReduction modal_reduction(const SecondOrderSystem &system, const Modes &modes);
+
   /// Modes, their names and their damping: labels and Eq. 23 with `wheel`, otherwise numbers and strain
   /// energy. `shapes` gets the modes themselves if it is not null.
   ModalReduction reduce_modally(const SecondOrderSystem &system, Flexibility &flexibility,

@@ -1,0 +1,54 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/fe/dense_system.h>
+#include <vibrocontact/reduction/all_modes.h>
+#include <vibrocontact/run/unreduced_pair.h>
+
+#include <deal.II/base/timer.h>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    void check_size(const MeshedBodies &bodies)
+    {
+      unsigned int n = 0;
+      for (unsigned int k = 0; k < 2; ++k)
+        if (bodies[k])
+          n += n_moving_dofs(bodies[k]->reduction.system());
+      run_log().value("degrees of freedom", n);
+      if (n > most_dense_dofs)
+        throw InputError("Transient/Model is finite elements, but the bodies have " + std::to_string(n) +
+                         " degrees of freedom, more than the " + std::to_string(most_dense_dofs) +
+                         " that go to LAPACK: set it to reduced or make the meshes coarser.");
+    }
+  } // namespace
+
+  UnreducedPair prepare_unreduced_pair(const Parameters &parameters, const MeshedBodies &bodies)
+  {
+    check_size(bodies);
+    auto pair = std::make_unique<PreparedPair>();
+    pair->reduced.resize(2);
+    UnreducedPair result;
+    result.surfaces.resize(2);
+    for (unsigned int k = 0; k < 2; ++k)
+    {
+      if (bodies[k])
+      {
+        BodyReduction &reduction = bodies[k]->reduction;
+        const Modes &shapes = reduction.shapes();
+        ReducedBody kept = reduction.reduced(true);
+        scale_damping(kept, reduction.request().modes);
+        dealii::Timer timer;
+        const Modes all = all_modes(reduction.system(), shapes);
+        pair->reduced[k] = with_all_modes(std::move(kept), reduction.system(), all);
+        result.surfaces[k] = surface_shapes(reduction.system().surface, all);
+        run_log().line(bodies[k]->parameters.name + ": all " + std::to_string(all.omega.size()) +
+                       " modes: " + time_text(timer.wall_time()));
+      }
+      pair->bodies.push_back({&parameters.scene.bodies[k], bodies[k] ? &pair->reduced[k] : nullptr});
+    }
+    result.prepared = std::move(pair);
+    return result;
+  }
+} // namespace vibrocontact
