@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 namespace vibrocontact
@@ -183,6 +184,17 @@ namespace vibrocontact
 
   namespace
   {
+    /// Sections of the analyses that run on another model than the reduced one, and that model.
+    std::map<std::string, std::string> unreduced_models(const Parameters &parameters)
+    {
+      std::map<std::string, std::string> models;
+      if (parameters.scene.runs("stability") && parameters.stability.model != "reduced")
+        models["Stability"] = parameters.stability.model;
+      if (parameters.scene.runs("transient") && parameters.transient.model != "reduced")
+        models["Transient"] = parameters.transient.model;
+      return models;
+    }
+
     /// What stands in place of the elements' local flexibility, and what then carries the rest.
     void check_local_flexibility(const Parameters &parameters)
     {
@@ -192,9 +204,9 @@ namespace vibrocontact
       const std::string entry = contact.half_space_flexibility()
                                     ? "Contact/Local flexibility is half-space"
                                     : "Contact/Normal-tangential coupling is false";
-      if (parameters.scene.runs("stability") && parameters.stability.model != "reduced")
+      for (const auto &[section, model] : unreduced_models(parameters))
         throw InputError(
-            entry + ", but Stability/Model is " + parameters.stability.model +
+            entry + ", but " + section + "/Model is " + model +
             ", which takes the local flexibility from the elements themselves: set it to reduced.");
       if (contact.half_space_flexibility() && contact.quadrature == "consistent")
         throw InputError(entry + ", which knows tractions that are constant on each cell only: set "
@@ -285,13 +297,10 @@ namespace vibrocontact
       throw InputError(
           "Stability/Second count knows constant friction only: set Contact/Static friction ratio to "
           "1 or leave the count out.");
-    for (const auto &[section, model] :
-         {std::make_pair("Stability", scene.runs("stability") ? stability.model : "reduced"),
-          {"Transient", scene.runs("transient") ? transient.model : "reduced"}})
+    for (const auto &[section, model] : unreduced_models(*this))
       for (const BodyParameters &body : scene.bodies)
-        if (model != "reduced" && (body.type == "half-space" || body.type == "beam rail"))
-          throw InputError(std::string(section) + "/Model is " + model + ", but " + body.name + " is a " +
-                           body.type +
+        if (body.type == "half-space" || body.type == "beam rail")
+          throw InputError(section + "/Model is " + model + ", but " + body.name + " is a " + body.type +
                            ", whose contact lies on a half-space without inertia: set it to reduced, or make "
                            "the body rigid or of solid elements.");
     if (has_contact())
