@@ -35,12 +35,17 @@ try:
     import matplotlib.pyplot as plt
     from matplotlib.collections import PolyCollection
     from matplotlib.colors import ListedColormap
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
     if os.path.exists(os.path.join(sys.argv[1], "histories.h5")):
         import h5py
 except ImportError:
     sys.exit(4)
 
 MAX_PATCHES = 4
+MAX_LABELS = 12
+# the same meaning in every figure
+OPEN, STICK, SLIP, UNSTABLE, LINE, LIMIT = "#eeeeee", "#2a6fb0", "#e08a2e", "#c0392b", "#333333", "#9a9a9a"
+LEAST_DIVERGENCE_RATE = 1e-9  # of an unstable root; what is below is round-off
 warnings.filterwarnings("ignore")
 plt.rcParams.update({"font.size": 9, "figure.dpi": 110, "axes.grid": False, "savefig.bbox": "tight"})
 
@@ -73,9 +78,27 @@ def on_grid(patch, values):
 
 
 def case_title(case):
-    return (f"N = {case['normal_force_N'] / 1e3:.1f} kN, $\\mu$ = {case['friction']:g}, creepage "
-            f"{100 * case['longitudinal_creepage']:g} % / {100 * case['lateral_creepage']:g} %, "
-            f"spin {case['spin_1_m']:g} /m")
+    words = [f"N = {case['normal_force_N'] / 1e3:.4g} kN", f"$\\mu$ = {case['friction']:g}"]
+    if case.get("speed_m_s", 0) > 0:
+        words.append(f"creepage {100 * case['longitudinal_creepage']:g} % / {100 * case['lateral_creepage']:g} %")
+        if case["spin_1_m"] != 0:
+            words.append(f"spin {case['spin_1_m']:g} /m")
+        words.append(f"V = {case['speed_m_s']:g} m/s")
+    if np.any(case.get("sliding_velocity_m_s", 0)):
+        words.append("sliding {:g} / {:g} m/s".format(*case["sliding_velocity_m_s"]))
+    return ", ".join(words)
+
+
+def legend_above(axis, handles=None, **style):
+    """Outside of the data."""
+    axis.legend(handles=handles, loc="lower left", bbox_to_anchor=(0, 1), ncols=4, frameon=False, fontsize=8,
+                borderaxespad=0.2, handlelength=1.4, **style)
+
+
+def status_legend(names):
+    """Squares of the status's colours."""
+    colours = {"open": OPEN, "stick": STICK, "slip": SLIP}
+    return [plt.Line2D([], [], ls="", marker="s", ms=8, color=colours[name], markeredgecolor="0.6", label=name) for name in names]
 
 
 def plot_patch(folder, k, case):
@@ -84,7 +107,7 @@ def plot_patch(folder, k, case):
     closed = patch["status"] > 0
     if not closed.any():
         return
-    figure, axes = plt.subplots(1, 3, figsize=(11, 3.4), sharey=True, width_ratios=[1.25, 1.25, 1])
+    figure, axes = plt.subplots(1, 3, figsize=(11, 3), sharey=True, width_ratios=[1.25, 1.25, 1])
     x, y, _ = on_grid(patch, traction)
     half_x, half_y = (x[1] - x[0]) / 2 if len(x) > 1 else 0.5, (y[1] - y[0]) / 2 if len(y) > 1 else 0.5
     extent = [x[0] - half_x, x[-1] + half_x, y[0] - half_y, y[-1] + half_y]
@@ -102,18 +125,16 @@ def plot_patch(folder, k, case):
     if strong.any():
         axes[1].quiver(1e3 * patch["x_m"][strong], 1e3 * patch["y_m"][strong], patch["traction_x_Pa"][strong],
                        patch["traction_y_Pa"][strong], color="white", pivot="mid", width=0.004)
-    colours = ListedColormap(["#eeeeee", "#2a6fb0", "#e08a2e"])
+    colours = ListedColormap([OPEN, STICK, SLIP])
     axes[2].imshow(on_grid(patch, patch["status"])[2], origin="lower", extent=extent, cmap=colours, vmin=-0.5, vmax=2.5,
                    interpolation="nearest")
     axes[2].set_title("status")
-    for colour, name in zip(colours.colors, ("open", "stick", "slip")):
-        axes[2].plot([], [], "s", color=colour, label=name)
-    axes[2].legend(loc="upper right", frameon=True, fontsize=8)
+    axes[2].legend(handles=status_legend(("open", "stick", "slip")), loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
     for axis in axes:
         axis.set_xlabel("x [mm] (material flows to the right)")
         axis.set_aspect("equal")
     axes[0].set_ylabel("y [mm]")
-    figure.suptitle(case_title(case))
+    figure.suptitle(case_title(case), fontsize=9)
     figure.tight_layout()
     save(figure, folder, f"contact_patch_{k}")
 
@@ -127,16 +148,16 @@ def plot_centre_line(folder, k, case):
     figure, axis = plt.subplots(figsize=(6, 3.8))
     axis.plot(x, case["friction"] * patch["pressure_Pa"][line] / 1e6, "k--", lw=1, label=r"$\mu\, p$")
     axis.plot(x, -case["friction"] * patch["pressure_Pa"][line] / 1e6, "k--", lw=1)
-    axis.plot(x, patch["traction_x_Pa"][line] / 1e6, "o-", ms=3, label=r"$r_x$")
-    axis.plot(x, patch["traction_y_Pa"][line] / 1e6, "s-", ms=3, label=r"$r_y$")
+    axis.plot(x, patch["traction_x_Pa"][line] / 1e6, "o-", ms=3, color="#6a3d9a", label=r"$r_x$")
+    axis.plot(x, patch["traction_y_Pa"][line] / 1e6, "s-", ms=3, color="#27ae60", label=r"$r_y$")
     stick = patch["status"][line] == 1
     if stick.any():
         half = np.min(np.diff(x)) / 2 if len(x) > 1 else 0.5
-        axis.axvspan(x[stick].min() - half, x[stick].max() + half, color="#2a6fb0", alpha=0.12, label="stick")
+        axis.axvspan(x[stick].min() - half, x[stick].max() + half, color=STICK, alpha=0.15, lw=0, label="stick")
     axis.set_xlabel("x [mm] (leading edge left)")
     axis.set_ylabel("traction on body 1 [MPa]")
     axis.set_title("Tractions along y = 0\n" + case_title(case), fontsize=9)
-    axis.legend(fontsize=8)
+    axis.legend(fontsize=8, loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
     axis.grid(alpha=0.3)
     save(figure, folder, f"centre_line_{k}")
 
@@ -206,68 +227,109 @@ def edges(values):
     return np.concatenate([[2 * values[0] - middle[0]], middle, [2 * values[-1] - middle[-1]]])
 
 
-def plot_sweep(folder, columns):
-    cases = read_table(os.path.join(folder, "stability_map.csv"))
-    roots = read_table(os.path.join(folder, "stability_sweep.csv"))
-    names = list(dict.fromkeys(roots["root"]))
-    largest = {name: roots["divergence_rate"][roots["root"] == name].max() for name in names}
-    names = sorted(names, key=lambda name: -largest[name])[:11]
-    unstable = [name for name in names if largest[name] > 0] or names[:3]
+def swept_axis(entry, column):
+    """Words with a unit of a swept entry, e.g. lateral position [mm], and the factor of its values."""
+    words = entry.split("/")[-1]
+    unit = column[len(words) + 1:].replace("1_m", "1/m").replace("m_s", "m/s").replace("N_m", "N/m").replace("kg_m_3", "kg/m$^3$")
+    words = words[0].lower() + words[1:]
+    return (f"{words} [mm]", 1e3) if unit == "m" else (f"{words} [{unit}]" if unit else words, 1)
 
-    figure, axes = plt.subplots(2, (len(unstable) + 1) // 2, figsize=(3.2 * ((len(unstable) + 1) // 2), 6), squeeze=False)
-    for axis, name in zip(axes.ravel(), unstable):
+
+def at_least(limits, width):
+    """Limits that far from each other, so that ticks do not resolve what stands still."""
+    missing = max(0, width - (limits[1] - limits[0])) / 2
+    return limits[0] - missing, limits[1] + missing
+
+
+def plot_root_locus(folder, roots, names, columns, label, factor):
+    n = min(3, len(names))
+    rows = (len(names) + n - 1) // n
+    figure, axes = plt.subplots(rows, n, figsize=(4 * n, 3.2 * rows), squeeze=False)
+    for axis, name in zip(axes.ravel(), names):
         use = roots["root"] == name
-        x, _, place = axis_values(roots[columns[0]][use])
-        axis.plot(roots["growth_1_s"][use], roots["frequency_Hz"][use], "-", color="0.8", lw=0.8)
-        points = axis.scatter(roots["growth_1_s"][use], roots["frequency_Hz"][use], c=x[place], s=9)
+        x, words, place = axis_values(roots[columns[0]][use])
+        growth, frequency = roots["growth_1_s"][use], roots["frequency_Hz"][use]
+        others = axis_values(roots[columns[-1]][use])[2] if len(columns) > 1 else np.zeros(len(growth))
+        for other in np.unique(others):
+            axis.plot(growth[others == other], frequency[others == other], "-", color="0.8", lw=0.8)
+        points = axis.scatter(growth, frequency, c=(x if words else factor * x)[place], s=9)
         axis.axvline(0, color="k", lw=0.6)
-        axis.set_title(short(name), fontsize=8)
-        axis.set_xlabel("growth [1/s]")
+        axis.set_title(short(name), fontsize=9)
+        axis.set_ylim(at_least(axis.get_ylim(), 5e-3 * frequency.mean()))
+        axis.set_xlabel("growth [1/s] (right of 0: unstable)")
         axis.set_ylabel("frequency [Hz]")
         axis.ticklabel_format(useOffset=False)
-        figure.colorbar(points, ax=axis, label=columns[0])
-    for axis in axes.ravel()[len(unstable):]:
+        bar = figure.colorbar(points, ax=axis, label=label)
+        if words:
+            bar.set_ticks(x, labels=words)
+    for axis in axes.ravel()[len(names):]:
         axis.set_axis_off()
     figure.tight_layout()
     save(figure, folder, "root_locus")
+
+
+def plot_sweep(folder, columns, entries):
+    cases = read_table(os.path.join(folder, "stability_map.csv"))
+    roots = read_table(os.path.join(folder, "stability_sweep.csv"))
+    labels, factors = zip(*(swept_axis(entry, column) for entry, column in zip(entries, columns)))
+    names = list(dict.fromkeys(roots["root"]))
+    largest = {name: roots["divergence_rate"][roots["root"] == name].max() for name in names}
+    names = sorted(names, key=lambda name: -largest[name])[:11]
+    unstable = [name for name in names if largest[name] > LEAST_DIVERGENCE_RATE]
+    plot_root_locus(folder, roots, unstable or names[:3], columns, labels[0], factors[0])
 
     if len(columns) == 1:
         figure, axis = plt.subplots(figsize=(7, 4))
         for name in names:
             use = roots["root"] == name
             x, words, place = axis_values(roots[columns[0]][use])
+            x = x if words else factors[0] * x
             axis.plot(x[place], roots["divergence_rate"][use], ".-", label=short(name))
             if words:
                 axis.set_xticks(x, words)
         axis.axhline(0, color="k", lw=0.6)
-        axis.set_xlabel(columns[0])
-        axis.set_ylabel("divergence rate Re/Im")
-        axis.legend(fontsize=7)
+        axis.set_xlabel(labels[0])
+        axis.set_ylabel("divergence rate Re$\\,\\lambda$ / Im$\\,\\lambda$ (> 0: unstable)")
+        axis.set_title("" if unstable else "no unstable root in any case", fontsize=9)
+        axis.legend(fontsize=7, loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
         axis.grid(alpha=0.3)
         save(figure, folder, "stability_sweep")
         return
     x, x_words, i = axis_values(cases[columns[0]])
     y, y_words, j = axis_values(cases[columns[1]])
+    x, y = x if x_words else factors[0] * x, y if y_words else factors[1] * y
     panels = [("number of unstable roots", i, j, cases["n_unstable"])]
-    for name in [name for name in names if largest[name] > 0]:
+    for name in unstable:
         use = roots["root"] == name
         panels.append((f"{short(name)}: divergence rate", axis_values(roots[columns[0]])[2][use],
                        axis_values(roots[columns[1]])[2][use], roots["divergence_rate"][use]))
+    if not unstable:
+        panels = [("stable in all cases;\nlargest divergence rate: " + ", ".join(short(n) for n in dict.fromkeys(cases["nearest"])),
+                   i, j, cases["divergence_rate"])]
     n = min(3, len(panels))
     rows = (len(panels) + n - 1) // n
-    figure, axes = plt.subplots(rows, n, figsize=(4.2 * n, 3 * rows), squeeze=False)
+    figure, axes = plt.subplots(rows, n, figsize=(4.4 * n, 3.1 * rows), squeeze=False)
     for axis, (title, columns_i, rows_j, values) in zip(axes.ravel(), panels):
         field = np.full((len(y), len(x)), np.nan)
         field[rows_j, columns_i] = values
+        axis.set_facecolor("0.8")  # left out
         if title.startswith("number"):
-            image = axis.pcolormesh(edges(x), edges(y), field, cmap="YlOrRd", vmin=0)
-        else:
-            limit = max(np.nanmax(np.abs(field)), 1e-300)
+            most = int(np.nanmax(field))
+            colours = ["white"] + list(plt.get_cmap("YlOrRd")(np.linspace(0.25, 1, most)))
+            image = axis.pcolormesh(edges(x), edges(y), field, cmap=ListedColormap(colours), vmin=-0.5, vmax=most + 0.5)
+            figure.colorbar(image, ax=axis, ticks=range(0, most + 1, 1 + most // 10), label="roots")
+        elif unstable:
+            limit = np.nanmax(field)
             image = axis.pcolormesh(edges(x), edges(y), field, cmap="RdBu_r", vmin=-limit, vmax=limit)
-        figure.colorbar(image, ax=axis)
+            if min(field.shape) > 3:
+                axis.contour(x, y, field, [0], colors="k", linewidths=0.8)
+            figure.colorbar(image, ax=axis, label="> 0: unstable", extend="min" if np.nanmin(field) < -limit else "neither")
+        else:
+            image = axis.pcolormesh(edges(x), edges(y), field, cmap="Blues_r", vmin=1.5 * np.nanmin(field), vmax=0)
+            figure.colorbar(image, ax=axis, label="0: limit of stability")
         axis.set_title(title, fontsize=8)
-        axis.set_xlabel(columns[0])
-        axis.set_ylabel(columns[1])
+        axis.set_xlabel(labels[0])
+        axis.set_ylabel(labels[1])
         if x_words:
             axis.set_xticks(x, x_words)
         if y_words:
@@ -408,29 +470,42 @@ def plot_divergence(folder):
         return
     frequency, rate = roots["frequency_Hz"][shown], roots["divergence_rate"][shown]
     label = roots["label"][shown]
-    unstable = rate > 0
-    figure, axis = plt.subplots(figsize=(7, 4))
-    axis.plot(frequency[~unstable], rate[~unstable], "o", ms=3, color="#2a6fb0", label="stable")
-    axis.plot(frequency[unstable], rate[unstable], "o", ms=5, color="#c0392b", label="unstable")
-    for x, y, name in zip(frequency[unstable], rate[unstable], label[unstable]):
-        axis.annotate(f"{name.split(':')[-1]}\n{x:.0f} Hz", (x, y), textcoords="offset points", xytext=(4, 4), fontsize=7)
-    axis.axhline(0, color="k", lw=0.6)
+    unstable = rate > LEAST_DIVERGENCE_RATE
+    figure, axis = plt.subplots(figsize=(8, 4.4))
     # heavily damped roots would hide what is near the axis
-    near = max(2 * rate.max(), 2e-3)
+    near = max(1.5 * rate.max(), 2e-3)
     if rate.min() < -10 * near:
         axis.set_yscale("symlog", linthresh=near)
-    axis.set_ylim(max(1.5 * rate.min(), -1), near)
+    axis.set_ylim(max(1.5 * min(rate.min(), -near / 10), -1), near)
+    axis.plot(frequency[~unstable], rate[~unstable], "o", ms=3, color="#7f8c8d", label=f"stable ({np.sum(~unstable)})")
+    if unstable.any():
+        axis.plot(frequency[unstable], rate[unstable], "o", ms=5, color=UNSTABLE,
+                  label=f"unstable: divergence rate > $10^{{{round(np.log10(LEAST_DIVERGENCE_RATE))}}}$ ({unstable.sum()})")
+    axis.axhline(0, color="k", lw=0.6)
     axis.set_xlabel("frequency [Hz]")
     axis.set_ylabel(r"divergence rate Re$\,\lambda$ / Im$\,\lambda$")
-    axis.legend(fontsize=8)
+    axis.set_title("" if unstable.any() else "no unstable root", fontsize=9)
+    legend_above(axis)
     axis.grid(alpha=0.3)
+    figure.canvas.draw()
+    taken, points = [], axis.transData.transform(np.column_stack([frequency, rate])[unstable])
+    for i in sorted(np.flatnonzero(unstable), key=lambda i: -rate[i])[:MAX_LABELS]:
+        for x, y in ((5, 2), (-5, 2), (5, 12), (-5, 12), (5, -2), (-5, -2)):
+            text = axis.annotate(f"{short(label[i])}, {frequency[i]:.0f} Hz", (frequency[i], rate[i]), textcoords="offset points",
+                                 xytext=(x, y), ha="left" if x > 0 else "right", va="bottom" if y > 0 else "top", fontsize=7)
+            box = text.get_window_extent()
+            inside = axis.bbox.x0 < box.x0 and box.x1 < axis.bbox.x1 and axis.bbox.y0 < box.y0 and box.y1 < axis.bbox.y1
+            if inside and not any(box.overlaps(other) for other in taken) and not box.count_contains(points):
+                taken.append(box)
+                break
+            text.remove()
     save(figure, folder, "divergence_rates")
 
 
 def plot_line(axis, time, values, **style):
     """A long signal by the least and the largest value of each of 2000 pieces."""
     pieces = len(values) // 4000
-    if pieces > 1:
+    if pieces >= 5:
         n = len(values) // (2 * pieces) * 2 * pieces
         parts = values[:n].reshape(-1, 2 * pieces)
         values = np.column_stack([parts.min(axis=1), parts.max(axis=1)]).ravel()
@@ -447,36 +522,54 @@ def last_period(transient, history):
     return end - 1 / frequencies[0], end
 
 
-def plot_force(folder, transient, history, frames):
-    """Tangential force and counts over the run, then over the last three periods with the frames' numbers."""
-    period = last_period(transient, history)
-    figure, axes = plt.subplots(2, 2 if period else 1, figsize=(11 if period else 7, 5), sharex="col", squeeze=False)
-    time = history["time_s"]
-    component = max("xy", key=lambda c: np.ptp(history[f"tangential_force_{c}_N"]) + abs(history[f"tangential_force_{c}_N"]).max())
-    force, normal = history[f"tangential_force_{component}_N"] / 1e3, history["normal_force_N"] / 1e3
-    friction = transient.get("friction")
-    for column in range(axes.shape[1]):
-        begin = period[1] - 3 * (period[1] - period[0]) if column == 1 else time[0]
-        chosen = time >= begin
-        top, bottom = axes[0, column], axes[1, column]
-        plot_line(top, time[chosen], force[chosen], color="#2a6fb0", lw=1, label=f"$F_{component}$ on body 1")
+def force_panels(history, friction):
+    """What is not zero, a panel each: axis label and lines (values, style)."""
+    normal = history["normal_force_N"] / 1e3
+    forces = {c: history[f"tangential_force_{c}_N"] / 1e3 for c in "xy"}
+    component = max("xy", key=lambda c: np.ptp(forces[c]) + np.abs(forces[c]).max())
+    force = forces[component]
+    panels = []
+    if np.abs(force).max() > 1e-9 * np.abs(normal).max():
+        lines = [(force, {"color": LINE, "lw": 0.9, "label": f"$F_{component}$ on body 1"})]
         if friction:
-            sign = -1 if force.mean() < 0 else 1
-            plot_line(top, time[chosen], sign * friction * normal[chosen], color="k", lw=0.8, ls="--", label=r"$\mu N$")
-        for name, colour in (("stick_points", "#27ae60"), ("slip_points", "#e08a2e")):
-            plot_line(bottom, time[chosen], history[name][chosen], color=colour, lw=1, label=name.replace("_", " "))
-        bottom.set_xlabel("time [s]")
-        top.grid(alpha=0.3)
-        bottom.grid(alpha=0.3)
+            lines.insert(0, ((-1 if force.mean() < 0 else 1) * friction * normal, {"color": LIMIT, "lw": 1.5, "label": r"$\mu N$"}))
+        panels.append(("force [kN]", lines))
+    if not panels or normal.min() <= 0:
+        panels.append(("force [kN]", [(normal, {"color": LINE, "lw": 0.9, "label": "normal force $N$"})]))
+        if normal.min() <= 0 < history["smallest_gap_m"].max():
+            gap = np.where((history["smallest_gap_m"] == 0) & (history["contact_points"] == 0), np.nan, 1e3 * history["smallest_gap_m"])
+            panels.append(("gap [mm]", [(gap, {"color": LINE, "lw": 0.9, "label": "smallest gap"})]))
+    if history["contact_points"].max() > 1:
+        counts = [("contact_points", LINE)] if not friction else [("stick_points", STICK), ("slip_points", SLIP)]
+        panels.append(("points", [(history[name], {"color": colour, "lw": 1.2, "label": name.replace("_", " ")})
+                                  for name, colour in counts]))
+    return panels
+
+
+def plot_force(folder, transient, history, frames, title):
+    """Forces and counts over the run, then over the last three periods with the frames' numbers."""
+    period = last_period(transient, history)
+    panels = force_panels(history, transient.get("friction"))
+    figure, axes = plt.subplots(len(panels), 2 if period else 1, figsize=(11 if period else 7, 1 + 2.2 * len(panels)), sharex="col",
+                                squeeze=False)
+    time = history["time_s"]
+    for column in range(axes.shape[1]):
+        chosen = time >= (period[1] - 3 * (period[1] - period[0]) if column == 1 else time[0])
+        for axis, (label, lines) in zip(axes[:, column], panels):
+            for values, style in lines:
+                plot_line(axis, time[chosen], values[chosen], **style)
+            axis.set_ylabel(label)
+            axis.grid(alpha=0.3)
+            if column == 0:
+                legend_above(axis)
+        axes[-1, column].set_xlabel("time [s]")
     if period:
+        axes[0, 1].set_title("last three periods" + (", frames of transient_status numbered" if frames else ""), fontsize=8, loc="left")
         for number, (t, _) in enumerate(frames):
-            value = np.interp(t, time, force)
-            axes[0, 1].plot(t, value, "k.", ms=4)
+            value = np.interp(t, time, panels[0][1][-1][0])
+            axes[0, 1].plot(t, value, ".", color=LINE, ms=5)
             axes[0, 1].annotate(str(number + 1), (t, value), textcoords="offset points", xytext=(2, 4), fontsize=8)
-    axes[0, 0].set_ylabel("force [kN]")
-    axes[1, 0].set_ylabel("points")
-    axes[0, 0].legend(fontsize=8)
-    axes[1, 0].legend(fontsize=8)
+    figure.suptitle(title, fontsize=9)
     figure.tight_layout()
     save(figure, folder, "transient_force")
 
@@ -495,8 +588,8 @@ def patch_frames(folder, period):
     return [frames[i] for i in np.unique(np.linspace(0, len(frames) - 1, 8).round().astype(int))] if frames else []
 
 
-def plot_status(folder, frames):
-    """Status maps, stick green, slip blue; white: no contact."""
+def plot_status(folder, frames, title):
+    """Status maps of the points in contact."""
     columns = min(4, len(frames))
     rows = (len(frames) + columns - 1) // columns
     read = [read_vtu(name) for _, name in frames]
@@ -504,7 +597,7 @@ def plot_status(folder, frames):
     figure, axes = plt.subplots(rows, columns, figsize=(2.6 * columns, 2.8 * rows), squeeze=False, sharex=True, sharey=True)
     for axis in axes.ravel()[len(frames):]:
         axis.set_axis_off()
-    colours = ListedColormap(["#f4f4f4", "#27ae60", "#2a6fb0"])
+    colours = ListedColormap([OPEN, STICK, SLIP])
     for number, (axis, (time, _), (points, quads, data)) in enumerate(zip(axes.ravel(), frames, read)):
         axis.add_collection(PolyCollection(1e3 * points[quads][:, [0, 1, 3, 2] if crossed(points[quads[0]]) else [0, 1, 2, 3], :2],
                                            array=data["status"][quads[:, 0]], cmap=colours, clim=(-0.5, 2.5), edgecolors="w", linewidths=0.3))
@@ -516,10 +609,9 @@ def plot_status(folder, frames):
         axis.set_xlabel("x [mm] (leading edge left)", fontsize=8)
     for axis in axes[:, 0]:
         axis.set_ylabel("y [mm]", fontsize=8)
-    for colour, name in zip(colours.colors[1:], ("stick", "slip")):
-        axes[0, 0].plot([], [], "s", color=colour, label=name)
-    axes[0, 0].legend(fontsize=7, loc="upper left")
+    figure.suptitle(title, fontsize=9)
     figure.tight_layout()
+    figure.legend(handles=status_legend(("stick", "slip")), loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
     save(figure, folder, "transient_status")
 
 
@@ -529,15 +621,15 @@ def crossed(corners):
     return np.dot(b - a, d - c) > 0
 
 
-def plot_signal(folder, name, time, values):
+def plot_signal(folder, name, time, values, title):
     """A velocity over time and its spectrogram up to 6 kHz."""
     if len(values) < 256:
         return
     step = (time[-1] - time[0]) / (len(time) - 1)
     figure, axes = plt.subplots(2, 1, figsize=(8, 5.5), sharex=True)
-    plot_line(axes[0], time, values, color="#2a6fb0", lw=0.7)
+    plot_line(axes[0], time, values, color=LINE, lw=0.7)
     axes[0].set_ylabel("velocity [m/s]")
-    axes[0].set_title(name)
+    axes[0].set_title(f"{name.replace('_', ' ')}\n{title}", fontsize=9)
     axes[0].grid(alpha=0.3)
     # a quarter of the samples per second are enough for 6 kHz; the transform cuts what is above
     length = len(values) * step
@@ -551,28 +643,34 @@ def plot_signal(folder, name, time, values):
         image = axes[1].pcolormesh(time[0] + instants, frequencies, level, vmin=level.max() - 80, vmax=level.max(), cmap="magma",
                                    shading="auto", rasterized=True)
         axes[1].set_ylim(0, min(6000, frequencies[-1]))
-        figure.colorbar(image, ax=axes, label="dB", shrink=0.6)
+        figure.colorbar(image, ax=axes, label="power spectral density [dB re 1 (m/s)$^2$/Hz]", shrink=0.8)
     axes[1].set_ylabel("frequency [Hz]")
     axes[1].set_xlabel("time [s]")
     save(figure, folder, f"transient_{name}")
 
 
-def plot_transient(folder, transient):
+def plot_transient(folder, transient, title):
     with h5py.File(os.path.join(folder, "histories.h5")) as file:
         history = {name: np.asarray(file[name]) for name in file if file[name].ndim == 1 and name != "key"}
     if len(history["time_s"]) < 2:
         return
+    last = dict(transient.get("last", {}), friction=transient.get("friction", 0))
+    if "speed_m_s" in last:
+        if last["normal_force_N"] > 0:
+            title += ("\n" if title else "") + "at the end: " + case_title(last)
+        else:
+            title += ("\n" if title else "") + f"impulse {transient['impulse_Ns']:.4g} N s; no contact at the end"
     frames = patch_frames(folder, last_period(transient, history))
-    plot_force(folder, transient, history, frames)
+    plot_force(folder, transient, history, frames, title)
     if frames:
-        plot_status(folder, frames)
+        plot_status(folder, frames, title)
     name = os.path.join(folder, "signals.h5")
     if os.path.exists(name):
         with h5py.File(name) as file:
             time = np.asarray(file["time_s"])
             for column in file:
                 if column != "time_s":
-                    plot_signal(folder, column[:-len("_m_s")], time, np.asarray(file[column]))
+                    plot_signal(folder, column[:-len("_m_s")], time, np.asarray(file[column]), title)
 
 
 def plot_frequency_response(folder, analysis):
@@ -600,7 +698,11 @@ def plot_frequency_response(folder, analysis):
         axis.set_title(point.replace("_", ", "))
         axis.set_ylabel(f"{analysis['quantity']} [{unit}]")
         axis.grid(alpha=0.3, which="both")
-        axis.legend(fontsize=8)
+        axis.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axis.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axis.xaxis.set_minor_formatter(NullFormatter())
+    legend_above(axes[0, 0])
+    axes[0, 0].set_title(axes[0, 0].get_title(), pad=18)
     axes[-1, 0].set_xlabel("frequency [Hz]")
     figure.tight_layout()
     save(figure, folder, "frequency_response")
@@ -609,7 +711,8 @@ def plot_frequency_response(folder, analysis):
 def main():
     folder = sys.argv[1]
     with open(os.path.join(folder, "results.json")) as file:
-        analyses = json.load(file)["analyses"]
+        results = json.load(file)
+    analyses = results["analyses"]
     os.makedirs(os.path.join(folder, "figures"), exist_ok=True)
     cases = analyses.get("quasi_static_rolling", {}).get("cases", [])
     patches = [k for k in range(len(cases)) if os.path.exists(os.path.join(folder, f"contact_patch_{k}.csv"))]
@@ -620,7 +723,7 @@ def main():
     if "frequency_response" in analyses:
         plot_frequency_response(folder, analyses["frequency_response"])
     if analyses.get("stability", {}).get("sweep"):
-        plot_sweep(folder, analyses["stability"]["swept_columns"])
+        plot_sweep(folder, analyses["stability"]["swept_columns"], analyses["stability"]["swept_entries"])
     for body, modes in analyses.get("modes", {}).items():
         if isinstance(modes, dict) and "frequencies_Hz" in modes:
             plot_modes(folder, body, modes)
@@ -628,7 +731,7 @@ def main():
         plot_divergence(folder)
         plot_unstable(folder, analyses["stability"])
     if os.path.exists(os.path.join(folder, "histories.h5")):
-        plot_transient(folder, analyses.get("transient", {}))
+        plot_transient(folder, analyses.get("transient", {}), results.get("title", ""))
 
 
 if __name__ == "__main__":
