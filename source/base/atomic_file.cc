@@ -39,7 +39,7 @@ namespace vibrocontact
     return file_name + "." + host + "-" + std::to_string(getpid()) + ".part";
   }
 
-  void write_file(const std::string &file_name, const std::string &content)
+  void write_file(const std::string &file_name, const std::string_view content)
   {
     write_whole(file_name,
                 [&](const fs::path &part)

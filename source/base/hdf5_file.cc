@@ -2,10 +2,12 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/hdf5_file.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <hdf5.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <string_view>
 
 namespace vibrocontact
 {
@@ -76,7 +78,7 @@ namespace vibrocontact
       const Handle set(H5Dcreate2(file, name.c_str(), file_type, space, links, kept, H5P_DEFAULT), H5Dclose);
       if (set < 0 || H5Dwrite(set, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0)
         throw OutputError("Cannot write '" + name + "' to the file '" + file_name +
-                          "': the disk may be full; free some space or choose another folder.");
+                          "': there is no memory for it.");
     }
 
     hid_t open_set(const hid_t file, const std::string &file_name, const std::string &name, const bool there)
@@ -110,22 +112,20 @@ namespace vibrocontact
     }
   } // namespace
 
-  Hdf5Writer::Hdf5Writer(const std::string &file_name)
-      : file_name(file_name), part_name(unique_part(file_name)), checksum(checksum_start)
+  Hdf5Writer::Hdf5Writer(const std::string &file_name) : file_name(file_name), checksum(checksum_start)
   {
     silence();
-    file = H5Fcreate(part_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    const Handle in_memory(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    H5Pset_fapl_core(in_memory, 1u << 20, false);
+    file = H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, in_memory);
     if (file < 0)
-      throw OutputError("Cannot write the file '" + file_name + "'; check the folder and its rights.");
+      throw OutputError("Cannot write the file '" + file_name + "': there is no memory for it.");
   }
 
   Hdf5Writer::~Hdf5Writer()
   {
     if (file >= 0)
-    {
       H5Fclose(file);
-      std::remove(part_name.c_str());
-    }
   }
 
   void Hdf5Writer::write(const std::string &name, const std::vector<double> &values,
@@ -179,21 +179,23 @@ namespace vibrocontact
 
   void Hdf5Writer::finish()
   {
-    bool written = false;
     {
       const Handle space(H5Screate(H5S_SCALAR), H5Sclose),
           attribute(H5Acreate2(file, "checksum", H5T_NATIVE_ULLONG, space, H5P_DEFAULT, H5P_DEFAULT),
                     H5Aclose);
-      written = attribute >= 0 && H5Awrite(attribute, H5T_NATIVE_ULLONG, &checksum) >= 0;
+      AssertThrow(attribute >= 0 && H5Awrite(attribute, H5T_NATIVE_ULLONG, &checksum) >= 0,
+                  dealii::ExcInternalError());
     }
-    const herr_t closed = H5Fclose(file);
+    // the memory of the file itself, which is longer: no copy of it is made
+    void **image = nullptr;
+    AssertThrow(H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0 &&
+                    H5Fget_vfd_handle(file, H5P_DEFAULT, reinterpret_cast<void **>(&image)) >= 0,
+                dealii::ExcInternalError());
+    const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+    AssertThrow(size > 0, dealii::ExcInternalError());
+    write_file(file_name, std::string_view(static_cast<const char *>(*image), size));
+    H5Fclose(file);
     file = -1;
-    if (!written || closed < 0 || std::rename(part_name.c_str(), file_name.c_str()) != 0)
-    {
-      std::remove(part_name.c_str());
-      throw OutputError("Cannot write the file '" + file_name +
-                        "': check the folder and its rights, and the space on the disk.");
-    }
   }
 
   Hdf5Reader::Hdf5Reader(const std::string &file_name) : file_name(file_name), checksum(checksum_start)

@@ -16,3 +16,13 @@ for ranks in 1 2; do
   grep -q '"status": "not converged"' results/results.json || fail "results.json has another status"
   grep -q '"lateral_creepage": 0.001' results/results.json || fail "results.json lacks the first case"
 done
+
+# files that may not grow beyond 16 blocks, as on a full disk: rows, checkpoints and histories meet that at different moments
+for settings in "Transient/Checkpoint interval=1e-9" "Transient/Checkpoint interval=0" "Transient/Time step=2e-4"; do
+  rm -rf small
+  code=0
+  (trap '' XFSZ; ulimit -f 16; exec timeout 60 "$program" "$files/examples/bouncing_bar.prm" --quiet --output small \
+    --set "Output/Figures=false" --set "$settings" >/dev/null 2>message) || code=$?
+  [ $code = 3 ] || fail "exit code $code instead of 3 with $settings"
+  grep -q 'vibrocontact: the file "small/.*" cannot be written' message || fail "no such sentence with $settings"
+done

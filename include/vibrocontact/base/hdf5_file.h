@@ -20,13 +20,13 @@ namespace vibrocontact
   /// because deal.II's wrappers check nothing in release mode. Names may be paths (`/group/set`), groups are
   /// made as needed.
   ///
-  /// The writer fills a file beside `name` whose name holds host and process, so that two runs never write to
-  /// the same one, and renames it when it is complete: a file appears whole or not at all. A checksum of all
-  /// that was written is kept in the attribute `checksum` of the file's root.
+  /// The writer fills a file in memory, since HDF5 cannot close a file that the disk refuses, and hands it to
+  /// write_file() when it is complete: a file appears whole or not at all. A checksum of all that was written is
+  /// kept in the attribute `checksum` of the file's root.
   class Hdf5Writer
   {
   public:
-    /// @throws OutputError if the file cannot be written; so do all members
+    /// @throws OutputError if there is no memory for the file; so do all members
     explicit Hdf5Writer(const std::string &file_name);
     ~Hdf5Writer();
     Hdf5Writer(const Hdf5Writer &) = delete;
@@ -39,11 +39,11 @@ namespace vibrocontact
     void write(const std::string &name, int value);
     void write(const std::string &name, const DenseMatrix &matrix);
     void write(const std::string &name, const std::string &text);
-    /// Closes the file and gives it its name.
+    /// Writes the file. @throws OutputError if that is impossible, see write_file()
     void finish();
 
   private:
-    std::string file_name, part_name;
+    std::string file_name;
     long long file = -1;
     unsigned long long checksum;
   };
