@@ -397,12 +397,30 @@ def surface_quads(points, cells):
     return faces[index[count == 1]]
 
 
+def plot_plane_shape(axis, title, points, quads, values):
+    """A plane body on its shape at rest (grey); of bodies that write their boundary alone its outline."""
+    amplitude = np.linalg.norm(values, axis=1)
+    moved = points + values * (0.08 * np.ptp(points, axis=0).max() / max(amplitude.max(), 1e-300))
+    colour = plt.cm.turbo(amplitude[quads].mean(axis=1) / max(amplitude.max(), 1e-300))
+    axis.add_collection(PolyCollection(points[quads], facecolors="none", edgecolors="0.8", linewidths=1))
+    axis.add_collection(PolyCollection(moved[quads], facecolors=colour, edgecolors=colour, linewidths=2))
+    axis.autoscale()
+    axis.set_aspect("equal")
+    axis.set_axis_off()
+    axis.set_title(title, fontsize=8)
+
+
 def plot_shapes(folder, name, panels, columns):
     """Deformed surfaces coloured by their displacement: title, points, quadrilaterals and displacement of each panel."""
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
     rows = (len(panels) + columns - 1) // columns
-    figure = plt.figure(figsize=(4 * columns, 4 * rows))
+    plane = (np.ptp(panels[0][1], axis=0) == 0).any()
+    figure = plt.figure(figsize=(4 * columns, (2.6 if plane else 4) * rows))
     for position, (title, points, quads, values) in enumerate(panels):
+        flat = np.ptp(points, axis=0) == 0
+        if flat.any():
+            plot_plane_shape(figure.add_subplot(rows, columns, position + 1), title, points[:, ~flat], quads, values[:, ~flat])
+            continue
         axis = figure.add_subplot(rows, columns, position + 1, projection="3d")
         amplitude = np.linalg.norm(values, axis=1)
         size = np.ptp(points, axis=0).max()

@@ -75,7 +75,7 @@ namespace vibrocontact
     std::vector<const StabilityRoot *> result;
     for (const StabilityRoot &root : roots)
       // an undamped root that stays where it is has a growth of round-off
-      if (root.growth > 1e-9 * 2 * dealii::numbers::PI * root.frequency)
+      if (root.growth > least_divergence_rate * 2 * dealii::numbers::PI * root.frequency)
         result.push_back(&root);
     return result;
   }

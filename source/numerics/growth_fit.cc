@@ -1,5 +1,4 @@
 #include <vibrocontact/numerics/growth_fit.h>
-#include <vibrocontact/numerics/spectrum.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -7,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numeric>
 
 namespace vibrocontact
 {
@@ -57,9 +57,13 @@ namespace vibrocontact
       }
       for (double &weight : band.window)
         weight /= sum;
+      // a large mean would drown the band of a few periods
+      const double mean =
+          std::accumulate(signal.values.begin(), signal.values.end(), 0.) / double(signal.size());
       std::vector<Complex> shifted(signal.size());
       for (std::size_t i = 0; i < signal.size(); ++i)
-        shifted[i] = signal.values[i] * std::polar(1., -two_pi * std::fmod(frequency * signal.step * i, 1.));
+        shifted[i] =
+            (signal.values[i] - mean) * std::polar(1., -two_pi * std::fmod(frequency * signal.step * i, 1.));
       const std::size_t distance = (signal.size() - n_window) / (n_instants - 1);
       for (unsigned int k = 0; k < n_instants; ++k)
       {
@@ -148,12 +152,18 @@ namespace vibrocontact
       residual = all > 0 ? std::sqrt(missed / all) : 0;
       return result;
     }
+
+    bool too_short(const Signal &signal, const double frequency)
+    {
+      return signal.size() < 8 * n_instants ||
+             !(frequency * signal.step * signal.size() > least_periods_of_growth);
+    }
   } // namespace
 
   GrowthFit fit_growth(const Signal &signal, const double frequency)
   {
     GrowthFit fit;
-    if (signal.size() < 8 * n_instants || !(frequency * signal.step * signal.size() > 20))
+    if (too_short(signal, frequency))
       return fit;
     const Band band = band_of(signal, frequency);
     const std::vector<Complex> z = pencil(band.values);
@@ -165,8 +175,9 @@ namespace vibrocontact
     {
       const Complex s = std::log(z[j]) / band.step;
       const double size = 2 * std::abs(a[j] / band.response(s)) * std::exp(s.real() * band.middle);
-      // the flank of the low pass would blow up what is only noise there
-      if (std::abs(s.imag()) * signal.step * signal.size() > two_pi * 12 || !(size > fit.amplitude))
+      // the flank of the low pass would blow up what is only noise there; near zero is what drifts
+      if (std::abs(s.imag()) * signal.step * signal.size() > two_pi * 12 ||
+          s.imag() < -two_pi * frequency / 2 || !(size > fit.amplitude))
         continue;
       fit = {frequency + s.imag() / two_pi, s.real(), size, residual};
     }
@@ -182,12 +193,24 @@ namespace vibrocontact
       const bool known =
           std::any_of(fits.begin(), fits.end(),
                       [&](const GrowthFit &other)
-                      { return std::abs(other.frequency - fit.frequency) < 1e-4 * fit.frequency; });
+                      {
+                        return std::abs(other.frequency - fit.frequency) <
+                               std::max(1e-4 * fit.frequency, 0.05 / (signal.step * signal.size()));
+                      });
       if (fit.amplitude > 0 && !known)
         fits.push_back(fit);
     }
     std::stable_sort(fits.begin(), fits.end(),
                      [](const GrowthFit &x, const GrowthFit &y) { return x.amplitude > y.amplitude; });
     return fits;
+  }
+
+  std::vector<SpectralPeak> peaks_too_short_for_growth(const Signal &signal, const unsigned int n)
+  {
+    std::vector<SpectralPeak> peaks = spectral_peaks(signal, n, 1e-3);
+    peaks.erase(std::remove_if(peaks.begin(), peaks.end(),
+                               [&](const SpectralPeak &peak) { return !too_short(signal, peak.frequency); }),
+                peaks.end());
+    return peaks;
   }
 } // namespace vibrocontact

@@ -26,6 +26,8 @@ namespace vibrocontact
   {
     check_finite(results.analyses, "analyses");
     nlohmann::ordered_json top;
+    if (!results.title.empty())
+      top["title"] = results.title;
     top["program"] = {{"name", "vibrocontact"},
                       {"version", version()},
                       {"commit", commit()},

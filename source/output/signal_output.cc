@@ -27,6 +27,18 @@ namespace vibrocontact
       return largest > 1e-9 * size;
     }
 
+    /// Since when the signal is constant, its end if it is not.
+    double constant_since(const Signal &signal)
+    {
+      double size = 0;
+      for (const double value : signal.values)
+        size = std::max(size, std::abs(value));
+      std::size_t i = signal.size() - 1;
+      while (i > 0 && std::abs(signal.values[i - 1] - signal.values.back()) <= 1e-9 * size)
+        --i;
+      return signal.time(i);
+    }
+
     nlohmann::ordered_json cycle_json(const Signal &signal, const double frequency)
     {
       const CycleMeasure cycle = measure_cycle(signal, frequency);
@@ -54,7 +66,10 @@ namespace vibrocontact
                    {"unit", one.unit},
                    {"spectrum_window_s", {late.begin, late.end()}},
                    {"peaks", Json::array()}};
-      if (varies(late))
+      const double still = varies(late) ? constant_since(late) : late.end();
+      if (late.end() - still > 0.25 * (late.end() - late.begin))
+        json["constant_since_s"] = still; // an impact that is over, no oscillation
+      else if (varies(late))
       {
         const auto peaks = spectral_peaks(late);
         for (const SpectralPeak &peak : peaks)
@@ -68,12 +83,20 @@ namespace vibrocontact
       }
       json["growth_window_s"] = {early.begin, early.end()};
       json["growth"] = Json::array();
+      json["growth_left_out"] = Json::array();
       if (varies(early))
+      {
         for (const GrowthFit &fit : fit_growths(early))
           json["growth"].push_back({{"frequency_Hz", fit.frequency},
                                     {"growth_1_s", fit.growth},
                                     {"amplitude", fit.amplitude},
                                     {"residual", fit.residual}});
+        for (const SpectralPeak &peak : peaks_too_short_for_growth(early))
+          json["growth_left_out"].push_back({{"frequency_Hz", peak.frequency},
+                                             {"amplitude", peak.amplitude},
+                                             {"periods", peak.frequency * (early.end() - early.begin)},
+                                             {"periods_needed", least_periods_of_growth}});
+      }
       if (one.audible && parameters.sound && !folder.empty() && duration > 5e-3 && varies(all))
       {
         const std::string file = one.name + ".wav";

@@ -1,6 +1,7 @@
 #include <vibrocontact/output/stability_output.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <set>
 
 namespace vibrocontact
@@ -54,6 +55,14 @@ namespace vibrocontact
       return one;
     }
 
+    std::string unstable_if()
+    {
+      char text[80];
+      std::snprintf(text, sizeof text, "unstable: divergence rate > %g, below is round-off",
+                    least_divergence_rate);
+      return text;
+    }
+
     using Cells = std::vector<Table::Cell>;
 
     Cells joined(Cells a, const Cells &b)
@@ -84,7 +93,7 @@ namespace vibrocontact
     if (!outcome.columns.empty())
       columns.push_back("root");
     Table table(columns,
-                {"Complex eigenvalues about the rolling equilibrium of each case; growth > 0 is unstable",
+                {"Complex eigenvalues about the rolling equilibrium of each case; " + unstable_if(),
                  "divergence_rate: real over imaginary part; label: the free mode with the largest share of "
                  "the energy" +
                      std::string(outcome.columns.empty() ? "" : "; root: the one that its path began as")});
@@ -128,7 +137,8 @@ namespace vibrocontact
     Table table(joined(joined({"case"}, outcome.columns),
                        {"root", "frequency_Hz", "growth_1_s", "divergence_rate", "label", "share"}),
                 {"Paths of the roots that are unstable in some case of the sweep, or the nearest of a stable "
-                 "case; growth > 0 is unstable",
+                 "case; " +
+                     unstable_if(),
                  "root: the free mode that the path began as; label: the free mode with the largest share of "
                  "the energy in this case"});
     for (unsigned int k = 0; k < outcome.results.size(); ++k)
@@ -146,7 +156,8 @@ namespace vibrocontact
         joined(joined({"case"}, outcome.columns),
                {"normal_force_N", "contact_points", "stick_points", "n_unstable", "unstable", "nearest",
                 "frequency_Hz", "growth_1_s", "divergence_rate"}),
-        {"What is unstable in each case of the sweep: number and names of the roots with growth > 0",
+        {"What is unstable in each case of the sweep: number and names of the unstable roots; " +
+             unstable_if(),
          "nearest: the root with the largest divergence rate (positive: unstable), with frequency and "
          "growth"});
     for (unsigned int k = 0; k < outcome.results.size(); ++k)
@@ -167,6 +178,7 @@ namespace vibrocontact
   nlohmann::ordered_json stability_json(const StabilityOutcome &outcome)
   {
     nlohmann::ordered_json result = {{"roots", "stability.csv"},
+                                     {"least_divergence_rate", least_divergence_rate},
                                      {"unstable", nlohmann::ordered_json::array()},
                                      {"cases", nlohmann::ordered_json::array()}};
     if (!outcome.columns.empty())

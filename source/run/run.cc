@@ -91,6 +91,14 @@ namespace vibrocontact
         run_frequency_response(parameters, bodies, record.folder, results);
         save("frequency response");
       }
+      if (due("quasi-static rolling"))
+      {
+        const RollingResult last = run_rolling(parameters, bodies, record.folder, results,
+                                               [&] { record.save_sometimes(results, clock.seconds()); });
+        if (output.fields && output.deformation != "never")
+          write_deformation(last, bodies, output.deformation == "always", record.folder);
+        save("quasi-static rolling");
+      }
       if (due("stability"))
       {
         if (sweep.cases.empty())
@@ -108,16 +116,7 @@ namespace vibrocontact
         run_transient(parameters, bodies, record.folder, resume, results);
         const bool at_the_end = results.stopped_by == 0 && results.failures.size() == n_failures;
         save(at_the_end ? "transient" : "");
-        if (results.stopped_by != 0)
-          return;
       }
-      if (!due("quasi-static rolling"))
-        return;
-      const RollingResult last = run_rolling(parameters, bodies, record.folder, results,
-                                             [&] { record.save_sometimes(results, clock.seconds()); });
-      if (output.fields && output.deformation != "never")
-        write_deformation(last, bodies, output.deformation == "always", record.folder);
-      save("quasi-static rolling");
     }
 
     /// The end of the record: final results, then the figures, which read them, then the time with these.
@@ -134,7 +133,7 @@ namespace vibrocontact
       }
       run_log().block("Results");
       run_log().value("folder", record.folder);
-      run_log().value("status", results.stopped_by != 0 ? "interrupted, --resume continues"
+      run_log().value("status", results.stopped_by != 0 ? "not converged: interrupted, --resume continues"
                                 : results.converged()   ? "converged"
                                                         : "not converged");
       run_log().value("wall time", time_text(clock.seconds()));
@@ -187,6 +186,7 @@ namespace vibrocontact
     Results results;
     if (command_line.resume)
       results = earlier_results(folder, prm, parameters.transient.end_time);
+    results.title = parameters.scene.title;
     RunRecord record(folder, file, prm, command_line.resume ? &results : nullptr);
     try
     {

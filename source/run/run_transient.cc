@@ -246,6 +246,13 @@ namespace vibrocontact
     results.stopped_by = schedule.stopped_by();
     results.analyses["transient"] = transient_json(result, state);
     results.analyses["transient"]["friction"] = parameters.contact.friction;
+    const Creepage creepage = drive(state.time).creepage;
+    results.analyses["transient"]["last"].update(
+        {{"speed_m_s", creepage.speed},
+         {"longitudinal_creepage", creepage.longitudinal},
+         {"lateral_creepage", creepage.lateral},
+         {"spin_1_m", creepage.spin},
+         {"sliding_velocity_m_s", {creepage.sliding_x, creepage.sliding_y}}});
     on_first_rank(
         [&] {
           evaluate_signals(parameters.signals, *signal_recorder, probes, folder,

@@ -3,6 +3,7 @@
 #include <vibrocontact/numerics/cycle_measure.h>
 #include <vibrocontact/numerics/growth_fit.h>
 #include <vibrocontact/numerics/spectrum.h>
+#include <vibrocontact/output/signal_output.h>
 
 #include <gtest/gtest.h>
 
@@ -83,6 +84,40 @@ TEST(Signals, GrowthsAtThePeaks)
   EXPECT_NEAR(fits[0].frequency, 918, 1e-3);
   EXPECT_NEAR(fits[0].growth, -3, 1e-3);
   EXPECT_NEAR(fits[1].growth, 8, 1e-3);
+}
+
+TEST(Signals, GrowthOfFewPeriodsAndWhatIsTooShort)
+{
+  // 11 periods on a load 50 times as large, beside a decaying motion
+  const std::vector<Sine> sines = {{917, 10, 1e-2, 0.4}, {1962, -80, 3e-5, 1}, {0, 0, 0.5, 0}};
+  const auto fits = fit_growths(sum_of(sines, 1e-6, 0.012));
+  ASSERT_FALSE(fits.empty());
+  std::printf("%.6f Hz, growth %.6f, amplitude %.6g\n", fits[0].frequency, fits[0].growth, fits[0].amplitude);
+  EXPECT_NEAR(fits[0].frequency, 917, 1e-2);
+  EXPECT_NEAR(fits[0].growth, 10, 1e-2);
+  EXPECT_NEAR(fits[0].amplitude / (1e-2 * std::exp(10 * 0.006)), 1, 1e-3);
+  EXPECT_TRUE(peaks_too_short_for_growth(sum_of(sines, 1e-6, 0.012)).empty());
+  const auto left_out = peaks_too_short_for_growth(sum_of(sines, 1e-6, 0.010));
+  ASSERT_EQ(left_out.size(), 1u);
+  EXPECT_NEAR(left_out[0].frequency, 917, 5);
+  EXPECT_NEAR(left_out[0].amplitude / 1e-2, 1, 0.1);
+}
+
+TEST(Signals, AnImpactThatIsOverIsNoOscillation)
+{
+  // half sine pulses of 5 ms up to 0.6 s of 1 s, nothing afterwards: the window of the spectrum is the second half
+  Signal force = sum_of({{100, 0, 100, 0}}, 1e-4, 1);
+  for (std::size_t i = 0; i < force.size(); ++i)
+    force.values[i] = i < 6000 ? std::max(0., force.values[i]) : 0;
+  NamedSignal signal;
+  signal.name = "normal_force";
+  signal.unit = "N";
+  signal.signal = force;
+  const auto json = signals_json({signal}, SignalParameters(), force.end(), "");
+  EXPECT_TRUE(json.at("dominant_frequencies_Hz").empty());
+  EXPECT_TRUE(json.at("signals")[0].at("peaks").empty());
+  EXPECT_FALSE(json.at("signals")[0].contains("cycle"));
+  EXPECT_NEAR(json.at("signals")[0].at("constant_since_s").get<double>(), force.begin + 0.6, 6e-3);
 }
 
 TEST(Signals, SteadinessOfACycle)

@@ -11,6 +11,9 @@
 
 namespace vibrocontact
 {
+  /// A root with a smaller divergence rate is not called unstable: round-off of an undamped root.
+  constexpr double least_divergence_rate = 1e-9;
+
   /// `subsection Stability`
   struct StabilityParameters
   {
@@ -48,7 +51,7 @@ namespace vibrocontact
 
     std::optional<RootCount> second_count;
 
-    /// growth > 0, beyond the round-off of an undamped root (1e-9 of 2 pi frequency)
+    /// growth > least_divergence_rate times 2 pi frequency
     std::vector<const StabilityRoot *> unstable() const;
     /// the root with the largest divergence rate: how near the next instability is
     const StabilityRoot &nearest() const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/numerics/signal.h>
+#include <vibrocontact/numerics/spectrum.h>
 
 namespace vibrocontact
 {
@@ -23,9 +24,15 @@ namespace vibrocontact
   /// pencil (Hua, Sarkar 1990; total least squares, LAPACK's singular values) then resolves the motions of
   /// this band, about +- 21 / duration, beside each other. Growth is exact to some 1e-3 / duration for a
   /// linear system.
-  /// @return amplitude 0 if the signal is too short (20 periods) or zero
+  /// @return amplitude 0 if the signal is too short or zero
   GrowthFit fit_growth(const Signal &signal, double frequency);
+
+  /// Periods that a fit needs: with fewer the opposite of the motion, twice its frequency away, is in the band.
+  constexpr double least_periods_of_growth = 10.5;
 
   /// The motions at the peaks of the signal's spectrum, one fit per peak, the strongest first.
   std::vector<GrowthFit> fit_growths(const Signal &signal, unsigned int n = 6);
+
+  /// The peaks of which the signal is too short to fit a growth, the strongest first.
+  std::vector<SpectralPeak> peaks_too_short_for_growth(const Signal &signal, unsigned int n = 6);
 } // namespace vibrocontact

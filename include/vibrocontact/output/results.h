@@ -8,7 +8,7 @@
 
 namespace vibrocontact
 {
-  /// results.json: program (version, commit, dealii, ranks), status, complete, wall_s, finished (analyses
+  /// results.json: title (of the file, if it has one), program (version, commit, dealii, ranks), status, complete, wall_s, finished (analyses
   /// that came to their end), messages and not_converged (by analysis) about what did not converge,
   /// interrupted if a signal stopped the run, analyses with one object per analysis, reductions with one per
   /// meshed body.
@@ -18,6 +18,7 @@ namespace vibrocontact
   /// written by rank 0 through RunRecord.
   struct Results
   {
+    std::string title;
     nlohmann::ordered_json analyses = nlohmann::ordered_json::object();
     /// what the reductions of meshed bodies took, see reductions_json()
     nlohmann::ordered_json reductions = nlohmann::ordered_json::object();

@@ -25,9 +25,12 @@ namespace vibrocontact
   /// - `signals[]`: `name`, `unit`, `spectrum_window_s`, `peaks[]` (`frequency_Hz`, `amplitude`; at most ten
   ///   above 1 % of the largest), `cycle` (`frequency_Hz`, `amplitude`, `rms`, `drift`, `spread`, `periods`;
   ///   see CycleMeasure), `growth_window_s`, `growth[]` (`frequency_Hz`, `growth_1_s`, `amplitude`,
-  ///   `residual`; see GrowthFit), `sound` (`file`, `full_scale_m_s`)
+  ///   `residual`; see GrowthFit), `growth_left_out[]` (peaks of that window with too few `periods` for a
+  ///   fit: `frequency_Hz`, `amplitude`, `periods`, `periods_needed`), `sound` (`file`, `full_scale_m_s`)
   ///
-  /// and the WAV files. A signal that does not vary (1e-9 of its size) has no peaks.
+  /// and the WAV files. A signal that does not vary (1e-9 of its size) has no peaks; neither has one that is
+  /// constant over the last quarter of the window or more, an impact that is over: it has `constant_since_s`
+  /// instead.
   /// @param end_of_growth end of the window of the growth rates if the parameters give none [s]
   /// @param folder of the WAV files, written by the calling rank; empty: none
   nlohmann::ordered_json signals_json(const std::vector<NamedSignal> &signals,
