@@ -71,13 +71,19 @@ namespace vibrocontact
       const unsigned int n = pair.n_points(), m = pair.n_modes();
       if (!pair.interface.grid.whole_surface || pair.interface.grid.n_y > 1)
         return;
+      constexpr double beyond_all_modes = 1e3;
       const double fastest = m > 0 ? *std::max_element(pair.omega.begin(), pair.omega.end()) : 0;
       for (unsigned int i = 0; i < n; ++i)
       {
         const double residual = pair.residual_flexibility(n + i, n + i);
-        double along_x = residual;
+        double modal = 0, inertial = 0;
         for (unsigned int k = 0; k < m; ++k)
-          along_x += std::pow(pair.modal_trace(n + i, k) / (residual > 0 ? pair.omega[k] : 1e3 * fastest), 2);
+        {
+          modal += std::pow(pair.modal_trace(n + i, k) / pair.omega[k], 2);
+          inertial += std::pow(pair.modal_trace(n + i, k) / (beyond_all_modes * fastest), 2);
+        }
+        // round-off is all that remains of the residual when all modes are kept
+        const double along_x = residual > 1e-9 * modal ? residual + modal : inertial;
         pair.residual_flexibility(2 * n + i, 2 * n + i) = along_x;
       }
     }

@@ -99,6 +99,10 @@ namespace vibrocontact
       throw InputError("Transient/Model is finite elements, whose contact points have mass: there reactions "
                        "weighted as other forces ring with growing amplitude; set Transient/Reaction to end "
                        "of step.");
+    if (model == "finite elements" && error_tolerance > 0)
+      throw InputError("Section Transient gives an Error tolerance, but with Model = finite elements the "
+                       "contact points have mass, whose forces after an impact change from step to step "
+                       "however short it is: leave the tolerance out or set Model to reduced.");
     roughness.check();
     if (perturbed_mode.empty() && (perturbation != 0 || perturbation_velocity != 0))
       throw InputError("Section Transient gives a perturbation, but no Perturbed mode: name one.");

@@ -31,7 +31,11 @@ namespace vibrocontact
   {
     if (buffer.empty())
       return;
-    if (!file.is_open())
+    // rows behind those that a checkpoint counts go only now, when it has been read to its end
+    std::error_code error;
+    if (!file.is_open() && n_written > 0)
+      fs::resize_file(stem + ".rows", n_written * columns.size() * sizeof(double), error);
+    if (!file.is_open() && !error)
       file.open(stem + ".rows", std::ios::binary | (n_written > 0 ? std::ios::app : std::ios::trunc));
     file.write(reinterpret_cast<const char *>(buffer.data()), buffer.size() * sizeof(double));
     file.flush();
@@ -50,11 +54,6 @@ namespace vibrocontact
       return; // nothing had been flushed yet
     if (fs::file_size(stem + ".rows", error) >= n_bytes && !error)
     {
-      fs::resize_file(stem + ".rows", n_bytes, error);
-      if (error)
-        throw InputError("The file \"" + stem +
-                         ".rows\" cannot be shortened to what the checkpoint counts; give the "
-                         "folder write permission.");
       n_written = n;
       return;
     }

@@ -41,20 +41,29 @@ namespace vibrocontact
         throw ConvergenceError("LAPACK found no eigenvalues of the finite elements of body '" + system.body +
                                "'; check its mesh and its material.");
       }
-      DenseVector shape(n);
+      DenseMatrix shapes(n, n - m);
+      std::vector<double> squares;
       for (unsigned int k = 0; k < n - m; ++k)
       {
-        const double square = K.eigenvalue(k).real();
-        if (!(square > 0))
-          throw ConvergenceError("Mode " + std::to_string(m + k + 1) + " of body '" + system.body +
-                                 "' has a frequency of zero, though it is no rigid motion; check its mesh "
-                                 "and its material.");
-        rest.omega.push_back(std::sqrt(square));
+        squares.push_back(K.eigenvalue(k).real());
+        DenseVector shape(n);
         Z->vmult(shape, vectors[k]);
+        std::copy(shape.begin(), shape.end(), &shapes(0, k));
+      }
+      // each rank writes its part of a shape: all have to mean the same sign and the same of a pair
+      MPI_Bcast(squares.data(), n - m, MPI_DOUBLE, 0, system.communicator);
+      MPI_Bcast(&shapes(0, 0), n * (n - m), MPI_DOUBLE, 0, system.communicator);
+      for (unsigned int k = 0; k < n - m; ++k)
+      {
+        if (!(squares[k] > 1e-14 * squares.back()))
+          throw ConvergenceError("Mode " + std::to_string(m + k + 1) + " of body '" + system.body +
+                                 "', rigid motions counted, has a frequency of zero, though it is no rigid "
+                                 "motion; check its mesh and its material.");
+        rest.omega.push_back(std::sqrt(squares[k]));
         rest.shapes.emplace_back(system.locally_owned, system.communicator);
         for (const auto dof : system.locally_owned)
           if (dense.place[dof] != dealii::numbers::invalid_unsigned_int)
-            rest.shapes.back()(dof) = shape[dense.place[dof]];
+            rest.shapes.back()(dof) = shapes(dense.place[dof], k);
         rest.shapes.back().compress(dealii::VectorOperation::insert);
       }
       orient_modes(system, rest);

@@ -14,6 +14,7 @@
 #include <vibrocontact/run/run_rolling.h>
 #include <vibrocontact/run/run_stability.h>
 #include <vibrocontact/run/run_transient.h>
+#include <vibrocontact/run/unreduced_pair.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -167,6 +168,8 @@ namespace vibrocontact
     {
       bodies = meshed_bodies(parameters, declared_parameters(prm));
       check_meshes(parameters, bodies, command_line.check);
+      if (parameters.scene.runs("transient") && parameters.transient.model == "finite elements")
+        check_unreduced_size(bodies);
       if (command_line.check)
       {
         print_scene(parameters, bodies, grid);

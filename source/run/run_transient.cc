@@ -120,7 +120,7 @@ namespace vibrocontact
 
     void warn_of_ringing(const TransientParameters &parameters, const ContactPair &pair)
     {
-      if (parameters.model == "finite elements" &&
+      if (parameters.model == "finite elements" && parameters.initial_state == "undeformed" &&
           (parameters.integrator == "exact propagator" || parameters.theta < 0.55))
         run_log().warning("The contact points have mass (Transient/Model = finite elements): after an impact "
                           "velocities and forces there ring from step to step; the theta method with Theta = "

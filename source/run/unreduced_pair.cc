@@ -8,25 +8,20 @@
 
 namespace vibrocontact
 {
-  namespace
+  void check_unreduced_size(const MeshedBodies &bodies)
   {
-    void check_size(const MeshedBodies &bodies)
-    {
-      unsigned int n = 0;
-      for (unsigned int k = 0; k < 2; ++k)
-        if (bodies[k])
-          n += n_moving_dofs(bodies[k]->reduction.system());
-      run_log().value("degrees of freedom", n);
-      if (n > most_dense_dofs)
-        throw InputError("Transient/Model is finite elements, but the bodies have " + std::to_string(n) +
-                         " degrees of freedom, more than the " + std::to_string(most_dense_dofs) +
-                         " that go to LAPACK: set it to reduced or make the meshes coarser.");
-    }
-  } // namespace
+    unsigned int n = 0;
+    for (unsigned int k = 0; k < 2; ++k)
+      if (bodies[k])
+        n += n_moving_dofs(bodies[k]->reduction.system());
+    if (n > most_dense_dofs)
+      throw InputError("Transient/Model is finite elements, but the bodies have " + std::to_string(n) +
+                       " degrees of freedom, more than the " + std::to_string(most_dense_dofs) +
+                       " that go to LAPACK: set it to reduced or make the meshes coarser.");
+  }
 
   UnreducedPair prepare_unreduced_pair(const Parameters &parameters, const MeshedBodies &bodies)
   {
-    check_size(bodies);
     auto pair = std::make_unique<PreparedPair>();
     pair->reduced.resize(2);
     UnreducedPair result;

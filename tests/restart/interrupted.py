@@ -116,12 +116,13 @@ class Scene:
         self.check("killed")
         print(f"{self.name}: {met} of {n_kills} kills met the run; histories equal bit for bit")
 
-    def more_ranks(self):
+    def more_ranks(self, tolerance=1e-9):
         self.interrupt("ranks", signal.SIGKILL, None)
         self.run("ranks", *self.resume("ranks"), ranks=2)
-        for column, values in histories(self.folder("ranks")).items():
-            b = self.whole[column]
-            if len(values) != len(b) or abs(values - b).max() > 1e-9 * abs(b).max():
+        others = histories(self.folder("ranks"))
+        for column, b in self.whole.items():
+            values = others[column]
+            if len(values) != len(b) or abs(values - b).max() > tolerance * abs(b).max():
                 fail(f"{self.name}, 1 -> 2 ranks: {column} differs")
 
 
@@ -163,6 +164,15 @@ bar.check("later")
 rolling = Scene("rolling_transient", "Contact/Grid spacing=2e-3", "Transient/Time step=1e-5", "Transient/End time=4e-3")
 rolling.kill()
 rolling.more_ranks()
+
+# all modes of the elements are computed again by the run that resumes
+elements = Scene("sliding_layer", "Analyses=transient", "layer/Modes/Count=20", "layer/Layer/Divisions x=8",
+                 "layer/Layer/Divisions z=4", "Transient/End time=1e-3", "Transient/Perturbation velocity=1e-4")
+elements.kill()
+# forces of points with mass are differences of velocities over 1e-7 s, and theta = 1/2 keeps their round-off; a gap of
+# closed points is round-off itself
+elements.whole.pop("histories/smallest_gap_m")
+elements.more_ranks(1e-7)
 
 adapted = Scene("bouncing_bar", "Transient/End time=10", "Transient/Time step=0.032", "Transient/Error tolerance=1e-5",
                 "Transient/Shortest time step=6.25e-5", label="adapted_steps")

@@ -196,6 +196,8 @@ TEST(UnreducedTransientMpi, BouncingBar)
             show(std::to_string(divisions) + " linear elements", scene->all, end_of_step(theta, h, 1.5));
         EXPECT_LT(b.penetration, 1e-10);
         EXPECT_LT(b.energy, 1e-9);
+        if (theta == 0.5)
+          EXPECT_GT(b.energy, -0.015);
         if (h == 0.1 / divisions)
           impulses.push_back(std::abs(b.impulse));
       }
@@ -444,10 +446,12 @@ TEST(UnreducedTransientMpi, ReducedForcesTendToThoseOfTheElements)
         const History own = pressed(scene->all, end_of_step(0.5, step, end), end);
         std::printf("%4u modes (all) theta 0.5, step %.1e s: N %.2e, %.1f us/step\n", scene->all.n_modes(),
                     step, distance(own.normal, truth.normal), own.microseconds);
+        EXPECT_LT(distance(own.normal, truth.normal), step == h ? 2e-3 : 5e-2);
       }
       const History damped = pressed(scene->all, end_of_step(1, h, end), end);
       std::printf("%4u modes (all) theta 1, step %.1e s: N %.2e, %.1f us/step\n", scene->all.n_modes(), h,
                   distance(damped.normal, truth.normal), damped.microseconds);
+      EXPECT_LT(distance(damped.normal, truth.normal), 5e-2);
     }
     TransientParameters p;
     p.time_step = h;
@@ -456,7 +460,8 @@ TEST(UnreducedTransientMpi, ReducedForcesTendToThoseOfTheElements)
     std::printf("%4u modes, step %.1e s: N %.2e, T %.2e, %.1f us/step\n", scene->pair.n_modes(), h,
                 errors.back(), distance(reduced.tangential, truth.tangential), reduced.microseconds);
   }
-  EXPECT_LT(errors.front(), errors.back());
+  EXPECT_LT(errors.front(), 0.05);
+  EXPECT_LT(errors.front(), 0.2 * errors.back());
 }
 
 TEST(NullSpace, OfMoreColumnsThanRowsOrDependentOnesThereIsNone)

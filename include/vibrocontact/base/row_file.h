@@ -8,10 +8,11 @@ namespace vibrocontact
 {
   /// Rows of numbers that a long run adds one by one, to be found in the end as one array per column in an
   /// HDF5 file. In between they are appended to a plain file (doubles, row by row), so that neither memory
-  /// nor the work of a checkpoint grows with the run, and a killed run has all of them:
+  /// nor the work of a checkpoint grows with the run (only finish() holds all in memory), and a killed run has all
+  /// of them:
   ///
   ///   add, add, ..., flush          a checkpoint: size() rows are in the file and count
-  ///   add, add, (killed)            what came later is cut off by resume(size)
+  ///   add, add, (killed)            what came later is cut off after resume(size)
   ///
   /// On one rank.
   class RowFile

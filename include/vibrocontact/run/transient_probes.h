@@ -8,7 +8,7 @@ namespace vibrocontact
   /// The probes that `Transient/Signals/Probes` asks for, put on the surfaces of the bodies, and said in the
   /// log. To be called before prepare_pair(): shapes that the cache lacks are computed with the modes.
   /// @param unreduced surfaces of the bodies with the modes of the pair; empty: those of the modes kept
-  /// Collective. @throws InputError
+  /// @throws InputError. Collective.
   std::vector<Probe> transient_probes(const Parameters &parameters, const MeshedBodies &bodies,
                                       const std::vector<SurfaceShapes> &unreduced = {});
 } // namespace vibrocontact

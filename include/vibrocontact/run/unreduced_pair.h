@@ -12,7 +12,10 @@ namespace vibrocontact
     std::vector<SurfaceShapes> surfaces;
   };
 
+  /// Assembles the bodies. To be called before the first analysis. Collective.
+  /// @throws InputError if they have more than most_dense_dofs
+  void check_unreduced_size(const MeshedBodies &bodies);
+
   /// Transient/Model = finite elements. Collective.
-  /// @throws InputError if the bodies have more than most_dense_dofs
   UnreducedPair prepare_unreduced_pair(const Parameters &parameters, const MeshedBodies &bodies);
 } // namespace vibrocontact

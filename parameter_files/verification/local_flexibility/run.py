@@ -25,7 +25,7 @@ arguments = argparse.ArgumentParser()
 arguments.add_argument("program", nargs="?", default=os.path.join(top, "build", "vibrocontact"))
 arguments.add_argument("--cache", default="")
 arguments.add_argument("--only", default="")
-arguments.add_argument("--step", default="2e-6")
+arguments.add_argument("--step", default="5e-6")
 arguments.add_argument("--end", default="0.4")
 options = arguments.parse_args()
 
