@@ -295,7 +295,7 @@ TEST(ContactProblemFile, GivesBackWhatWasWritten)
 TEST(ContactProblemFile, WrongFilesAreRefusedInASentence)
 {
   const std::string file = scratch_file();
-  EXPECT_THROW(write_contact_problem("/no/such/folder/problem.h5", small_problem()), OutputError);
+  EXPECT_THROW(write_contact_problem("/dev/null/problem.h5", small_problem()), OutputError);
   EXPECT_NE(refusal("/no/such/file.h5").find("missing or no HDF5 file"), std::string::npos);
   {
     std::ofstream(file) << "not HDF5";
