@@ -55,6 +55,7 @@ namespace vibrocontact
     none.speed = speed;
     const ContactProblem whole = rolling_problem(nullptr, pair.interface, scheme, none, contact);
     constant_response = whole.b;
+    problem.title = "step of the transient";
     problem.normal_law = whole.normal_law;
     friction = whole.mu;
     for (DenseVector *const x : {&free_displacement, &free_velocity, &displacement, &velocity, &c_n, &c_t})

@@ -4,7 +4,7 @@
 #include <vibrocontact/base/csv_table.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/expression.h>
-#include <vibrocontact/base/parameter_file.h>
+#include <vibrocontact/base/log.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,10 +21,19 @@ namespace vibrocontact
     /// Everything about one driven quantity.
     struct Source
     {
-      std::string entry, column;
+      std::string entry, column, unit;
       const std::string &expression;
       double constant;
     };
+
+    InputError wrong_value(const std::string &name, const double value, const std::string &unit,
+                           const double time, const std::string &remedy)
+    {
+      std::ostringstream text;
+      text << name << " is " << value << (unit.empty() ? "" : " ") << unit << " at t = " << time << " s"
+           << remedy;
+      return InputError(text.str());
+    }
 
     /// Finds the function of a source, and the columns of the table that are used.
     class Sources
@@ -34,13 +43,22 @@ namespace vibrocontact
       {
         if (parameters.drive_table.empty())
           return;
-        table = read_csv(parameters.drive_table, read_file_on_all_ranks(parameters.drive_table, "table"));
+        table = read_csv_file(parameters.drive_table, "Transient/Drive table");
         table->column("time_s");
+        if (table->names.size() == 1)
+          throw InputError(table->source + " has the column time_s alone, which drives nothing: " + known);
       }
 
       bool given(const Source &source) const
       {
         return !source.expression.empty() || (table && table->find(source.column));
+      }
+
+      /// What gives the quantity, for messages.
+      std::string name(const Source &source) const
+      {
+        return table && table->find(source.column) ? table->source + ", the column " + source.column
+                                                   : "Transient/" + source.entry;
       }
 
       FunctionOfTime function(const Source &source)
@@ -49,22 +67,30 @@ namespace vibrocontact
         if (values)
           used.push_back(source.column);
         if (values && !source.expression.empty())
-          throw InputError("Entry Transient/" + source.entry + " is an expression, but the table \"" +
-                           parameters.drive_table + "\" has a column " + source.column +
+          throw InputError("Transient/" + source.entry + " is an expression, but Transient/Drive table, \"" +
+                           parameters.drive_table + "\", has a column " + source.column +
                            ": leave one of them out.");
         if (values)
         {
-          const LinearTable linear("The column " + source.column + " of the table \"" +
-                                       parameters.drive_table + "\"",
-                                   table->column("time_s"), *values);
+          const LinearTable linear(name(source), table->column("time_s"), *values);
           linear(0);
           linear(parameters.end_time);
           return linear;
         }
-        if (!source.expression.empty())
-          return read_expression(source.expression, "t", "Transient/" + source.entry,
-                                 "the time t: write for instance 0.002*min(t/0.01,1)");
-        return [constant = source.constant](double) { return constant; };
+        if (source.expression.empty())
+          return [constant = source.constant](double) { return constant; };
+        return [name = name(source), unit = source.unit,
+                expression =
+                    read_expression(source.expression, "t", "Transient/" + source.entry,
+                                    "the time t: write for instance 0.002*min(t/0.01,1)")](const double time)
+        {
+          const double value = expression(time);
+          if (!std::isfinite(value))
+            throw wrong_value(
+                name, value, unit, time,
+                ", which is no finite number: write an expression that is one throughout the run.");
+          return value;
+        };
       }
 
       double last_time() const
@@ -78,12 +104,12 @@ namespace vibrocontact
           return;
         for (const std::string &name : table->names)
           if (name != "time_s" && std::find(used.begin(), used.end(), name) == used.end())
-            throw InputError("The table \"" + parameters.drive_table + "\" has a column " + name +
-                             ", which drives nothing: known are time_s, longitudinal_creepage, "
-                             "lateral_creepage, spin_1_m and either normal_force_N or hub_displacement_m.");
+            throw InputError(table->source + " has a column " + name + ", which drives nothing: " + known);
       }
 
     private:
+      const std::string known = "known are time_s, longitudinal_creepage, lateral_creepage, spin_1_m and "
+                                "either normal_force_N or hub_displacement_m.";
       const TransientParameters &parameters;
       std::optional<CsvTable> table;
       std::vector<std::string> used;
@@ -106,16 +132,16 @@ namespace vibrocontact
                                const ContactGrid &grid)
   {
     Sources sources(transient);
-    const Source force_source{"Normal force", "normal_force_N", transient.normal_force,
+    const Source force_source{"Normal force", "normal_force_N", "N", transient.normal_force,
                               constant.normal_force},
-        hub_source{"Hub displacement", "hub_displacement_m", transient.hub_displacement,
+        hub_source{"Hub displacement", "hub_displacement_m", "m", transient.hub_displacement,
                    constant.hub_displacement};
     const auto longitudinal =
-                   sources.function({"Longitudinal creepage", "longitudinal_creepage",
+                   sources.function({"Longitudinal creepage", "longitudinal_creepage", "",
                                      transient.longitudinal_creepage, constant.creepage.longitudinal}),
-               lateral = sources.function({"Lateral creepage", "lateral_creepage", transient.lateral_creepage,
-                                           constant.creepage.lateral}),
-               spin = sources.function({"Spin", "spin_1_m", transient.spin, constant.creepage.spin});
+               lateral = sources.function({"Lateral creepage", "lateral_creepage", "",
+                                           transient.lateral_creepage, constant.creepage.lateral}),
+               spin = sources.function({"Spin", "spin_1_m", "1/m", transient.spin, constant.creepage.spin});
     const bool moved = sources.given(hub_source);
     const bool by_force = sources.given(force_source) || (!moved && constant.normal_force > 0);
     if (by_force && moved)
@@ -138,7 +164,7 @@ namespace vibrocontact
       roughness->heights(0);
       roughness->heights(speed * transient.end_time);
     }
-    return [=, creepage = constant.creepage](const double t)
+    return [=, creepage = constant.creepage, force_name = sources.name(force_source)](const double t)
     {
       Drive drive;
       drive.creepage = creepage;
@@ -149,12 +175,9 @@ namespace vibrocontact
       {
         drive.normal_force = load(t);
         if (!(drive.normal_force > 0))
-        {
-          std::ostringstream text;
-          text << "Entry Transient/Normal force is " << drive.normal_force << " N at t = " << t
-               << " s, but it has to be positive: a contact that opens is moved by Hub displacement.";
-          throw InputError(text.str());
-        }
+          throw wrong_value(
+              force_name, drive.normal_force, "N", t,
+              ", but it has to be positive: a contact that opens is moved by Hub displacement.");
       }
       else
         drive.approach = load(t);
@@ -162,8 +185,41 @@ namespace vibrocontact
         drive.hub_acceleration = hub_acceleration(t);
       if (roughness)
         for (const double height : roughness->heights(speed * t))
+        {
+          if (!std::isfinite(height))
+            throw wrong_value("Transient/Roughness", height, "m", t,
+                              " somewhere in the contact, which is no finite number: mend its Expression.");
           drive.gap.push_back(-height);
+        }
       return drive;
     };
+  }
+
+  void check_drive(const TransientParameters &transient, const RollingCase &constant, const ContactGrid &grid)
+  {
+    const auto look = [&](const DriveFunction &drive, const double most_instants)
+    {
+      const double n =
+          std::min(most_instants, std::max(1., std::floor(transient.end_time / transient.time_step + 1e-6)));
+      for (unsigned int k = 0; k <= n; ++k)
+        drive(k / n * transient.end_time);
+      return drive(0);
+    };
+    TransientParameters smooth = transient;
+    smooth.roughness = {};
+    const Drive first = look(drive_function(smooth, constant, grid), 20000);
+    if (transient.roughness.any())
+      look(drive_function(transient, constant, grid), 200);
+    const auto replaces = [](const char *by, const double value, const char *unit, const char *replaced)
+    {
+      std::ostringstream text;
+      text << "The transient is driven by its own " << by << ": Rolling/" << replaced << ", " << value << " "
+           << unit << ", is not used in it.";
+      run_log().line(text.str());
+    };
+    if (first.normal_force == 0 && constant.normal_force > 0)
+      replaces("hub displacement", constant.normal_force, "N", "Normal force");
+    if (first.normal_force > 0 && constant.hub_displacement > 0)
+      replaces("normal force", constant.hub_displacement, "m", "Hub displacement");
   }
 } // namespace vibrocontact

@@ -2,15 +2,36 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/parameter_text.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace vibrocontact
 {
   namespace
   {
     constexpr unsigned int most_cases = 20000;
-  }
+
+    /// @param name of the entry with the list
+    void check_list(const ParameterSweep::Axis &axis, const std::string &name)
+    {
+      const std::vector<std::string> values = axis.values();
+      const std::size_t places = 1 + std::count(axis.list.begin(), axis.list.end(), ',');
+      if (values.size() != places)
+        throw InputError(name + " is '" + axis.list + "', with an empty place: take out a comma or fill it.");
+      for (auto value = values.begin(); value != values.end(); ++value)
+        for (auto before = values.begin(); before != value; ++before)
+        {
+          char *end = nullptr, *end_before = nullptr;
+          const bool equal_numbers =
+              std::strtod(value->c_str(), &end) == std::strtod(before->c_str(), &end_before) && *end == 0 &&
+              *end_before == 0;
+          if (*value == *before || equal_numbers)
+            throw InputError(name + " lists " + *value + " twice: leave one of them.");
+        }
+    }
+  } // namespace
 
   std::vector<std::string> ParameterSweep::Axis::values() const
   {
@@ -85,8 +106,7 @@ namespace vibrocontact
         throw InputError(entry + " is " + axis.entry + ": give either " + values + " or " + range + ".");
       if (axis.range.empty())
       {
-        if (axis.values().empty())
-          throw InputError(values + " lists no value: separate values by commas.");
+        check_list(axis, values);
         return;
       }
       if (axis.range.size() != 3 || axis.range[2] == 0 ||

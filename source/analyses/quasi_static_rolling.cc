@@ -187,6 +187,7 @@ namespace vibrocontact
       ContactParameters laws = contact;
       laws.friction = one.friction;
       ContactProblem problem = rolling_problem(A, interface, scheme, one.creepage, laws);
+      problem.title = "case " + std::to_string(results.size()) + " of quasi-static rolling";
       problem.normal_force = one.normal_force;
       problem.approach = one.hub_displacement;
       const bool continues = !results.empty() && results.back().rolling_case.curve == one.curve &&

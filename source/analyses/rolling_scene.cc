@@ -20,19 +20,6 @@ namespace vibrocontact
               "springs; make it body 2 or hold it.");
     }
 
-    void check_curvatures(const BodyParameters &body_1, const BodyParameters &body_2, const bool strip)
-    {
-      if (body_1.type == "rigid" && body_2.type == "rigid")
-        throw InputError("The bodies " + body_1.name + " and " + body_2.name +
-                         " are both rigid: make one of them a half-space or a meshed body.");
-      const double x = body_1.half_space.curvature_x() + body_2.half_space.curvature_x(),
-                   y = body_1.half_space.curvature_y() + body_2.half_space.curvature_y();
-      if (!(x > 0) || (!(y > 0) && !strip))
-        throw InputError(
-            "The bodies " + body_1.name + " and " + body_2.name +
-            " do not touch in a point: their curvatures 1/Radius x, 1/Radius y must sum to a positive "
-            "number in both directions (along x alone with a Contact/Strip length).");
-    }
   } // namespace
 
   RollingScene rolling_scene(const ContactBody &body_1, const ContactBody &body_2,
@@ -44,7 +31,6 @@ namespace vibrocontact
     if (!body_1.reduced && !body_2.reduced)
     {
       scene.interface = contact_interface(body_1, body_2, grid);
-      check_curvatures(*body_1.parameters, *body_2.parameters, contact.strip_length > 0);
       const HalfSpacePair pair(half_space_material(*body_1.parameters),
                                half_space_material(*body_2.parameters), contact.coupling);
       scene.operator_at = [=](const double speed) { return rolling_operator(grid, pair, scheme, speed); };

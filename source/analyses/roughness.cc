@@ -2,7 +2,6 @@
 #include <vibrocontact/base/csv_table.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/expression.h>
-#include <vibrocontact/base/parameter_file.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -49,9 +48,8 @@ namespace vibrocontact
                                "the position s along the track: write for instance 1e-6*sin(2*pi*s/0.05)");
     else if (!parameters.table.empty())
     {
-      const CsvTable file = read_csv(parameters.table, read_file_on_all_ranks(parameters.table, "table"));
-      height = LinearTable("The roughness of the table \"" + parameters.table + "\"",
-                           file.column("position_m"), file.column("height_m"));
+      const CsvTable file = read_csv_file(parameters.table, "Transient/Roughness/Table");
+      height = LinearTable(file.source + ", the height", file.column("position_m"), file.column("height_m"));
     }
     else if (!parameters.spectrum.empty())
       make_waves(parameters.spectrum, parameters.seed);
@@ -59,7 +57,7 @@ namespace vibrocontact
 
   void Roughness::make_waves(const std::string &file_name, const unsigned int seed)
   {
-    const CsvTable file = read_csv(file_name, read_file_on_all_ranks(file_name, "table"));
+    const CsvTable file = read_csv_file(file_name, "Transient/Roughness/Spectrum");
     const std::vector<double> &wavelengths = file.column("wavelength_m"), &levels = file.column("level_dB");
     std::mt19937_64 generator(seed);
     // standard distributions differ between libraries
@@ -68,7 +66,7 @@ namespace vibrocontact
     for (unsigned int band = 0; band < wavelengths.size(); ++band)
     {
       if (!(wavelengths[band] > 0))
-        throw InputError("The table \"" + file_name + "\" has a wavelength_m that is not positive.");
+        throw InputError(file.source + " has a wavelength_m that is not positive.");
       const double rms = 1e-6 * std::pow(10., levels[band] / 20), centre = 2 * pi / wavelengths[band];
       const double lower = centre * std::pow(10., -0.05), width = centre * std::pow(10., 0.05) - lower;
       for (unsigned int k = 0; k < waves_per_band; ++k)

@@ -10,25 +10,34 @@
 
 namespace vibrocontact
 {
+  unsigned int perturbed_mode(const TransientParameters &transient, const std::vector<std::string> &labels)
+  {
+    if (transient.perturbed_mode.empty())
+      return labels.size();
+    std::string name = transient.perturbed_mode;
+    std::replace(name.begin(), name.end(), '/', '#');
+    const auto found = std::find(labels.begin(), labels.end(), name);
+    if (found != labels.end())
+      return found - labels.begin();
+    std::vector<std::string> known(labels);
+    for (std::string &label : known)
+      std::replace(label.begin(), label.end(), '#', '/');
+    throw InputError("Transient/Perturbed mode names '" + transient.perturbed_mode +
+                     "', but there is no such mode; " + name_suggestion(transient.perturbed_mode, known));
+  }
+
   namespace
   {
     void perturb(const TransientParameters &parameters, const ContactPair &pair, DynamicState &state)
     {
-      if (parameters.perturbed_mode.empty())
+      const unsigned int k = perturbed_mode(parameters, pair.labels);
+      if (k == pair.n_modes())
         return;
-      std::string name = parameters.perturbed_mode;
-      std::replace(name.begin(), name.end(), '/', '#');
-      const auto found = std::find(pair.labels.begin(), pair.labels.end(), name);
-      if (found == pair.labels.end())
-        throw InputError("Entry Transient/Perturbed mode names '" + parameters.perturbed_mode +
-                         "', but there is no such mode; " +
-                         name_suggestion(parameters.perturbed_mode, pair.labels) + ".");
-      const unsigned int k = found - pair.labels.begin();
       double largest = 0;
       for (unsigned int i = 0; i < pair.modal_trace.m(); ++i)
         largest = std::max(largest, std::abs(pair.modal_trace(i, k)));
       if (!(largest > 0))
-        throw InputError("Entry Transient/Perturbed mode: '" + parameters.perturbed_mode +
+        throw InputError("Transient/Perturbed mode: '" + parameters.perturbed_mode +
                          "' does not move the contact; name another mode.");
       state.q[k] += parameters.perturbation / largest;
       state.v[k] += parameters.perturbation_velocity / largest;
@@ -61,6 +70,7 @@ namespace vibrocontact
       ContactProblem problem = rolling_problem(
           rolling_operator(pair.interface.grid, static_compliance(pair), scheme, drive.creepage.speed),
           static_interface(pair), scheme, drive.creepage, contact);
+      problem.title = "equilibrium from which the transient starts";
       problem.normal_force = drive.normal_force;
       problem.approach = drive.approach;
       for (unsigned int i = 0; i < drive.gap.size(); ++i)

@@ -1,6 +1,8 @@
 #include <vibrocontact/analyses/transient_parameters.h>
 #include <vibrocontact/base/exceptions.h>
 
+#include <sstream>
+
 namespace vibrocontact
 {
   void TransientParameters::declare_parameters(dealii::ParameterHandler &prm)
@@ -83,6 +85,20 @@ namespace vibrocontact
 
   void TransientParameters::check() const
   {
+    if (!(end_time > 0) || time_step > end_time * (1 + 1e-9))
+    {
+      std::ostringstream text;
+      text << "Transient/Time step is " << time_step << " s, but Transient/End time is " << end_time
+           << " s, so that not one step would be made: give a later end or a shorter step.";
+      throw InputError(text.str());
+    }
+    if (history_interval > end_time)
+    {
+      std::ostringstream text;
+      text << "Transient/History interval is " << history_interval << " s, but Transient/End time is "
+           << end_time << " s, so that the histories would hold the first instant alone: make it shorter.";
+      throw InputError(text.str());
+    }
     if (initial_state == "quasi-static" && (initial_gap != 0 || initial_velocity != 0))
       throw InputError(
           "Section Transient gives an initial gap or velocity, but its Initial state is quasi-static: set it "
@@ -106,5 +122,8 @@ namespace vibrocontact
     roughness.check();
     if (perturbed_mode.empty() && (perturbation != 0 || perturbation_velocity != 0))
       throw InputError("Section Transient gives a perturbation, but no Perturbed mode: name one.");
+    if (!perturbed_mode.empty() && perturbation == 0 && perturbation_velocity == 0)
+      throw InputError("Transient/Perturbed mode is '" + perturbed_mode +
+                       "', but nothing says by how much: give Perturbation or Perturbation velocity.");
   }
 } // namespace vibrocontact

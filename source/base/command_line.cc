@@ -35,9 +35,11 @@ namespace vibrocontact
     std::ostringstream text;
     text << "vibrocontact FILE.prm [options]\nmpirun -n 2 vibrocontact FILE.prm [options]\n\n"
          << visible_options()
-         << "\nExit code: 0 all analyses converged; 1 wrong input; 2 a computation did not converge;\n"
-            "3 a fault of the program, or results that cannot be written; 130 or 143: stopped by SIGINT\n"
-            "or SIGTERM during a transient, --resume continues.\n";
+         << "\nExit code: 0 all analyses converged; 1 wrong input, or an output folder that nothing can be "
+            "written\n"
+            "to; 2 a computation did not converge; 3 a fault of the program, or results that cannot be "
+            "written\n"
+            "any more; 130 or 143: stopped by SIGINT or SIGTERM during a transient, --resume continues.\n";
     return text.str();
   }
 

@@ -1,6 +1,7 @@
 #include <vibrocontact/base/csv_table.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/base/parameter_file.h>
 #include <vibrocontact/base/parameter_text.h>
 
 #include <algorithm>
@@ -19,8 +20,7 @@ namespace vibrocontact
   {
     const std::vector<double> *const found = find(name);
     if (!found)
-      throw InputError("The table \"" + file_name + "\" has no column " + name + "; it has " +
-                       quoted_list(names, "and") + ".");
+      throw InputError(source + " has no column " + name + "; it has " + quoted_list(names, "and") + ".");
     return *found;
   }
 
@@ -29,18 +29,28 @@ namespace vibrocontact
     std::vector<std::string> cells_of(const std::string &line)
     {
       std::vector<std::string> cells;
-      std::istringstream stream(line);
+      std::istringstream stream(line + ","); // also an empty cell at the end counts
       for (std::string cell; std::getline(stream, cell, ',');)
         cells.push_back(trimmed(cell));
       return cells;
     }
+
+    void check_names(const std::vector<std::string> &names, const std::string &where)
+    {
+      for (const std::string &name : names)
+        if (name.empty())
+          throw InputError(where + "leaves a column without a name: take out the comma or name it.");
+        else if (std::count(names.begin(), names.end(), name) > 1)
+          throw InputError(where + "names the column " + name + " twice: leave one of them.");
+    }
   } // namespace
 
-  CsvTable read_csv(const std::string &file_name, const std::string &text)
+  CsvTable read_csv(const std::string &source, const std::string &text)
   {
     CsvTable table;
-    table.file_name = file_name;
-    std::istringstream lines(text);
+    table.source = source;
+    const std::string mark = "\xef\xbb\xbf"; // of UTF-8, as spreadsheets write it
+    std::istringstream lines(text.compare(0, mark.size(), mark) == 0 ? text.substr(mark.size()) : text);
     unsigned int number = 0;
     for (std::string line; std::getline(lines, line);)
     {
@@ -48,10 +58,14 @@ namespace vibrocontact
       line = trimmed(line.substr(0, line.find('#')));
       if (line.empty())
         continue;
+      const std::string where = source + ", line " + std::to_string(number) + ", ";
+      if (line.find(';') != std::string::npos)
+        throw InputError(where +
+                         "has semicolons: separate the columns by commas, with points in the numbers.");
       const std::vector<std::string> cells = cells_of(line);
-      const std::string where = "The table \"" + file_name + "\", line " + std::to_string(number) + ", ";
       if (table.names.empty())
       {
+        check_names(cells, where);
         table.names = cells;
         table.columns.resize(cells.size());
         continue;
@@ -64,15 +78,32 @@ namespace vibrocontact
       {
         char *end = nullptr;
         const double value = std::strtod(cells[k].c_str(), &end);
-        if (cells[k].empty() || *end != 0 || !std::isfinite(value))
+        if (cells[k].empty())
+          throw InputError(where + "has no value in the column " + table.names[k] +
+                           ": give one in every line.");
+        if (*end != 0 || !std::isfinite(value))
           throw InputError(where + "has '" + cells[k] + "' where a number is due.");
         table.columns[k].push_back(value);
       }
     }
     if (table.names.empty())
-      throw InputError("The table \"" + file_name +
-                       "\" is empty: its first line names the columns, the rows follow.");
+      throw InputError(source + " is empty: its first line names the columns, the rows follow.");
     return table;
+  }
+
+  CsvTable read_csv_file(const std::string &file_name, const std::string &entry)
+  {
+    std::string text;
+    try
+    {
+      text = read_file_on_all_ranks(file_name, "table");
+    }
+    catch (const InputError &error)
+    {
+      throw InputError(entry + ": " + error.what() +
+                       ", which is looked for beside the parameter file, then in the working folder.");
+    }
+    return read_csv(entry + ": the table \"" + file_name + "\"", text);
   }
 
   LinearTable::LinearTable(const std::string &source, const std::vector<double> &x,
@@ -85,8 +116,8 @@ namespace vibrocontact
       if (!(x[i] > x[i - 1]))
       {
         std::ostringstream text;
-        text << source << " does not increase in its first column: " << x[i] << " follows " << x[i - 1]
-             << ".";
+        text << source << " is given at " << x[i] << " after " << x[i - 1]
+             << ": the rows have to stand in ascending order.";
         throw InputError(text.str());
       }
   }
@@ -98,8 +129,8 @@ namespace vibrocontact
     if (!(value >= x.front() - slack && value <= x.back() + slack))
     {
       std::ostringstream text;
-      text << source << " ends at " << (value < x.front() ? x.front() : x.back()) << ", but " << value
-           << " is needed: extend it.";
+      text << source << (value < x.front() ? " begins at " : " ends at ")
+           << (value < x.front() ? x.front() : x.back()) << ", but " << value << " is needed: extend it.";
       throw InputError(text.str());
     }
     const std::size_t k =

@@ -244,6 +244,12 @@ namespace vibrocontact
         consider(section.path, section.line);
     if (where.empty() && found.empty())
       in_file = text.file_name;
+    // the entry is not named twice
+    for (const std::string begin : {"", "Entry "})
+      for (const auto &option : options)
+        if (const std::string path = joined_path(option.section, option.name);
+            in_file.empty() && where == location(option) && message.rfind(begin + path, 0) == 0)
+          return where + message.substr((begin + path).size());
     if (!where.empty() && !in_file.empty())
       where += " and ";
     return where + in_file + ": " + message;

@@ -48,6 +48,8 @@ namespace vibrocontact
       top["messages"].push_back(message);
       top["not_converged"].push_back({{"analysis", analysis}, {"message", message}});
     }
+    for (const std::string &warning : results.warnings)
+      top["messages"].push_back(warning);
     top["analyses"] = results.analyses;
     if (!results.reductions.empty())
       top["reductions"] = results.reductions;

@@ -3,6 +3,8 @@
 #include <vibrocontact/output/signal_parameters.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iomanip>
 #include <regex>
 #include <sstream>
 
@@ -38,8 +40,44 @@ namespace vibrocontact
     prm.add_parameter("Sound", sound, "Write the velocity of each probe as WAV file. Units: none.", Bool());
   }
 
-  void SignalParameters::check(const std::vector<std::string> &bodies) const
+  namespace
   {
+    /// of the contact patch; more are a mistake in a unit
+    constexpr unsigned int most_frames = 5000;
+
+    void check_frames(const SignalParameters &signals, const TransientParameters &transient)
+    {
+      std::ostringstream text;
+      const double step = transient.error_tolerance > 0 ? transient.shortest_step : transient.time_step,
+                   frames = 1 + std::floor((transient.end_time - signals.patch_begin) /
+                                               std::max(step, signals.patch_interval) +
+                                           1e-6);
+      if (signals.patch_begin > transient.end_time)
+        text << "Transient/Signals/Patch begin is " << signals.patch_begin << " s, but Transient/End time is "
+             << transient.end_time << " s, so that there would be no frame: let it begin earlier.";
+      else if (signals.patch_begin > 0 && signals.patch_interval == 0)
+        text << "Transient/Signals/Patch begin is " << signals.patch_begin
+             << " s, but there are no frames without a Patch interval: give it.";
+      else if (signals.patch_interval > 0 && frames > most_frames)
+        text << "Transient/Signals/Patch interval is " << signals.patch_interval << " s, which makes "
+             << std::fixed << std::setprecision(0) << frames << " files of the contact patch, more than "
+             << most_frames << ": make it longer or let Patch begin be later.";
+      if (!text.str().empty())
+        throw InputError(text.str());
+    }
+  } // namespace
+
+  void SignalParameters::check(const std::vector<std::string> &bodies,
+                               const TransientParameters &transient) const
+  {
+    check_frames(*this, transient);
+    if (growth_begin >= transient.end_time)
+    {
+      std::ostringstream text;
+      text << "Transient/Signals/Growth begin is " << growth_begin << " s, but Transient/End time is "
+           << transient.end_time << " s: let it be earlier.";
+      throw InputError(text.str());
+    }
     if (growth_end > 0 && growth_end <= growth_begin)
       throw InputError("Transient/Signals: Growth end has to be later than Growth begin, or 0.");
     for (const ProbeRequest &probe : parse_probes(probes))

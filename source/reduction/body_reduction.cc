@@ -40,13 +40,9 @@ namespace vibrocontact
 
   bool BodyReduction::is_cached(const bool with_statics, const bool with_modes)
   {
-    if (with_statics && !static_part)
-      static_part = cache.load_static(asked.body, asked.key);
-    if (with_modes && !modal_part)
-      modal_part = cache.load_modal(asked.body, modes_key());
-    if (with_statics && static_part)
+    if (with_statics && !static_part && (static_part = cache.load_static(asked.body, asked.key)))
       run_log().line(asked.body + ": contact compliance found in the cache");
-    if (with_modes && modal_part)
+    if (with_modes && !modal_part && (modal_part = cache.load_modal(asked.body, modes_key())))
       run_log().line(asked.body + ": modes found in the cache");
     return (!with_statics || static_part) && (!with_modes || modal_part);
   }

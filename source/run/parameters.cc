@@ -6,6 +6,7 @@
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/contact/problem_file.h>
 #include <vibrocontact/reduction/window.h>
+#include <vibrocontact/run/check_transient.h>
 #include <vibrocontact/run/parameters.h>
 
 #include <algorithm>
@@ -223,6 +224,23 @@ namespace vibrocontact
       }
     }
 
+    /// Two bodies without a mesh touch in a point (in a line along a strip), and one of them gives way.
+    void check_touch(const BodyParameters &body_1, const BodyParameters &body_2, const bool strip)
+    {
+      if (body_1.is_meshed() || body_2.is_meshed())
+        return;
+      if (body_1.type == "rigid" && body_2.type == "rigid")
+        throw InputError("The bodies " + body_1.name + " and " + body_2.name +
+                         " are both rigid: make one of them a half-space or a meshed body.");
+      const double x = body_1.half_space.curvature_x() + body_2.half_space.curvature_x(),
+                   y = body_1.half_space.curvature_y() + body_2.half_space.curvature_y();
+      if (!(x > 0) || (!(y > 0) && !strip))
+        throw InputError(
+            "The bodies " + body_1.name + " and " + body_2.name +
+            " do not touch in a point: their curvatures 1/Radius x, 1/Radius y must sum to a positive "
+            "number in both directions (along x alone with a Contact/Strip length).");
+    }
+
     /// A layer stays where it is; what it slides on is rigid.
     void check_layer(const Scene &scene, const RollingParameters &rolling)
     {
@@ -249,6 +267,7 @@ namespace vibrocontact
     if (has_contact())
     {
       check_layer(scene, rolling);
+      check_touch(scene.bodies[0], scene.bodies[1], contact.strip_length > 0);
       check_local_flexibility(*this);
     }
     for (const auto &[name, mode] : modes)
@@ -274,13 +293,7 @@ namespace vibrocontact
             "but the sweep takes the place of the single value: leave one of them out.");
     }
     if (scene.runs("transient"))
-    {
-      transient.check();
-      std::vector<std::string> bodies;
-      for (const auto &mode : modes)
-        bodies.push_back(mode.first);
-      signals.check(bodies);
-    }
+      check_transient(*this);
     if (scene.runs("frequency response"))
       check_frequency_response(scene, modes, frequency_response);
     if (scene.runs("stability"))

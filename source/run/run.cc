@@ -6,6 +6,7 @@
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/output/figures.h>
 #include <vibrocontact/output/run_record.h>
+#include <vibrocontact/run/check_transient.h>
 #include <vibrocontact/run/earlier_run.h>
 #include <vibrocontact/run/prepare_bodies.h>
 #include <vibrocontact/run/run.h>
@@ -167,6 +168,7 @@ namespace vibrocontact
     try
     {
       bodies = meshed_bodies(parameters, declared_parameters(prm));
+      check_transient_files(parameters, bodies);
       check_meshes(parameters, bodies, command_line.check);
       if (parameters.scene.runs("transient") && parameters.transient.model == "finite elements")
         check_unreduced_size(bodies);

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <memory>
 #include <sstream>
@@ -34,10 +35,6 @@ namespace vibrocontact
       log.value("solver iterations per step", result.iterations / std::max(1., double(result.steps)));
       if (result.rejected > 0)
         log.value("steps repeated with half their length", static_cast<unsigned long long>(result.rejected));
-      if (result.above_tolerance > 0)
-        log.warning(std::to_string(result.above_tolerance) +
-                    " steps of the Shortest time step are above the Error tolerance: make it shorter, or the "
-                    "tolerance larger.");
       log.value("normal impulse", result.impulse, "N s");
       log.value("energy stored at the end", result.energy.stored, "J");
       log.value("energy taken by differences", result.energy.numerical(), "J");
@@ -55,6 +52,50 @@ namespace vibrocontact
           unreduced.prepared ? std::move(unreduced.prepared) : prepare_pair(parameters, bodies, true);
       return contact_pair(prepared->bodies[0], prepared->bodies[1], parameters.contact,
                           parameters.contact_grid());
+    }
+
+    /// beyond this share of the energies of a run, what its account does not explain, or what differences add,
+    /// is no small error
+    constexpr double doubtful_imbalance = 0.05;
+
+    void warn(const std::string &text, Results &results)
+    {
+      run_log().warning(text);
+      results.warnings.push_back(text);
+    }
+
+    void judge(const TransientResult &result, Results &results)
+    {
+      if (result.above_tolerance > 0)
+        warn(std::to_string(result.above_tolerance) +
+                 " steps of the Shortest time step are above the Error tolerance: make it shorter, or the "
+                 "tolerance larger.",
+             results);
+      const EnergyAccount &energy = result.energy;
+      const double limit = doubtful_imbalance * std::max({energy.initial, std::abs(energy.input()),
+                                                          energy.friction + energy.damping});
+      if (!(std::abs(energy.imbalance()) > limit || energy.numerical() < -limit))
+        return;
+      std::ostringstream text;
+      text.precision(3);
+      text << "The energy account of the transient does not close: " << energy.initial
+           << " J at the start and " << energy.input() << " J put in, but " << energy.stored
+           << " J stored at the end and " << energy.friction + energy.damping
+           << " J taken by friction and damping; differences took " << energy.numerical()
+           << " J (negative: they add energy), the imbalance is " << energy.imbalance()
+           << " J. The time step is too long: take a smaller one.";
+      warn(text.str(), results);
+    }
+
+    void warn_of_spectrum(const Parameters &parameters, Results &results)
+    {
+      const double duration = parameters.signals.spectrum_duration, end = parameters.transient.end_time;
+      if (duration <= end)
+        return;
+      std::ostringstream text;
+      text << "Transient/Signals/Spectrum duration is " << duration << " s, longer than the run of " << end
+           << " s, all of which is taken instead.";
+      warn(text.str(), results);
     }
 
     /// What all ranks agree on where a checkpoint may be: rank 0's clock and any rank's signal.
@@ -118,13 +159,14 @@ namespace vibrocontact
         write_history_table(probes, folder);
     }
 
-    void warn_of_ringing(const TransientParameters &parameters, const ContactPair &pair)
+    void warn_of_ringing(const TransientParameters &parameters, const ContactPair &pair, Results &results)
     {
       if (parameters.model == "finite elements" && parameters.initial_state == "undeformed" &&
           (parameters.integrator == "exact propagator" || parameters.theta < 0.55))
-        run_log().warning("The contact points have mass (Transient/Model = finite elements): after an impact "
-                          "velocities and forces there ring from step to step; the theta method with Theta = "
-                          "1 damps that, and every mode with it.");
+        warn("The contact points have mass (Transient/Model = finite elements): after an impact "
+             "velocities and forces there ring from step to step; the theta method with Theta = "
+             "1 damps that, and every mode with it.",
+             results);
       if (parameters.model == "finite elements")
         return;
       const double quiet = longest_quiet_step(pair);
@@ -133,7 +175,7 @@ namespace vibrocontact
       std::ostringstream text;
       text << "Transient/Time step is " << parameters.time_step << " s, but beyond " << quiet
            << " s reactions that are linear in the step ring: take a smaller one or the theta method.";
-      run_log().warning(text.str());
+      warn(text.str(), results);
     }
 
     /// The state to begin with and the sums up to it: the checkpoint's, or the initial state, recorded.
@@ -173,7 +215,8 @@ namespace vibrocontact
     run_log().value("contact points", pair.n_points());
     const DriveFunction drive = drive_function(
         own, rolling_cases(parameters.rolling, parameters.contact).front(), parameters.contact_grid());
-    warn_of_ringing(own, pair);
+    warn_of_ringing(own, pair, results);
+    warn_of_spectrum(parameters, results);
 
     const auto law = parameters.contact.law();
     Recorders recorders;
@@ -269,5 +312,6 @@ namespace vibrocontact
       run_log().warning(text.str());
     }
     print(result);
+    judge(result, results);
   }
 } // namespace vibrocontact

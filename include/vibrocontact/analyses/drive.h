@@ -21,8 +21,16 @@ namespace vibrocontact
   /// of a table gives the impulse that belongs to it; at t = 0 it is that of the first step, the body having
   /// the hub's velocity.
   ///
-  /// Tables are checked to cover the whole run.
+  /// Tables are checked to cover the whole run. What the function gives is finite and a given normal force
+  /// positive: it throws otherwise, an InputError that names entry and time.
   /// @throws InputError for what cannot be read or is not covered. Collective.
   DriveFunction drive_function(const TransientParameters &transient, const RollingCase &constant,
                                const ContactGrid &grid);
+
+  /// Hears what is wrong with the drive before anything expensive: makes it and looks at it at the ends of
+  /// the run's steps, at most 20,000 of them, with the roughness at some hundred. Says in the log which load of
+  /// section Rolling it replaces by the other kind.
+  /// @throws InputError as drive_function() and what it makes. Collective.
+  void check_drive(const TransientParameters &transient, const RollingCase &constant,
+                   const ContactGrid &grid);
 } // namespace vibrocontact

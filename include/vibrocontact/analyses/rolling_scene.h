@@ -17,8 +17,7 @@ namespace vibrocontact
 
   /// Pairs body 1 (above) and body 2 (below), each a half-space or a reduced body. Two half-spaces keep their
   /// fast operator; otherwise the compliances are added, a meshed body's being that of its own elements only.
-  /// @throws InputError if the bodies do not touch in a point (two flat half-spaces without a strip), or if a
-  /// body that is free to move is loaded
+  /// @throws InputError if a body that is free to move is loaded
   RollingScene rolling_scene(const ContactBody &body_1, const ContactBody &body_2,
                              const ContactParameters &contact, const ContactGrid &grid);
 } // namespace vibrocontact

@@ -6,12 +6,18 @@
 #include <vibrocontact/analyses/transient_result.h>
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace vibrocontact
 {
   /// After so many steps the contact solver starts afresh, so that what it keeps from step to step need not
   /// be in a checkpoint: a run that continues there goes the same way bit for bit.
   constexpr unsigned long steps_between_fresh_starts = 50;
+
+  /// Index of the perturbed mode among the labels body:label of modes; their number if none is perturbed.
+  /// @throws InputError if there is no such mode, with near ones
+  unsigned int perturbed_mode(const TransientParameters &transient, const std::vector<std::string> &labels);
 
   /// State at time zero, by TransientParameters::initial_state. The quasi-static one is the equilibrium under
   /// the drive at time zero, q = diag(w^-2) Psi^T R, v = 0.

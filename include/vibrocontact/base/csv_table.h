@@ -12,10 +12,11 @@ namespace vibrocontact
   ///     0, 66000
   ///     0.1, 70000
   ///
-  /// # begins a comment; the first other line names the columns.
+  /// # begins a comment; the first other line names the columns. A byte-order mark of UTF-8 is skipped.
   struct CsvTable
   {
-    std::string file_name;
+    /// for messages: the file, and the entry that names it
+    std::string source;
     std::vector<std::string> names;
     /// one per name, equally long
     std::vector<std::vector<double>> columns;
@@ -26,8 +27,13 @@ namespace vibrocontact
     const std::vector<double> &column(const std::string &name) const;
   };
 
-  /// @throws InputError with file and line
-  CsvTable read_csv(const std::string &file_name, const std::string &text);
+  /// @param source begins the messages, see CsvTable::source
+  /// @throws InputError with source and line
+  CsvTable read_csv(const std::string &source, const std::string &text);
+
+  /// The table in a file that an entry of the parameter file names. Collective.
+  /// @throws InputError with entry, file and line
+  CsvTable read_csv_file(const std::string &file_name, const std::string &entry);
 
   /// Piecewise linear function.
   class LinearTable

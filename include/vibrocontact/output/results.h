@@ -8,10 +8,10 @@
 
 namespace vibrocontact
 {
-  /// results.json: title (of the file, if it has one), program (version, commit, dealii, ranks), status, complete, wall_s, finished (analyses
-  /// that came to their end), messages and not_converged (by analysis) about what did not converge,
-  /// interrupted if a signal stopped the run, analyses with one object per analysis, reductions with one per
-  /// meshed body.
+  /// results.json: title (of the file, if it has one), program (version, commit, dealii, ranks), status,
+  /// complete, wall_s, finished (analyses that came to their end), not_converged (by analysis) about what did
+  /// not converge, messages about that and about what is doubtful, interrupted if a signal stopped the run,
+  /// analyses with one object per analysis, reductions with one per meshed body.
   ///
   /// Analyses fill `analyses` ("modes", "quasi_static_rolling", ...) with plain numbers, lists and objects
   /// under the names of the interface, SI units in the names; Hz for frequencies. Filled on every rank,
@@ -35,6 +35,8 @@ namespace vibrocontact
     };
     std::vector<Failure> failures;
     bool converged() const { return failures.empty(); }
+    /// what did converge but is doubtful, a sentence with numbers each
+    std::vector<std::string> warnings;
     /// part of wall_s that the figures took; negative: none were drawn [s]
     double figures_seconds = -1;
     /// per rank, at the end of the run; empty before [MB]

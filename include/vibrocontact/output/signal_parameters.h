@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vibrocontact/analyses/transient_parameters.h>
+
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 
@@ -30,7 +32,7 @@ namespace vibrocontact
     void declare_parameters(dealii::ParameterHandler &prm);
     /// @param bodies names of the bodies that have modes
     /// @throws InputError
-    void check(const std::vector<std::string> &bodies) const;
+    void check(const std::vector<std::string> &bodies, const TransientParameters &transient) const;
   };
 
   /// A place on a body and a direction in which its motion is recorded.

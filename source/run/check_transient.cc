@@ -1,0 +1,82 @@
+#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/run/check_transient.h>
+
+#include <algorithm>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// The body that the name of the perturbed mode begins with.
+    std::string perturbed_body(const TransientParameters &transient)
+    {
+      return transient.perturbed_mode.substr(0, transient.perturbed_mode.find(':'));
+    }
+
+    void check_perturbed_body(const TransientParameters &transient, const std::vector<std::string> &bodies)
+    {
+      if (transient.perturbed_mode.empty())
+        return;
+      const std::string begin = "Transient/Perturbed mode names '" + transient.perturbed_mode + "', but ",
+                        body = perturbed_body(transient);
+      if (bodies.empty())
+        throw InputError(begin + "no body has modes: leave it out.");
+      if (std::find(bodies.begin(), bodies.end(), body) == bodies.end())
+        throw InputError(begin + "'" + body +
+                         "' is no body with modes (write body:label, for instance wheel:axial(0,2)); " +
+                         name_suggestion(body, bodies));
+    }
+
+    /// Gap and velocity at the beginning move the modes of body 1.
+    void check_thrown_body(const TransientParameters &transient, const BodyParameters &body_1)
+    {
+      if (body_1.is_meshed() || (transient.initial_gap == 0 && transient.initial_velocity == 0))
+        return;
+      const bool velocity = transient.initial_velocity != 0;
+      throw InputError("Transient/Initial " +
+                       (velocity ? "velocity is " + number_text(transient.initial_velocity) + " m/s"
+                                 : "gap is " + number_text(transient.initial_gap) + " m") +
+                       ", but body 1, " + body_1.name + ", is a " + body_1.type +
+                       " body, which has no mass that could be thrown: list the body that moves first in "
+                       "Bodies, or move it by a Hub displacement.");
+    }
+  } // namespace
+
+  void check_transient(const Parameters &parameters)
+  {
+    const TransientParameters &transient = parameters.transient;
+    transient.check();
+    if (!parameters.rolling.normal_force.empty() && !parameters.rolling.hub_displacement.empty())
+      throw InputError("Rolling/Normal force and Rolling/Hub displacement are both given, but one follows "
+                       "from the other: empty one of them.");
+    std::vector<std::string> bodies;
+    for (const auto &[name, modes] : parameters.modes)
+      bodies.push_back(name);
+    check_perturbed_body(transient, bodies);
+    check_thrown_body(transient, parameters.scene.bodies[0]);
+    parameters.signals.check(bodies, transient);
+  }
+
+  void check_transient_files(const Parameters &parameters, const MeshedBodies &bodies)
+  {
+    if (!parameters.scene.runs("transient"))
+      return;
+    const TransientParameters &transient = parameters.transient;
+    check_drive(transient, rolling_cases(parameters.rolling, parameters.contact).front(),
+                parameters.contact_grid());
+    if (transient.model != "reduced")
+      return; // its modes are others
+    for (const auto &body : bodies)
+      if (body && body->parameters.name == perturbed_body(transient) &&
+          body->reduction.is_cached(false, true))
+      {
+        std::vector<std::string> labels;
+        for (const std::string &label : body->reduction.modal().labels)
+          labels.push_back(body->parameters.name + ":" + label);
+        perturbed_mode(transient, labels);
+      }
+  }
+} // namespace vibrocontact

@@ -1,0 +1,22 @@
+# What converges but is doubtful is said with numbers, on standard error and in results.json; what replaces what, in the log.
+program=$1
+bar="$3/examples/bouncing_bar.prm"
+"$program" "$bar" --quiet --set Output/Figures=false --output good
+"$program" "$bar" --quiet --set Output/Figures=false --set "Transient/Integrator=exact propagator" \
+  --set "Transient/Time step=0.1" --set "Transient/Signals/Spectrum duration=50" --output long 2>warnings
+python3 - <<'END'
+import json
+good, long = (json.load(open(f"{name}/results.json")) for name in ("good", "long"))
+assert "messages" not in good, good["messages"]
+assert long["status"] == "converged"
+text = "\n".join(long["messages"])
+energy = long["analyses"]["transient"]["energy"]
+assert abs(energy["imbalance_J"]) > 0.05 * energy["initial_J"], energy
+for part in ("energy account of the transient does not close: 500 J at the start", f"imbalance is {energy['imbalance_J']:.3g} J",
+             "reactions that are linear in the step ring", "Spectrum duration is 50 s, longer than the run of 1.5 s"):
+    assert part in text, (part, text)
+    assert part in open("warnings").read().replace("\n", " "), part
+END
+"$program" "$3/examples/rolling_transient.prm" --set "Transient/Hub displacement=1e-4*t" --check >screen
+grep -q "driven by its own hub displacement: Rolling/Normal force, 66000 N, is not used" screen ||
+  { echo "FAILED: nothing about the normal force"; cat screen; exit 1; }
