@@ -98,7 +98,7 @@ namespace vibrocontact
         const RollingResult last = run_rolling(parameters, bodies, record.folder, results,
                                                [&] { record.save_sometimes(results, clock.seconds()); });
         if (output.fields && output.deformation != "never")
-          write_deformation(last, bodies, output.deformation == "always", record.folder);
+          write_deformation(last, parameters, bodies, record.folder);
         save("quasi-static rolling");
       }
       if (due("stability"))

@@ -132,20 +132,23 @@ namespace vibrocontact
     return last;
   }
 
-  void write_deformation(const RollingResult &result, const MeshedBodies &bodies, const bool always,
-                         const std::string &folder)
+  void write_deformation(const RollingResult &result, const Parameters &parameters,
+                         const MeshedBodies &bodies, const std::string &folder)
   {
     for (unsigned int k = 0; k < bodies.size(); ++k)
       if (bodies[k] && bodies[k]->parameters.is_solid())
       {
         const std::string &name = bodies[k]->parameters.name;
         run_log().block("Deformation of " + name);
-        if (!always && !bodies[k]->reduction.was_factorised())
+        if (parameters.output.deformation != "always" && !bodies[k]->reduction.was_factorised())
         {
           run_log().line("The reduction came from the cache, so nothing is factorised; set "
                          "Output/Deformation = always to have the deformation all the same.");
           continue;
         }
+        if (parameters.contact.replaces_flexibility())
+          run_log().line("It is that of the elements under these forces, not what Local flexibility or "
+                         "Normal-tangential coupling make of the contact.");
         DenseVector force = result.solution.R;
         if (k == 1)
           force *= -1;

@@ -63,8 +63,8 @@ namespace vibrocontact
     std::vector<double> gap;
   };
 
-  /// One time step after another on the reduced pair (errata, "One discrete contact problem", "Time
-  /// integration").
+  /// One time step after another on the reduced pair (doc/theory.md, "One contact problem for
+  /// every analysis" and "Time steps").
   ///
   /// The modes advance by their ModalStep, the contact points have no mass: the reactions at the end of the
   /// step solve the contact problem

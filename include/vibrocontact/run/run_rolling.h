@@ -20,7 +20,7 @@ namespace vibrocontact
                             const std::string &folder, Results &results, const std::function<void()> &save);
 
   /// Deformation and stress of the meshed bodies under the contact forces of a case; of bodies whose
-  /// reduction came from the cache only if `always`, since they have to be factorised for it. Collective.
-  void write_deformation(const RollingResult &result, const MeshedBodies &bodies, bool always,
-                         const std::string &folder);
+  /// reduction came from the cache only with Output/Deformation = always, since they have to be factorised for it. Collective.
+  void write_deformation(const RollingResult &result, const Parameters &parameters,
+                         const MeshedBodies &bodies, const std::string &folder);
 } // namespace vibrocontact
