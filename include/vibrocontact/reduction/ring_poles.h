@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vibrocontact/reduction/pole_model.h>
+#include <vibrocontact/reduction/reduced_body.h>
+#include <vibrocontact/scene/oscillator.h>
+#include <vibrocontact/scene/ring.h>
+
+namespace vibrocontact
+{
+  /// Green's functions of the ring (scene/ring.h) order by order, Eq. 58 with the 1 / (2 pi R) that it lacks:
+  ///
+  ///   G(theta, omega) = 1/(2 pi R) sum_n [-omega^2 m I + j omega (C + D_n) + L_n]^-1 e^{j n theta}
+  ///   C = 2 m Omega [[0, 1], [-1, 0]],     D_n = 2 xi sqrt(m) sqrt(L_n at rest)
+  ///
+  /// in the frame that turns with the ring; in the frame of the road, where contact points stand still,
+  /// theta_ring = theta - Omega t: omega becomes omega + n Omega, a pole lambda becomes lambda - j n Omega with
+  /// the same residue, and G(theta) differs from G(-theta). Orders n and -n have conjugate poles: all four of
+  /// each n > 0 are kept, and two (of one sign, or real ones) of n = 0.
+  enum class RingFrame
+  {
+    road,
+    co_rotating
+  };
+
+  /// A point of the mean circle and the direction in which it moves and is pushed: radially inward (up at the
+  /// bottom), or along theta.
+  struct RingRow
+  {
+    /// [rad]
+    double angle = 0;
+    bool tangential = false;
+  };
+
+  /// The contact rows of a ring: all inward, then with friction all along theta.
+  std::vector<RingRow> ring_rows(const RingParameters &ring, bool with_friction);
+
+  /// Poles of the orders up to Highest order, static residual of those above it (Residual = true) and of the
+  /// tread. @param rotation Omega [rad/s]
+  /// @throws InputError if a motion is rigid or grows
+  PoleModel ring_poles(const RingParameters &ring, const std::vector<RingRow> &rows, double rotation = 0,
+                       RingFrame frame = RingFrame::road);
+
+  /// The same by inversion of the 2 x 2 systems: orders up to Highest order alone, no residual, no tread.
+  /// @param omega [rad/s]
+  ComplexMatrix ring_receptance(const RingParameters &ring, const std::vector<RingRow> &rows, double rotation,
+                                RingFrame frame, double omega);
+
+  /// What forces that stand still in the frame move in orders Highest order + 1 to Residual order [m/N].
+  DenseMatrix ring_residual(const RingParameters &ring, const std::vector<RingRow> &rows, double rotation,
+                            RingFrame frame);
+
+  /// A mass on a spring under its weight; one row, up.
+  PoleModel oscillator_poles(const OscillatorParameters &oscillator);
+
+  /// A ring of elements, reduced by its modes and its residual flexibility, as poles: rows as ring_rows().
+  PoleModel ring_poles(const RingParameters &ring, const ReducedBody &reduced, bool with_friction);
+} // namespace vibrocontact

@@ -1,0 +1,270 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/reduction/ring_poles.h>
+
+#include <deal.II/base/tensor.h>
+#include <deal.II/lac/lapack_templates.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace vibrocontact
+{
+  using Complex = std::complex<double>;
+  using Matrix2 = dealii::Tensor<2, 2, Complex>;
+
+  namespace
+  {
+    const Complex j(0, 1);
+
+    Matrix2 stiffness(const RingParameters &ring, const int n, const double rotation)
+    {
+      const RingParameters::Order L = ring.order(std::abs(n), rotation);
+      const double coupling = n < 0 ? -L.coupling : L.coupling;
+      Matrix2 result;
+      result[0][0] = L.tangential;
+      result[1][1] = L.radial;
+      result[0][1] = -j * coupling;
+      result[1][0] = j * coupling;
+      return result;
+    }
+
+    // C + D_n; the root of a 2 x 2 matrix is (L + sqrt(det) I) / sqrt(trace + 2 sqrt(det))
+    Matrix2 damping(const RingParameters &ring, const int n, const double rotation)
+    {
+      Matrix2 result = stiffness(ring, n, 0);
+      const double root = std::sqrt(std::max(0., ring.order(std::abs(n)).determinant())),
+                   m = ring.line_density(),
+                   factor = 2 * ring.damping_ratio *
+                            std::sqrt(m / (result[0][0].real() + result[1][1].real() + 2 * root));
+      for (unsigned int i = 0; i < 2; ++i)
+        result[i][i] += root;
+      result *= Complex(factor);
+      result[0][1] += 2 * m * rotation;
+      result[1][0] -= 2 * m * rotation;
+      return result;
+    }
+
+    // (v, w) e^{j n theta} per unit force on a unit length of that shape; omega in the ring's frame
+    Matrix2 order_receptance(const RingParameters &ring, const int n, const double rotation,
+                             const double omega)
+    {
+      Matrix2 Z = stiffness(ring, n, rotation) + (j * omega) * damping(ring, n, rotation);
+      for (unsigned int i = 0; i < 2; ++i)
+        Z[i][i] -= omega * omega * ring.line_density();
+      return dealii::invert(Z);
+    }
+
+    // rows in terms of (v, w)
+    unsigned int component(const RingRow &row)
+    {
+      return row.tangential ? 0 : 1;
+    }
+    double sign(const RingRow &row)
+    {
+      return row.tangential ? 1 : -1;
+    }
+
+    // A pole of order n: shape (v, w) and what a force on (v, w) feeds into it
+    struct Pole
+    {
+      Complex lambda;
+      std::array<Complex, 2> right, left;
+    };
+
+    // The four poles of order n, by the imaginary part, from y = (q, q' / s): y' = s A y + (0, f / (m s))
+    std::array<Pole, 4> poles_of_order(const RingParameters &ring, const unsigned int n,
+                                       const double rotation)
+    {
+      const Matrix2 L = stiffness(ring, n, rotation), D = damping(ring, n, rotation);
+      const double m = ring.line_density(), s = std::sqrt((L[0][0].real() + L[1][1].real()) / m);
+      std::array<Complex, 16> A{}, X; // by columns
+      for (unsigned int a = 0; a < 2; ++a)
+      {
+        A[4 * (a + 2) + a] = 1;
+        for (unsigned int b = 0; b < 2; ++b)
+        {
+          A[4 * b + a + 2] = -L[a][b] / (m * s * s);
+          A[4 * (b + 2) + a + 2] = -D[a][b] / (m * s);
+        }
+      }
+      std::array<Complex, 4> mu;
+      std::array<Complex, 64> work;
+      std::array<double, 8> real_work;
+      const dealii::types::blas_int size = 4, one = 1, n_work = work.size();
+      dealii::types::blas_int info = 0;
+      Complex *const none = nullptr;
+      dealii::geev("N", "V", &size, A.data(), &size, mu.data(), none, &one, X.data(), &size, work.data(),
+                   &n_work, real_work.data(), &info);
+      ComplexMatrix inverse(4, 4);
+      for (unsigned int i = 0; i < 16; ++i)
+        inverse(i % 4, i / 4) = X[i];
+      if (info == 0)
+        inverse.invert();
+      else
+        throw ConvergenceError("LAPACK found no poles of the ring in " + std::to_string(n) +
+                               " waves (zgeev: " + std::to_string(info) + ").");
+      std::array<Pole, 4> poles;
+      for (unsigned int k = 0; k < 4; ++k)
+      {
+        poles[k].lambda = s * mu[k];
+        for (unsigned int c = 0; c < 2; ++c)
+        {
+          poles[k].right[c] = X[4 * k + c];
+          poles[k].left[c] = inverse(k, 2 + c) / (m * s);
+        }
+        if (!(poles[k].lambda.real() < 1e-10 * s))
+          throw InputError("The ring's motion in " + std::to_string(n) + " waves grows at " +
+                           std::to_string(rotation) + " rad/s: give it a lower speed or more stiffness.");
+      }
+      std::sort(poles.begin(), poles.end(),
+                [](const Pole &a, const Pole &b) { return a.lambda.imag() < b.lambda.imag(); });
+      return poles;
+    }
+
+    // of n = 0 keep one of a pair, and real poles by half
+    bool keep_half(const Pole &pole, double &weight)
+    {
+      const bool is_real = std::abs(pole.lambda.imag()) < 1e-9 * std::abs(pole.lambda);
+      weight = is_real ? 0.5 : 1;
+      return is_real || pole.lambda.imag() > 0;
+    }
+
+    void check_held(const RingParameters &ring, const unsigned int n)
+    {
+      const RingParameters::Order L = ring.order(n);
+      if (!(L.determinant() > 1e-12 * L.tangential * L.radial) || !(L.tangential > 0))
+        throw InputError("Nothing holds the ring's motion in " + std::to_string(n) +
+                         " waves: give it foundation stiffness or more inflation pressure.");
+    }
+  } // namespace
+
+  std::vector<RingRow> ring_rows(const RingParameters &ring, const bool with_friction)
+  {
+    std::vector<RingRow> rows;
+    for (const bool tangential : {false, true})
+      for (const double angle : ring.angles())
+        if (!tangential || with_friction)
+          rows.push_back({angle, tangential});
+    return rows;
+  }
+
+  PoleModel ring_poles(const RingParameters &ring, const std::vector<RingRow> &rows, const double rotation,
+                       const RingFrame frame)
+  {
+    PoleModel model;
+    std::vector<std::array<Complex, 2>> right, left;
+    std::vector<unsigned int> order;
+    for (unsigned int n = 0; n <= ring.highest_order; ++n)
+    {
+      check_held(ring, n);
+      const auto poles = poles_of_order(ring, n, rotation);
+      unsigned int branch = 0;
+      for (Pole pole : poles)
+      {
+        double weight = 1;
+        ++branch;
+        if (n == 0 && !keep_half(pole, weight))
+          continue;
+        model.poles.push_back(frame == RingFrame::road ? pole.lambda - j * (n * rotation) : pole.lambda);
+        for (Complex &value : pole.left)
+          value *= weight / (2 * dealii::numbers::PI * ring.radius);
+        right.push_back(pole.right);
+        left.push_back(pole.left);
+        order.push_back(n);
+        model.labels.push_back("n=" + std::to_string(n) + ", branch " + std::to_string(branch));
+      }
+    }
+    model.right.reinit(rows.size(), right.size());
+    model.left.reinit(rows.size(), right.size());
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      for (unsigned int k = 0; k < right.size(); ++k)
+      {
+        const Complex phase = std::polar(1., order[k] * rows[i].angle);
+        model.right(i, k) = sign(rows[i]) * right[k][component(rows[i])] * phase;
+        model.left(i, k) = sign(rows[i]) * left[k][component(rows[i])] * std::conj(phase);
+      }
+    model.load.assign(model.poles.size(), 0.);
+    if (ring.residual)
+      model.residual = ring_residual(ring, rows, rotation, frame);
+    else
+      model.residual.reinit(rows.size(), rows.size());
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      if (!rows[i].tangential && ring.tread_stiffness > 0)
+        model.residual(i, i) += 1 / ring.tread_stiffness;
+    return model;
+  }
+
+  ComplexMatrix ring_receptance(const RingParameters &ring, const std::vector<RingRow> &rows,
+                                const double rotation, const RingFrame frame, const double omega)
+  {
+    ComplexMatrix result(rows.size(), rows.size());
+    std::vector<Complex> phase(rows.size());
+    for (int n = -int(ring.highest_order); n <= int(ring.highest_order); ++n)
+    {
+      Matrix2 H =
+          order_receptance(ring, n, rotation, frame == RingFrame::road ? omega + n * rotation : omega);
+      H /= Complex(2 * dealii::numbers::PI * ring.radius);
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        phase[i] = sign(rows[i]) * std::polar(1., n * rows[i].angle);
+      for (unsigned int b = 0; b < rows.size(); ++b)
+        for (unsigned int a = 0; a < rows.size(); ++a)
+          result(a, b) += H[component(rows[a])][component(rows[b])] * phase[a] * std::conj(phase[b]);
+    }
+    return result;
+  }
+
+  DenseMatrix ring_residual(const RingParameters &ring, const std::vector<RingRow> &rows,
+                            const double rotation, const RingFrame frame)
+  {
+    const unsigned int first = ring.highest_order + 1;
+    std::vector<Matrix2> H;
+    for (unsigned int n = first; n <= ring.residual_order; ++n)
+    {
+      check_held(ring, n);
+      H.push_back(order_receptance(ring, n, rotation, frame == RingFrame::road ? n * rotation : 0.));
+    }
+    // evenly spaced points have few distances
+    std::map<std::tuple<long long, unsigned int, unsigned int>, double> known;
+    DenseMatrix result(rows.size(), rows.size());
+    for (unsigned int a = 0; a < rows.size(); ++a)
+      for (unsigned int b = 0; b < rows.size(); ++b)
+      {
+        const double angle = rows[a].angle - rows[b].angle;
+        const unsigned int i = component(rows[a]), l = component(rows[b]);
+        const auto found = known.insert({{std::llround(1e12 * angle), i, l}, 0.});
+        double &sum = found.first->second;
+        for (unsigned int k = 0; found.second && k < H.size(); ++k)
+          sum += 2 * (H[k][i][l] * std::polar(1., (first + k) * angle)).real();
+        result(a, b) = sign(rows[a]) * sign(rows[b]) * sum / (2 * dealii::numbers::PI * ring.radius);
+      }
+    return result;
+  }
+
+  PoleModel oscillator_poles(const OscillatorParameters &oscillator)
+  {
+    DenseMatrix trace(1, 1);
+    trace(0, 0) = 1 / std::sqrt(oscillator.mass);
+    return pole_model({std::sqrt(oscillator.stiffness / oscillator.mass)}, {oscillator.damping_ratio}, trace,
+                      {-std::sqrt(oscillator.mass) * oscillator.gravity}, DenseMatrix(1, 1), {"oscillator"});
+  }
+
+  PoleModel ring_poles(const RingParameters &ring, const ReducedBody &reduced, const bool with_friction)
+  {
+    const unsigned int n_rows = (with_friction ? 2 : 1) * ring.n_points, n_modes = reduced.omega.size();
+    DenseMatrix trace(n_rows, n_modes), residual(n_rows, n_rows);
+    for (unsigned int a = 0; a < n_rows; ++a)
+    {
+      for (unsigned int k = 0; k < n_modes; ++k)
+        trace(a, k) = reduced.modal_trace(a, k);
+      for (unsigned int b = 0; b < n_rows; ++b)
+        residual(a, b) = reduced.residual_flexibility(a, b);
+      if (a < ring.n_points && ring.tread_stiffness > 0)
+        residual(a, a) += 1 / ring.tread_stiffness;
+    }
+    return pole_model(reduced.omega, reduced.damping_ratio, trace, reduced.modal_load, residual,
+                      reduced.labels);
+  }
+} // namespace vibrocontact
