@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vibrocontact/analyses/modal_convolution.h>
+
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// `subsection Modal convolution / subsection Comparison`
+  struct ComparisonParameters
+  {
+    /// e.g. 1e-4:2000:1900, 1e-5:20000:19000: time step [s], number of steps, memory of the convolutions in steps
+    std::string rows;
+    /// each timing is the median of so many runs
+    unsigned int repetitions = 5;
+
+    struct Row
+    {
+      double time_step;
+      unsigned long n_steps, memory;
+    };
+
+    void declare_parameters(dealii::ParameterHandler &prm);
+    /// @throws InputError naming the entry
+    std::vector<Row> read_rows() const;
+  };
+
+  /// One method of one row.
+  struct ComparedMethod
+  {
+    std::string method;
+    double time_step;
+    unsigned long n_steps, memory;
+    /// against the reference: largest of the displacement [m]; rms of the force without the neighbourhood of events
+    /// (three steps), where a stepped force is an impulse over h [N]; relative, of the impulse of the whole run.
+    /// Not finite: the method broke down.
+    double error_displacement, error_force, error_impulse;
+    /// median, the profile tabulated, histories stored [s]
+    double seconds_per_step;
+  };
+
+  /// The paper's Table 2 redone: every method on one body and road, its error against its cost in one run. The reference
+  /// is the event-located motion where the contact is rigid and has at most four points, otherwise the modal recursion with
+  /// continuous linear forces in an eighth of the step.
+  ///
+  /// One point also has the paper's own forms (response/paper_methods.h).
+  std::vector<ComparedMethod> compare_methods(const ComparisonParameters &comparison,
+                                              const ModalConvolutionParameters &parameters,
+                                              const PoleModel &model, const RoadParameters &road,
+                                              const std::vector<double> &places,
+                                              const std::vector<double> &shapes);
+} // namespace vibrocontact

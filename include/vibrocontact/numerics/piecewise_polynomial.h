@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// A function of one variable as polynomials on intervals, for fast values and derivatives of what is slow to
+  /// evaluate (expressions, sums of hundreds of waves) or known at points only.
+  class PiecewisePolynomial
+  {
+  public:
+    static constexpr unsigned int n_coefficients = 16;
+
+    struct Value
+    {
+      double value, first, second;
+    };
+
+    PiecewisePolynomial() = default;
+    /// Interpolates f in Chebyshev points on intervals that are halved until the last coefficients are rounding
+    /// (1e-14 of the largest value), or the interval is 1e-6 of `length`, as at a kink.
+    /// @param length of the first intervals
+    PiecewisePolynomial(const std::function<double(double)> &f, double begin, double end, double length);
+    /// Natural cubic spline through points, x ascending: two continuous derivatives.
+    static PiecewisePolynomial spline(const std::vector<double> &x, const std::vector<double> &y);
+    /// Straight lines between points.
+    static PiecewisePolynomial lines(const std::vector<double> &x, const std::vector<double> &y);
+
+    /// Integral from the beginning.
+    PiecewisePolynomial integral() const;
+
+    double value(double x) const;
+    Value at(double x) const;
+    double begin() const { return ends.front(); }
+    double end() const { return ends.back(); }
+    bool empty() const { return pieces.empty(); }
+    unsigned int n_pieces() const { return pieces.size(); }
+
+  private:
+    using Piece = std::array<double, n_coefficients>;
+
+    void approximate(const std::function<double(double)> &f, double begin, double end, double shortest,
+                     double &scale);
+    void index();
+    unsigned int find(double x) const;
+
+    /// piece k is sum_j pieces[k][j] y^j, y from -1 to 1 between ends[k] and ends[k + 1]
+    std::vector<double> ends;
+    std::vector<Piece> pieces;
+    /// first piece of each of equal intervals
+    std::vector<unsigned int> first;
+    double per_length = 0;
+  };
+} // namespace vibrocontact

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vibrocontact/analyses/modal_convolution.h>
+#include <vibrocontact/base/row_file.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace vibrocontact
+{
+  /// Histories of a modal convolution: histories.h5 with one array per column, `time_s`, then per contact point
+  /// `point_<i>_displacement_m`, `point_<i>_force_N`. A line every history interval.
+  class ModalConvolutionHistory
+  {
+  public:
+    ModalConvolutionHistory(const ModalConvolutionParameters &parameters, unsigned int n_points,
+                            const std::string &folder);
+    void add(const ModalConvolutionLines &lines);
+    void exchange(CheckpointFile &file);
+    void finish(bool at_the_end) { rows.finish(at_the_end); }
+
+  private:
+    /// every how many steps there is a line
+    const unsigned long every;
+    RowFile rows;
+    std::vector<double> row;
+  };
+
+  /// histories.h5 as contact_point_<i>.csv: time_s, displacement_m, force_N. @throws OutputError
+  void write_point_tables(const std::string &folder, unsigned int n_points);
+
+  /// analyses.modal_convolution of results.json; of more events than fit there (10,000) the first.
+  nlohmann::ordered_json modal_convolution_json(const ModalConvolutionParameters &parameters,
+                                                const ModalConvolutionResult &result);
+  /// impacts.csv: time_s, point, impulse_Ns, all of them.
+  void write_impacts(const ModalConvolutionResult &result, const std::string &folder);
+} // namespace vibrocontact

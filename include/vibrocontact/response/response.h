@@ -1,0 +1,95 @@
+#pragma once
+
+#include <vibrocontact/base/checkpoint_file.h>
+#include <vibrocontact/base/dense.h>
+#include <vibrocontact/reduction/pole_model.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// How a contact force runs within a step of length h; one unknown q per row and step (the tyre paper's errata,
+  /// section 2, say which one suits which contact).
+  enum class ForceShape : unsigned char
+  {
+    /// an impulse h q at the beginning of the step: rigid contact
+    impulse,
+    /// q all over the step: contact with a compliance, first order, stable for any step
+    constant,
+    /// linear from the q of the step before, q at the end: contact with a compliance, second order, stable for
+    /// h < 2.7 sqrt(S / g'(0))
+    linear
+  };
+
+  /// impulse, constant, linear
+  const std::vector<std::string> &force_shape_names();
+  /// @throws InputError naming the shapes
+  ForceShape force_shape(const std::string &name);
+
+  /// Displacement of a body known by its Green's functions, step by step, under forces that are found on the way:
+  ///
+  ///   u(t_(n+1)) = u_free(t_(n+1)) + (B + S) q_n        u_free: all forces before, loads, initial state
+  ///
+  ///   while (...)
+  ///   {
+  ///     find q with   gap = free_displacement() + compliance() q - road     (contact/unilateral_contact.h)
+  ///     advance(q)
+  ///   }
+  ///
+  /// Sizes: n_rows; u [m] away from the other body, q [N] > 0 pushes in that direction. B comes from the exact
+  /// integral of g times the force's shape over the step, S is the static residual (tread included).
+  class Response
+  {
+  public:
+    virtual ~Response() = default;
+    unsigned int n_rows() const { return one_step.m(); }
+    /// B + S, n_rows square [m/N]
+    const DenseMatrix &compliance() const { return one_step; }
+    /// u_free at the end of the next step; n_rows [m]
+    const double *free_displacement() const { return free.data(); }
+    /// Closes the step with its forces q; n_rows [N].
+    virtual void advance(const double *q) = 0;
+    /// What a checkpoint needs.
+    virtual void exchange(CheckpointFile &file) = 0;
+
+  protected:
+    DenseMatrix one_step;
+    std::vector<double> free;
+  };
+
+  /// State that a motion starts from: the poles' states z; n_poles.
+  std::vector<std::complex<double>> state_at_rest(const PoleModel &model);
+  /// The equilibrium under the loads: z = -load / lambda.
+  std::vector<std::complex<double>> state_in_equilibrium(const PoleModel &model);
+
+  /// What a response is made of.
+  struct ResponseSettings
+  {
+    /// [s]
+    double time_step = 0;
+    ForceShape shape = ForceShape::impulse;
+    /// convolutions: how many of the newest forces count; 0: as many as the run has steps
+    unsigned long memory = 0;
+    unsigned long n_steps = 0;
+  };
+
+  struct ResponseMethod
+  {
+    std::string name, help;
+    std::unique_ptr<Response> (*create)(const PoleModel &, const std::vector<std::complex<double>> &state,
+                                        const ResponseSettings &);
+  };
+
+  /// modal recursion, direct convolution, block convolution
+  const std::vector<ResponseMethod> &response_methods();
+  /// @throws InputError naming the methods
+  std::unique_ptr<Response> create_response(const std::string &name, const PoleModel &model,
+                                            const std::vector<std::complex<double>> &state,
+                                            const ResponseSettings &settings);
+
+  /// Number of steps after which the driving-point g(t) stay below a share of their maximum: the paper's section 2.1
+  /// with 0.01.
+  unsigned long steps_of_memory(const PoleModel &model, double time_step, double share);
+} // namespace vibrocontact

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vibrocontact/response/response.h>
+
+namespace vibrocontact
+{
+  /// Exact integrals of e^(lambda (h - s)) times a force shape over one step, per pole (phi functions):
+  ///
+  ///   now_k   what q_n adds to z_k(t_(n+1)),  per unit of left_k^T q
+  ///   later_k what it adds within the step after (linear shape only)
+  ///
+  ///   impulse: now = h e^(lambda h);   constant: now = h phi_1;   linear: now = h phi_2, later = h (phi_1 - phi_2)
+  struct StepWeights
+  {
+    std::vector<std::complex<double>> now, later;
+  };
+
+  StepWeights step_weights(const PoleModel &model, double time_step, ForceShape shape);
+
+  /// Motion without contact forces: initial state and loads, evaluated step by step.
+  ///
+  ///   u(t) = u_static + 2 Re sum_k right_k e^(lambda_k t) (z_k(0) - z_static_k),     z_static = -load / lambda
+  class FreeMotion
+  {
+  public:
+    /// Stands at the end of the first step.
+    FreeMotion(const PoleModel &model, const std::vector<std::complex<double>> &state, double time_step);
+    /// adds the displacement to u; n_rows
+    void add_to(double *u) const;
+    /// the same of its velocity
+    void add_rate_to(double *v) const;
+    void advance();
+    void exchange(CheckpointFile &file, const std::string &name);
+
+  private:
+    unsigned int n_rows;
+    std::vector<double> constant;
+    /// of the states that move at all: state, e^(lambda h), 2 right, lambda
+    std::vector<std::complex<double>> moving, factor, shape, poles;
+  };
+
+  /// Samples of the Green's functions in the form that a convolution takes:
+  ///
+  ///   u(t_(n+1)) = u_free motion + sum_(m <= n) kernel_(n-m) q_m        (errata of the paper, section 1)
+  ///
+  /// each the exact integral of g times the shape of a force, from closed forms at each lag by itself (nothing is
+  /// carried from lag to lag, so that the recursion has a second method beside it). Lag 0 includes S.
+  /// @return kernel of rows i, j at [(i * n_rows + j)][lag]
+  std::vector<std::vector<double>> step_kernel(const PoleModel &model, double time_step, ForceShape shape,
+                                               unsigned long n_lags);
+} // namespace vibrocontact

@@ -1,0 +1,375 @@
+#include <vibrocontact/analyses/modal_convolution.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/processor_clock.h>
+#include <vibrocontact/contact/unilateral_contact.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    double seconds_of(const std::function<void()> &work)
+    {
+      const double begin = processor_seconds();
+      work();
+      return processor_seconds() - begin;
+    }
+  } // namespace
+
+  void ModalConvolutionParameters::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    std::string names, help;
+    for (const ResponseMethod &known : response_methods())
+    {
+      names += known.name + "|";
+      help += known.name + " (" + known.help + "), ";
+    }
+    prm.add_parameter(
+        "Method", method,
+        help + "event located (few rigid contact points: exact motion between touches and releases, "
+               "which are found inside the step). Units: none.",
+        Selection(names + "event located"));
+    prm.add_parameter("Time step", time_step,
+                      "Of the stepping methods; of the histories of the event-located one. Units: s.",
+                      Double(1e-9, 1e3));
+    prm.add_parameter("End time", end_time, "Units: s.", Double(1e-9, 1e9));
+    prm.add_parameter(
+        "Force shape", force_shape,
+        "A contact force within a step: impulse at its beginning (rigid contact), constant, or linear "
+        "from step to step (contact with tread or residual flexibility: more accurate, but only below "
+        "a longest step). Units: none.",
+        Selection("impulse|constant|linear"));
+    prm.add_parameter("Memory", memory,
+                      "Of the convolutions: time after which a force is forgotten; 0: never. Units: s.",
+                      Double(0, 1e9));
+    prm.add_parameter("Initial state", initial_state,
+                      "at rest (undeformed) or equilibrium (under the loads, without contact). Units: none.",
+                      Selection("at rest|equilibrium"));
+    prm.add_parameter("Contact solver", contact_solver,
+                      "active set, or common: the solver of section Contact/Solver. Units: none.",
+                      Selection("active set|common"));
+    prm.add_parameter("History interval", history_interval,
+                      "Distance of the lines of the histories, 0: every step. Units: s.", Double(0, 1e9));
+    prm.add_parameter("Checkpoint interval", checkpoint_interval,
+                      "Wall time between checkpoints, 0: only the one at the end. Units: s.", Double(0, 1e9));
+  }
+
+  void ModalConvolutionParameters::check() const
+  {
+    if (end_time < time_step)
+      throw InputError("Modal convolution/End time is before the first Time step: give a later one.");
+    if (end_time / time_step > 1e12)
+      throw InputError("Modal convolution/Time step asks for more than 1e12 steps: enlarge it.");
+    if (memory > 0 && method == "modal recursion")
+      throw InputError(
+          "Modal convolution/Memory is given, but the modal recursion forgets nothing: leave it out or "
+          "take a convolution.");
+  }
+
+  ContactProblem frictionless_problem(const DenseMatrix &matrix)
+  {
+    const unsigned int n = matrix.m();
+    DenseMatrix whole(3 * n, 3 * n);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      for (unsigned int j = 0; j < n; ++j)
+        whole(i, j) = matrix(i, j);
+      // nothing pulls sideways
+      whole(n + i, n + i) = whole(2 * n + i, 2 * n + i) = matrix(0, 0);
+    }
+    ContactProblem problem;
+    problem.A = std::make_shared<DenseContactOperator>(whole);
+    problem.b.reinit(3 * n);
+    problem.mu.assign(n, 0.);
+    return problem;
+  }
+
+  /// The steps of any number of points: response and contact.
+  class ModalConvolution::Stepper
+  {
+  public:
+    Stepper(const ModalConvolutionParameters &parameters, const ContactSolverParameters &solver_parameters,
+            const PoleModel &model, const unsigned long n_steps)
+        : response(make_response(parameters, model, n_steps)),
+          contact(response->compliance(), at_step(parameters.time_step)),
+          problem(frictionless_problem(response->compliance()))
+    {
+      if (parameters.contact_solver == "common")
+        common = create_contact_solver(solver_parameters);
+    }
+
+    /// @param heights, displacements, forces n_points per step
+    void run(const unsigned int n_steps, const double *heights, double *displacements, double *forces)
+    {
+      if (common)
+        run_common(n_steps, heights, displacements, forces);
+      else if (response->n_rows() == 1)
+        run_one(n_steps, heights, displacements, forces);
+      else
+        run_many(n_steps, heights, displacements, forces);
+    }
+
+    std::unique_ptr<Response> response;
+    UnilateralContact contact;
+    unsigned long closed_points = 0, iterations = 0;
+    double residual = 0;
+
+  private:
+    static std::string at_step(const double time_step)
+    {
+      std::ostringstream text;
+      text << "at Modal convolution/Time step " << time_step << " s";
+      return text.str();
+    }
+
+    static std::unique_ptr<Response> make_response(const ModalConvolutionParameters &parameters,
+                                                   const PoleModel &model, const unsigned long n_steps)
+    {
+      ResponseSettings settings;
+      settings.time_step = parameters.time_step;
+      settings.shape = force_shape(parameters.force_shape);
+      settings.n_steps = n_steps;
+      settings.memory = std::lround(parameters.memory / parameters.time_step);
+      const double kept =
+          double(settings.memory > 0 ? settings.memory : n_steps) * model.n_rows() * model.n_rows();
+      if (parameters.method != "modal recursion" && kept > 2e8)
+        throw InputError(
+            "Modal convolution/Memory asks for more than 200 million samples of the Green's functions: "
+            "give a shorter one or take the modal recursion.");
+      return create_response(parameters.method, model,
+                             parameters.initial_state == "at rest" ? state_at_rest(model)
+                                                                   : state_in_equilibrium(model),
+                             settings);
+    }
+
+    void run_one(const unsigned int n_steps, const double *heights, double *displacements, double *forces)
+    {
+      const double inverse = 1 / response->compliance()(0, 0);
+      const double *const free = response->free_displacement();
+      unsigned long closed = 0;
+      for (unsigned int k = 0; k < n_steps; ++k)
+      {
+        const double gap = free[0] - heights[k], trial = -gap * inverse;
+        const double force = trial > 0 ? trial : 0.;
+        closed += trial > 0;
+        forces[k] = force;
+        displacements[k] = trial > 0 ? heights[k] : free[0];
+        response->advance(&force);
+      }
+      closed_points += closed;
+      if (!std::isfinite(free[0]))
+        throw ConvergenceError(
+            "The motion is no longer finite: take a shorter Time step or another Force shape.");
+    }
+
+    void run_many(const unsigned int n_steps, const double *heights, double *displacements, double *forces)
+    {
+      const unsigned int n = response->n_rows();
+      const double *const free = response->free_displacement();
+      for (unsigned int k = 0; k < n_steps; ++k, heights += n, displacements += n, forces += n)
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          displacements[i] = free[i] - heights[i];
+        contact.solve(displacements, forces);
+        for (unsigned int i = 0; i < n; ++i)
+          displacements[i] += heights[i];
+        response->advance(forces);
+        closed_points += contact.n_closed();
+        residual = std::max(residual, contact.residual());
+      }
+      iterations = contact.corrections();
+    }
+
+    void run_common(const unsigned int n_steps, const double *heights, double *displacements, double *forces)
+    {
+      const unsigned int n = response->n_rows();
+      const double *const free = response->free_displacement();
+      for (unsigned int k = 0; k < n_steps; ++k, heights += n, displacements += n, forces += n)
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          problem.b[i] = free[i] - heights[i];
+        solution = common->solve(problem, solution);
+        if (!solution.converged)
+          throw ConvergenceError("The contact of a step did not converge, relative residual " +
+                                 std::to_string(solution.residual) + ".");
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          forces[i] = solution.R[i];
+          displacements[i] = solution.y[i] + heights[i];
+          closed_points += forces[i] > 0;
+        }
+        response->advance(forces);
+        iterations += solution.iterations;
+        residual = std::max(residual, solution.residual);
+      }
+    }
+
+    ContactProblem problem;
+    std::unique_ptr<ContactSolver> common;
+    ContactSolution solution;
+  };
+
+  ModalConvolution::ModalConvolution(const ModalConvolutionParameters &parameters,
+                                     const ContactSolverParameters &solver, const PoleModel &model,
+                                     const Road &road)
+      : parameters(parameters), road(road), n_points(model.n_rows()), time_step(parameters.time_step),
+        last_step(std::lround(parameters.end_time / parameters.time_step)), was_closed(n_points, 0)
+  {
+    results.impulse.assign(n_points, 0.);
+    last_force.assign(n_points, 0.);
+    const auto state =
+        parameters.initial_state == "at rest" ? state_at_rest(model) : state_in_equilibrium(model);
+    last_displacement.assign(n_points, 0.);
+    for (unsigned int i = 0; i < n_points; ++i)
+      for (unsigned int k = 0; k < model.n_poles(); ++k)
+        last_displacement[i] += 2 * (model.right(i, k) * state[k]).real();
+    if (parameters.is_event_located())
+      events = std::make_unique<EventLocated>(model, state, road, 1e300);
+    else
+      stepper = std::make_unique<Stepper>(parameters, solver, model, last_step);
+  }
+
+  ModalConvolution::~ModalConvolution() = default;
+
+  bool ModalConvolution::advance(const unsigned int n_steps, const Observer &observe)
+  {
+    const unsigned int n = std::min<unsigned long>(n_steps, last_step - results.steps);
+    if (n > 0)
+      events ? advance_events(n, observe) : advance_steps(n, observe);
+    return results.steps < last_step;
+  }
+
+  void ModalConvolution::advance_steps(const unsigned int n_steps, const Observer &observe)
+  {
+    // one line more than steps: lines join displacements and forces of different steps
+    for (auto *array : {&heights, &displacements, &forces})
+      array->resize((n_steps + 1) * n_points);
+    results.road_seconds += seconds_of(
+        [&]
+        {
+          for (unsigned int k = 0; k < n_steps; ++k)
+            road.heights((results.steps + k + 1) * time_step, heights.data() + (k + 1) * n_points);
+        });
+    std::copy(last_displacement.begin(), last_displacement.end(), displacements.begin());
+    std::copy(last_force.begin(), last_force.end(), forces.begin());
+    results.seconds += seconds_of(
+        [&]
+        {
+          stepper->run(n_steps, heights.data() + n_points, displacements.data() + n_points,
+                       forces.data() + n_points);
+        });
+    const double *const own = forces.data() + n_points;
+    const bool linear = force_shape(parameters.force_shape) == ForceShape::linear;
+    for (unsigned int k = 0; k < n_steps; ++k)
+      for (unsigned int i = 0; i < n_points; ++i)
+      {
+        const double force = own[k * n_points + i], before = forces[k * n_points + i];
+        results.impulse[i] += time_step * (linear ? 0.5 * (force + before) : force);
+        results.largest_force = std::max(results.largest_force, force);
+      }
+    find_events(n_steps, own);
+    results.closed_points = stepper->closed_points;
+    results.corrections = stepper->iterations;
+    results.residual = stepper->residual;
+
+    if (force_shape(parameters.force_shape) == ForceShape::impulse)
+      // lines 0 ... of this block, the last displacement waits for its force
+      observe({results.steps, n_steps, n_points, time_step, displacements.data(), own});
+    else
+    {
+      if (results.steps == 0)
+        observe({0, 1, n_points, time_step, displacements.data(), forces.data()});
+      observe({results.steps + 1, n_steps, n_points, time_step, displacements.data() + n_points, own});
+    }
+    std::copy_n(displacements.begin() + n_steps * n_points, n_points, last_displacement.begin());
+    std::copy_n(forces.begin() + n_steps * n_points, n_points, last_force.begin());
+    results.steps += n_steps;
+    results.time = results.steps * time_step;
+  }
+
+  void ModalConvolution::find_events(const unsigned int n_steps, const double *force)
+  {
+    // an impulse stands at the beginning of its step
+    const double shift = force_shape(parameters.force_shape) == ForceShape::impulse ? 0 : 1;
+    for (unsigned int k = 0; k < n_steps; ++k)
+      for (unsigned int i = 0; i < n_points; ++i, ++force)
+        if ((*force > 0) != bool(was_closed[i]))
+        {
+          was_closed[i] = *force > 0;
+          const double time = (results.steps + k + shift) * time_step;
+          if (was_closed[i])
+            results.impacts.push_back({time, i, *force * time_step});
+          else
+            results.releases.push_back({time, i});
+        }
+  }
+
+  void ModalConvolution::advance_events(const unsigned int n_steps, const Observer &observe)
+  {
+    displacements.assign((n_steps + 1) * n_points, 0.);
+    forces.assign((n_steps + 1) * n_points, 0.);
+    unsigned long line = results.steps == 0 ? 0 : results.steps + 1;
+    const unsigned long first = line, last = results.steps + n_steps;
+    results.seconds += seconds_of(
+        [&]
+        {
+          events->advance(last * time_step,
+                          [&](const EventLocated::Piece &piece)
+                          {
+                            // a line at an event shows what follows it
+                            for (; line <= last && (line * time_step < piece.end ||
+                                                    (line == last && piece.end >= last * time_step));
+                                 ++line)
+                              for (unsigned int i = 0; i < n_points; ++i)
+                              {
+                                const double t = std::clamp(line * time_step, piece.begin, piece.end);
+                                double *const force = &forces[(line - first) * n_points + i];
+                                displacements[(line - first) * n_points + i] = piece.u(i, t);
+                                *force = std::max(0., piece.q(i, t));
+                                results.largest_force = std::max(results.largest_force, *force);
+                                results.closed_points += *force > 0;
+                              }
+                          });
+        });
+    observe({first, static_cast<unsigned int>(line - first), n_points, time_step, displacements.data(),
+             forces.data()});
+    results.impacts = events->impacts;
+    results.releases = events->releases;
+    results.impulse = events->impulse;
+    results.steps += n_steps;
+    results.time = results.steps * time_step;
+  }
+
+  void ModalConvolution::exchange(CheckpointFile &file)
+  {
+    ModalConvolutionResult &r = results;
+    file("result/steps", r.steps);
+    file("result/time", r.time);
+    file("result/seconds", r.seconds);
+    file("result/road_seconds", r.road_seconds);
+    file("result/impulse", r.impulse);
+    file("result/largest_force", r.largest_force);
+    file("result/closed_points", r.closed_points);
+    file("result/corrections", r.corrections);
+    file("result/residual", r.residual);
+    vibrocontact::exchange(file, "result/impacts", r.impacts);
+    vibrocontact::exchange(file, "result/releases", r.releases);
+    file("last/displacement", last_displacement);
+    file("last/force", last_force);
+    file("last/closed", was_closed);
+    if (stepper)
+    {
+      stepper->response->exchange(file);
+      stepper->contact.exchange(file);
+      file("stepper/closed_points", stepper->closed_points);
+      file("stepper/iterations", stepper->iterations);
+      file("stepper/residual", stepper->residual);
+    }
+    else
+      events->exchange(file);
+  }
+} // namespace vibrocontact

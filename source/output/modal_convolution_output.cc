@@ -1,0 +1,117 @@
+#include <vibrocontact/base/hdf5_file.h>
+#include <vibrocontact/output/modal_convolution_output.h>
+#include <vibrocontact/output/table.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    constexpr std::size_t most_events_in_json = 10000;
+
+    std::vector<std::string> columns(const unsigned int n_points)
+    {
+      std::vector<std::string> names = {"time_s"};
+      for (unsigned int i = 0; i < n_points; ++i)
+      {
+        names.push_back("point_" + std::to_string(i) + "_displacement_m");
+        names.push_back("point_" + std::to_string(i) + "_force_N");
+      }
+      return names;
+    }
+  } // namespace
+
+  ModalConvolutionHistory::ModalConvolutionHistory(const ModalConvolutionParameters &parameters,
+                                                   const unsigned int n_points, const std::string &folder)
+      : every(std::max(1l, std::lround(parameters.history_interval / parameters.time_step))),
+        rows(folder + "/histories", columns(n_points)), row(1 + 2 * n_points)
+  {
+  }
+
+  void ModalConvolutionHistory::add(const ModalConvolutionLines &lines)
+  {
+    for (unsigned int k = 0; k < lines.n_lines; ++k)
+    {
+      if ((lines.first_line + k) % every != 0)
+        continue;
+      row[0] = (lines.first_line + k) * lines.time_step;
+      for (unsigned int i = 0; i < lines.n_points; ++i)
+      {
+        row[1 + 2 * i] = lines.displacement[k * lines.n_points + i];
+        row[2 + 2 * i] = lines.force[k * lines.n_points + i];
+      }
+      rows.add(row);
+    }
+  }
+
+  void ModalConvolutionHistory::exchange(CheckpointFile &file)
+  {
+    unsigned long n = rows.size();
+    file("histories/lines", n);
+    file.reading() ? rows.resume(n) : rows.flush();
+  }
+
+  void write_point_tables(const std::string &folder, const unsigned int n_points)
+  {
+    Hdf5Reader file(folder + "/histories.h5");
+    const std::vector<double> time = file.numbers("time_s");
+    for (unsigned int i = 0; i < n_points; ++i)
+    {
+      const std::string name = "point_" + std::to_string(i);
+      const std::vector<double> displacement = file.numbers(name + "_displacement_m"),
+                                force = file.numbers(name + "_force_N");
+      Table table({"time_s", "displacement_m", "force_N"},
+                  {"Contact point " + std::to_string(i) + " of a modal convolution",
+                   "displacement of body 1 > 0 away from the road, tread compression included; force > 0 is "
+                   "compression"});
+      for (std::size_t k = 0; k < time.size(); ++k)
+        table.add_row({time[k], displacement[k], force[k]});
+      table.write(folder + "/contact_point_" + std::to_string(i) + ".csv");
+    }
+  }
+
+  void write_impacts(const ModalConvolutionResult &result, const std::string &folder)
+  {
+    Table table({"time_s", "point", "impulse_Ns"},
+                {"Impacts in the order of time; impulse > 0 pushes body 1 away from the road",
+                 "stepping methods: the force of the first closed step times the step"});
+    for (const ContactEvent &event : result.impacts)
+      table.add_row({event.time, double(event.point), event.impulse});
+    table.write(folder + "/impacts.csv");
+  }
+
+  nlohmann::ordered_json modal_convolution_json(const ModalConvolutionParameters &parameters,
+                                                const ModalConvolutionResult &result)
+  {
+    using Json = nlohmann::ordered_json;
+    const double steps = std::max(1ul, result.steps);
+    Json impacts = Json::array(), releases = Json::array();
+    for (std::size_t k = 0; k < std::min(most_events_in_json, result.impacts.size()); ++k)
+      impacts.push_back({{"time_s", result.impacts[k].time},
+                         {"point", result.impacts[k].point},
+                         {"impulse_Ns", result.impacts[k].impulse}});
+    for (std::size_t k = 0; k < std::min(most_events_in_json, result.releases.size()); ++k)
+      releases.push_back({{"time_s", result.releases[k].time}, {"point", result.releases[k].point}});
+    return {{"steps", result.steps},
+            {"time_s", result.time},
+            {"seconds_per_step", result.seconds / steps},
+            {"seconds_per_step_road", result.road_seconds / steps},
+            {"seconds_per_simulated_second",
+             (result.seconds + result.road_seconds) / std::max(1e-300, result.time)},
+            {"method", parameters.method},
+            {"force_shape", parameters.is_event_located() ? "exact" : parameters.force_shape},
+            {"time_step_s", parameters.time_step},
+            {"impacts", impacts},
+            {"releases", releases},
+            {"n_impacts", result.impacts.size()},
+            {"n_releases", result.releases.size()},
+            {"impulse_Ns", result.impulse},
+            {"largest_force_N", result.largest_force},
+            {"closed_points_mean", result.closed_points / steps},
+            {"corrections_per_step", result.corrections / steps},
+            {"contact_residual", result.residual},
+            {"histories", "histories.h5"}};
+  }
+} // namespace vibrocontact

@@ -1,0 +1,125 @@
+#include <vibrocontact/numerics/phi_functions.h>
+#include <vibrocontact/response/step_weights.h>
+
+#include <algorithm>
+
+namespace vibrocontact
+{
+  using Complex = std::complex<double>;
+
+  StepWeights step_weights(const PoleModel &model, const double time_step, const ForceShape shape)
+  {
+    StepWeights weights;
+    for (const Complex &pole : model.poles)
+    {
+      const Complex x = pole * time_step;
+      switch (shape)
+      {
+      case ForceShape::impulse:
+        weights.now.push_back(time_step * std::exp(x));
+        weights.later.push_back(0);
+        break;
+      case ForceShape::constant:
+        weights.now.push_back(time_step * phi(1, x));
+        weights.later.push_back(0);
+        break;
+      case ForceShape::linear:
+        weights.now.push_back(time_step * phi(2, x));
+        // phi_1 - phi_2 without their difference: int_0^1 e^(x (1 - s)) (1 - s) ds
+        weights.later.push_back(time_step *
+                                (std::abs(x) < 1.5 ? phi(2, -x) * std::exp(x) : phi(1, x) - phi(2, x)));
+        break;
+      }
+    }
+    return weights;
+  }
+
+  FreeMotion::FreeMotion(const PoleModel &model, const std::vector<Complex> &state, const double time_step)
+      : n_rows(model.n_rows()), constant(model.n_rows(), 0.)
+  {
+    for (unsigned int k = 0; k < model.n_poles(); ++k)
+    {
+      const Complex rest = model.load.empty() ? 0. : -model.load[k] / model.poles[k];
+      for (unsigned int i = 0; i < n_rows; ++i)
+        constant[i] += 2 * (model.right(i, k) * rest).real();
+      if (state[k] == rest)
+        continue;
+      poles.push_back(model.poles[k]);
+      factor.push_back(std::exp(model.poles[k] * time_step));
+      moving.push_back(factor.back() * (state[k] - rest));
+      for (unsigned int i = 0; i < n_rows; ++i)
+        shape.push_back(2. * model.right(i, k));
+    }
+  }
+
+  void FreeMotion::add_to(double *u) const
+  {
+    for (unsigned int i = 0; i < n_rows; ++i)
+      u[i] += constant[i];
+    for (unsigned int k = 0; k < moving.size(); ++k)
+      for (unsigned int i = 0; i < n_rows; ++i)
+      {
+        const Complex &c = shape[k * n_rows + i];
+        u[i] += c.real() * moving[k].real() - c.imag() * moving[k].imag();
+      }
+  }
+
+  void FreeMotion::add_rate_to(double *v) const
+  {
+    for (unsigned int k = 0; k < moving.size(); ++k)
+      for (unsigned int i = 0; i < n_rows; ++i)
+        v[i] += (shape[k * n_rows + i] * poles[k] * moving[k]).real();
+  }
+
+  void FreeMotion::advance()
+  {
+    for (unsigned int k = 0; k < moving.size(); ++k)
+    {
+      const Complex z = moving[k], e = factor[k];
+      moving[k] = {z.real() * e.real() - z.imag() * e.imag(), z.real() * e.imag() + z.imag() * e.real()};
+    }
+  }
+
+  void FreeMotion::exchange(CheckpointFile &file, const std::string &name)
+  {
+    std::vector<double> real, imaginary;
+    for (const Complex &z : moving)
+    {
+      real.push_back(z.real());
+      imaginary.push_back(z.imag());
+    }
+    file(name + "/real", real);
+    file(name + "/imaginary", imaginary);
+    for (unsigned int k = 0; k < moving.size(); ++k)
+      moving[k] = {real.at(k), imaginary.at(k)};
+  }
+
+  std::vector<std::vector<double>> step_kernel(const PoleModel &model, const double time_step,
+                                               const ForceShape shape, const unsigned long n_lags)
+  {
+    const unsigned int n = model.n_rows();
+    std::vector<std::vector<double>> kernel(n * n, std::vector<double>(n_lags, 0.));
+    const StepWeights weights = step_weights(model, time_step, shape);
+    for (unsigned int k = 0; k < model.n_poles(); ++k)
+    {
+      const Complex x = model.poles[k] * time_step;
+      // beyond it e^(x lag) is zero in double precision
+      const double end = x.real() < 0 ? 2 + 745. / -x.real() : n_lags;
+      const unsigned long last = std::min<double>(n_lags, end);
+      for (unsigned long lag = 0; lag < last; ++lag)
+      {
+        Complex weight = weights.now[k] * std::exp(x * double(lag));
+        if (lag > 0)
+          weight += weights.later[k] * std::exp(x * double(lag - 1));
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            kernel[i * n + j][lag] += 2 * (model.right(i, k) * model.left(j, k) * weight).real();
+      }
+    }
+    if (model.residual.m() > 0)
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          kernel[i * n + j][0] += model.residual(i, j);
+    return kernel;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,245 @@
+#include <vibrocontact/base/csv_table.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/expression.h>
+#include <vibrocontact/base/parameter_file.h>
+#include <vibrocontact/scene/road.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <limits>
+#include <sstream>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    const double pi = std::acos(-1.);
+  }
+
+  void RoadParameters::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add_parameter(
+        "Profile", profile,
+        "Where the height comes from: the entry Expression, the Table, or waves of the roughness class of "
+        "ISO 8608. Units: none.",
+        Selection("flat|expression|table|ISO 8608"));
+    prm.add_parameter(
+        "Expression", expression,
+        "Height as an expression of the position s along the road (in m, 0 under the body's contact point "
+        "at t = 0), for instance 5e-3*sin(2*pi*s/0.025). Units: m.",
+        Anything());
+    prm.add_parameter(
+        "Table", table,
+        "CSV file with the columns position_m and height_m, a cubic spline in between; it has to cover "
+        "the way and the contact points. Units: none.",
+        FileName());
+    prm.add_parameter("Class", iso_class, "Roughness class of ISO 8608. Units: none.",
+                      Selection("A|B|C|D|E|F|G|H"));
+    prm.add_parameter("First wavenumber", first_wavenumber,
+                      "Of the waves of the class: cycles per length. Units: 1/m.", Double(1e-6, 1e6));
+    prm.add_parameter("Last wavenumber", last_wavenumber, "Of the waves of the class. Units: 1/m.",
+                      Double(1e-6, 1e6));
+    prm.add_parameter("Wavenumber step", wavenumber_step,
+                      "Distance of the waves; the road repeats itself after its inverse. Units: 1/m.",
+                      Double(1e-6, 1e6));
+    prm.add_parameter("Seed", seed, "Of the phases of the class's waves. Units: none.",
+                      Integer(0, 2147483647));
+    prm.add_parameter("Speed", speed, "Of the body over the road, if it is constant. Units: m/s.",
+                      Double(0, 1e3));
+    prm.add_parameter(
+        "Speed expression", speed_expression,
+        "Speed as an expression of the time t, for instance 10+2*t, in place of Speed; empty: none. "
+        "Units: m/s.",
+        Anything());
+    prm.add_parameter(
+        "Speed table", speed_table,
+        "CSV file with the columns time_s and speed_m_s, linear in between, in place of Speed; empty: "
+        "none. Units: none.",
+        FileName());
+    prm.add_parameter("Indentation", indentation,
+                      "How far the road is pushed towards the body, from where both just touch. Units: m.",
+                      Double(-1, 1));
+    prm.add_parameter(
+        "Loading time", loading_time,
+        "Time in which road and indentation come to their full height, along half a cosine; 0: they are "
+        "there from the beginning. Units: s.",
+        Double(0, 1e6));
+  }
+
+  void RoadParameters::check() const
+  {
+    if (profile == "expression" && expression.empty())
+      throw InputError("Road/Profile is expression, but Road/Expression is empty: give it.");
+    if (profile == "table" && table.empty())
+      throw InputError("Road/Profile is table, but Road/Table is empty: name a file.");
+    if (!speed_expression.empty() && !speed_table.empty())
+      throw InputError("Road/Speed expression and Road/Speed table are both given: leave one.");
+    if ((!speed_expression.empty() || !speed_table.empty()) && speed != 0)
+      throw InputError("Road/Speed is given beside Road/Speed expression or Speed table: leave one.");
+    if (first_wavenumber > last_wavenumber)
+      throw InputError("Road/First wavenumber is larger than Road/Last wavenumber: exchange them.");
+    if ((last_wavenumber - first_wavenumber) / wavenumber_step > 1e5)
+      throw InputError("Road/Wavenumber step asks for more than 100,000 waves: enlarge it.");
+  }
+
+  Road::Road(const RoadParameters &parameters, const std::vector<double> &places,
+             const std::vector<double> &shapes, const double end_time)
+      : places(places), shapes(shapes), speed(parameters.speed), indentation(parameters.indentation),
+        loading_time(parameters.loading_time)
+  {
+    make_speed(parameters, end_time);
+    jumps.push_back(loading_time);
+    std::sort(jumps.begin(), jumps.end());
+    if (parameters.profile == "flat")
+      return;
+    const auto [first, last] = std::minmax_element(places.begin(), places.end());
+    make_profile(parameters, *first, *last + distance(end_time));
+  }
+
+  void Road::make_speed(const RoadParameters &parameters, const double end_time)
+  {
+    if (parameters.speed_expression.empty() && parameters.speed_table.empty())
+      return;
+    PiecewisePolynomial velocity;
+    if (!parameters.speed_expression.empty())
+      velocity =
+          PiecewisePolynomial(read_expression(parameters.speed_expression, "t", "Road/Speed expression",
+                                              "the time t in s: write for instance 10+2*t"),
+                              0, end_time, end_time / 4);
+    else
+    {
+      const CsvTable file =
+          read_csv(parameters.speed_table, read_file_on_all_ranks(parameters.speed_table, "table"));
+      const std::string source = "The speed of the table \"" + parameters.speed_table + "\"";
+      const LinearTable checked(source, file.column("time_s"), file.column("speed_m_s"));
+      checked(0);
+      checked(end_time);
+      // from zero on: the way begins there
+      std::vector<double> t = {0}, v = {checked(0)};
+      for (std::size_t k = 0; k < file.column("time_s").size(); ++k)
+        if (file.column("time_s")[k] > 0)
+        {
+          t.push_back(file.column("time_s")[k]);
+          v.push_back(file.column("speed_m_s")[k]);
+        }
+      velocity = PiecewisePolynomial::lines(t, v);
+      jumps.insert(jumps.end(), t.begin(), t.end());
+    }
+    for (unsigned int k = 0; k <= 1000; ++k)
+      if (!(velocity.value(end_time * k / 1000) >= 0))
+        throw InputError("Road/Speed expression or Speed table falls below 0 or is no number at the time " +
+                         std::to_string(end_time * k / 1000) + " s: the body rolls forward only.");
+    travelled = velocity.integral();
+  }
+
+  void Road::make_profile(const RoadParameters &parameters, const double begin, const double end)
+  {
+    if (parameters.profile == "table")
+    {
+      const CsvTable file = read_csv(parameters.table, read_file_on_all_ranks(parameters.table, "table"));
+      const std::vector<double> &x = file.column("position_m"), &z = file.column("height_m");
+      const LinearTable checked("The road of the table \"" + parameters.table + "\"", x, z);
+      checked(begin);
+      checked(end);
+      profile = PiecewisePolynomial::spline(x, z);
+      return;
+    }
+    // a point road still needs an interval
+    const double last = std::max(end, begin + 1e-3);
+    if (parameters.profile == "expression")
+    {
+      const auto height = read_expression(parameters.expression, "s", "Road/Expression",
+                                          "the position s along the road: write for instance "
+                                          "5e-3*sin(2*pi*s/0.025)");
+      for (unsigned int k = 0; k <= 1000; ++k)
+        if (!std::isfinite(height(begin + (last - begin) * k / 1000)))
+        {
+          std::ostringstream text;
+          text << "Road/Expression is no finite number at s = " << begin + (last - begin) * k / 1000 << " m.";
+          throw InputError(text.str());
+        }
+      profile = PiecewisePolynomial(height, begin, last, std::max((last - begin) / 64, 1e-4));
+      return;
+    }
+    const unsigned int number = parameters.iso_class[0] - 'A';
+    const unsigned int n_waves =
+        1 +
+        std::lround(std::floor(
+            (parameters.last_wavenumber - parameters.first_wavenumber) / parameters.wavenumber_step + 1e-6));
+    // the sum over k of a_k e^(j phi_k) (e^(j 2 pi dn x))^k, by Horner's rule
+    std::vector<std::complex<double>> wave;
+    std::uint32_t state = parameters.seed;
+    for (unsigned int k = 0; k < n_waves; ++k)
+    {
+      const double n = parameters.first_wavenumber + k * parameters.wavenumber_step;
+      state = 1664525u * state + 1013904223u;
+      wave.push_back(std::polar(
+          std::sqrt(2 * 16e-6 * std::pow(4., number) * std::pow(n / 0.1, -2) * parameters.wavenumber_step),
+          2 * pi * state / 4294967296.));
+    }
+    profile = PiecewisePolynomial(
+        [&](const double x)
+        {
+          const std::complex<double> step = std::polar(1., 2 * pi * parameters.wavenumber_step * x);
+          double real = 0, imaginary = 0;
+          for (unsigned int k = n_waves; k-- > 0;)
+          {
+            const double next = real * step.real() - imaginary * step.imag() + wave[k].real();
+            imaginary = real * step.imag() + imaginary * step.real() + wave[k].imag();
+            real = next;
+          }
+          const double angle = 2 * pi * parameters.first_wavenumber * x;
+          return real * std::cos(angle) - imaginary * std::sin(angle);
+        },
+        begin, last, 0.5 / parameters.last_wavenumber);
+  }
+
+  double Road::next_jump(const double t) const
+  {
+    const auto next = std::upper_bound(jumps.begin(), jumps.end(), t);
+    return next == jumps.end() ? std::numeric_limits<double>::infinity() : *next;
+  }
+
+  double Road::loading(const double t) const
+  {
+    return t >= loading_time ? 1. : 0.5 * (1 - std::cos(pi * t / loading_time));
+  }
+
+  double Road::height(const unsigned int point, const double t) const
+  {
+    const double z = profile.empty() ? 0. : profile.value(distance(t) + places[point]);
+    return loading(t) * (indentation + z) - shapes[point];
+  }
+
+  void Road::heights(const double t, double *result) const
+  {
+    const double r = loading(t), s = distance(t);
+    for (unsigned int i = 0; i < places.size(); ++i)
+      result[i] = r * (indentation + (profile.empty() ? 0. : profile.value(s + places[i]))) - shapes[i];
+  }
+
+  PiecewisePolynomial::Value Road::at(const unsigned int point, const double t) const
+  {
+    PiecewisePolynomial::Value z = {0, 0, 0};
+    if (!profile.empty())
+    {
+      PiecewisePolynomial::Value s = {speed * t, speed, 0};
+      if (!travelled.empty())
+        s = travelled.at(t);
+      const PiecewisePolynomial::Value p = profile.at(s.value + places[point]);
+      z = {p.value, p.first * s.first, p.second * s.first * s.first + p.first * s.second};
+    }
+    z.value += indentation;
+    if (t < loading_time)
+    {
+      const double w = pi / loading_time, r = 0.5 * (1 - std::cos(w * t)), r1 = 0.5 * w * std::sin(w * t),
+                   r2 = 0.5 * w * w * std::cos(w * t);
+      z = {r * z.value, r1 * z.value + r * z.first, r2 * z.value + 2 * r1 * z.first + r * z.second};
+    }
+    z.value -= shapes[point];
+    return z;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,135 @@
+/// Times of the response methods with contact, histories stored, profile tabulated; medians in nanoseconds.
+///
+///   response_benchmark [repetitions, default 7]
+///
+/// Oscillator of the tyre paper at its four rows (step, memory); many modes at one and three points; a patch of 100 points
+/// with tread and 404 rolling poles.
+
+#include <vibrocontact/base/processor_clock.h>
+#include <vibrocontact/contact/unilateral_contact.h>
+#include <vibrocontact/numerics/wide_loops.h>
+#include <vibrocontact/response/response.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+using namespace vibrocontact;
+
+namespace
+{
+  unsigned int repetitions = 7;
+
+  /// Nanoseconds per step, median over the repetitions.
+  double time_steps(Response &response, const unsigned int n_steps, const double h, const double depth)
+  {
+    const unsigned int n = response.n_rows();
+    UnilateralContact contact(response.compliance(), "in the benchmark");
+    std::vector<double> road(n_steps * n), u(n_steps * n), q(n_steps * n), times;
+    for (unsigned int k = 0; k < n_steps; ++k)
+      for (unsigned int i = 0; i < n; ++i)
+        road[k * n + i] = depth * (std::sin(25 * k * h + 0.01 * i) - 1e-4 * std::pow(i - 0.5 * n, 2));
+    const double *const free = response.free_displacement();
+    const double inverse = 1 / response.compliance()(0, 0);
+    for (unsigned int repetition = 0; repetition < repetitions; ++repetition)
+    {
+      const double begin = processor_seconds();
+      for (unsigned int k = 0; k < n_steps; ++k)
+      {
+        if (n == 1)
+        {
+          const double trial = (road[k] - free[0]) * inverse;
+          q[k] = trial > 0 ? trial : 0.;
+          u[k] = trial > 0 ? road[k] : free[0];
+        }
+        else
+        {
+          double *const gap = u.data() + k * n;
+          for (unsigned int i = 0; i < n; ++i)
+            gap[i] = free[i] - road[k * n + i];
+          contact.solve(gap, q.data() + k * n);
+          for (unsigned int i = 0; i < n; ++i)
+            gap[i] += road[k * n + i];
+        }
+        response.advance(q.data() + k * n);
+      }
+      times.push_back((processor_seconds() - begin) / n_steps);
+    }
+    std::sort(times.begin(), times.end());
+    return 1e9 * times[times.size() / 2];
+  }
+
+  PoleModel modes(const unsigned int n_rows, const unsigned int n_modes, const double tread)
+  {
+    std::vector<double> omega, zeta;
+    DenseMatrix trace(n_rows, n_modes), residual(n_rows, n_rows);
+    for (unsigned int k = 0; k < n_modes; ++k)
+    {
+      omega.push_back(600 + 60 * k);
+      zeta.push_back(0.05);
+      for (unsigned int i = 0; i < n_rows; ++i)
+        trace(i, k) = std::cos(0.05 * k * (i + 0.3) + k);
+    }
+    for (unsigned int i = 0; i < n_rows; ++i)
+      residual(i, i) = tread;
+    return pole_model(omega, zeta, trace, {}, residual, {});
+  }
+} // namespace
+
+int main(int argc, char *argv[])
+{
+  if (argc > 1)
+    repetitions = std::atoi(argv[1]);
+  std::printf("registers: %s\n", wide_loops_name());
+  DenseMatrix trace(1, 1);
+  trace(0, 0) = 1;
+  const PoleModel oscillator = pole_model({std::sqrt(4e5)}, {0.02}, trace, {-9.81}, DenseMatrix(), {});
+  struct Row
+  {
+    double h;
+    unsigned int n_steps, memory;
+  };
+  for (const Row &row :
+       {Row{1e-4, 2000, 1900}, {1e-4, 20000, 1900}, {1e-5, 20000, 19000}, {1e-5, 200000, 19000}})
+  {
+    ResponseSettings settings;
+    settings.time_step = row.h;
+    settings.n_steps = row.n_steps;
+    settings.memory = row.memory;
+    double ns[3];
+    for (unsigned int k = 0; k < 3; ++k)
+    {
+      const auto response = response_methods()[k].create(oscillator, state_at_rest(oscillator), settings);
+      ns[k] = time_steps(*response, row.n_steps, row.h, 5e-3);
+    }
+    std::printf("h %g s, %u steps, memory %u: modal %.2f, direct %.1f (%.3f per stored force), block %.1f ns "
+                "per step; "
+                "direct / modal %.1f\n",
+                row.h, row.n_steps, row.memory, ns[0], ns[1], ns[1] / row.memory, ns[2], ns[1] / ns[0]);
+  }
+  for (const unsigned int n_modes : {128u, 256u, 512u})
+    for (const unsigned int n_rows : {1u, 3u})
+    {
+      ResponseSettings settings;
+      settings.time_step = 2e-5;
+      const PoleModel model = modes(n_rows, n_modes, 1e-7);
+      settings.shape = ForceShape::constant;
+      const auto response = create_response("modal recursion", model, state_at_rest(model), settings);
+      const double ns = time_steps(*response, 20000, 2e-5, 1e-4);
+      std::printf("%u modes, %u points: %.1f ns per step, %.3f per mode\n", n_modes, n_rows, ns,
+                  ns / n_modes);
+    }
+  {
+    ResponseSettings settings;
+    settings.time_step = 1 / 51200.;
+    settings.shape = ForceShape::linear;
+    PoleModel model = modes(100, 202, 1 / 40320.);
+    for (unsigned int k = 0; k < model.n_poles(); ++k)
+      for (unsigned int i = 0; i < 100; ++i)
+        model.right(i, k) *= std::polar(1., 0.01 * k * i);
+    const auto response = create_response("modal recursion", model, state_at_rest(model), settings);
+    std::printf("100 points, 202 complex shapes: %.2f us per step\n",
+                1e-3 * time_steps(*response, 5000, settings.time_step, 3e-3));
+  }
+}

@@ -1,0 +1,205 @@
+// Whole runs: the oscillator and the ring on the road against exact motion, converged runs and published values.
+#include <vibrocontact/analyses/method_comparison.h>
+#include <vibrocontact/reduction/ring_poles.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace vibrocontact;
+
+namespace
+{
+  PoleModel paper_oscillator()
+  {
+    OscillatorParameters oscillator;
+    PoleModel model = oscillator_poles(oscillator);
+    model.residual.reinit(1, 1);
+    return model;
+  }
+
+  RoadParameters sine(const double speed)
+  {
+    RoadParameters road;
+    road.profile = "expression";
+    road.expression = "5e-3*sin(2*pi*s/0.025)";
+    road.speed = speed;
+    return road;
+  }
+
+  /// Errata of the tyre paper, section 6.
+  struct Tyre
+  {
+    Tyre(const double tread, const double indentation, const bool rolling)
+    {
+      ring.tread_stiffness = tread;
+      ring.residual = tread > 0;
+      road.profile = "ISO 8608";
+      road.speed = 80 / 3.6;
+      road.indentation = indentation;
+      road.loading_time = 0.02;
+      model = ring_poles(ring, ring_rows(ring, false), rolling ? -road.speed / ring.radius : 0.);
+      for (const double angle : ring.angles())
+      {
+        places.push_back(ring.radius * angle);
+        shapes.push_back(ring.radius * (1 - std::cos(angle)));
+      }
+    }
+    RingParameters ring;
+    RoadParameters road;
+    PoleModel model;
+    std::vector<double> places, shapes;
+  };
+
+  struct Outcome
+  {
+    std::vector<double> impulse, forces;
+    double largest = 0;
+  };
+
+  Outcome run(const Tyre &tyre, const std::string &method, const std::string &shape, const double step,
+              const unsigned int every, const double end = 0.2, const std::string &solver = "active set")
+  {
+    ModalConvolutionParameters parameters;
+    parameters.method = method;
+    parameters.force_shape = shape;
+    parameters.time_step = step;
+    parameters.end_time = end;
+    parameters.contact_solver = solver;
+    const Road road(tyre.road, tyre.places, tyre.shapes, end);
+    ContactSolverParameters accurate;
+    accurate.tolerance = 1e-13;
+    ModalConvolution motion(parameters, accurate, tyre.model, road);
+    Outcome outcome;
+    const auto keep = [&](const ModalConvolutionLines &lines)
+    {
+      for (unsigned int k = 0; k < lines.n_lines; ++k)
+        if ((lines.first_line + k) % every == 0)
+          for (unsigned int i = 0; i < lines.n_points; ++i)
+            outcome.forces.push_back(lines.force[k * lines.n_points + i]);
+    };
+    while (motion.advance(1000, keep))
+      ;
+    outcome.impulse = motion.result().impulse;
+    outcome.largest = motion.result().largest_force;
+    return outcome;
+  }
+} // namespace
+
+TEST(ModalConvolution, ThreePointsWithTread)
+{
+  const Tyre tyre(3e5, 1e-3, false);
+  const Outcome own = run(tyre, "modal recursion", "linear", 20e-6, 1),
+                converged = run(tyre, "modal recursion", "linear", 2.5e-6, 8);
+  EXPECT_NEAR(own.impulse[1] / 17.67764, 1, 1e-4);
+  EXPECT_NEAR(converged.impulse[1] / 17.67764, 1, 1e-5);
+  ASSERT_EQ(own.forces.size(), converged.forces.size());
+  double error = 0;
+  for (std::size_t k = 0; k < own.forces.size(); ++k)
+    error = std::max(error, std::abs(own.forces[k] - converged.forces[k]));
+  EXPECT_LT(error, 1e-4 * converged.largest);
+  // constant forces are of first order
+  double errors[2];
+  for (const unsigned int k : {1u, 2u})
+  {
+    const Outcome constant = run(tyre, "modal recursion", "constant", 20e-6 / k, k);
+    errors[k - 1] = 0;
+    for (std::size_t i = 0; i < constant.forces.size(); ++i)
+      errors[k - 1] = std::max(errors[k - 1], std::abs(constant.forces[i] - converged.forces[i]));
+  }
+  EXPECT_NEAR(errors[0] / errors[1], 2, 0.3);
+}
+
+TEST(ModalConvolution, ThreeRigidPointsRestAndRolling)
+{
+  for (const bool rolling : {false, true})
+  {
+    const Tyre tyre(0, 0.5e-3, rolling);
+    const Outcome exact = run(tyre, "event located", "impulse", 20e-6, 1),
+                  coarse = run(tyre, "modal recursion", "impulse", 20e-6, 1),
+                  fine = run(tyre, "modal recursion", "impulse", 5e-6, 1);
+    EXPECT_NEAR(coarse.impulse[1] / exact.impulse[1], 1, 3e-3);
+    EXPECT_NEAR(coarse.impulse[0] / exact.impulse[0], 1, 4e-2);
+    EXPECT_LT(std::abs(fine.impulse[0] - exact.impulse[0]),
+              std::abs(coarse.impulse[0] - exact.impulse[0]) / 2);
+  }
+}
+
+TEST(ModalConvolution, CommonSolverGivesTheSame)
+{
+  const Tyre tyre(3e5, 1e-3, true);
+  const Outcome fast = run(tyre, "modal recursion", "linear", 20e-6, 1, 0.05),
+                common = run(tyre, "modal recursion", "linear", 20e-6, 1, 0.05, "common");
+  for (std::size_t k = 0; k < fast.forces.size(); ++k)
+    EXPECT_NEAR(fast.forces[k], common.forces[k], 1e-11 * fast.largest);
+}
+
+// Second order of displacement and smooth force; what the paper's forms do; the memory of Table 2.
+TEST(ModalConvolution, MethodsAgainstTheExactMotion)
+{
+  ComparisonParameters comparison;
+  comparison.rows = "2e-4:2000:1000, 1e-4:4000:1900, 5e-5:8000:4000";
+  comparison.repetitions = 1;
+  const ModalConvolutionParameters parameters;
+  const PoleModel model = paper_oscillator();
+  const auto rows = compare_methods(comparison, parameters, model, sine(0.1), {0.}, {0.});
+  const auto find = [&](const std::string &method, const double step)
+  {
+    for (const ComparedMethod &row : rows)
+      if (row.method == method && row.time_step == step)
+        return row;
+    throw std::runtime_error("no " + method);
+  };
+  EXPECT_EQ(find("event located", 1e-4).error_displacement, 0);
+  for (const std::string method : {"modal recursion", "two Gauss forces, corrected"})
+  {
+    EXPECT_LT(find(method, 1e-4).error_displacement, 2e-7) << method;
+    EXPECT_LT(find(method, 5e-5).error_displacement, 0.4 * find(method, 1e-4).error_displacement) << method;
+  }
+  for (const double step : {2e-4, 1e-4})
+    EXPECT_NEAR(find("modal recursion", step).error_force / find("modal recursion", step / 2).error_force, 4,
+                0.5);
+  // as printed, half of each correction is applied: a hundred times worse; it costs g 10 % of its memory to cut it
+  EXPECT_GT(find("two Gauss forces as printed", 1e-4).error_displacement,
+            100 * find("modal recursion", 1e-4).error_displacement);
+  EXPECT_GT(find("direct convolution", 1e-4).error_displacement, 1e-5);
+  EXPECT_NEAR(find("direct convolution, scalar", 1e-4).error_displacement /
+                  find("direct convolution", 1e-4).error_displacement,
+              1, 1e-6);
+  EXPECT_NEAR(find("growing exponentials as printed", 1e-4).error_displacement /
+                  find("modal recursion", 1e-4).error_displacement,
+              1, 1e-3);
+}
+
+// 1,000 s at 0.1 m/s: the last period is the second; 1 m/s, where every touch is an impact and an immediate release.
+TEST(ModalConvolution, NothingGrows)
+{
+  const PoleModel model = paper_oscillator();
+  for (const double speed : {0.1, 1.})
+  {
+    ModalConvolutionParameters parameters;
+    parameters.time_step = 1e-4;
+    parameters.end_time = speed < 1 ? 1000 : 100;
+    const Road road(sine(speed), {0.}, {0.}, parameters.end_time);
+    ModalConvolution motion(parameters, {}, model, road);
+    const unsigned int period = 2500;
+    std::vector<double> early(period), late(period);
+    const unsigned long last = motion.n_steps();
+    const auto keep = [&](const ModalConvolutionLines &lines)
+    {
+      for (unsigned int k = 0; k < lines.n_lines; ++k)
+      {
+        const unsigned long line = lines.first_line + k;
+        EXPECT_LT(std::abs(lines.displacement[k]), 0.1);
+        if (line >= period && line < 2 * period)
+          early[line - period] = lines.displacement[k];
+        if (line + period >= last && line < last)
+          late[line + period - last] = lines.displacement[k];
+      }
+    };
+    while (motion.advance(10000, keep))
+      ;
+    for (unsigned int k = 0; k < period && speed < 1; ++k)
+      EXPECT_NEAR(early[k], late[k], 1e-9) << k;
+  }
+}

@@ -1,0 +1,286 @@
+// Response methods against each other and against closed forms; the contact of a step against the common solver.
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/newton.h>
+#include <vibrocontact/contact/unilateral_contact.h>
+#include <vibrocontact/numerics/phi_functions.h>
+#include <vibrocontact/numerics/piecewise_polynomial.h>
+#include <vibrocontact/numerics/wide_loops.h>
+#include <vibrocontact/response/response.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace vibrocontact;
+
+namespace
+{
+  /// Modes of a random structure; rows that differ, left shapes of their own if asked for.
+  PoleModel random_model(const unsigned int n_rows, const unsigned int n_modes, const bool rolling,
+                         const double tread)
+  {
+    std::mt19937 random(7 * n_rows + n_modes);
+    std::uniform_real_distribution<double> number(-1, 1);
+    std::vector<double> omega, zeta, load;
+    DenseMatrix trace(n_rows, n_modes), residual(n_rows, n_rows);
+    for (unsigned int k = 0; k < n_modes; ++k)
+    {
+      omega.push_back(200 + 150 * k);
+      zeta.push_back(0.05);
+      load.push_back(-5 * number(random));
+      for (unsigned int i = 0; i < n_rows; ++i)
+        trace(i, k) = number(random);
+    }
+    for (unsigned int i = 0; i < n_rows; ++i)
+      residual(i, i) = tread;
+    PoleModel model = pole_model(omega, zeta, trace, load, residual, {});
+    if (rolling)
+      for (unsigned int k = 0; k < n_modes; ++k)
+        for (unsigned int i = 0; i < n_rows; ++i)
+        {
+          model.right(i, k) *= std::complex<double>(1, 0.02 * i);
+          model.left(i, k) *= std::complex<double>(1, -0.02 * i);
+        }
+    return model;
+  }
+
+  std::vector<double> road(const unsigned int n_rows, const double t)
+  {
+    std::vector<double> heights(n_rows);
+    for (unsigned int i = 0; i < n_rows; ++i)
+      heights[i] = 1e-4 * std::sin(300 * t + i) + 5e-5;
+    return heights;
+  }
+
+  /// Displacements at the end of each step, with contact.
+  std::vector<double> run(Response &response, const unsigned int n_steps, const double h)
+  {
+    const unsigned int n = response.n_rows();
+    UnilateralContact contact(response.compliance(), "in the test");
+    std::vector<double> history, gap(n), q(n);
+    for (unsigned int step = 1; step <= n_steps; ++step)
+    {
+      const std::vector<double> heights = road(n, step * h);
+      for (unsigned int i = 0; i < n; ++i)
+        gap[i] = response.free_displacement()[i] - heights[i];
+      contact.solve(gap.data(), q.data());
+      response.advance(q.data());
+      for (unsigned int i = 0; i < n; ++i)
+        history.push_back(gap[i] + heights[i]);
+    }
+    return history;
+  }
+
+  double largest_difference(const std::vector<double> &a, const std::vector<double> &b)
+  {
+    double difference = 0, size = 0;
+    for (std::size_t k = 0; k < a.size(); ++k)
+    {
+      difference = std::max(difference, std::abs(a[k] - b[k]));
+      size = std::max(size, std::abs(a[k]));
+    }
+    return difference / size;
+  }
+} // namespace
+
+TEST(PhiFunctions, SeriesAndQuotientsAreOneFunction)
+{
+  using Complex = std::complex<double>;
+  // by their integral: phi_n(x) = int_0^1 e^(x (1 - s)) s^(n-1) / (n-1)! ds, Simpson
+  for (const Complex &x :
+       {Complex(-1e-9, 1e-9), Complex(-0.3, 1.2), Complex(-1.4, 0.7), Complex(-4, 3), Complex(-0.1, 9)})
+    for (unsigned int n = 1; n <= 3; ++n)
+    {
+      Complex sum = 0;
+      const unsigned int m = 4000;
+      for (unsigned int k = 0; k <= m; ++k)
+      {
+        const double s = double(k) / m, weight = k == 0 || k == m ? 1 : k % 2 == 1 ? 4 : 2;
+        sum += weight * std::exp(x * (1 - s)) * std::pow(s, n - 1) / std::tgamma(n) / (3. * m);
+      }
+      EXPECT_NEAR(std::abs(phi(n, x) / sum - 1.), 0, 1e-11) << n << " " << x;
+    }
+}
+
+TEST(WideLoops, ScalarProductOfAnyLength)
+{
+  std::vector<double> a, b;
+  double exact = 0;
+  for (unsigned int n = 0; n < 200; ++n)
+  {
+    EXPECT_NEAR(wide_dot(a.data(), b.data(), n), exact, 1e-12 * (1 + std::abs(exact))) << n;
+    a.push_back(0.5 + n % 7);
+    b.push_back(1. / (1 + n));
+    exact += a.back() * b.back();
+  }
+}
+
+TEST(PiecewisePolynomial, ValuesDerivativesIntegral)
+{
+  const PiecewisePolynomial sine([](const double x) { return std::sin(30 * x) + 0.1 * x; }, -1, 3, 0.7);
+  for (double x = -1; x <= 3; x += 0.0137)
+  {
+    const auto at = sine.at(x);
+    EXPECT_NEAR(at.value, std::sin(30 * x) + 0.1 * x, 1e-13);
+    EXPECT_NEAR(sine.value(x), at.value, 1e-15);
+    EXPECT_NEAR(at.first, 30 * std::cos(30 * x) + 0.1, 1e-10);
+    EXPECT_NEAR(at.second, -900 * std::sin(30 * x), 1e-7);
+    EXPECT_NEAR(sine.integral().value(x), (std::cos(-30.) - std::cos(30 * x)) / 30 + 0.05 * (x * x - 1),
+                1e-12);
+  }
+  std::vector<double> x, y;
+  for (unsigned int k = 0; k <= 100; ++k)
+  {
+    x.push_back(0.06 * k + 0.01 * std::sin(k));
+    y.push_back(std::sin(x.back()));
+  }
+  const PiecewisePolynomial spline = PiecewisePolynomial::spline(x, y);
+  for (unsigned int k = 0; k <= 100; ++k)
+    EXPECT_NEAR(spline.value(x[k]), y[k], 1e-14);
+  for (double s = 1; s < 5; s += 0.01)
+  {
+    EXPECT_NEAR(spline.at(s).value, std::sin(s), 1e-6);
+    EXPECT_NEAR(spline.at(s).second, -std::sin(s), 2e-3);
+  }
+}
+
+// The oscillator under forces that are known: closed forms of each force shape.
+TEST(Response, ForceShapesAreExact)
+{
+  const double w = 300, zeta = 0.1, h = 0.004, wd = w * std::sqrt(1 - zeta * zeta);
+  DenseMatrix trace(1, 1), residual(1, 1);
+  trace(0, 0) = 0.5;
+  residual(0, 0) = 1e-6;
+  const PoleModel model = pole_model({w}, {zeta}, trace, {}, residual, {});
+  const auto g = [&](const double t)
+  { return t <= 0 ? 0. : 0.25 / wd * std::exp(-zeta * w * t) * std::sin(wd * t); };
+  // displacement under a unit step and a unit ramp, M = 4
+  const auto step_response = [&](const double t)
+  {
+    return t <= 0 ? 0.
+                  : 0.25 / (w * w) *
+                        (1 - std::exp(-zeta * w * t) * (std::cos(wd * t) + zeta * w / wd * std::sin(wd * t)));
+  };
+  const auto ramp_response = [&](const double t)
+  {
+    if (t <= 0)
+      return 0.;
+    // u = (t - 2 zeta / w) / K + decaying part from u(0) = u'(0) = 0
+    const double a = 2 * zeta / w, b = (-1 + zeta * w * a) / wd;
+    return 0.25 / (w * w) * (t - a + std::exp(-zeta * w * t) * (a * std::cos(wd * t) + b * std::sin(wd * t)));
+  };
+  const std::vector<double> forces = {3, -1, 4, 1, 5, -9};
+  for (const ResponseMethod &method : response_methods())
+    for (const ForceShape shape : {ForceShape::impulse, ForceShape::constant, ForceShape::linear})
+    {
+      ResponseSettings settings;
+      settings.time_step = h;
+      settings.shape = shape;
+      settings.n_steps = 200;
+      const auto response = method.create(model, state_at_rest(model), settings);
+      for (unsigned int n = 0; n < 150; ++n)
+      {
+        const double q = n < forces.size() ? forces[n] : 0;
+        const double u = response->free_displacement()[0] + response->compliance()(0, 0) * q;
+        const double t = (n + 1) * h;
+        double exact = 1e-6 * q;
+        for (unsigned int m = 0; m < forces.size() && m <= n; ++m)
+          if (shape == ForceShape::impulse)
+            exact += forces[m] * h * g(t - m * h);
+          else if (shape == ForceShape::constant)
+            exact += forces[m] * (step_response(t - m * h) - step_response(t - (m + 1) * h));
+          else
+            exact += forces[m] / h *
+                     (ramp_response(t - m * h) - 2 * ramp_response(t - (m + 1) * h) +
+                      ramp_response(t - (m + 2) * h));
+        EXPECT_NEAR(u, exact, 1e-17) << method.name << " " << n;
+        response->advance(&q);
+      }
+    }
+}
+
+TEST(Response, DirectBlockAndModalAreEqual)
+{
+  for (const unsigned int n_rows : {1u, 3u, 6u, 17u})
+    for (const ForceShape shape : {ForceShape::impulse, ForceShape::constant, ForceShape::linear})
+    {
+      const PoleModel model = random_model(n_rows, n_rows == 17 ? 40 : 12, n_rows != 3, 2e-6);
+      ResponseSettings settings;
+      settings.time_step = 2e-5;
+      settings.shape = shape;
+      settings.n_steps = n_rows == 17 ? 300 : 1500;
+      std::vector<std::complex<double>> state = state_in_equilibrium(model);
+      state[0] *= 0.3;
+      const auto history = [&](const std::string &method)
+      { return run(*create_response(method, model, state, settings), settings.n_steps, settings.time_step); };
+      const std::vector<double> modal = history("modal recursion"), direct = history("direct convolution");
+      EXPECT_LT(largest_difference(direct, modal), 1e-12) << n_rows;
+      EXPECT_LT(largest_difference(direct, history("block convolution")), 1e-12) << n_rows;
+    }
+}
+
+TEST(Response, MemoryOfTheOnePercentRule)
+{
+  // the paper's oscillator: 3655 steps of 0.1 ms (errata, section 1)
+  DenseMatrix trace(1, 1);
+  trace(0, 0) = 1;
+  const PoleModel model = pole_model({std::sqrt(4e5)}, {0.02}, trace, {}, DenseMatrix(), {});
+  EXPECT_NEAR(steps_of_memory(model, 1e-4, 0.01), 3655, 1);
+}
+
+TEST(UnilateralContact, AgreesWithTheCommonSolver)
+{
+  for (const unsigned int n : {1u, 2u, 3u, 4u, 5u, 30u})
+  {
+    const PoleModel model = random_model(n, 40, n == 3 || n == 30, 3e-6);
+    ResponseSettings settings;
+    settings.time_step = 5e-5;
+    settings.shape = ForceShape::constant;
+    const DenseMatrix matrix =
+        create_response("modal recursion", model, state_at_rest(model), settings)->compliance();
+    UnilateralContact fast(matrix, "in the test");
+    DenseMatrix whole(3 * n, 3 * n);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      for (unsigned int j = 0; j < n; ++j)
+        whole(i, j) = matrix(i, j);
+      whole(n + i, n + i) = whole(2 * n + i, 2 * n + i) = matrix(0, 0);
+    }
+    ContactProblem problem;
+    problem.A = std::make_shared<DenseContactOperator>(whole);
+    problem.mu.assign(n, 0.);
+    ContactSolverParameters parameters;
+    parameters.tolerance = 1e-13;
+    NewtonSolver common(parameters);
+    ContactSolution solution;
+    for (unsigned int step = 0; step < 200; ++step)
+    {
+      std::vector<double> gap(n), q(n);
+      problem.b.reinit(3 * n);
+      for (unsigned int i = 0; i < n; ++i)
+        problem.b[i] = gap[i] = 1e-4 * std::sin(0.1 * step + 0.7 * i) + 3e-5 * std::cos(2.3 * step * i);
+      fast.solve(gap.data(), q.data());
+      solution = common.solve(problem, solution);
+      double size = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        size = std::max(size, std::abs(solution.R[i]));
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        EXPECT_NEAR(q[i], solution.R[i], 1e-12 * size) << n << " points, step " << step;
+        EXPECT_GE(gap[i], -1e-17);
+        EXPECT_EQ(gap[i] * q[i], 0);
+      }
+    }
+  }
+}
+
+TEST(UnilateralContact, RefusesWhatIsNotPositiveDefinite)
+{
+  DenseMatrix matrix(2, 2);
+  matrix(0, 0) = matrix(1, 1) = 1;
+  matrix(0, 1) = matrix(1, 0) = 1.1;
+  EXPECT_THROW(UnilateralContact(matrix, "in the test"), InputError);
+  matrix(0, 1) = -1.1; // a rotation beside the identity
+  EXPECT_NO_THROW(UnilateralContact(matrix, "in the test"));
+}
