@@ -380,7 +380,7 @@ namespace vibrocontact
       }
       interpolation.powers(values, acceleration[j]);
       // the last Chebyshev coefficient; 2^(2 k - 1) is the first power's in that polynomial on [0, 1]
-      if (std::abs(acceleration[j].back()) > std::ldexp(1e-10, 2 * n_nodes - 3) * largest &&
+      if (std::abs(acceleration[j].back()) > std::ldexp(1e-9, 2 * n_nodes - 3) * largest &&
           length > 1e-3 * piece)
         return false;
     }
@@ -501,8 +501,12 @@ namespace vibrocontact
       {
         observe({begin, begin + x * length, length, u, q});
         for (const unsigned int i : closed)
+        {
+          double integral = 0;
           for (unsigned int k = n_orders; k-- > 0;)
-            impulse[i] += q[i][k] * std::pow(x, k + 1) / (k + 1) * length;
+            integral = integral * x + q[i][k] / (k + 1);
+          impulse[i] += integral * x * length;
+        }
         for (unsigned int k = 0; k < n_poles; ++k)
         {
           Complex value = 0;

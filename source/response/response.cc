@@ -98,7 +98,9 @@ namespace vibrocontact
     }
     // from there on backwards to the last sample above the share
     const unsigned int n = model.n_rows();
-    const auto kernel = step_kernel(model, time_step, ForceShape::impulse,
+    PoleModel moving = model;
+    moving.residual.reinit(0, 0);
+    const auto kernel = step_kernel(moving, time_step, ForceShape::impulse,
                                     static_cast<unsigned long>(std::ceil(high / time_step)));
     double largest = 0;
     for (unsigned int i = 0; i < n; ++i)
