@@ -74,6 +74,7 @@ namespace vibrocontact
         throw InputError(where + "has " + std::to_string(cells.size()) + " values for " +
                          std::to_string(table.names.size()) +
                          " columns: separate them by commas, with points in the numbers.");
+      table.lines.push_back(number);
       for (unsigned int k = 0; k < cells.size(); ++k)
       {
         char *end = nullptr;

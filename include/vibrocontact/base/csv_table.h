@@ -20,6 +20,8 @@ namespace vibrocontact
     std::vector<std::string> names;
     /// one per name, equally long
     std::vector<std::vector<double>> columns;
+    /// line of the file of each row, from 1
+    std::vector<unsigned int> lines;
 
     /// null if there is no such column
     const std::vector<double> *find(const std::string &name) const;

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <vibrocontact/base/frequency_data.h>
+#include <vibrocontact/reduction/contact_readiness.h>
+#include <vibrocontact/reduction/identified_model.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// `subsection Identification`: a body known by measured or computed Green's functions becomes poles.
+  struct IdentificationParameters
+  {
+    std::string data_file;
+    /// the body turns: G_ij and G_ji differ
+    bool rolling = false;
+    /// separated by commas: "vector fitting", "lsce", "lsce with real amplitudes" (the paper's A_k)
+    std::string methods = "vector fitting";
+    /// one fit for each, unless a target is set: then the smallest number that reaches it, up to `largest`
+    std::vector<unsigned int> pairs = {25};
+    double target_error = 0;
+    unsigned int largest = 40;
+    bool direct = false, zero_initial_value = false;
+    unsigned int n_iterations = 30;
+    /// of the contact runs to come [s]; 0: readiness for contact is not looked at
+    double contact_step = 20e-6;
+    bool repair = true;
+    /// share of |G| that may be left out of the residue matrices to save states
+    double tolerance = 1e-12;
+    bool chart = true;
+
+    void declare_parameters(dealii::ParameterHandler &prm);
+    /// @throws InputError
+    void check() const;
+    std::vector<std::string> method_list() const;
+  };
+
+  /// One fit.
+  struct Identification
+  {
+    std::string method;
+    /// what was asked for; LSCE drops unstable poles
+    unsigned int n_asked = 0;
+    PoleFit fit;
+    /// E per entry (Eq. 9) of what is returned; before the repair if there was one
+    std::vector<double> errors, errors_before_repair;
+    IdentifiedModel identified;
+    ContactReadiness readiness;
+    bool checked = false, repaired = false;
+    double seconds = 0;
+
+    double worst() const;
+  };
+
+  /// A pole of the stabilisation chart.
+  struct ChartPole
+  {
+    unsigned int n_pairs;
+    double frequency, damping_ratio;
+    /// 0 new, 1 as frequent as one of the order before (1 %), 2 as damped, too (5 %)
+    unsigned int status;
+  };
+
+  Spectra spectra(const FrequencyData &data);
+  EntryMap entry_map(const FrequencyData &data);
+
+  /// All fits that are asked for, in the order of methods and numbers.
+  ///
+  /// A model whose one-step compliance is not positive definite at the contact step, its half and tenth and in the limit is
+  /// repaired if wanted: the fit is made again without direct term and with g(0+) = 0; if that is not
+  /// enough, the residues again with g'(0+) as well, whose eigenvalues are raised to 1e-3 of the largest at least.
+  /// What it costs in E is shown. If that fails, too, readiness says so and contact refuses the model.
+  std::vector<Identification> identify(const IdentificationParameters &parameters, const FrequencyData &data,
+                                       const std::function<void(const Identification &)> &finished);
+
+  /// Poles of the first method over the number of pairs.
+  std::vector<ChartPole> stabilisation_chart(const IdentificationParameters &parameters,
+                                             const FrequencyData &data,
+                                             const std::function<void(unsigned int)> &advance);
+} // namespace vibrocontact

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vibrocontact/base/dense.h>
+
+#include <complex>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// min |A x - b| for every column b of B, by the singular values of A with its columns scaled to length one
+  /// (dgelsd). @return one column per right-hand side
+  DenseMatrix least_squares(DenseMatrix A, const DenseMatrix &B);
+
+  /// The same under equations C x = d that hold exactly (dgglse); one column of D per right-hand side. C has few
+  /// rows and they have to be independent.
+  DenseMatrix least_squares(const DenseMatrix &A, const DenseMatrix &B, const DenseMatrix &C,
+                            const DenseMatrix &D);
+
+  /// R of A = Q R (dgeqrf), upper triangular, as many rows as A has columns; A has at least as many rows.
+  DenseMatrix triangular_factor(DenseMatrix A);
+
+  /// Eigenvalues of a real matrix (dgeev). @throws ConvergenceError
+  std::vector<std::complex<double>> eigenvalues(DenseMatrix A);
+
+  /// Eigenvalues of the symmetric part of a matrix, ascending (dsyev), with its vectors in the columns of `vectors`.
+  std::vector<double> symmetric_eigenvalues(const DenseMatrix &A, DenseMatrix &vectors);
+} // namespace vibrocontact

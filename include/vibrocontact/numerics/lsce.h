@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vibrocontact/numerics/pole_fit.h>
+
+namespace vibrocontact
+{
+  /// Impulse responses of Spectra whose lines are equally spaced from zero on, g(t) = 2 Re of the integral of
+  /// G e^{j omega t} over the positive frequencies, by inverse FFT (FFTW).
+  struct ImpulseResponses
+  {
+    /// [s]
+    double step = 0;
+    /// one list per entry, 2 (n_lines - 1) samples
+    std::vector<std::vector<double>> values;
+  };
+
+  /// @throws InputError if the lines are not equally spaced from zero on
+  ImpulseResponses impulse_responses(const Spectra &data);
+
+  /// Least squares complex exponential (Brown et al. 1979, SAE 790221): samples of a sum of 2 n_pairs exponentials
+  /// fulfil a linear recurrence
+  ///
+  ///   sum_{k=0}^{2 n_pairs - 1} beta_k g_{n+k} = -g_{n+2 n_pairs}     for all n and all entries,
+  ///
+  /// solved by least squares over the first half of the record (the second carries what the cut at the end of the
+  /// band folds back before t = 0); the roots of the polynomial are e^{lambda_k step}. Unstable roots and
+  /// those on the negative real axis, which belong to no pole, are dropped, so that fewer than n_pairs may come out.
+  std::vector<std::complex<double>> lsce_poles(const ImpulseResponses &responses, unsigned int n_pairs);
+
+  /// LSCE poles, then residues by least squares on the frequency response.
+  PoleFit lsce_fit(const Spectra &data, unsigned int n_pairs, const ResidueRules &rules = {});
+} // namespace vibrocontact

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vibrocontact/reduction/pole_model.h>
+
+#include <array>
+
+namespace vibrocontact
+{
+  /// Force in a step of length h, of which the end displacement is asked: an impulse h q at its begin (B = h g(h)), constant q
+  /// (B = integral of g over the step), rising linearly from 0 to q (B = integral of g(s) (1 - s / h)).
+  enum class StepForce
+  {
+    impulse,
+    constant,
+    linear
+  };
+
+  /// B(h), displacement at the end of a step per force in it, without the residual; n_rows square [m/N]
+  DenseMatrix one_step_compliance(const PoleModel &model, double step, StepForce shape);
+
+  /// Whether contact can be solved with a model: the LCP 0 <= q, u_h + (B + S) q - u_road >= 0 of a step has one
+  /// solution if the symmetric part of B + S is positive definite. A good fit does not make it so.
+  struct ContactReadiness
+  {
+    /// step, its half and tenth [s]
+    std::array<double, 3> steps;
+    /// smallest over largest eigenvalue of the symmetric part of B + S at each, the worst of the force shapes
+    std::array<double, 3> definiteness;
+    /// the same in the limit of a zero step: of S, and where S has no stiffness of g(0+), or of g'(0+) if g(0+) vanishes
+    double limit = 0;
+    /// largest |g(0+)| over the largest |g(t)| within a step's reach [-], exactly 0 only if it was imposed
+    double initial_value = 0;
+    /// g(0+) = 0 and g'(0+) positive definite: rigid points may strike, J = (u_r' - v) / g'(0+) holds
+    bool impacts = false;
+
+    bool usable() const;
+    /// One sentence about what fails; empty if usable.
+    std::string reason() const;
+  };
+
+  ContactReadiness contact_readiness(const PoleModel &model, double step);
+
+  /// @throws InputError with the reason, the name of the body in front, if the model cannot be used at this step
+  void check_contact_readiness(const PoleModel &model, double step, const std::string &body);
+} // namespace vibrocontact

@@ -1,0 +1,210 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/frequency_csv.h>
+#include <vibrocontact/base/nearest_names.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fftw3.h>
+#include <optional>
+
+namespace vibrocontact
+{
+  using Complex = std::complex<double>;
+
+  namespace
+  {
+    std::optional<std::string> without_end(const std::string &name, const std::string &end)
+    {
+      if (name.size() <= end.size() || name.substr(name.size() - end.size()) != end)
+        return {};
+      return name.substr(0, name.size() - end.size());
+    }
+
+    /// The kinds of columns: end of the name, powers of j omega in them.
+    struct Unit
+    {
+      std::string end;
+      unsigned int power;
+    };
+    const std::vector<Unit> units = {{"_m_N", 0}, {"_m_Ns", 1}, {"_m_Ns2", 2}};
+
+    /// Splits <response>_<reference>: labels are those for which <label>_<label> is among the pairs.
+    class Labels
+    {
+    public:
+      Labels(const CsvTable &table, const std::vector<std::string> &pairs) : table(table)
+      {
+        for (const std::string &pair : pairs)
+          if (pair.size() % 2 == 1 && pair[pair.size() / 2] == '_' &&
+              pair.substr(0, pair.size() / 2) == pair.substr(pair.size() / 2 + 1))
+            known.push_back(pair.substr(0, pair.size() / 2));
+      }
+
+      std::pair<std::string, std::string> split(const std::string &pair) const
+      {
+        for (const std::string &response : known)
+          for (const std::string &reference : known)
+            if (pair == response + "_" + reference)
+              return {response, reference};
+        throw InputError(
+            "The table \"" + table.file_name + "\" has a column for " + pair +
+            ", which is no pair of points that are driven themselves" +
+            (known.empty() ? ", of which there are none" : " (" + quoted_list(known, "and") + ")") +
+            ": name columns <response>_<force>_real_m_N and add <point>_<point>_real_m_N for "
+            "every point.");
+      }
+
+    private:
+      const CsvTable &table;
+      std::vector<std::string> known;
+    };
+
+    FrequencyData read_impulse_responses(const CsvTable &table, const std::vector<double> &time)
+    {
+      check_axis(table.file_name, time, "s", table.lines);
+      const double step = time.back() / (time.size() - 1);
+      for (std::size_t i = 0; i < time.size(); ++i)
+        if (std::abs(time[i] - i * step) > 1e-4 * step)
+          throw InputError("The table \"" + table.file_name + "\", line " + std::to_string(table.lines[i]) +
+                           ", leaves the equal steps from time_s = 0 on that an impulse response needs: "
+                           "sample it so.");
+      FrequencyData data;
+      data.file_name = table.file_name;
+      std::vector<std::string> pairs;
+      for (const std::string &name : table.names)
+        if (const auto pair = without_end(name, "_m_Ns"))
+          pairs.push_back(*pair);
+        else if (name != "time_s")
+          throw InputError("The table \"" + table.file_name + "\" has a column " + name +
+                           ": an impulse response is called <response>_<force>_m_Ns.");
+      const Labels labels(table, pairs);
+      for (const std::string &pair : pairs)
+      {
+        const auto [response, reference] = labels.split(pair);
+        FrequencyData::Entry entry;
+        entry.response = data.label_index(response);
+        entry.reference = data.label_index(reference);
+        for (const double value : table.column(pair + "_m_Ns"))
+          entry.values.push_back(value);
+        data.entries.push_back(entry);
+      }
+      transform_to_frequency(data, step);
+      return data;
+    }
+  } // namespace
+
+  FrequencyData read_frequency_csv(const CsvTable &table)
+  {
+    if (const auto *const time = table.find("time_s"))
+      return read_impulse_responses(table, *time);
+    FrequencyData data;
+    data.file_name = table.file_name;
+    data.frequency = table.column("frequency_Hz");
+    check_axis(table.file_name, data.frequency, "Hz", table.lines);
+    std::vector<std::string> pairs;
+    std::vector<Unit> unit_of_pair;
+    for (const std::string &name : table.names)
+    {
+      bool understood = name == "frequency_Hz";
+      for (const Unit &unit : units)
+      {
+        if (const auto pair = without_end(name, "_real" + unit.end))
+        {
+          pairs.push_back(*pair);
+          unit_of_pair.push_back(unit);
+          understood = true;
+        }
+        if (const auto pair = without_end(name, "_imag" + unit.end))
+        {
+          table.column(*pair + "_real" + unit.end);
+          understood = true;
+        }
+      }
+      if (!understood)
+        throw InputError(
+            "The table \"" + table.file_name + "\" has a column " + name +
+            ", which is neither frequency_Hz nor like <response>_<force>_real_m_N (or _imag_; _m_Ns "
+            "for mobility, _m_Ns2 for accelerance): rename it or leave it out.");
+    }
+    const Labels labels(table, pairs);
+    for (unsigned int k = 0; k < pairs.size(); ++k)
+    {
+      const auto [response, reference] = labels.split(pairs[k]);
+      FrequencyData::Entry entry;
+      entry.response = data.label_index(response);
+      entry.reference = data.label_index(reference);
+      const std::vector<double> &real = table.column(pairs[k] + "_real" + unit_of_pair[k].end),
+                                &imaginary = table.column(pairs[k] + "_imag" + unit_of_pair[k].end);
+      for (std::size_t l = 0; l < real.size(); ++l)
+        entry.values.emplace_back(real[l], imaginary[l]);
+      data.entries.push_back(entry);
+      integrate_in_frequency(data, k, unit_of_pair[k].power);
+    }
+    return data;
+  }
+
+  void integrate_in_frequency(FrequencyData &data, const unsigned int entry, const unsigned int power)
+  {
+    if (power == 0)
+      return;
+    if (data.frequency.front() == 0)
+      throw InputError(
+          "The data \"" + data.file_name +
+          "\" give a velocity or acceleration per force at 0 Hz, which does not tell the displacement "
+          "there: leave that frequency out.");
+    for (std::size_t l = 0; l < data.frequency.size(); ++l)
+      data.entries[entry].values[l] /= std::pow(Complex(0, 2 * M_PI * data.frequency[l]), power);
+  }
+
+  void transform_to_frequency(FrequencyData &data, const double step)
+  {
+    const int n = data.entries.front().values.size();
+    std::vector<double> samples(n);
+    std::vector<Complex> lines(n / 2 + 1);
+    const fftw_plan plan = fftw_plan_dft_r2c_1d(
+        n, samples.data(), reinterpret_cast<fftw_complex *>(lines.data()), FFTW_ESTIMATE);
+    for (FrequencyData::Entry &entry : data.entries)
+    {
+      for (int i = 0; i < n; ++i)
+        samples[i] = step * (i == 0 ? 0.5 : 1.) * entry.values[i].real();
+      fftw_execute(plan);
+      entry.values = lines;
+    }
+    fftw_destroy_plan(plan);
+    data.frequency.clear();
+    for (unsigned int l = 0; l < lines.size(); ++l)
+      data.frequency.push_back(l / (n * step));
+  }
+
+  std::string frequency_csv(const FrequencyData &data, const std::vector<std::string> &comments)
+  {
+    std::string text;
+    for (const std::string &comment : comments)
+      text += "# " + comment + "\n";
+    text += "frequency_Hz";
+    for (const FrequencyData::Entry &entry : data.entries)
+      for (const char *part : {"_real_m_N", "_imag_m_N"})
+        text += "," + data.labels[entry.response] + "_" + data.labels[entry.reference] + part;
+    text += "\n";
+    const auto number = [&](const double value)
+    {
+      char digits[32];
+      std::snprintf(digits, sizeof digits, "%.17g", value);
+      text += digits;
+    };
+    for (std::size_t l = 0; l < data.frequency.size(); ++l)
+    {
+      number(data.frequency[l]);
+      for (const FrequencyData::Entry &entry : data.entries)
+      {
+        text += ",";
+        number(entry.values[l].real());
+        text += ",";
+        number(entry.values[l].imag());
+      }
+      text += "\n";
+    }
+    return text;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,171 @@
+#include <vibrocontact/base/csv_table.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/frequency_csv.h>
+#include <vibrocontact/base/frequency_data.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/base/uff58.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  using Complex = std::complex<double>;
+
+  const FrequencyData::Entry *FrequencyData::find(const unsigned int response,
+                                                  const unsigned int reference) const
+  {
+    for (const Entry &entry : entries)
+      if (entry.response == response && entry.reference == reference)
+        return &entry;
+    return nullptr;
+  }
+
+  unsigned int FrequencyData::label_index(const std::string &label)
+  {
+    const auto found = std::find(labels.begin(), labels.end(), label);
+    if (found != labels.end())
+      return found - labels.begin();
+    labels.push_back(label);
+    return labels.size() - 1;
+  }
+
+  namespace
+  {
+    /// share of the steps that agree with their median to 1e-4, and the first that is larger by half
+    struct Regularity
+    {
+      double share = 0, median = 0;
+      std::size_t gap = 0;
+    };
+
+    Regularity regularity(const std::vector<double> &steps)
+    {
+      Regularity result;
+      std::vector<double> sorted = steps;
+      std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
+      result.median = sorted[sorted.size() / 2];
+      std::size_t equal = 0;
+      for (std::size_t i = 0; i < steps.size(); ++i)
+      {
+        equal += std::abs(steps[i] - result.median) <= 1e-4 * std::abs(result.median);
+        if (result.gap == 0 && steps[i] > 1.5 * result.median)
+          result.gap = i + 1;
+      }
+      result.share = double(equal) / steps.size();
+      return result;
+    }
+
+    std::string at_line(const std::string &file_name, const std::vector<unsigned int> &lines,
+                        const std::size_t row)
+    {
+      return "The data \"" + file_name + "\"" +
+             (row < lines.size() ? ", line " + std::to_string(lines[row]) + "," : "");
+    }
+
+    void check_reciprocity(FrequencyData &data)
+    {
+      const unsigned int n = data.labels.size();
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < i; ++j)
+        {
+          const FrequencyData::Entry *const lower = data.find(i, j), *const upper = data.find(j, i);
+          if (!lower || !upper)
+            continue;
+          double difference = 0, size = 0;
+          for (std::size_t l = 0; l < data.frequency.size(); ++l)
+          {
+            difference += std::norm(lower->values[l] - upper->values[l]);
+            size += std::norm(lower->values[l]) + std::norm(upper->values[l]);
+          }
+          const double share = std::sqrt(2 * difference / std::max(size, 1e-300));
+          if (share > 0.05)
+            throw InputError("The data \"" + data.file_name + "\" are not reciprocal: " + data.labels[i] +
+                             " under a force at " + data.labels[j] + " and the reverse differ by " +
+                             number_text(100 * share) +
+                             " % (rms): set Identification/Rolling data = true if the body turns, otherwise "
+                             "mend the measurement or leave one of the two out.");
+          for (std::size_t l = 0; l < data.frequency.size(); ++l)
+          {
+            const Complex mean = (lower->values[l] + upper->values[l]) / 2.;
+            const_cast<FrequencyData::Entry *>(lower)->values[l] = mean;
+            const_cast<FrequencyData::Entry *>(upper)->values[l] = mean;
+          }
+        }
+    }
+
+    void check_matrix(FrequencyData &data, const bool rolling)
+    {
+      const unsigned int n = data.labels.size();
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          if (!data.find(i, j) && (rolling || !data.find(j, i)))
+            throw InputError("The data \"" + data.file_name + "\" lack the response of " + data.labels[i] +
+                             " under a force at " + data.labels[j] +
+                             ": contact needs every pair of its points" +
+                             (rolling ? ", both ways if the body turns." : "."));
+      for (unsigned int a = 0; a < data.entries.size(); ++a)
+      {
+        const FrequencyData::Entry &entry = data.entries[a];
+        if (data.find(entry.response, entry.reference) != &entry)
+          throw InputError("The data \"" + data.file_name + "\" hold the response of " +
+                           data.labels[entry.response] + " under a force at " + data.labels[entry.reference] +
+                           " twice: leave one out.");
+        for (std::size_t l = 0; l < entry.values.size(); ++l)
+          if (!std::isfinite(entry.values[l].real()) || !std::isfinite(entry.values[l].imag()))
+            throw InputError("The data \"" + data.file_name + "\" have no number at " +
+                             number_text(data.frequency[l]) + " Hz for " + data.labels[entry.response] +
+                             " under a force at " + data.labels[entry.reference] +
+                             ": leave that frequency out of all entries or fill it.");
+      }
+      if (!rolling)
+        check_reciprocity(data);
+    }
+  } // namespace
+
+  void check_axis(const std::string &file_name, const std::vector<double> &axis, const std::string &unit,
+                  const std::vector<unsigned int> &lines)
+  {
+    const std::string what = unit == "Hz" ? "frequencies" : "times";
+    if (axis.size() < 3)
+      throw InputError("The data \"" + file_name + "\" have " + std::to_string(axis.size()) + " " + what +
+                       ": give at least 3.");
+    for (std::size_t l = 0; l < axis.size(); ++l)
+    {
+      if (!std::isfinite(axis[l]) || axis[l] < 0)
+        throw InputError(at_line(file_name, lines, l) + " have " + number_text(axis[l]) + " " + unit + ": " +
+                         what + " are not negative.");
+      if (l > 0 && !(axis[l] > axis[l - 1]))
+        throw InputError(at_line(file_name, lines, l) + " have " + number_text(axis[l]) + " " + unit +
+                         " after " + number_text(axis[l - 1]) + " " + unit + ": sort the " + what +
+                         ", each once.");
+    }
+    std::vector<double> steps, logarithms;
+    for (std::size_t l = 1; l < axis.size(); ++l)
+    {
+      steps.push_back(axis[l] - axis[l - 1]);
+      if (axis[l - 1] > 0)
+        logarithms.push_back(std::log(axis[l] / axis[l - 1]));
+    }
+    const Regularity linear = regularity(steps), geometric = regularity(logarithms);
+    const Regularity &better = linear.share >= geometric.share ? linear : geometric;
+    if (better.share < 0.8 || better.gap == 0)
+      return;
+    const std::size_t row = better.gap + (&better == &geometric ? steps.size() - logarithms.size() : 0);
+    throw InputError(at_line(file_name, lines, row) + " have a gap between " + number_text(axis[row - 1]) +
+                     " and " + number_text(axis[row]) + " " + unit +
+                     ", while their other steps are equal: add what is missing.");
+  }
+
+  FrequencyData read_frequency_data(const std::string &file_name, const std::string &bytes,
+                                    const bool rolling)
+  {
+    const auto ends_with = [&](const std::string &end)
+    { return file_name.size() >= end.size() && file_name.substr(file_name.size() - end.size()) == end; };
+    FrequencyData data = ends_with(".uff") || ends_with(".unv")
+                             ? read_uff58(file_name, bytes)
+                             : read_frequency_csv(read_csv(file_name, bytes));
+    check_matrix(data, rolling);
+    return data;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,211 @@
+// Frequency responses in files: what is written comes back bit by bit, hand-written files are understood, wrong ones refused.
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/frequency_csv.h>
+#include <vibrocontact/base/frequency_data.h>
+#include <vibrocontact/base/uff58.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+using namespace vibrocontact;
+using Complex = std::complex<double>;
+
+namespace
+{
+  FrequencyData sample(const double step = 0.5)
+  {
+    FrequencyData data;
+    data.labels = {"left_z", "right_-x"};
+    for (unsigned int l = 0; l < 5; ++l)
+      data.frequency.push_back(2 + l * step);
+    for (const auto &[i, j] : {std::make_pair(0u, 0u), std::make_pair(0u, 1u), std::make_pair(1u, 1u)})
+    {
+      FrequencyData::Entry entry;
+      entry.response = i;
+      entry.reference = j;
+      for (unsigned int l = 0; l < 5; ++l)
+        entry.values.emplace_back(std::sin(1 + l + i) * 1e-6, -std::exp(0.3 * l + j) / 3);
+      data.entries.push_back(entry);
+    }
+    return data;
+  }
+
+  void expect_equal(const FrequencyData &a, const FrequencyData &b)
+  {
+    EXPECT_EQ(a.labels, b.labels);
+    EXPECT_EQ(a.frequency, b.frequency);
+    ASSERT_EQ(a.entries.size(), b.entries.size());
+    for (unsigned int k = 0; k < a.entries.size(); ++k)
+    {
+      EXPECT_EQ(a.entries[k].response, b.entries[k].response);
+      EXPECT_EQ(a.entries[k].reference, b.entries[k].reference);
+      EXPECT_EQ(a.entries[k].values, b.entries[k].values);
+    }
+  }
+
+  std::string message(const std::function<void()> &action)
+  {
+    try
+    {
+      action();
+    }
+    catch (const InputError &error)
+    {
+      return error.what();
+    }
+    return "nothing was refused";
+  }
+
+  std::string refused(const std::string &name, const std::string &bytes, const bool rolling = false)
+  {
+    return message([&] { read_frequency_data(name, bytes, rolling); });
+  }
+
+  void expect_words(const std::string &text, const std::vector<std::string> &words)
+  {
+    for (const std::string &word : words)
+      EXPECT_NE(text.find(word), std::string::npos) << text << " lacks " << word;
+  }
+} // namespace
+
+TEST(FrequencyData, TableComesBackBitByBit)
+{
+  const FrequencyData data = sample(1 / 3.);
+  const std::string text = frequency_csv(data, {"a comment"});
+  const FrequencyData back = read_frequency_data("x.csv", text, false);
+  expect_equal(data, back);
+  EXPECT_EQ(text, frequency_csv(back, {"a comment"}));
+}
+
+TEST(FrequencyData, UniversalFileComesBackBitByBit)
+{
+  const FrequencyData data = sample();
+  expect_equal(data, read_frequency_data("x.uff", uff58_text(data, "title", true), false));
+  for (const double step : {0.5, 1 / 3.})
+    for (const bool binary : {false, true})
+    {
+      // once written, twice the same
+      const std::string text = uff58_text(sample(step), "title", binary);
+      const FrequencyData back = read_uff58("x.uff", text);
+      EXPECT_EQ(text, uff58_text(back, "title", binary));
+      for (unsigned int l = 0; l < 5; ++l)
+      {
+        EXPECT_NEAR(back.frequency[l], sample(step).frequency[l], 1e-8);
+        EXPECT_NEAR(back.entries[1].values[l].imag() / sample(step).entries[1].values[l].imag(), 1, 1e-12);
+      }
+    }
+  // an uneven axis
+  FrequencyData uneven = data;
+  uneven.frequency = {1, 2, 4, 8, 16};
+  for (const bool binary : {false, true})
+  {
+    const std::string text = uff58_text(uneven, "title", binary);
+    const FrequencyData back = read_uff58("x.uff", text);
+    EXPECT_EQ(back.frequency, uneven.frequency);
+    EXPECT_EQ(text, uff58_text(back, "title", binary));
+  }
+}
+
+namespace
+{
+  /// written by hand after the format's description: an accelerance in single precision, uneven
+  const std::string foreign =
+      "    -1\n"
+      "   164\n"
+      "         1  SI: m, N             2\n"
+      "  1.0000000000000000D+00\n"
+      "    -1\n"
+      "    -1\n"
+      "    58\n"
+      "Hammer test\n"
+      "NONE\n"
+      "21-Nov-26 12:00:00\n"
+      "NONE\n"
+      "NONE\n"
+      "    4         1    0         0 NONE              12   3 NONE              12  -3\n"
+      "         5         3         0  0.00000E+00  0.00000E+00  0.00000E+00\n"
+      "        18    0    0    0 Frequency            Hz                  \n"
+      "        12    1    0    0 Acceleration         m/s^2               \n"
+      "        13    0    1    0 Force                N                   \n"
+      "         0    0    0    0 NONE                 NONE                \n"
+      "  1.00000E+00  2.00000E+00  0.00000E+00  2.00000E+00  0.00000E+00 -4.00000E+00\n"
+      "  5.00000E+00 -1.00000E+00  1.00000E+00\n"
+      "    -1\n";
+} // namespace
+
+TEST(FrequencyData, ForeignUniversalFile)
+{
+  const FrequencyData data = read_uff58("hammer.unv", foreign);
+  ASSERT_EQ(data.labels.size(), 2);
+  EXPECT_EQ(data.labels[0], "12_z");
+  EXPECT_EQ(data.labels[1], "12_-z");
+  ASSERT_EQ(data.frequency, (std::vector<double>{1, 2, 5}));
+  // receptance = accelerance / (j omega)^2
+  EXPECT_NEAR(std::abs(data.entries[0].values[1] * 16. * M_PI * M_PI - Complex(0, 4)), 0, 1e-12);
+}
+
+TEST(FrequencyData, ImpulseResponse)
+{
+  // m = 1, omega_d = 100, decay 20: G = 1 / ((s + 20)^2 + 100^2)
+  std::string text = "time_s,a_z_a_z_m_Ns\n";
+  const double step = 1e-4;
+  char line[80];
+  for (unsigned int n = 0; n < 20000; ++n)
+  {
+    const double t = n * step;
+    std::snprintf(line, sizeof line, "%.17g,%.17g\n", t, std::exp(-20 * t) * std::sin(100 * t) / 100);
+    text += line;
+  }
+  const FrequencyData data = read_frequency_data("g.csv", text, false);
+  EXPECT_NEAR(data.frequency[1], 0.5, 1e-12);
+  for (const unsigned int l : {0u, 20u, 60u})
+  {
+    const Complex s(20, 2 * M_PI * data.frequency[l]);
+    EXPECT_LT(std::abs(data.entries[0].values[l] * (s * s + 1e4) - 1.), 1e-4);
+  }
+}
+
+TEST(FrequencyData, WrongDataAreRefused)
+{
+  const std::string head = "# measured\nfrequency_Hz,a_z_a_z_real_m_N,a_z_a_z_imag_m_N\n";
+  const auto rows = [&](const std::vector<std::string> &frequencies)
+  {
+    std::string text = head;
+    for (const std::string &frequency : frequencies)
+      text += frequency + ",1,0\n";
+    return text;
+  };
+  expect_words(refused("d.csv", rows({"1", "3", "2"})), {"d.csv", "line 5", "sort"});
+  expect_words(refused("d.csv", rows({"-1", "0", "1"})), {"d.csv", "line 3", "not negative"});
+  expect_words(refused("d.csv", rows({"1", "2", "3", "4", "5", "6", "8", "9", "10"})),
+               {"line 9", "gap between 6 and 8"});
+  expect_words(refused("d.csv", head + "1,1,0\n2,nan,0\n3,1,0\n"), {"line 4", "nan", "number"});
+  expect_words(refused("d.csv", head + "1,1,0\n2,,0\n3,1,0\n"), {"line 4", "number"});
+  expect_words(refused("d.csv", rows({"1", "2"})), {"at least 3"});
+  expect_words(refused("d.csv", "frequency_Hz,a_z_b_z_real_m_N,a_z_b_z_imag_m_N\n1,1,0\n2,1,0\n3,1,0\n"),
+               {"a_z_b_z", "driven"});
+  // logarithmic axes are as good
+  EXPECT_EQ(refused("d.csv", rows({"1", "2", "4", "8", "16", "32", "64"})), "nothing was refused");
+
+  FrequencyData data = sample();
+  data.entries.push_back(data.entries[1]);
+  std::swap(data.entries.back().response, data.entries.back().reference);
+  data.entries.back().values[2] *= 3;
+  const std::string text = frequency_csv(data, {});
+  expect_words(refused("d.csv", text), {"not reciprocal", "right_-x", "left_z", "Rolling data"});
+  EXPECT_EQ(refused("d.csv", text, true), "nothing was refused");
+  expect_words(refused("d.csv", frequency_csv(sample(), {}), true), {"lack", "both ways"});
+
+  std::string uff = uff58_text(sample(), "title", false), other = uff58_text(sample(0.25), "title", false);
+  expect_words(refused("d.uff", uff + other), {"d.uff", "line", "axis differs"});
+  expect_words(refused("d.uff", uff.substr(0, uff.size() / 2)), {"not complete"});
+  expect_words(refused("d.uff", "nothing"), {"no dataset 58"});
+  std::string inches = foreign;
+  inches.replace(inches.find("         1  SI"), 10, "         7");
+  expect_words(refused("d.unv", inches), {"line 3", "SI"});
+  std::string hole = foreign;
+  hole.replace(hole.find(" -1.00000E+00"), 13, "          NaN");
+  expect_words(refused("d.unv", hole), {"line 20", "NaN"});
+}
