@@ -5,6 +5,8 @@ figures/contact_patch_<k>.png   pressure, traction and status over the patch
 figures/centre_line_<k>.png     tractions along y = 0, as in Fig. 7 of Lai et al. (2018)
 figures/creep_curves.png        tangential force (spin: moment too) against what is swept
 figures/frequency_response.png  mobilities of the driving points over frequency, as in Fig. 6
+figures/identification.png      receptances given, fitted by poles, and their differences
+figures/stabilisation_chart.png identified poles over their number
 figures/stability_sweep.png     divergence rates along a sweep of one entry
 figures/stability_map.png       number of unstable roots and each one's divergence rate over a sweep of two entries
 figures/root_locus.png          paths of the followed roots: growth against frequency
@@ -726,6 +728,53 @@ def plot_frequency_response(folder, analysis):
     save(figure, folder, "frequency_response")
 
 
+def receptances(folder, table):
+    """Complex columns by name of the pair, and the frequencies."""
+    columns = read_table(os.path.join(folder, table))
+    return columns["frequency_Hz"], {name[:-len("_real_m_N")]: columns[name] + 1j * columns[name.replace("_real_", "_imag_")]
+                                     for name in columns if name.endswith("_real_m_N")}
+
+
+def plot_identification(folder, fits):
+    """Data and fits, one panel per entry of the first row (at most four), with the distance of each fit from the data."""
+    frequency, data = receptances(folder, fits[0]["data"])
+    names = list(data)[:4]
+    figure, axes = plt.subplots(len(names), 1, figsize=(8, 2.6 * len(names)), squeeze=False, sharex=True)
+    fitted = [receptances(folder, fit["fit"])[1] for fit in fits]
+    for axis, name in zip(axes[:, 0], names):
+        axis.semilogy(frequency, np.abs(data[name]), "k", lw=1.6, label="data")
+        for k, (fit, values) in enumerate(zip(fits, fitted)):
+            error = fit["error_E_entries"][fit["entries"].index(name)]
+            axis.semilogy(frequency, np.abs(values[name]), "--", lw=1, color=f"C{k}",
+                          label=f"{fit['method']}, {fit['n_pole_pairs']:g} pairs, E = {error:.1e}")
+            axis.semilogy(frequency, np.abs(values[name] - data[name]) + 1e-300, ":", lw=0.8, color=f"C{k}")
+        axis.set_ylim(bottom=1e-6 * np.abs(data[name]).max())
+        axis.set_title(name)
+        axis.set_ylabel("receptance [m/N]")
+        axis.grid(alpha=0.3, which="both")
+        axis.legend(fontsize=7)
+    axes[-1, 0].set_xlabel("frequency [Hz]; dotted: difference to the data")
+    figure.tight_layout()
+    save(figure, folder, "identification")
+    if not fits[0].get("chart"):
+        return
+    chart = read_table(os.path.join(folder, fits[0]["chart"]))
+    figure, axis = plt.subplots(figsize=(8, 5))
+    for status, marker, colour, label in ((0, "x", "#bbbbbb", "new"), (1, "^", "#e08a2e", "frequency within 1 %"),
+                                          (2, "o", "#2a6fb0", "damping within 5 %, too")):
+        chosen = (chart["status"] == status) & (chart["frequency_Hz"] < 1.1 * frequency.max())
+        axis.plot(chart["frequency_Hz"][chosen], chart["n_pole_pairs"][chosen], marker, ms=4, color=colour, ls="none", label=label)
+    other = axis.twinx()
+    other.semilogy(frequency, np.abs(data[names[0]]), "k", lw=0.8, alpha=0.6)
+    other.set_ylabel(f"receptance of {names[0]} [m/N]")
+    axis.set_xlabel("frequency [Hz]")
+    axis.set_ylabel("pole pairs")
+    axis.set_title("Stabilisation chart, " + fits[0]["method"])
+    axis.legend(fontsize=8, loc="lower right")
+    figure.tight_layout()
+    save(figure, folder, "stabilisation_chart")
+
+
 def main():
     folder = sys.argv[1]
     with open(os.path.join(folder, "results.json")) as file:
@@ -740,6 +789,8 @@ def main():
     plot_curves(folder, cases)
     if "frequency_response" in analyses:
         plot_frequency_response(folder, analyses["frequency_response"])
+    if analyses.get("identification"):
+        plot_identification(folder, analyses["identification"])
     if analyses.get("stability", {}).get("sweep"):
         plot_sweep(folder, analyses["stability"]["swept_columns"], analyses["stability"]["swept_entries"])
     for body, modes in analyses.get("modes", {}).items():

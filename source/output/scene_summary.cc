@@ -43,7 +43,7 @@ namespace vibrocontact
     Log &log = run_log();
     log.block("Body " + parameters.name);
     log.value("type", parameters.type + " (" + parameters.body_type().help + ")");
-    if (parameters.type != "rigid")
+    if (parameters.has_material())
     {
       log.value("Young modulus", parameters.material.young_modulus, "Pa");
       log.value("Poisson ratio", parameters.material.poisson_ratio);
@@ -54,6 +54,13 @@ namespace vibrocontact
       log.value("length", parameters.bar.length, "m");
       log.value("section", parameters.bar.section, "m^2");
       log.value("dofs", parameters.bar.divisions * parameters.bar.degree + 1);
+      return;
+    }
+    if (parameters.type == "identified")
+    {
+      log.value("points", parameters.identified.positions.empty()
+                              ? 1u
+                              : static_cast<unsigned int>(parameters.identified.positions.size()));
       return;
     }
     if (parameters.type == "beam rail")

@@ -44,6 +44,7 @@ namespace vibrocontact
     prm.leave_subsection();
     declare("Stability", stability);
     declare("Frequency response", frequency_response);
+    declare("Identification", identification);
   }
 
   ContactGrid Parameters::contact_grid() const
@@ -296,6 +297,8 @@ namespace vibrocontact
       check_transient(*this);
     if (scene.runs("frequency response"))
       check_frequency_response(scene, modes, frequency_response);
+    if (scene.runs("identification"))
+      identification.check();
     if (scene.runs("stability"))
       check_sweep(*this);
     if (has_dynamics())

@@ -11,6 +11,7 @@
 #include <vibrocontact/run/prepare_bodies.h>
 #include <vibrocontact/run/run.h>
 #include <vibrocontact/run/run_frequency_response.h>
+#include <vibrocontact/run/run_identification.h>
 #include <vibrocontact/run/run_modes.h>
 #include <vibrocontact/run/run_rolling.h>
 #include <vibrocontact/run/run_stability.h>
@@ -101,6 +102,11 @@ namespace vibrocontact
           write_deformation(last, parameters, bodies, record.folder);
         save("quasi-static rolling");
       }
+      if (due("identification"))
+      {
+        run_identification(parameters, record.folder, results);
+        save("identification");
+      }
       if (due("stability"))
       {
         if (sweep.cases.empty())
@@ -172,6 +178,8 @@ namespace vibrocontact
       check_meshes(parameters, bodies, command_line.check);
       if (parameters.scene.runs("transient") && parameters.transient.model == "finite elements")
         check_unreduced_size(bodies);
+      if (parameters.scene.runs("identification"))
+        identification_data(parameters.identification);
       if (command_line.check)
       {
         print_scene(parameters, bodies, grid);

@@ -16,6 +16,8 @@ namespace vibrocontact
         {"block", "Block", "box of hexahedra", true, true},
         {"layer", "Layer", "elastic layer on a rigid plane: plane strain or a box, held on top", true, false},
         {"bar", "Bar", "straight bar along z that only stretches", true, false},
+        {"identified", "Identified",
+         "known by measured or computed Green's functions, see section Identification", false, false},
         {"mesh", "Mesh", "hexahedra with named groups from a gmsh file", true, true},
     };
     return types;
@@ -45,7 +47,7 @@ namespace vibrocontact
       group.declare_parameters(prm);
       prm.leave_subsection();
     };
-    if (type != "rigid")
+    if (has_material())
       declare("Material", material);
     if (type == "half-space")
       declare("Half-space", half_space);
@@ -53,6 +55,8 @@ namespace vibrocontact
       declare("Rigid", half_space);
     if (type == "bar")
       declare("Bar", bar);
+    if (type == "identified")
+      declare("Identified", identified);
     if (type == "block")
       declare("Block", block);
     if (type == "layer")
@@ -71,10 +75,12 @@ namespace vibrocontact
 
   void BodyParameters::check(const std::string &section) const
   {
-    if (type != "rigid")
+    if (has_material())
       material.check(section + "/Material");
-    if (!is_meshed())
+    if (type == "half-space" || type == "rigid")
       half_space.check(section + "/" + body_type().section);
+    if (type == "identified")
+      identified.check(section + "/Identified");
     if (type == "bar")
       bar.check(section + "/Bar");
     if (type == "block")

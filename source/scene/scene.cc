@@ -18,6 +18,7 @@ namespace vibrocontact
                                                      "Transient",
                                                      "Tyre",
                                                      "Frequency response",
+                                                     "Identification",
                                                      "Modal convolution",
                                                      "Periodic",
                                                      "Stability"};
@@ -66,6 +67,7 @@ namespace vibrocontact
     static const std::vector<AnalysisType> types = {
         {"modes", "natural frequencies, shapes and damping of every meshed body", 1},
         {"frequency response", "point and transfer mobilities of meshed bodies, with hysteretic loss", 1},
+        {"identification", "poles of a body known by measured or computed Green's functions", 1},
         {"quasi-static rolling", "steady rolling contact of body 1 on body 2 with friction", 2},
         {"stability", "complex eigenvalues about the rolling equilibrium: which modes squeal", 2},
         {"transient", "motion in time of body 1 on body 2", 2}};
@@ -157,6 +159,12 @@ namespace vibrocontact
         throw InputError("Bodies lists " + std::to_string(bodies.size()) + " (" + bodies_entry +
                          "), but the analysis \"" + type.name +
                          "\" needs two, body 1 above and body 2 below; list exactly two");
+    for (const BodyParameters &body : bodies)
+      for (const char *analysis : {"quasi-static rolling", "stability", "transient"})
+        if (body.is_green() && runs(analysis))
+          throw InputError("The body " + body.name + " is of type " + body.type +
+                           ", known by its Green's functions alone, which the analysis \"" + analysis +
+                           "\" cannot use; leave one of the two out");
     for (const std::string analysis : {"modes", "frequency response"})
       if (runs(analysis) && std::none_of(bodies.begin(), bodies.end(),
                                          [](const BodyParameters &body) { return body.is_meshed(); }))

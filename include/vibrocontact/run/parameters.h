@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/frequency_response.h>
+#include <vibrocontact/analyses/identification.h>
 #include <vibrocontact/analyses/stability.h>
 #include <vibrocontact/analyses/transient_parameters.h>
 #include <vibrocontact/base/parameter_file.h>
@@ -29,6 +30,7 @@ namespace vibrocontact
     SignalParameters signals;
     StabilityParameters stability;
     FrequencyResponseParameters frequency_response;
+    IdentificationParameters identification;
     /// of the meshed bodies, by name
     std::map<std::string, ModeParameters> modes;
 

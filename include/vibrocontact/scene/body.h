@@ -5,6 +5,7 @@
 #include <vibrocontact/scene/beam_rail.h>
 #include <vibrocontact/scene/block.h>
 #include <vibrocontact/scene/half_space_body.h>
+#include <vibrocontact/scene/identified.h>
 #include <vibrocontact/scene/layer.h>
 #include <vibrocontact/scene/loads.h>
 #include <vibrocontact/scene/material.h>
@@ -32,7 +33,7 @@ namespace vibrocontact
     bool is_solid;
   };
 
-  /// half-space, rigid, wheel, rail, beam rail, block, layer, bar, mesh
+  /// half-space, rigid, wheel, rail, beam rail, block, layer, bar, identified, mesh
   const std::vector<BodyType> &body_types();
 
   /// `subsection <name of the body>`: its type, and one nested subsection per group of entries. Only the
@@ -46,6 +47,7 @@ namespace vibrocontact
     BlockParameters block;
     LayerParameters layer;
     BarParameters bar;
+    IdentifiedParameters identified;
     WheelParameters wheel;
     RailParameters rail;
     BeamRailParameters beam_rail;
@@ -55,6 +57,10 @@ namespace vibrocontact
     const BodyType &body_type() const;
     bool is_meshed() const { return body_type().is_meshed; }
     bool is_solid() const { return body_type().is_solid; }
+    /// has Material; others bring their own stiffness
+    bool has_material() const { return type != "rigid" && !is_green(); }
+    /// known by its Green's functions: rolls on a road, cannot be a partner of other contacts
+    bool is_green() const { return type == "identified"; }
     /// can come into contact in one point only
     bool is_point() const { return type == "bar"; }
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// A body known by Green's functions that section Identification turns into poles: what the data do not say, where
+  /// its points lie over the road.
+  struct IdentifiedParameters
+  {
+    /// of the data's points along the road, in their order; empty for one point at 0 [m]
+    std::vector<double> positions;
+    /// height of the points above the lowest one is radius (1 - cos(x / radius)), positions being measured along the
+    /// circle; 0: all level [m]
+    double radius = 0;
+    /// under each point, 0: rigid [N/m]
+    double tread_stiffness = 0;
+
+    void declare_parameters(dealii::ParameterHandler &prm);
+    /// @throws InputError
+    void check(const std::string &section) const;
+    /// of each point above the lowest one; as many as positions [m]
+    std::vector<double> heights() const;
+  };
+} // namespace vibrocontact

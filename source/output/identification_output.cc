@@ -1,0 +1,96 @@
+#include <vibrocontact/output/identification_output.h>
+
+#include <cmath>
+
+namespace vibrocontact
+{
+  using Json = nlohmann::ordered_json;
+
+  namespace
+  {
+    std::string entry_name(const FrequencyData &data, const unsigned int entry)
+    {
+      return data.labels[data.entries[entry].response] + "_" + data.labels[data.entries[entry].reference];
+    }
+  } // namespace
+
+  Table poles_table(const Identification &one, const FrequencyData &data)
+  {
+    std::vector<std::string> columns = {"frequency_Hz", "damping_ratio", "pole_real_1_s", "pole_imag_1_s"};
+    for (unsigned int i = 0; i < data.entries.size(); ++i)
+      for (const char *part : {"_residue_real_m_Ns", "_residue_imag_m_Ns"})
+        columns.push_back(entry_name(data, i) + part);
+    Table table(
+        columns,
+        {"Poles of " + data.file_name + " by " + one.method,
+         "G = sum R/(j omega - lambda) + R*/(j omega - lambda*), response first, force second; of two "
+         "conjugate poles the upper one, a real pole carries half its residue"});
+    for (unsigned int k = 0; k < one.fit.poles.size(); ++k)
+    {
+      const std::complex<double> pole = one.fit.poles[k];
+      std::vector<Table::Cell> row = {std::abs(pole) / (2 * M_PI), -pole.real() / std::abs(pole), pole.real(),
+                                      pole.imag()};
+      for (const auto &residues : one.fit.residues)
+      {
+        row.push_back(residues[k].real());
+        row.push_back(residues[k].imag());
+      }
+      table.add_row(row);
+    }
+    return table;
+  }
+
+  FrequencyData fitted_data(const Identification &one, const FrequencyData &data)
+  {
+    FrequencyData fit = data;
+    for (unsigned int i = 0; i < fit.entries.size(); ++i)
+      for (unsigned int l = 0; l < fit.frequency.size(); ++l)
+        fit.entries[i].values[l] = one.fit.value(i, 2 * M_PI * fit.frequency[l]);
+    return fit;
+  }
+
+  Table chart_table(const std::vector<ChartPole> &chart)
+  {
+    Table table({"n_pole_pairs", "frequency_Hz", "damping_ratio", "status"},
+                {"Stabilisation chart: poles over their number",
+                 "status 0: new; 1: frequency within 1 % of a pole of the order before; 2: damping within 5 "
+                 "% as well"});
+    for (const ChartPole &pole : chart)
+      table.add_row({double(pole.n_pairs), pole.frequency, pole.damping_ratio, double(pole.status)});
+    return table;
+  }
+
+  Json identification_json(const Identification &one, const FrequencyData &data)
+  {
+    Json entries = Json::array();
+    for (unsigned int i = 0; i < data.entries.size(); ++i)
+      entries.push_back(entry_name(data, i));
+    Json result = {{"method", one.method},
+                   {"n_pole_pairs", one.fit.n_pairs()},
+                   {"n_pole_pairs_asked", one.n_asked},
+                   {"error_E", one.worst()},
+                   {"error_E_entries", one.errors},
+                   {"entries", entries},
+                   {"n_unstable", one.fit.n_unstable()},
+                   {"n_states", one.identified.model.n_poles()},
+                   {"truncation", one.identified.truncation},
+                   {"direct_term_m_N", one.fit.direct},
+                   {"seconds", one.seconds}};
+    if (!one.checked)
+      return result;
+    const ContactReadiness &readiness = one.readiness;
+    result["contact"] = {{"usable", readiness.usable()},
+                         {"repaired", one.repaired},
+                         {"steps_s", readiness.steps},
+                         {"definiteness", readiness.definiteness},
+                         {"definiteness_limit", readiness.limit},
+                         {"initial_value", readiness.initial_value},
+                         {"impacts", readiness.impacts}};
+    if (one.repaired)
+      result["contact"]["error_E_before_repair"] =
+          *std::max_element(one.errors_before_repair.begin(), one.errors_before_repair.end());
+    if (!readiness.usable())
+      result["contact"]["reason"] = readiness.reason();
+    return result;
+  }
+} // namespace vibrocontact

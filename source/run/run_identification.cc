@@ -1,0 +1,109 @@
+#include <vibrocontact/base/atomic_file.h>
+#include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/base/uff58.h>
+#include <vibrocontact/output/identification_output.h>
+#include <vibrocontact/run/run_identification.h>
+
+#include <cmath>
+
+namespace vibrocontact
+{
+  FrequencyData identification_data(const IdentificationParameters &parameters)
+  {
+    return read_frequency_data(parameters.data_file,
+                               read_file_on_all_ranks(parameters.data_file, "data file"), parameters.rolling);
+  }
+
+  namespace
+  {
+    void print(const Identification &one)
+    {
+      run_log().line(one.method + ", " + number_text(one.fit.n_pairs()) + " pole pairs: E = " +
+                     number_text(one.worst()) + " (worst entry), " + time_text(one.seconds));
+      if (one.fit.n_unstable() > 0)
+        run_log().warning(std::to_string(one.fit.n_unstable()) + " poles are unstable.");
+      if (!one.checked)
+        return;
+      if (one.repaired)
+        run_log().line(
+            "  repaired for contact: E was " +
+            number_text(*std::max_element(one.errors_before_repair.begin(), one.errors_before_repair.end())) +
+            " before");
+      if (!one.readiness.usable())
+        run_log().warning("This model cannot be used in contact: " + one.readiness.reason() + ".");
+      else if (!one.readiness.impacts)
+        run_log().line("  g(0+) is " + number_text(one.readiness.initial_value) +
+                       " of the largest g: for rigid contact with impacts set Impose zero initial value");
+    }
+  } // namespace
+
+  void run_identification(const Parameters &parameters, const std::string &folder, Results &results)
+  {
+    const IdentificationParameters &own = parameters.identification;
+    run_log().block("Identification");
+    const FrequencyData data = identification_data(own);
+    run_log().value("points", (unsigned int)(data.labels.size()));
+    run_log().value("frequencies", (unsigned int)(data.frequency.size()));
+    const std::vector<Identification> fits = identify(own, data, print);
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (unsigned int k = 0; k < fits.size(); ++k)
+    {
+      nlohmann::ordered_json one = identification_json(fits[k], data);
+      const std::string number = "_" + std::to_string(k);
+      one["poles"] = "identification_poles" + number + ".csv";
+      one["fit"] = "identification_fit" + number + ".csv";
+      one["fit_uff"] = "identification_fit" + number + ".uff";
+      one["data"] = "identification_data.csv";
+      if (k == 0 && own.chart)
+        one["chart"] = "identification_chart.csv";
+      list.push_back(one);
+    }
+    std::vector<ChartPole> chart;
+    if (own.chart)
+    {
+      const unsigned int last =
+          own.target_error > 0 ? own.largest : *std::max_element(own.pairs.begin(), own.pairs.end());
+      Progress progress("stabilisation chart", double(last) * last / 2);
+      chart = stabilisation_chart(own, data, [&](const unsigned int n) { progress.advance(2 * n); });
+    }
+    on_first_rank(
+        [&]
+        {
+          write_file(
+              folder + "/identification_data.csv",
+              frequency_csv(data,
+                            {"Receptances identified, from " + data.file_name,
+                             "displacement of the first point under a unit force e^{+j w t} at the second"}));
+          for (unsigned int k = 0; k < fits.size(); ++k)
+          {
+            const FrequencyData fit = fitted_data(fits[k], data);
+            const std::string title =
+                "Fit of " + std::to_string(fits[k].n_asked) + " pole pairs by " + fits[k].method;
+            poles_table(fits[k], data).write(folder + "/" + list[k]["poles"].get<std::string>());
+            write_file(folder + "/" + list[k]["fit"].get<std::string>(), frequency_csv(fit, {title}));
+            write_file(folder + "/" + list[k]["fit_uff"].get<std::string>(), uff58_text(fit, title, true));
+          }
+          if (own.chart)
+            chart_table(chart).write(folder + "/identification_chart.csv");
+        });
+    results.analyses["identification"] = list;
+  }
+
+  PoleModel identified_body(const IdentificationParameters &parameters, const double step,
+                            const double tread_compliance, const std::string &body)
+  {
+    const FrequencyData data = identification_data(parameters);
+    IdentificationParameters first = parameters;
+    first.methods = parameters.method_list().front();
+    first.pairs = {parameters.pairs.front()};
+    first.contact_step = tread_compliance > 0 ? 0 : step;
+    Identification one = identify(first, data, print).front();
+    PoleModel &model = one.identified.model;
+    for (unsigned int i = 0; i < model.n_rows(); ++i)
+      model.residual(i, i) += tread_compliance;
+    check_contact_readiness(model, step, body);
+    return model;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,40 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/scene/identified.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace vibrocontact
+{
+  void IdentifiedParameters::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add_parameter(
+        "Positions", positions,
+        "Places of the data's points along the road (along the circle if there is a Radius), in their "
+        "order, ascending; empty: one point at 0. Units: m.",
+        List(Double(-100, 100), 0, 10000, ","));
+    prm.add_parameter("Radius", radius,
+                      "Of the circle on which the points lie, its lowest point at 0; 0: all level. Units: m.",
+                      Double(0, 1e6));
+    prm.add_parameter("Tread stiffness", tread_stiffness,
+                      "Of the tread under each point, which the data do not hold; 0: rigid. Units: N/m.",
+                      Double(0, 1e15));
+  }
+
+  void IdentifiedParameters::check(const std::string &section) const
+  {
+    if (std::adjacent_find(positions.begin(), positions.end(), std::greater_equal<double>()) !=
+        positions.end())
+      throw InputError(section + "/Positions must ascend and hold no place twice.");
+  }
+
+  std::vector<double> IdentifiedParameters::heights() const
+  {
+    std::vector<double> result;
+    for (const double x : positions)
+      result.push_back(radius > 0 ? radius * (1 - std::cos(x / radius)) : 0);
+    return result;
+  }
+} // namespace vibrocontact
