@@ -47,6 +47,13 @@ namespace vibrocontact
     declare("Identification", identification);
   }
 
+  bool Parameters::has_identification() const
+  {
+    return scene.runs("identification") ||
+           std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                       [](const BodyParameters &body) { return body.type == "identified"; });
+  }
+
   ContactGrid Parameters::contact_grid() const
   {
     for (const BodyParameters &body : scene.bodies)
@@ -297,7 +304,7 @@ namespace vibrocontact
       check_transient(*this);
     if (scene.runs("frequency response"))
       check_frequency_response(scene, modes, frequency_response);
-    if (scene.runs("identification"))
+    if (has_identification())
       identification.check();
     if (scene.runs("stability"))
       check_sweep(*this);

@@ -178,8 +178,7 @@ namespace vibrocontact
       check_meshes(parameters, bodies, command_line.check);
       if (parameters.scene.runs("transient") && parameters.transient.model == "finite elements")
         check_unreduced_size(bodies);
-      if (parameters.scene.runs("identification"))
-        identification_data(parameters.identification);
+      check_identification(parameters);
       if (command_line.check)
       {
         print_scene(parameters, bodies, grid);

@@ -1,5 +1,6 @@
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/uff58.h>
@@ -14,6 +15,20 @@ namespace vibrocontact
   {
     return read_frequency_data(parameters.data_file,
                                read_file_on_all_ranks(parameters.data_file, "data file"), parameters.rolling);
+  }
+
+  void check_identification(const Parameters &parameters)
+  {
+    if (!parameters.has_identification())
+      return;
+    const unsigned int n_points = identification_data(parameters.identification).labels.size();
+    for (const BodyParameters &body : parameters.scene.bodies)
+      if (body.type == "identified" && !body.identified.positions.empty() &&
+          body.identified.positions.size() != n_points)
+        throw InputError(body.name + "/Identified/Positions gives " +
+                         std::to_string(body.identified.positions.size()) + " places, but the data \"" +
+                         parameters.identification.data_file + "\" have " + std::to_string(n_points) +
+                         " points; give one for each.");
   }
 
   namespace

@@ -43,6 +43,8 @@ namespace vibrocontact
     bool has_dynamics() const { return scene.runs("transient") || scene.runs("stability"); }
     /// Whether the contact needs the modes of the bodies.
     bool needs_modes() const { return has_dynamics() || (has_contact() && contact.replaces_flexibility()); }
+    /// Whether data are identified: by the analysis, or for a body.
+    bool has_identification() const;
     /// The grid of section Contact, or one point if a body has no more.
     ContactGrid contact_grid() const;
     /// The lateral positions of a stability sweep [m]: those whose contact point lies on the tread of a

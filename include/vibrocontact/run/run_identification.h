@@ -10,6 +10,10 @@ namespace vibrocontact
   /// Reads the data of section Identification on all ranks. @throws InputError with file and line
   FrequencyData identification_data(const IdentificationParameters &parameters);
 
+  /// Reads and checks the data if the analysis or a body needs them, before anything is written.
+  /// @throws InputError, also if a body gives another number of positions than the data have points
+  void check_identification(const Parameters &parameters);
+
   /// The analysis `identification` with its output: results and identification_data.csv, per fit
   /// identification_poles_<k>.csv, identification_fit_<k>.csv and .uff, identification_chart.csv. Every rank computes the
   /// same, rank 0 writes. Collective.
