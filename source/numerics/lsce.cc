@@ -10,9 +10,9 @@ namespace vibrocontact
 {
   using Complex = std::complex<double>;
 
-  ImpulseResponses impulse_responses(const Spectra &data)
+  ImpulseResponses impulse_responses(const Spectra &data, const unsigned int n_samples)
   {
-    const unsigned int n_lines = data.omega.size(), n = 2 * (n_lines - 1);
+    const unsigned int n_lines = data.omega.size(), n = std::max(2 * (n_lines - 1), n_samples);
     const double spacing = data.omega.back() / (n_lines - 1);
     for (unsigned int l = 0; l < n_lines; ++l)
       if (std::abs(data.omega[l] - l * spacing) > 1e-6 * spacing)
@@ -22,12 +22,13 @@ namespace vibrocontact
     ImpulseResponses result;
     const double frequency_step = spacing / (2 * M_PI);
     result.step = 1 / (n * frequency_step);
-    std::vector<Complex> lines(n_lines);
+    std::vector<Complex> lines(n / 2 + 1);
     std::vector<double> samples(n);
     const fftw_plan plan = fftw_plan_dft_c2r_1d(n, reinterpret_cast<fftw_complex *>(lines.data()),
                                                 samples.data(), FFTW_ESTIMATE);
     for (const auto &entry : data.values)
     {
+      std::fill(lines.begin(), lines.end(), Complex(0));
       std::copy(entry.begin(), entry.end(), lines.begin());
       fftw_execute(plan);
       result.values.push_back(samples);

@@ -132,9 +132,12 @@ TEST(Identification, InverseTransformGivesTheImpulseResponse)
   oscillator.residues = {{{0, -0.5}}};
   oscillator.direct = {0};
   const ImpulseResponses responses = impulse_responses(lines_of(oscillator, 4001, 1));
+  const ImpulseResponses closer = impulse_responses(lines_of(oscillator, 4001, 1), 40000);
+  EXPECT_NEAR(closer.step, 2.5e-5, 1e-15);
   for (const unsigned int n : {40u, 400u, 1200u})
   {
     const double t = n * responses.step;
+    EXPECT_NEAR(responses.values[0][n], closer.values[0][5 * n], 1e-4);
     EXPECT_NEAR(responses.values[0][n], 2 * (Complex(0, -0.5) * std::exp(oscillator.poles[0] * t)).real(),
                 2e-3);
   }

@@ -10,12 +10,14 @@ namespace vibrocontact
   {
     /// [s]
     double step = 0;
-    /// one list per entry, 2 (n_lines - 1) samples
+    /// one list per entry
     std::vector<std::vector<double>> values;
   };
 
+  /// @param n_samples more of them lie closer, at 1 / (n_samples * spacing of the lines): nothing is taken to be above
+  /// the band; 0: 2 (n_lines - 1)
   /// @throws InputError if the lines are not equally spaced from zero on
-  ImpulseResponses impulse_responses(const Spectra &data);
+  ImpulseResponses impulse_responses(const Spectra &data, unsigned int n_samples = 0);
 
   /// Least squares complex exponential (Brown et al. 1979, SAE 790221): samples of a sum of 2 n_pairs exponentials
   /// fulfil a linear recurrence
