@@ -116,7 +116,7 @@ namespace vibrocontact
   ContactReadiness contact_readiness(const PoleModel &model, const double step)
   {
     ContactReadiness result;
-    result.steps = {step, step / 2, step / 10};
+    result.steps = {{step, step / 2, step / 10}};
     double largest = 0;
     for (unsigned int k = 0; k < 3; ++k)
     {
