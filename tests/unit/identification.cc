@@ -156,12 +156,9 @@ TEST(Identification, RingByVectorFitting)
 
 TEST(Identification, RingWithNoise)
 {
-  for (const unsigned int seed : {1u, 2u})
-  {
-    const Spectra noisy = ring_data::with_noise(ring(), 0.01, seed);
-    EXPECT_LT(worst_error(ring(), vector_fit(noisy, 16)), 1.5e-2);
-    EXPECT_LT(worst_error(ring(), vector_fit(noisy, 25)), 7e-3);
-  }
+  const Spectra noisy = ring_data::with_noise(ring(), 0.01, 1);
+  EXPECT_LT(worst_error(ring(), vector_fit(noisy, 16)), 1.5e-2);
+  EXPECT_LT(worst_error(ring(), vector_fit(noisy, 25)), 7e-3);
 }
 
 TEST(Identification, RingWithZeroInitialValue)

@@ -30,9 +30,9 @@ namespace vibrocontact
     SignalParameters signals;
     StabilityParameters stability;
     FrequencyResponseParameters frequency_response;
-    IdentificationParameters identification;
     /// of the meshed bodies, by name
     std::map<std::string, ModeParameters> modes;
+    IdentificationParameters identification;
 
     /// After the first pass, which filled the lists of the scene.
     void declare(dealii::ParameterHandler &prm);
