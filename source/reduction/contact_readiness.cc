@@ -1,6 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/phi_functions.h>
 #include <vibrocontact/reduction/contact_readiness.h>
 
 #include <algorithm>
@@ -14,23 +15,6 @@ namespace vibrocontact
   {
     /// eigenvalues below this share of the largest count as zero
     constexpr double round_off = 1e-12;
-
-    /// phi_1 = (e^z - 1) / z or phi_2 = (phi_1 - 1) / z, by the series sum z^k / (k + order)! where that would cancel
-    Complex phi(const unsigned int order, const Complex &z)
-    {
-      if (std::abs(z) > 1)
-      {
-        const Complex first = (std::exp(z) - 1.) / z;
-        return order == 1 ? first : (first - 1.) / z;
-      }
-      Complex sum = 0, term = order == 1 ? 1. : 0.5;
-      for (unsigned int k = 1; k < 22; ++k)
-      {
-        sum += term;
-        term *= z / double(k + order);
-      }
-      return sum;
-    }
 
     DenseMatrix weighted_sum(const PoleModel &model, const std::vector<Complex> &weights)
     {
