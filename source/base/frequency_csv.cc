@@ -48,7 +48,7 @@ namespace vibrocontact
             if (pair == response + "_" + reference)
               return {response, reference};
         throw InputError(
-            "The table \"" + table.file_name + "\" has a column for " + pair +
+            "The table \"" + table.source + "\" has a column for " + pair +
             ", which is no pair of points that are driven themselves" +
             (known.empty() ? ", of which there are none" : " (" + quoted_list(known, "and") + ")") +
             ": name columns <response>_<force>_real_m_N and add <point>_<point>_real_m_N for "
@@ -62,21 +62,21 @@ namespace vibrocontact
 
     FrequencyData read_impulse_responses(const CsvTable &table, const std::vector<double> &time)
     {
-      check_axis(table.file_name, time, "s", table.lines);
+      check_axis(table.source, time, "s", table.lines);
       const double step = time.back() / (time.size() - 1);
       for (std::size_t i = 0; i < time.size(); ++i)
         if (std::abs(time[i] - i * step) > 1e-4 * step)
-          throw InputError("The table \"" + table.file_name + "\", line " + std::to_string(table.lines[i]) +
+          throw InputError("The table \"" + table.source + "\", line " + std::to_string(table.lines[i]) +
                            ", leaves the equal steps from time_s = 0 on that an impulse response needs: "
                            "sample it so.");
       FrequencyData data;
-      data.file_name = table.file_name;
+      data.file_name = table.source;
       std::vector<std::string> pairs;
       for (const std::string &name : table.names)
         if (const auto pair = without_end(name, "_m_Ns"))
           pairs.push_back(*pair);
         else if (name != "time_s")
-          throw InputError("The table \"" + table.file_name + "\" has a column " + name +
+          throw InputError("The table \"" + table.source + "\" has a column " + name +
                            ": an impulse response is called <response>_<force>_m_Ns.");
       const Labels labels(table, pairs);
       for (const std::string &pair : pairs)
@@ -99,9 +99,9 @@ namespace vibrocontact
     if (const auto *const time = table.find("time_s"))
       return read_impulse_responses(table, *time);
     FrequencyData data;
-    data.file_name = table.file_name;
+    data.file_name = table.source;
     data.frequency = table.column("frequency_Hz");
-    check_axis(table.file_name, data.frequency, "Hz", table.lines);
+    check_axis(table.source, data.frequency, "Hz", table.lines);
     std::vector<std::string> pairs;
     std::vector<Unit> unit_of_pair;
     for (const std::string &name : table.names)
@@ -123,7 +123,7 @@ namespace vibrocontact
       }
       if (!understood)
         throw InputError(
-            "The table \"" + table.file_name + "\" has a column " + name +
+            "The table \"" + table.source + "\" has a column " + name +
             ", which is neither frequency_Hz nor like <response>_<force>_real_m_N (or _imag_; _m_Ns "
             "for mobility, _m_Ns2 for accelerance): rename it or leave it out.");
     }

@@ -111,8 +111,7 @@ namespace vibrocontact
                               0, end_time, end_time / 4);
     else
     {
-      const CsvTable file =
-          read_csv(parameters.speed_table, read_file_on_all_ranks(parameters.speed_table, "table"));
+      const CsvTable file = read_csv_file(parameters.speed_table, "Road/Speed table");
       const std::string source = "The speed of the table \"" + parameters.speed_table + "\"";
       const LinearTable checked(source, file.column("time_s"), file.column("speed_m_s"));
       checked(0);
@@ -139,7 +138,7 @@ namespace vibrocontact
   {
     if (parameters.profile == "table")
     {
-      const CsvTable file = read_csv(parameters.table, read_file_on_all_ranks(parameters.table, "table"));
+      const CsvTable file = read_csv_file(parameters.table, "Road/Table");
       const std::vector<double> &x = file.column("position_m"), &z = file.column("height_m");
       const LinearTable checked("The road of the table \"" + parameters.table + "\"", x, z);
       checked(begin);
