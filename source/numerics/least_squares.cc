@@ -134,7 +134,7 @@ namespace vibrocontact
     return R;
   }
 
-  std::vector<std::complex<double>> eigenvalues(DenseMatrix A)
+  std::vector<std::complex<double>> general_eigenvalues(DenseMatrix A)
   {
     const int n = A.n(), one = 1;
     std::vector<double> real(n), imaginary(n);

@@ -71,7 +71,7 @@ namespace vibrocontact
         companion(k, k - 1) = 1;
     }
     std::vector<Complex> poles;
-    for (const Complex &root : eigenvalues(companion))
+    for (const Complex &root : general_eigenvalues(companion))
       if (std::abs(root) < 1 && (root.imag() > 0 || (root.imag() == 0 && root.real() > 0)))
         poles.push_back(std::log(root) / responses.step);
     std::sort(poles.begin(), poles.end(),

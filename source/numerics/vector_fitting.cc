@@ -87,7 +87,7 @@ namespace vibrocontact
           A(at, j) -= (real ? 1 : 2) * c[j] / d;
         at += real ? 1 : 2;
       }
-      return eigenvalues(A);
+      return general_eigenvalues(A);
     }
   } // namespace
 

@@ -20,7 +20,7 @@ namespace vibrocontact
   DenseMatrix triangular_factor(DenseMatrix A);
 
   /// Eigenvalues of a real matrix (dgeev). @throws ConvergenceError
-  std::vector<std::complex<double>> eigenvalues(DenseMatrix A);
+  std::vector<std::complex<double>> general_eigenvalues(DenseMatrix A);
 
   /// Eigenvalues of the symmetric part of a matrix, ascending (dsyev), with its vectors in the columns of `vectors`.
   std::vector<double> symmetric_eigenvalues(const DenseMatrix &A, DenseMatrix &vectors);
