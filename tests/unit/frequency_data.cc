@@ -182,7 +182,7 @@ TEST(FrequencyData, WrongDataAreRefused)
   expect_words(refused("d.csv", rows({"1", "2", "3", "4", "5", "6", "8", "9", "10"})),
                {"line 9", "gap between 6 and 8"});
   expect_words(refused("d.csv", head + "1,1,0\n2,nan,0\n3,1,0\n"), {"line 4", "nan", "number"});
-  expect_words(refused("d.csv", head + "1,1,0\n2,,0\n3,1,0\n"), {"line 4", "number"});
+  expect_words(refused("d.csv", head + "1,1,0\n2,,0\n3,1,0\n"), {"line 4", "no value"});
   expect_words(refused("d.csv", rows({"1", "2"})), {"at least 3"});
   expect_words(refused("d.csv", "frequency_Hz,a_z_b_z_real_m_N,a_z_b_z_imag_m_N\n1,1,0\n2,1,0\n3,1,0\n"),
                {"a_z_b_z", "driven"});
