@@ -63,6 +63,23 @@ namespace vibrocontact
                               : static_cast<unsigned int>(parameters.identified.positions.size()));
       return;
     }
+    if (parameters.type == "ring")
+    {
+      const RingParameters &ring = parameters.ring;
+      log.value("model", ring.model + (ring.rolling ? ", rolling" : ", at rest"));
+      log.value("radius", ring.radius, "m");
+      log.value("torsion", ring.frequencies(0).first / (2 * dealii::numbers::PI), "Hz");
+      log.value("breathing", ring.frequencies(0).second / (2 * dealii::numbers::PI), "Hz");
+      log.value("contact points", ring.n_points);
+      return;
+    }
+    if (parameters.type == "oscillator")
+    {
+      const OscillatorParameters &own = parameters.oscillator;
+      log.value("mass", own.mass, "kg");
+      log.value("frequency", std::sqrt(own.stiffness / own.mass) / (2 * dealii::numbers::PI), "Hz");
+      return;
+    }
     if (parameters.type == "beam rail")
     {
       log.value("length", parameters.beam_rail.length, "m");

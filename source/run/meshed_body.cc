@@ -5,6 +5,7 @@
 #include <vibrocontact/fe/bar_elements.h>
 #include <vibrocontact/fe/beam_elements.h>
 #include <vibrocontact/fe/layer_elements.h>
+#include <vibrocontact/fe/ring_elements.h>
 #include <vibrocontact/fe/trace_assembly.h>
 #include <vibrocontact/run/meshed_body.h>
 
@@ -110,6 +111,8 @@ namespace vibrocontact
                                                        half_space_material(parameters)));
       return system;
     }
+    if (parameters.type == "ring")
+      return assemble_ring(parameters.ring, parameters.name, pointer, communicator);
     if (parameters.type == "layer")
       return assemble_layer(parameters.layer, parameters.material, parameters.name, pointer, communicator);
     std::unique_ptr<SecondOrderSystem> system = elastic_body().assemble();

@@ -66,6 +66,8 @@ namespace vibrocontact
       }
       else if (body.type == "layer")
         return body.layer.grid();
+      else if (body.type == "ring")
+        return body.ring.grid();
     return contact.grid();
   }
 

@@ -18,6 +18,8 @@ namespace vibrocontact
         {"bar", "Bar", "straight bar along z that only stretches", true, false},
         {"identified", "Identified",
          "known by measured or computed Green's functions, see section Identification", false, false},
+        {"ring", "Ring", "tyre: ring on an elastic foundation, analytic or of elements", true, false},
+        {"oscillator", "Oscillator", "mass on a spring and a damper under its weight", false, false},
         {"mesh", "Mesh", "hexahedra with named groups from a gmsh file", true, true},
     };
     return types;
@@ -29,6 +31,11 @@ namespace vibrocontact
                                     [&](const BodyType &candidate) { return candidate.name == type; });
     AssertThrow(found != body_types().end(), dealii::ExcMessage("unknown type of body " + type));
     return *found;
+  }
+
+  bool BodyParameters::is_meshed() const
+  {
+    return body_type().is_meshed && (type != "ring" || ring.is_meshed());
   }
 
   void BodyParameters::declare_parameters(dealii::ParameterHandler &prm)
@@ -57,6 +64,10 @@ namespace vibrocontact
       declare("Bar", bar);
     if (type == "identified")
       declare("Identified", identified);
+    if (type == "ring")
+      declare("Ring", ring);
+    if (type == "oscillator")
+      declare("Oscillator", oscillator);
     if (type == "block")
       declare("Block", block);
     if (type == "layer")
@@ -83,6 +94,8 @@ namespace vibrocontact
       identified.check(section + "/Identified");
     if (type == "bar")
       bar.check(section + "/Bar");
+    if (type == "ring")
+      ring.check(section + "/Ring");
     if (type == "block")
       block.check(section + "/Block");
     if (type == "layer")

@@ -100,6 +100,9 @@ namespace vibrocontact
       if (!contains(types, body.type))
         throw InputError(file.where(name, "Type") + ": there is no type of body \"" + body.type + "\"; " +
                          name_suggestion(body.type, types));
+      // whether it has modes
+      if (body.type == "ring")
+        body.ring.model = file.raw_value(name + "/Ring", "Model", body.ring.model);
       scene.bodies.push_back(body);
     }
 
@@ -159,17 +162,20 @@ namespace vibrocontact
         throw InputError("Bodies lists " + std::to_string(bodies.size()) + " (" + bodies_entry +
                          "), but the analysis \"" + type.name +
                          "\" needs two, body 1 above and body 2 below; list exactly two");
-    for (const BodyParameters &body : bodies)
-      for (const char *analysis : {"quasi-static rolling", "stability", "transient"})
-        if (body.is_green() && runs(analysis))
-          throw InputError("The body " + body.name + " is of type " + body.type +
-                           ", known by its Green's functions alone, which the analysis \"" + analysis +
-                           "\" cannot use; leave one of the two out");
+    for (const char *analysis : {"quasi-static rolling", "stability", "transient"})
+      for (const auto &body : bodies)
+        if (runs(analysis) && body.is_green())
+          throw InputError("Body " + body.name + " is of type " + body.type + ", which the analysis \"" +
+                           analysis +
+                           "\" does not take: it knows no road under a body given by its Green's functions; "
+                           "leave the analysis out or choose another type");
     for (const std::string analysis : {"modes", "frequency response"})
       if (runs(analysis) && std::none_of(bodies.begin(), bodies.end(),
                                          [](const BodyParameters &body) { return body.is_meshed(); }))
-        throw InputError("Analyses asks for " + analysis +
-                         ", but no body is meshed: half-spaces have no modes; leave \"" + analysis +
-                         "\" out");
+        throw InputError(
+            "Analyses asks for " + analysis +
+            ", but no body is meshed: half-spaces have no modes, nor have oscillators and analytic "
+            "rings (set their Model to beam elements or solid elements); leave \"" +
+            analysis + "\" out");
   }
 } // namespace vibrocontact

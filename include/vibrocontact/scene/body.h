@@ -10,7 +10,9 @@
 #include <vibrocontact/scene/loads.h>
 #include <vibrocontact/scene/material.h>
 #include <vibrocontact/scene/mesh_file.h>
+#include <vibrocontact/scene/oscillator.h>
 #include <vibrocontact/scene/rail.h>
+#include <vibrocontact/scene/ring.h>
 #include <vibrocontact/scene/wheel.h>
 
 #include <optional>
@@ -33,7 +35,7 @@ namespace vibrocontact
     bool is_solid;
   };
 
-  /// half-space, rigid, wheel, rail, beam rail, block, layer, bar, identified, mesh
+  /// half-space, rigid, wheel, rail, beam rail, block, layer, bar, ring, oscillator, identified, mesh
   const std::vector<BodyType> &body_types();
 
   /// `subsection <name of the body>`: its type, and one nested subsection per group of entries. Only the
@@ -48,6 +50,8 @@ namespace vibrocontact
     LayerParameters layer;
     BarParameters bar;
     IdentifiedParameters identified;
+    RingParameters ring;
+    OscillatorParameters oscillator;
     WheelParameters wheel;
     RailParameters rail;
     BeamRailParameters beam_rail;
@@ -55,12 +59,13 @@ namespace vibrocontact
     LoadParameters loads;
 
     const BodyType &body_type() const;
-    bool is_meshed() const { return body_type().is_meshed; }
+    /// an analytic ring is not
+    bool is_meshed() const;
     bool is_solid() const { return body_type().is_solid; }
     /// has Material; others bring their own stiffness
     bool has_material() const { return type != "rigid" && !is_green(); }
     /// known by its Green's functions: rolls on a road, cannot be a partner of other contacts
-    bool is_green() const { return type == "identified"; }
+    bool is_green() const { return type == "identified" || type == "ring" || type == "oscillator"; }
     /// can come into contact in one point only
     bool is_point() const { return type == "bar"; }
 
