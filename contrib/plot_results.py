@@ -16,6 +16,8 @@ figures/divergence_rates.png    divergence rates of the roots, as in Fig. 8
 figures/transient_force.png     tangential force with stick and slip counts, as in Fig. 13
 figures/transient_status.png    status of the contact points through a period, as in Fig. 14 (needs Patch interval)
 figures/transient_<signal>.png  velocity of a probe and its spectrogram, as in Fig. 15
+figures/modal_convolution_*.png displacements, forces and 1/3-octave bands of the force, as in Figs 2, 3, 6, 7 of Meftah & Duhamel
+figures/method_comparison.png   error against cost of the response methods
 Needs matplotlib, after a transient also h5py; exit code 4 without. Tractions act on body 1; the contact travels towards -x.
 """
 import base64
@@ -693,6 +695,72 @@ def plot_transient(folder, transient, title):
                     plot_signal(folder, column[:-len("_m_s")], time, np.asarray(file[column]), title)
 
 
+def third_octaves(time, values):
+    """Centres and rms values of 1/3-octave bands (base ten), from the spectrum of the second half of a history."""
+    values = values[len(values) // 4:]
+    n, step = len(values), time[1] - time[0]
+    power = 2 * np.abs(np.fft.rfft((values - values.mean()) * np.hanning(n)) / n) ** 2 / 0.375
+    frequency = np.fft.rfftfreq(n, step)
+    centres = 10 ** (np.arange(10, 50) / 10)
+    bands = [(c, power[(frequency >= c * 10 ** -0.05) & (frequency < c * 10 ** 0.05)].sum()) for c in centres
+             if c * 10 ** -0.05 > 2 / (n * step) and c * 10 ** 0.05 < 0.5 / step]
+    return np.array([c for c, _ in bands]), np.sqrt([p for _, p in bands])
+
+
+def plot_modal_convolution(folder, analysis):
+    """Displacements and forces of up to three contact points, as in Figs 2, 3, 6 and 7 of Meftah & Duhamel (2011), and
+    third-octave bands of the whole force; error against cost of compared methods."""
+    with h5py.File(os.path.join(folder, "histories.h5")) as file:
+        time = np.asarray(file["time_s"])
+        n_points = sum(1 for name in file if name.endswith("_force_N"))
+        shown = sorted({0, n_points // 2, n_points - 1})
+        u = {i: np.asarray(file[f"point_{i}_displacement_m"]) for i in shown}
+        q = {i: np.asarray(file[f"point_{i}_force_N"]) for i in shown}
+        whole = sum(np.asarray(file[f"point_{i}_force_N"]) for i in range(n_points))
+    if len(time) < 2:
+        return
+    for values, name, label, factor in ((u, "displacement", "displacement [mm]", 1e3), (q, "force", "force [N]", 1)):
+        figure, axis = plt.subplots(figsize=(8, 3.5))
+        for i in shown:
+            plot_line(axis, time, values[i] * factor, lw=0.8, label=f"point {i}")
+        axis.set_xlabel("time [s]")
+        axis.set_ylabel(label)
+        if len(shown) > 1:
+            axis.legend(fontsize=8)
+        if name == "force":
+            top = np.percentile(np.concatenate(list(values.values())), 99.8)
+            axis.set_ylim(min(0, min(v.min() for v in values.values())), 1.2 * top if top > 0 else None)
+        save(figure, folder, f"modal_convolution_{name}")
+    centres, rms = third_octaves(time, whole) if len(time) > 64 else ([], [])
+    if len(centres) > 2:
+        figure, axis = plt.subplots(figsize=(8, 3.5))
+        axis.bar(range(len(centres)), rms, color="0.5")
+        axis.set_yscale("log")
+        axis.set_xticks(range(0, len(centres), 3), [f"{c:.3g}" for c in centres[::3]])
+        axis.set_xlabel("1/3-octave band [Hz]")
+        axis.set_ylabel("rms of the contact force [N]")
+        save(figure, folder, "modal_convolution_bands")
+
+
+def plot_comparison(folder, entries):
+    """Error of the displacement against cost, one panel per run of the comparison."""
+    runs = sorted({(entry["step_s"], entry["steps"]) for entry in entries})
+    figure, axes = plt.subplots(1, len(runs), figsize=(4.2 * len(runs), 3.8), squeeze=False, sharey=True)
+    for axis, run in zip(axes[0], runs):
+        for k, entry in enumerate(e for e in entries if (e["step_s"], e["steps"]) == run):
+            if "error_displacement_m" in entry:
+                label = entry["method"] + (f", {entry['memory_steps']} steps" if entry["memory_steps"] else "")
+                axis.loglog(entry["seconds_per_step"] * 1e9, max(entry["error_displacement_m"], 1e-16),
+                            "os^vD<>PX*"[k % 10], label=label)
+        axis.set_title(f"h = {run[0] * 1e3:g} ms, {run[1]} steps")
+        axis.set_xlabel("ns per step")
+        axis.legend(fontsize=6)
+        axis.grid(alpha=0.3)
+    axes[0, 0].set_ylabel("largest error of the displacement [m]")
+    figure.tight_layout()
+    save(figure, folder, "method_comparison")
+
+
 def plot_frequency_response(folder, analysis):
     """Magnitude at the driving points, one panel each, a line per body, as in Fig. 6; dashed: damping of a run in time."""
     curves = {}
@@ -799,7 +867,12 @@ def main():
     if "stability" in analyses and os.path.exists(os.path.join(folder, "stability.csv")):
         plot_divergence(folder)
         plot_unstable(folder, analyses["stability"])
-    if os.path.exists(os.path.join(folder, "histories.h5")):
+    convolution = analyses.get("modal_convolution", {})
+    if "method_comparison" in convolution:
+        plot_comparison(folder, convolution["method_comparison"])
+    if convolution and os.path.exists(os.path.join(folder, "histories.h5")):
+        plot_modal_convolution(folder, convolution)
+    elif os.path.exists(os.path.join(folder, "histories.h5")):
         plot_transient(folder, analyses.get("transient", {}), results.get("title", ""))
 
 

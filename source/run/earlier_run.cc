@@ -26,8 +26,8 @@ namespace vibrocontact
 
     bool may_change(const std::string &section, const std::string &name)
     {
-      return section == "Output" ||
-             (section == "Transient" && (name == "End time" || name == "Checkpoint interval"));
+      return section == "Output" || ((section == "Transient" || section == "Modal convolution") &&
+                                     (name == "End time" || name == "Checkpoint interval"));
     }
 
     void check_same(const std::string &folder, const std::string &used, const dealii::ParameterHandler &prm)
@@ -47,7 +47,8 @@ namespace vibrocontact
           throw InputError(joined_path(entry.section, entry.name) + " is " +
                            quoted(a_is_before ? other : &entry) + ", but was " +
                            quoted(a_is_before ? &entry : other) + " in the run in \"" + folder +
-                           "\": --resume goes on with the same parameters, only Transient/End time and "
+                           "\": --resume goes on with the same parameters, only End time of Transient or "
+                           "Modal convolution and "
                            "section Output may change");
         }
       };

@@ -44,6 +44,11 @@ namespace vibrocontact
     prm.leave_subsection();
     declare("Stability", stability);
     declare("Frequency response", frequency_response);
+    declare("Road", road);
+    prm.enter_subsection("Modal convolution");
+    modal_convolution.declare_parameters(prm);
+    declare("Comparison", comparison);
+    prm.leave_subsection();
     declare("Identification", identification);
   }
 
@@ -310,12 +315,28 @@ namespace vibrocontact
       identification.check();
     if (scene.runs("stability"))
       check_sweep(*this);
+    if (scene.runs("modal convolution"))
+    {
+      road.check();
+      modal_convolution.check();
+      comparison.read_rows();
+      const BodyParameters &body = scene.bodies[0];
+      if (body.type == "ring" && body.ring.rolling && road.speed == 0)
+        throw InputError(body.name +
+                         "/Ring/Rolling is true, but Road/Speed is 0: the poles of a rolling ring need a "
+                         "constant Speed, give it.");
+      if (scene.runs("transient"))
+        throw InputError(
+            "Analyses lists both transient and modal convolution, which write the same histories: run "
+            "them from a file each.");
+    }
     if (has_dynamics())
       for (const BodyParameters &body : scene.bodies)
         if (body.is_meshed() && !modes.at(body.name).any())
-          throw InputError(body.name +
-                           "/Modes asks for no modes, but stability and transient move the body by "
-                           "them; give Upper frequency or Count");
+          throw InputError(
+              body.name +
+              "/Modes asks for no modes, but stability, transient and modal convolution move the body by "
+              "them; give Upper frequency or Count");
     if (scene.runs("stability") && !scene.bodies[0].is_meshed() && !scene.bodies[1].is_meshed())
       throw InputError("Analyses asks for stability, but no body has modes; leave \"stability\" out");
     if (scene.runs("stability") && stability.second_count && contact.falling.acts())

@@ -12,6 +12,7 @@
 #include <vibrocontact/run/run.h>
 #include <vibrocontact/run/run_frequency_response.h>
 #include <vibrocontact/run/run_identification.h>
+#include <vibrocontact/run/run_modal_convolution.h>
 #include <vibrocontact/run/run_modes.h>
 #include <vibrocontact/run/run_rolling.h>
 #include <vibrocontact/run/run_stability.h>
@@ -124,6 +125,14 @@ namespace vibrocontact
         run_transient(parameters, bodies, record.folder, resume, results);
         const bool at_the_end = results.stopped_by == 0 && results.failures.size() == n_failures;
         save(at_the_end ? "transient" : "");
+      }
+      if (parameters.scene.runs("modal convolution"))
+      {
+        results.finished.erase("modal convolution");
+        const std::size_t n_failures = results.failures.size();
+        run_modal_convolution(parameters, bodies, record.folder, resume, results);
+        const bool at_the_end = results.stopped_by == 0 && results.failures.size() == n_failures;
+        save(at_the_end ? "modal convolution" : "");
       }
     }
 

@@ -69,6 +69,8 @@ namespace vibrocontact
         {"frequency response", "point and transfer mobilities of meshed bodies, with hysteretic loss", 1},
         {"identification", "poles of a body known by measured or computed Green's functions", 1},
         {"quasi-static rolling", "steady rolling contact of body 1 on body 2 with friction", 2},
+        {"modal convolution", "a body known by its Green's functions rolls over a road in unilateral contact",
+         1},
         {"stability", "complex eigenvalues about the rolling equilibrium: which modes squeal", 2},
         {"transient", "motion in time of body 1 on body 2", 2}};
     return types;

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/analyses/frequency_response.h>
 #include <vibrocontact/analyses/identification.h>
+#include <vibrocontact/analyses/method_comparison.h>
 #include <vibrocontact/analyses/stability.h>
 #include <vibrocontact/analyses/transient_parameters.h>
 #include <vibrocontact/base/parameter_file.h>
@@ -30,6 +31,9 @@ namespace vibrocontact
     SignalParameters signals;
     StabilityParameters stability;
     FrequencyResponseParameters frequency_response;
+    RoadParameters road;
+    ModalConvolutionParameters modal_convolution;
+    ComparisonParameters comparison;
     /// of the meshed bodies, by name
     std::map<std::string, ModeParameters> modes;
     IdentificationParameters identification;
@@ -40,7 +44,10 @@ namespace vibrocontact
     /// Whether a contact grid is needed.
     bool has_contact() const { return scene.runs("quasi-static rolling") || has_dynamics(); }
     /// Whether the bodies move.
-    bool has_dynamics() const { return scene.runs("transient") || scene.runs("stability"); }
+    bool has_dynamics() const
+    {
+      return scene.runs("transient") || scene.runs("stability") || scene.runs("modal convolution");
+    }
     /// Whether the contact needs the modes of the bodies.
     bool needs_modes() const { return has_dynamics() || (has_contact() && contact.replaces_flexibility()); }
     /// Whether data are identified: by the analysis, or for a body.

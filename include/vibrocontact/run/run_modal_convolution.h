@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vibrocontact/output/results.h>
+#include <vibrocontact/run/prepare_bodies.h>
+
+#include <string>
+
+namespace vibrocontact
+{
+  /// Body 1 as a modal convolution sees it.
+  struct PoleBody
+  {
+    PoleModel poles;
+    /// of the contact points: place along the road, forward; height of the undeformed surface [m]
+    std::vector<double> places, shapes;
+  };
+
+  /// Oscillator and analytic ring by their closed forms, meshed bodies by their reduction. Collective.
+  PoleBody pole_body(const Parameters &parameters, const MeshedBodies &bodies);
+
+  /// The analysis `modal convolution` of body 1 on the road, with its output: results, histories.h5, a table per contact
+  /// point (up to ten), impacts.csv, checkpoints as the transient's (modal_convolution.h5); with
+  /// Comparison/Rows method_comparison.csv. Every rank steps, rank 0 writes. Collective.
+  /// @param resume continue from the checkpoint in the folder; from the beginning if there is none
+  void run_modal_convolution(const Parameters &parameters, const MeshedBodies &bodies,
+                             const std::string &folder, bool resume, Results &results);
+} // namespace vibrocontact

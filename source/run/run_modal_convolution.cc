@@ -1,0 +1,322 @@
+#include <vibrocontact/analyses/method_comparison.h>
+#include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/stop_signal.h>
+#include <vibrocontact/base/version.h>
+#include <vibrocontact/numerics/wide_loops.h>
+#include <vibrocontact/output/modal_convolution_output.h>
+#include <vibrocontact/output/table.h>
+#include <vibrocontact/reduction/ring_poles.h>
+#include <vibrocontact/run/run_identification.h>
+#include <vibrocontact/run/run_modal_convolution.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <sstream>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    constexpr unsigned int steps_of_a_block = 4096;
+    constexpr unsigned int most_point_tables = 10;
+    constexpr unsigned long most_table_lines = 1000000;
+    constexpr int checkpoint_format = 1;
+
+    PoleModel reduced_poles(const ReducedBody &body)
+    {
+      const unsigned int n = body.grid.n_points(), m = body.omega.size();
+      DenseMatrix trace(n, m), residual(n, n);
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        for (unsigned int k = 0; k < m; ++k)
+          trace(i, k) = body.modal_trace(i, k);
+        for (unsigned int j = 0; j < n; ++j)
+          residual(i, j) = body.residual_flexibility(i, j);
+      }
+      return pole_model(body.omega, body.damping_ratio, trace, body.modal_load, residual, body.labels);
+    }
+
+    std::string checkpoint_name(const std::string &folder)
+    {
+      return folder + "/modal_convolution.h5";
+    }
+
+    /// What tells bodies apart: the poles.
+    std::vector<double> marks(const PoleModel &model)
+    {
+      std::vector<double> result;
+      for (const auto &pole : model.poles)
+        result.insert(result.end(), {pole.real(), pole.imag()});
+      return result;
+    }
+
+    class Checkpoints
+    {
+    public:
+      Checkpoints(const std::string &folder, const PoleModel &model, ModalConvolution &motion,
+                  std::optional<ModalConvolutionHistory> &history)
+          : folder(folder), model(model), motion(motion), history(history)
+      {
+      }
+
+      /// On rank 0; the others keep nothing.
+      void write()
+      {
+        Hdf5Writer writer(checkpoint_name(folder));
+        writer.write("format", checkpoint_format);
+        writer.write("marks", marks(model));
+        CheckpointFile file(writer);
+        motion.exchange(file);
+        if (history)
+          history->exchange(file);
+        writer.finish();
+      }
+
+      /// On every rank.
+      bool read()
+      {
+        if (!std::filesystem::exists(checkpoint_name(folder)))
+          return false;
+        Hdf5Reader reader(checkpoint_name(folder));
+        if (reader.integer("format") != checkpoint_format || reader.numbers("marks") != marks(model))
+          throw InputError("The checkpoint \"" + checkpoint_name(folder) +
+                           "\" belongs to another body or program: run the file without --resume.");
+        CheckpointFile file(reader);
+        motion.exchange(file);
+        if (motion.result().steps > motion.n_steps())
+          throw InputError("Modal convolution/End time is before what the run to be resumed has reached, " +
+                           std::to_string(motion.result().time) + " s: give a later one.");
+        if (history)
+          history->exchange(file);
+        return true;
+      }
+
+    private:
+      const std::string folder;
+      const PoleModel &model;
+      ModalConvolution &motion;
+      std::optional<ModalConvolutionHistory> &history;
+    };
+
+    void print(const ModalConvolutionParameters &parameters, const ModalConvolutionResult &result)
+    {
+      Log &log = run_log();
+      const double steps = std::max(1ul, result.steps);
+      log.value("steps", static_cast<unsigned long long>(result.steps));
+      log.value("time", result.time, "s");
+      log.value("per step", result.seconds / steps * 1e9, "ns");
+      log.value("road, per step", result.road_seconds / steps * 1e9, "ns");
+      log.value("computing per simulated second", (result.seconds + result.road_seconds) / result.time * 1e3,
+                "ms");
+      log.value("closed points on average", result.closed_points / steps);
+      log.value("impacts", static_cast<unsigned long long>(result.impacts.size()));
+      log.value("releases", static_cast<unsigned long long>(result.releases.size()));
+      for (unsigned int i = 0; i < std::min<std::size_t>(result.impulse.size(), 3); ++i)
+        log.value("impulse of point " + std::to_string(i), result.impulse[i], "N s");
+      if (!parameters.is_event_located())
+        log.value("contact residual", result.residual);
+    }
+
+    void compare(const Parameters &parameters, const PoleBody &body, const std::string &folder,
+                 nlohmann::ordered_json &json)
+    {
+      run_log().block("Comparison of methods");
+      run_log().value("registers", wide_loops_name());
+      Table table(
+          {"method", "step_s", "steps", "memory_steps", "error_displacement_m", "error_force_N",
+           "error_impulse", "seconds_per_step"},
+          {"Errors against the exact motion (displacement: largest; force: rms away from events; impulse: "
+           "relative) and cost; a method without errors broke down"});
+      for (const ComparedMethod &method :
+           compare_methods(parameters.comparison, parameters.modal_convolution, body.poles, parameters.road,
+                           body.places, body.shapes))
+      {
+        nlohmann::ordered_json entry = {{"method", method.method},
+                                        {"step_s", method.time_step},
+                                        {"steps", method.n_steps},
+                                        {"memory_steps", method.memory}};
+        const bool works = std::isfinite(method.error_displacement) && std::isfinite(method.error_force) &&
+                           std::isfinite(method.error_impulse);
+        std::ostringstream text;
+        if (works)
+        {
+          entry["error_displacement_m"] = method.error_displacement;
+          entry["error_force_N"] = method.error_force;
+          entry["error_impulse"] = method.error_impulse;
+          table.add_row({method.method, method.time_step, double(method.n_steps), double(method.memory),
+                         method.error_displacement, method.error_force, method.error_impulse,
+                         method.seconds_per_step});
+          text << method.error_displacement << " m, " << method.error_force << " N, ";
+        }
+        else
+        {
+          entry["broke_down"] = true;
+          text << "no finite numbers, ";
+        }
+        entry["seconds_per_step"] = method.seconds_per_step;
+        text << method.seconds_per_step * 1e9 << " ns per step";
+        run_log().line(method.method + ", h = " + std::to_string(method.time_step * 1e3) + " ms, memory " +
+                       std::to_string(method.memory) + ": " + text.str());
+        json["method_comparison"].push_back(entry);
+      }
+      on_first_rank([&] { table.write(folder + "/method_comparison.csv"); });
+    }
+  } // namespace
+
+  PoleBody pole_body(const Parameters &parameters, const MeshedBodies &bodies)
+  {
+    const BodyParameters &body = parameters.scene.bodies[0];
+    if (body.type == "oscillator")
+      return {oscillator_poles(body.oscillator), {0.}, {0.}};
+    PoleBody result;
+    if (body.type == "identified")
+    {
+      const IdentifiedParameters &own = body.identified;
+      result.poles = identified_body(parameters.identification, parameters.modal_convolution.time_step,
+                                     own.tread_stiffness > 0 ? 1 / own.tread_stiffness : 0., body.name);
+      result.places = own.positions.empty() ? std::vector<double>{0.} : own.positions;
+      result.shapes = own.positions.empty() ? std::vector<double>{0.} : own.heights();
+      return result;
+    }
+    if (body.type == "ring")
+    {
+      for (const double angle : body.ring.angles())
+      {
+        result.places.push_back(body.ring.radius * angle);
+        result.shapes.push_back(body.ring.radius * (1 - std::cos(angle)));
+      }
+      if (!body.ring.is_meshed())
+      {
+        // a ring that rolls forward turns backwards in its own coordinate
+        const double rotation = body.ring.rolling ? -parameters.road.speed / body.ring.radius : 0;
+        result.poles = ring_poles(body.ring, ring_rows(body.ring, false), rotation);
+        return result;
+      }
+    }
+    ReducedBody reduced = bodies[0]->reduction.reduced(true);
+    scale_damping(reduced, parameters.modes.at(body.name));
+    if (body.type == "ring")
+      result.poles = ring_poles(body.ring, reduced, false);
+    else
+    {
+      result.poles = reduced_poles(reduced);
+      for (unsigned int i = 0; i < reduced.grid.n_points(); ++i)
+      {
+        // the contact travels towards -x
+        result.places.push_back(-reduced.grid.x(i));
+        result.shapes.push_back(reduced.surface_height[i]);
+      }
+    }
+    return result;
+  }
+
+  void run_modal_convolution(const Parameters &parameters, const MeshedBodies &bodies,
+                             const std::string &folder, const bool resume, Results &results)
+  {
+    const PoleBody body = pole_body(parameters, bodies);
+    const ModalConvolutionParameters &own = parameters.modal_convolution;
+    run_log().block("Modal convolution");
+    run_log().value("poles", body.poles.n_poles());
+    run_log().value("contact points", body.poles.n_rows());
+    run_log().value("method", own.method);
+    const Road road(parameters.road, body.places, body.shapes, own.end_time);
+    ModalConvolution motion(own, parameters.contact_solver, body.poles, road);
+
+    const bool first = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    std::optional<ModalConvolutionHistory> history;
+    if (first)
+      history.emplace(own, body.poles.n_rows(), folder);
+    Checkpoints checkpoints(folder, body.poles, motion, history);
+    bool found = false;
+    if (resume)
+      on_all_ranks([&] { found = checkpoints.read(); });
+    if (found)
+      run_log().value("resumed at", motion.result().time, "s");
+
+    const StopSignals signals;
+    Progress progress("modal convolution", motion.n_steps() - motion.result().steps);
+    auto last = std::chrono::steady_clock::now();
+    std::exception_ptr failure;
+    const auto observe = [&](const ModalConvolutionLines &lines)
+    {
+      if (!history || failure)
+        return;
+      try
+      {
+        history->add(lines);
+      }
+      catch (...)
+      {
+        failure = std::current_exception();
+      }
+    };
+    std::string message;
+    bool more = motion.n_steps() > motion.result().steps;
+    while (more)
+    {
+      const unsigned long before = motion.result().steps;
+      try
+      {
+        more = motion.advance(steps_of_a_block, observe);
+      }
+      catch (const ConvergenceError &error)
+      {
+        // the same on every rank
+        message = error.what();
+        break;
+      }
+      on_first_rank(
+          [&]
+          {
+            if (failure)
+              std::rethrow_exception(failure);
+          });
+      progress.advance(motion.result().steps - before);
+      const auto now = std::chrono::steady_clock::now();
+      const bool late = first && own.checkpoint_interval > 0 &&
+                        std::chrono::duration<double>(now - last).count() >= own.checkpoint_interval;
+      int both[] = {signals.received(), late};
+      MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+      if (both[0] != 0 || both[1] != 0 || !more)
+      {
+        last = now;
+        on_first_rank([&] { checkpoints.write(); });
+      }
+      if (both[0] != 0 && more)
+      {
+        results.stopped_by = both[0];
+        break;
+      }
+    }
+    const ModalConvolutionResult &result = motion.result();
+    nlohmann::ordered_json &json = results.analyses["modal_convolution"];
+    json = modal_convolution_json(own, result);
+    on_first_rank(
+        [&]
+        {
+          history->finish(message.empty() && results.stopped_by == 0);
+          const double lines = result.time / std::max(own.time_step, own.history_interval);
+          if (body.poles.n_rows() <= most_point_tables && lines <= most_table_lines)
+            write_point_tables(folder, body.poles.n_rows());
+          write_impacts(result, folder);
+        });
+    print(own, result);
+    if (!message.empty())
+    {
+      std::ostringstream text;
+      text << "The modal convolution ended at " << result.time << " s: " << message;
+      results.failures.push_back({"modal convolution", text.str()});
+      run_log().warning(text.str());
+    }
+    if (results.stopped_by != 0)
+      run_log().warning("Interrupted; a checkpoint is written, --resume continues.");
+    else if (!parameters.comparison.rows.empty() && message.empty())
+      compare(parameters, body, folder, json);
+  }
+} // namespace vibrocontact

@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""modal_convolution.py PROGRAM MPIRUN PARAMETER_FILES: an interrupted modal convolution equals an uninterrupted one.
+
+A tyre on three points by each stepping method and the event-located oscillator are stopped by SIGTERM at random moments,
+resumed, and compared: histories and impulses bit for bit, also on two ranks. Further: an end before the checkpoint.
+"""
+import json, os, random, signal, subprocess, sys, time
+
+try:
+    import h5py
+except ImportError:
+    # a Python of one's own may lack what the system's has
+    if os.environ.get("VIBROCONTACT_SYSTEM_PYTHON"):
+        raise
+    os.environ["VIBROCONTACT_SYSTEM_PYTHON"] = "yes"
+    os.execv("/usr/bin/python3", ["/usr/bin/python3", *sys.argv])
+
+program, mpirun, files = sys.argv[1:4]
+random.seed(1)
+
+
+def fail(text):
+    sys.exit("FAILED: " + text)
+
+
+def content(folder):
+    with h5py.File(folder + "/histories.h5") as file:
+        columns = {name: file[name][:].tolist() for name in file}
+    analysis = json.load(open(folder + "/results.json"))["analyses"]["modal_convolution"]
+    for name in ("impacts", "releases", "impulse_Ns", "steps"):
+        columns[name] = analysis[name]
+    return columns
+
+
+def check(example, label, *settings):
+    command = [program, f"{files}/examples/{example}.prm", "--quiet"]
+    for setting in (*settings, "Modal convolution/Checkpoint interval=1e-9", "Output/Figures=false"):
+        command += ["--set", setting]
+
+    def run(case, *options, ranks=1):
+        words = ([mpirun, "-n", str(ranks)] if ranks > 1 else []) + command + ["--output", f"{label}_{case}", *options]
+        return subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    begin = time.time()
+    if run("whole").returncode != 0:
+        fail(f"{label} does not run")
+    duration = time.time() - begin
+    whole = content(f"{label}_whole")
+    if run("two", ranks=2).returncode != 0 or content(f"{label}_two") != whole:
+        fail(f"{label} differs on two ranks")
+    for attempt in range(2):
+        case = f"stopped{attempt}"
+        process = subprocess.Popen(command + ["--output", f"{label}_{case}"], stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        time.sleep(duration * random.uniform(0.4, 0.95))
+        process.send_signal(signal.SIGTERM)
+        process.wait()
+        if not os.path.exists(f"{label}_{case}/used.prm"):
+            continue  # too early: no run yet
+        done = run(case, "--resume")
+        if done.returncode != 0:
+            fail(f"{label} does not resume: {done.stderr}")
+        if content(f"{label}_{case}") != whole:
+            fail(f"{label} differs after it was interrupted")
+    return command
+
+
+short = "Modal convolution/End time=0.4"
+for method in ("modal recursion", "direct convolution", "block convolution"):
+    memory = [] if method == "modal recursion" else ["Modal convolution/Memory=0.02"]
+    command = check("tyre_three_points", method.split()[0], short, f"Modal convolution/Method={method}", *memory)
+check("oscillator_on_sine", "events", "Modal convolution/End time=20")
+done = subprocess.run(command + ["--set", "Modal convolution/End time=0.2", "--output", "block_whole", "--resume"],
+                      stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+if done.returncode != 1 or "is before what the run to be resumed has reached" not in done.stderr:
+    fail("an end before the checkpoint is not refused: " + done.stderr)
