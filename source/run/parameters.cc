@@ -282,7 +282,9 @@ namespace vibrocontact
     if (has_contact())
     {
       check_layer(scene, rolling);
-      check_touch(scene.bodies[0], scene.bodies[1], contact.strip_length > 0);
+      // a body on a road is alone
+      if (scene.bodies.size() > 1)
+        check_touch(scene.bodies[0], scene.bodies[1], contact.strip_length > 0);
       check_local_flexibility(*this);
     }
     for (const auto &[name, mode] : modes)
