@@ -146,7 +146,7 @@ namespace
   }
 } // namespace
 
-TEST(RingElementsMpi, BeamFrequencies)
+TEST(RingElements, BeamFrequencies)
 {
   RingParameters ring;
   ring.model = "beam elements";
@@ -222,7 +222,7 @@ TEST(RingElements, Buckling)
 
 // Reduced by modes and residual responses, beam elements have the analytic ring's Green's functions; forces that do
 // not act on nodes, and those along the ring, need more elements.
-TEST(RingElementsMpi, BeamGreenFunctions)
+TEST(RingElements, BeamGreenFunctions)
 {
   RingParameters ring;
   ring.model = "beam elements";
@@ -260,8 +260,29 @@ TEST(RingElementsMpi, BeamGreenFunctions)
   }
 }
 
+// Static compliance of the contact points on any number of ranks.
+TEST(RingElementsMpi, StaticCompliance)
+{
+  RingParameters ring;
+  ring.divisions = 200;
+  ring.spacing *= 2; // to nodes
+  const ContactGrid grid = ring.grid();
+  const ComplexMatrix exact = receptance(ring_poles(ring, ring_rows(ring, true)), 0.);
+  for (const char *model : {"beam elements", "solid elements"})
+  {
+    ring.model = model;
+    const auto system = assemble(ring, &grid);
+    const DenseMatrix W = Flexibility(*system).contact_compliance();
+    const double band = ring.model == "beam elements" ? 1e-3 : 0.03;
+    for (unsigned int i = 0; i < 6; ++i)
+      for (unsigned int k = 0; k < 6; ++k)
+        EXPECT_LT(std::abs(W(i, k) - exact(i, k)), band * std::sqrt(std::abs(exact(i, i) * exact(k, k))))
+            << model << " " << i << " " << k;
+  }
+}
+
 // Against polynomials of degree 9 through the thickness, order by order.
-TEST(RingElementsMpi, SolidFrequencies)
+TEST(RingElements, SolidFrequencies)
 {
   RingParameters ring;
   ring.model = "solid elements";
@@ -287,7 +308,7 @@ TEST(RingElements, SolidIsSofterThanBeam)
 }
 
 // Radial Green's functions of sections by the modes of each order through the thickness.
-TEST(RingElementsMpi, SolidGreenFunctions)
+TEST(RingElements, SolidGreenFunctions)
 {
   RingParameters ring;
   ring.model = "solid elements";
