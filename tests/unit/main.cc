@@ -1,3 +1,4 @@
+#include <vibrocontact/base/blas.h>
 #include <vibrocontact/base/lone_start.h>
 
 #include <deal.II/base/mpi.h>
@@ -13,6 +14,8 @@ int main(int argc, char **argv)
 
   const vibrocontact::LoneStart start;
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  // as the program does: tests run beside each other
+  vibrocontact::set_one_blas_thread();
   const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
   if (rank != 0)
     delete testing::UnitTest::GetInstance()->listeners().Release(
