@@ -24,15 +24,6 @@ namespace vibrocontact
         }
       return result;
     }
-
-    DenseMatrix twice_real_part(const ComplexMatrix &matrix)
-    {
-      DenseMatrix result(matrix.m(), matrix.n());
-      for (unsigned int i = 0; i < matrix.m(); ++i)
-        for (unsigned int j = 0; j < matrix.n(); ++j)
-          result(i, j) = 2 * matrix(i, j).real();
-      return result;
-    }
   } // namespace
 
   PoleModel pole_model(const std::vector<double> &omega, const std::vector<double> &damping_ratio,
@@ -85,6 +76,16 @@ namespace vibrocontact
     return model;
   }
 
+  DenseMatrix sum_over_poles(const PoleModel &model, const std::vector<Complex> &weights)
+  {
+    const ComplexMatrix sum = sum_of_residues(model, weights, false);
+    DenseMatrix result(sum.m(), sum.n());
+    for (unsigned int i = 0; i < sum.m(); ++i)
+      for (unsigned int j = 0; j < sum.n(); ++j)
+        result(i, j) = 2 * sum(i, j).real();
+    return result;
+  }
+
   ComplexMatrix receptance(const PoleModel &model, const double omega)
   {
     std::vector<Complex> direct, mirrored;
@@ -106,7 +107,7 @@ namespace vibrocontact
     std::vector<Complex> weights;
     for (const Complex &pole : model.poles)
       weights.push_back(std::exp(pole * t));
-    return twice_real_part(sum_of_residues(model, weights, false));
+    return sum_over_poles(model, weights);
   }
 
   DenseMatrix initial_derivative(const PoleModel &model, const unsigned int order)
@@ -114,6 +115,6 @@ namespace vibrocontact
     std::vector<Complex> weights;
     for (const Complex &pole : model.poles)
       weights.push_back(std::pow(pole, order));
-    return twice_real_part(sum_of_residues(model, weights, false));
+    return sum_over_poles(model, weights);
   }
 } // namespace vibrocontact

@@ -1,4 +1,3 @@
-#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/response/block_convolution.h>
 
 #include <fftw3.h>
@@ -178,12 +177,7 @@ namespace vibrocontact
 
   void BlockConvolution::exchange(CheckpointFile &file)
   {
-    const std::size_t n_forces = forces.size();
-    file("response/forces", forces);
-    if (forces.size() != n_forces)
-      throw InputError(
-          "A convolution that remembers every force of its run cannot go on beyond its End time: give "
-          "Modal convolution/Memory, or run the file without --resume.");
+    exchange_past_forces(file, forces);
     file("response/end", end);
     file("response/steps", steps);
     file("response/ahead", ahead);

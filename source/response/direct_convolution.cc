@@ -1,4 +1,3 @@
-#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/numerics/wide_loops.h>
 #include <vibrocontact/response/direct_convolution.h>
 
@@ -64,12 +63,7 @@ namespace vibrocontact
 
   void DirectConvolution::exchange(CheckpointFile &file)
   {
-    const std::size_t n_forces = forces.size();
-    file("response/forces", forces);
-    if (forces.size() != n_forces)
-      throw InputError(
-          "A convolution that remembers every force of its run cannot go on beyond its End time: give "
-          "Modal convolution/Memory, or run the file without --resume.");
+    exchange_past_forces(file, forces);
     file("response/end", end);
     file("response/count", count);
     file("response/free", free);

@@ -20,9 +20,7 @@ namespace vibrocontact
         constant(model.n_rows(), 0.)
   {
     const unsigned int n = model.n_rows();
-    one_step.reinit(n, n);
-    if (model.residual.m() > 0)
-      one_step = model.residual;
+    one_step = one_step_compliance(model, settings.time_step, settings.shape);
     free.resize(n);
     const StepWeights weights = step_weights(model, settings.time_step, settings.shape);
     const auto put =
@@ -42,8 +40,6 @@ namespace vibrocontact
         put(w, i, k, (factor * weights.now[k] + weights.later[k]) * model.left(i, k));
         put(c, i, k, 2. * model.right(i, k));
         constant[i] += 2 * (model.right(i, k) * rest).real();
-        for (unsigned int j = 0; j < n; ++j)
-          one_step(i, j) += 2 * (model.right(i, k) * weights.now[k] * model.left(j, k)).real();
       }
     }
     if (n > few)

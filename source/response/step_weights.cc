@@ -1,3 +1,4 @@
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/numerics/phi_functions.h>
 #include <vibrocontact/response/step_weights.h>
 
@@ -32,6 +33,24 @@ namespace vibrocontact
       }
     }
     return weights;
+  }
+
+  DenseMatrix one_step_compliance(const PoleModel &model, const double time_step, const ForceShape shape)
+  {
+    DenseMatrix result = sum_over_poles(model, step_weights(model, time_step, shape).now);
+    if (model.residual.m() > 0)
+      result.add(1., model.residual);
+    return result;
+  }
+
+  void exchange_past_forces(CheckpointFile &file, std::vector<double> &forces)
+  {
+    const std::size_t n_forces = forces.size();
+    file("response/forces", forces);
+    if (forces.size() != n_forces)
+      throw InputError(
+          "A convolution that remembers every force of its run cannot go on beyond its End time: give "
+          "Modal convolution/Memory, or run the file without --resume.");
   }
 
   FreeMotion::FreeMotion(const PoleModel &model, const std::vector<Complex> &state, const double time_step)

@@ -5,8 +5,8 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/numerics/lsce.h>
 #include <vibrocontact/numerics/vector_fitting.h>
-#include <vibrocontact/reduction/contact_readiness.h>
 #include <vibrocontact/reduction/identified_model.h>
+#include <vibrocontact/response/contact_readiness.h>
 
 #include <chrono>
 #include <cstdio>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <vibrocontact/base/frequency_data.h>
-#include <vibrocontact/reduction/contact_readiness.h>
 #include <vibrocontact/reduction/identified_model.h>
+#include <vibrocontact/response/contact_readiness.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -47,6 +47,9 @@ namespace vibrocontact
                        const DenseMatrix &trace, const std::vector<double> &modal_load,
                        const DenseMatrix &residual, const std::vector<std::string> &labels);
 
+  /// 2 Re sum_k weight_k right_k left_k^T, n_rows square: what every quantity of g at real times is.
+  /// @param weights n_poles
+  DenseMatrix sum_over_poles(const PoleModel &model, const std::vector<std::complex<double>> &weights);
   /// G(omega), n_rows square [m/N]; @param omega [rad/s]
   ComplexMatrix receptance(const PoleModel &model, double omega);
   /// g(t) without its residual, n_rows square [m/(N s)]; @param t [s] >= 0

@@ -17,6 +17,9 @@ namespace vibrocontact
 
   StepWeights step_weights(const PoleModel &model, double time_step, ForceShape shape);
 
+  /// B + S: displacement at the end of a step per force in it; n_rows square [m/N]
+  DenseMatrix one_step_compliance(const PoleModel &model, double time_step, ForceShape shape);
+
   /// Motion without contact forces: initial state and loads, evaluated step by step.
   ///
   ///   u(t) = u_static + 2 Re sum_k right_k e^(lambda_k t) (z_k(0) - z_static_k),     z_static = -load / lambda
@@ -38,6 +41,9 @@ namespace vibrocontact
     /// of the states that move at all: state, e^(lambda h), 2 right, lambda
     std::vector<std::complex<double>> moving, factor, shape, poles;
   };
+
+  /// The past forces of a convolution in a checkpoint. @throws InputError if the run remembers another number
+  void exchange_past_forces(CheckpointFile &file, std::vector<double> &forces);
 
   /// Samples of the Green's functions in the form that a convolution takes:
   ///

@@ -1,8 +1,8 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/numerics/least_squares.h>
-#include <vibrocontact/numerics/phi_functions.h>
-#include <vibrocontact/reduction/contact_readiness.h>
+#include <vibrocontact/response/contact_readiness.h>
+#include <vibrocontact/response/step_weights.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,17 +15,6 @@ namespace vibrocontact
   {
     /// eigenvalues below this share of the largest count as zero
     constexpr double round_off = 1e-12;
-
-    DenseMatrix weighted_sum(const PoleModel &model, const std::vector<Complex> &weights)
-    {
-      const unsigned int n = model.n_rows();
-      DenseMatrix result(n, n);
-      for (unsigned int k = 0; k < model.n_poles(); ++k)
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j < n; ++j)
-            result(i, j) += 2 * (weights[k] * model.right(i, k) * model.left(j, k)).real();
-      return result;
-    }
 
     double largest_entry(const DenseMatrix &matrix)
     {
@@ -65,16 +54,6 @@ namespace vibrocontact
     }
   } // namespace
 
-  DenseMatrix one_step_compliance(const PoleModel &model, const double step, const StepForce shape)
-  {
-    std::vector<Complex> weights;
-    for (const Complex &pole : model.poles)
-      weights.push_back(step * (shape == StepForce::impulse
-                                    ? std::exp(pole * step)
-                                    : phi(shape == StepForce::constant ? 1 : 2, pole * step)));
-    return weighted_sum(model, weights);
-  }
-
   bool ContactReadiness::usable() const
   {
     return limit > round_off && *std::min_element(definiteness.begin(), definiteness.end()) > round_off;
@@ -105,14 +84,9 @@ namespace vibrocontact
     for (unsigned int k = 0; k < 3; ++k)
     {
       result.definiteness[k] = 1;
-      for (const StepForce shape : {StepForce::impulse, StepForce::constant, StepForce::linear})
-      {
-        DenseMatrix B = one_step_compliance(model, result.steps[k], shape);
-        for (unsigned int i = 0; i < B.m() && model.residual.m() > 0; ++i)
-          for (unsigned int j = 0; j < B.n(); ++j)
-            B(i, j) += model.residual(i, j);
-        result.definiteness[k] = std::min(result.definiteness[k], definiteness(B));
-      }
+      for (const ForceShape shape : {ForceShape::impulse, ForceShape::constant, ForceShape::linear})
+        result.definiteness[k] = std::min(result.definiteness[k],
+                                          definiteness(one_step_compliance(model, result.steps[k], shape)));
     }
     // the peak of g lies within a few periods of the fastest pole and some of the slowest
     double slowest = 0;

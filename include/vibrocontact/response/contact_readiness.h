@@ -6,18 +6,6 @@
 
 namespace vibrocontact
 {
-  /// Force in a step of length h, of which the end displacement is asked: an impulse h q at its begin (B = h g(h)), constant q
-  /// (B = integral of g over the step), rising linearly from 0 to q (B = integral of g(s) (1 - s / h)).
-  enum class StepForce
-  {
-    impulse,
-    constant,
-    linear
-  };
-
-  /// B(h), displacement at the end of a step per force in it, without the residual; n_rows square [m/N]
-  DenseMatrix one_step_compliance(const PoleModel &model, double step, StepForce shape);
-
   /// Whether contact can be solved with a model: the LCP 0 <= q, u_h + (B + S) q - u_road >= 0 of a step has one
   /// solution if the symmetric part of B + S is positive definite. A good fit does not make it so.
   struct ContactReadiness
