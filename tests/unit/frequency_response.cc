@@ -123,8 +123,8 @@ TEST(FrequencyResponseMpi, modal_response_converges_to_the_direct_one)
   BeamRailParameters rail;
   const auto system = short_rail(4.8, rail);
   std::vector<TraceRow> points = {beam_rail_rows(rail, "rail", 0., 0., 0.08)[0],
-                                             beam_rail_rows(rail, "rail", 0.3, 0., 0.08)[0],
-                                             beam_rail_rows(rail, "rail", 0., 0., 0.08)[2]};
+                                  beam_rail_rows(rail, "rail", 0.3, 0., 0.08)[0],
+                                  beam_rail_rows(rail, "rail", 0., 0., 0.08)[2]};
   Flexibility flexibility(*system);
   ModeParameters parameters;
   parameters.upper_frequency = 12000;
