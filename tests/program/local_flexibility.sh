@@ -1,54 +1,7 @@
 # Half-spaces under a meshed body and contact without coupling in all analyses of one file: the same normal force, other
-# than that of the elements;
-# a checkpoint belongs to its values. And the figure of the unstable shapes..
+# than that of the elements; a checkpoint belongs to its values. And the figure of the unstable shapes.
 program=$1
-cat >case.prm <<'END_OF_FILE'
-set Bodies = slider, base
-set Analyses = quasi-static rolling, stability, transient
-subsection slider
-  set Type = block
-  subsection Material
-    set Young modulus = 2e9
-    set Poisson ratio = 0.3
-    set Density = 2000
-    set Loss factor = 2e-4
-  end
-  subsection Block
-    set Length = 0.06
-    set Width = 0.06
-    set Height = 0.04
-    set Divisions x = 12
-    set Divisions y = 12
-    set Divisions z = 4
-    set Contact face = bottom
-    set Held = top
-  end
-  subsection Modes
-    set Count = 20
-  end
-end
-subsection base
-  set Type = half-space
-  subsection Material
-    set Young modulus = 20e9
-    set Poisson ratio = 0.3
-  end
-  subsection Half-space
-    set Radius x = 0.2
-    set Radius y = 0.15
-  end
-end
-subsection Contact
-  set Friction coefficient = 0.8
-  set Grid spacing = 2.5e-3
-  set Half length = 10e-3
-  set Half width = 7.5e-3
-end
-subsection Rolling
-  set Hub displacement = 0.2e-3
-  set Speed = 10
-  set Lateral creepage = -0.05
-end
+{ echo "set Analyses = quasi-static rolling, stability, transient"; cat "$(dirname "$0")/slider.prm" - <<'END_OF_FILE'
 subsection Transient
   set Time step = 1e-6
   set End time = 2e-4
@@ -57,6 +10,7 @@ subsection Output
   set Figures = false
 end
 END_OF_FILE
+} >case.prm
 "$program" case.prm --quiet --output elements
 "$program" case.prm --quiet --output half_space --set "Contact/Local flexibility=half-space" --set Output/Figures=true
 "$program" case.prm --quiet --output uncoupled --set "Contact/Normal-tangential coupling=false" --set Output/Figures=true

@@ -1,6 +1,7 @@
 // The linearised contact against full matrices with the constraint eliminated (all modes: the same; some
 // modes: nearly), and against the growth of its own transient.
 
+#include "one_oscillation.h"
 #include "random_structure.h"
 
 #include <vibrocontact/analyses/linearised_contact.h>
@@ -59,31 +60,6 @@ TEST(LinearisedContact, PaperProblemAgainstEliminatedConstraint)
   std::cout << "40 of 90 modes: largest relative difference of eight roots " << worst << std::endl;
   EXPECT_LT(worst, 1e-4);
 }
-
-namespace
-{
-  /// lambda of the one oscillation that dominates equally spaced samples: x_{k+1} = a x_k + b x_{k-1} by
-  /// least squares
-  std::complex<double> fit(std::vector<double> x, const double spacing)
-  {
-    // differences leave slow motions behind
-    for (unsigned int k = 0; k + 1 < x.size(); ++k)
-      x[k] = x[k + 1] - x[k];
-    x.pop_back();
-    double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
-    for (unsigned int k = 1; k + 1 < x.size(); ++k)
-    {
-      xx += x[k] * x[k];
-      xy += x[k] * x[k - 1];
-      yy += x[k - 1] * x[k - 1];
-      xz += x[k] * x[k + 1];
-      yz += x[k - 1] * x[k + 1];
-    }
-    const double det = xx * yy - xy * xy, a = (xz * yy - yz * xy) / det, b = (yz * xx - xz * xy) / det;
-    const std::complex<double> root = (a + std::sqrt(std::complex<double>(a * a + 4 * b))) / 2.;
-    return std::log(root) / spacing;
-  }
-} // namespace
 
 class GrowthOfTheTransient : public testing::TestWithParam<bool>
 {
@@ -166,7 +142,7 @@ TEST_P(GrowthOfTheTransient, IsTheRootOfTheConsistentLinearisation)
     EXPECT_TRUE(result.converged) << result.message << " at " << result.time;
     if (samples.size() < 10)
       return std::complex<double>(0.);
-    const std::complex<double> lambda = fit(samples, every * step);
+    const std::complex<double> lambda = fit_one_oscillation(samples, every * step);
     std::printf("step %.0e s: growth %.6g 1/s, %.6g Hz; consistent linearisation %.6g, %.6g; the paper's "
                 "%.6g, %.6g\n",
                 step, lambda.real(), lambda.imag() / 2 / dealii::numbers::PI, consistent.growth,

@@ -3,6 +3,7 @@
 // few modes changes.
 
 #include "element_scene.h"
+#include "one_oscillation.h"
 
 #include <vibrocontact/analyses/finite_element_pair.h>
 #include <vibrocontact/analyses/stability.h>
@@ -252,25 +253,6 @@ namespace
     }
   };
 
-  /// lambda of the one oscillation in equally spaced samples, x_{k+1} = a x_k + b x_{k-1} by least squares.
-  std::complex<double> fit(std::vector<double> x, const double spacing)
-  {
-    for (unsigned int k = 0; k + 1 < x.size(); ++k)
-      x[k] = x[k + 1] - x[k];
-    x.pop_back();
-    double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
-    for (unsigned int k = 1; k + 1 < x.size(); ++k)
-    {
-      xx += x[k] * x[k];
-      xy += x[k] * x[k - 1];
-      yy += x[k - 1] * x[k - 1];
-      xz += x[k] * x[k + 1];
-      yz += x[k - 1] * x[k + 1];
-    }
-    const double det = xx * yy - xy * xy, a = (xz * yy - yz * xy) / det, b = (yz * xx - xz * xy) / det;
-    return std::log((a + std::sqrt(std::complex<double>(a * a + 4 * b))) / 2.) / spacing;
-  }
-
   /// Growth and frequency of a transient that starts in the shape of a root.
   std::complex<double> growth_in_time(const ContactPair &pair, const SlidingLayer &layer,
                                       const StabilityRoot &root, TransientParameters parameters)
@@ -303,7 +285,7 @@ namespace
                   });
     EXPECT_TRUE(result.converged) << result.message;
     EXPECT_EQ(result.fallbacks, 0u);
-    const std::complex<double> measured = fit(samples, every * parameters.time_step);
+    const std::complex<double> measured = fit_one_oscillation(samples, every * parameters.time_step);
     std::printf("%-16s theta %.2f step %.1e s: %9.3f Hz %9.3f 1/s, root %9.3f Hz %9.3f 1/s: %+.2e %+.2e; "
                 "%.1f us/step\n",
                 parameters.reaction.c_str(), parameters.theta, parameters.time_step, measured.imag() / 2 / pi,
