@@ -12,23 +12,58 @@ namespace vibrocontact
   void ComparisonParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
-    prm.add_parameter(
-        "Rows", rows,
+    const std::string help =
         "Runs in which every method is timed and compared with the exact motion, as time step (s):number "
         "of steps:memory of the convolutions in steps, separated by commas; empty: no comparison. Units: "
-        "none.",
-        Anything());
+        "none.";
+    prm.add_parameter("Rows", rows, help, Anything());
     prm.add_parameter("Repetitions", repetitions, "Each timing is the median of so many runs. Units: none.",
                       Integer(1, 1000));
+    for (auto &[name, body] : further_bodies)
+    {
+      prm.enter_subsection(name);
+      prm.add_parameter("Rows", body.rows, help, Anything());
+      prm.add_parameter("Force shape", body.force_shape,
+                        "As Modal convolution/Force shape, for this body. Units: none.",
+                        Selection("impulse|constant|linear"));
+      prm.enter_subsection("Road");
+      body.road.declare_parameters(prm);
+      prm.leave_subsection();
+      prm.leave_subsection();
+    }
   }
 
-  std::vector<ComparisonParameters::Row> ComparisonParameters::read_rows() const
+  void ComparisonParameters::check() const
   {
-    std::vector<Row> result;
+    const std::string section = "Modal convolution/Comparison/";
+    read_comparison_rows(rows, section + "Rows");
+    for (const auto &[name, body] : further_bodies)
+    {
+      read_comparison_rows(body.rows, section + name + "/Rows");
+      try
+      {
+        body.road.check();
+      }
+      catch (const InputError &error)
+      {
+        throw InputError(section + name + "/" + error.what());
+      }
+    }
+  }
+
+  bool ComparisonParameters::any() const
+  {
+    return !rows.empty() || std::any_of(further_bodies.begin(), further_bodies.end(),
+                                        [](const auto &body) { return !body.second.rows.empty(); });
+  }
+
+  std::vector<ComparisonRow> read_comparison_rows(const std::string &rows, const std::string &entry)
+  {
+    std::vector<ComparisonRow> result;
     std::istringstream list(rows);
     for (std::string text; std::getline(list, text, ',');)
     {
-      Row row;
+      ComparisonRow row;
       char colon[2] = {0, 0};
       double n_steps = 0, memory = 0;
       std::istringstream numbers(text);
@@ -36,7 +71,7 @@ namespace vibrocontact
       if (!numbers || colon[0] != ':' || colon[1] != ':' || !(row.time_step > 0) || !(n_steps >= 10) ||
           !(memory >= 2) || n_steps > 1e9 || memory > 1e8)
         throw InputError(
-            "Modal convolution/Comparison/Rows has '" + text +
+            entry + " has '" + text +
             "', which is no time step:number of steps:memory: write for instance 1e-4:2000:1900.");
       row.n_steps = n_steps;
       row.memory = memory;
@@ -63,7 +98,7 @@ namespace vibrocontact
     class Comparison
     {
     public:
-      Comparison(const ComparisonParameters::Row &row, const unsigned int repetitions,
+      Comparison(const ComparisonRow &row, const unsigned int repetitions,
                  const ModalConvolutionParameters &parameters, const PoleModel &model,
                  const RoadParameters &road, const std::vector<double> &places,
                  const std::vector<double> &shapes)
@@ -100,14 +135,12 @@ namespace vibrocontact
           add("direct convolution", memory, [&] { return run_one("direct convolution", shape, 1, memory); });
           add("block convolution", memory, [&] { return run_one("block convolution", shape, 1, memory); });
         }
+        add("direct convolution, scalar", row.memory,
+            [&] { return run_one("direct convolution, scalar", shape, 1, row.memory); });
         if (n == 1 && rigid)
         {
           const auto paper = [&](const std::string &name, const PaperMethod::Form form)
-          {
-            const unsigned long memory = form == PaperMethod::Form::scalar_convolution ? row.memory : 0;
-            add(name, memory, [&] { return run_paper(form, memory); });
-          };
-          paper("direct convolution, scalar", PaperMethod::Form::scalar_convolution);
+          { add(name, 0, [&] { return run_paper(form); }); };
           paper("growing exponentials as printed", PaperMethod::Form::growing);
           paper("two Gauss forces, corrected", PaperMethod::Form::gauss);
           paper("two Gauss forces as printed", PaperMethod::Form::gauss_as_printed);
@@ -152,7 +185,7 @@ namespace vibrocontact
         return history;
       }
 
-      History run_paper(const PaperMethod::Form form, const unsigned long memory)
+      History run_paper(const PaperMethod::Form form)
       {
         if (heights.empty())
           for (unsigned long k = 0; k < row.n_steps; ++k)
@@ -164,7 +197,7 @@ namespace vibrocontact
         PaperMethod method(form, model,
                            parameters.initial_state == "at rest" ? state_at_rest(model)
                                                                  : state_in_equilibrium(model),
-                           row.time_step, memory);
+                           row.time_step);
         History history;
         history.u.resize(row.n_steps);
         history.q.resize(row.n_steps);
@@ -175,7 +208,7 @@ namespace vibrocontact
         for (const double force : history.q)
           history.impulse[0] += row.time_step * force;
         // an impulse's force belongs to the beginning of its step
-        if (form == PaperMethod::Form::growing || form == PaperMethod::Form::scalar_convolution)
+        if (form == PaperMethod::Form::growing)
           history.q.erase(history.q.begin());
         return history;
       }
@@ -222,7 +255,7 @@ namespace vibrocontact
         return result;
       }
 
-      const ComparisonParameters::Row row;
+      const ComparisonRow row;
       const unsigned int repetitions;
       const ModalConvolutionParameters &parameters;
       const PoleModel &model;
@@ -235,16 +268,17 @@ namespace vibrocontact
     };
   } // namespace
 
-  std::vector<ComparedMethod> compare_methods(const ComparisonParameters &comparison,
+  std::vector<ComparedMethod> compare_methods(const std::vector<ComparisonRow> &rows,
+                                              const unsigned int repetitions,
                                               const ModalConvolutionParameters &parameters,
                                               const PoleModel &model, const RoadParameters &road,
                                               const std::vector<double> &places,
                                               const std::vector<double> &shapes)
   {
     std::vector<ComparedMethod> result;
-    for (const auto &row : comparison.read_rows())
+    for (const ComparisonRow &row : rows)
     {
-      const auto own = Comparison(row, comparison.repetitions, parameters, model, road, places, shapes).run();
+      const auto own = Comparison(row, repetitions, parameters, model, road, places, shapes).run();
       result.insert(result.end(), own.begin(), own.end());
     }
     return result;

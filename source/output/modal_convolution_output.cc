@@ -1,4 +1,5 @@
 #include <vibrocontact/base/hdf5_file.h>
+#include <vibrocontact/numerics/third_octaves.h>
 #include <vibrocontact/output/modal_convolution_output.h>
 #include <vibrocontact/output/table.h>
 
@@ -80,6 +81,39 @@ namespace vibrocontact
     for (const ContactEvent &event : result.impacts)
       table.add_row({event.time, double(event.point), event.impulse});
     table.write(folder + "/impacts.csv");
+  }
+
+  void write_third_octaves(const ModalConvolutionParameters &parameters, const ModalConvolutionResult &result,
+                           const std::string &folder)
+  {
+    Hdf5Reader file(folder + "/histories.h5");
+    const std::vector<double> time = file.numbers("time_s");
+    Table table({"nominal_Hz", "centre_Hz", "lower_Hz", "upper_Hz", "rms_N", "level_dB"},
+                {"1/3-octave bands (IEC 61260-1, base ten) of the force of all contact points together, mean "
+                 "left out, Hann window over the last three quarters of the run",
+                 "level re 1 N; the squares of contiguous bands add up to that of the whole"});
+    Signal whole;
+    if (time.size() > 1)
+    {
+      whole.step = time[1] - time[0];
+      whole.values.assign(time.size(), 0.);
+      for (unsigned int i = 0; i < result.impulse.size(); ++i)
+      {
+        const std::vector<double> force = file.numbers("point_" + std::to_string(i) + "_force_N");
+        std::transform(force.begin(), force.end(), whole.values.begin(), whole.values.begin(), std::plus<>());
+      }
+      if (parameters.is_event_located())
+        for (const ContactEvent &event : result.impacts)
+        {
+          const std::size_t line = std::lround((event.time - time[0]) / whole.step);
+          whole.values[std::min(line, time.size() - 1)] += event.impulse / whole.step;
+        }
+      whole.values.erase(whole.values.begin(), whole.values.begin() + whole.size() / 4);
+    }
+    for (const ThirdOctave &band : third_octaves(whole))
+      if (band.rms > 0)
+        table.add_row({band.nominal, band.centre, band.lower, band.upper, band.rms, band.level()});
+    table.write(folder + "/third_octaves.csv");
   }
 
   nlohmann::ordered_json modal_convolution_json(const ModalConvolutionParameters &parameters,

@@ -5,9 +5,20 @@
 
 namespace vibrocontact
 {
+  namespace
+  {
+    double scalar_dot(const double *a, const double *b, const std::size_t n)
+    {
+      double sum = 0;
+      for (std::size_t k = 0; k < n; ++k)
+        sum += a[k] * b[k];
+      return sum;
+    }
+  } // namespace
+
   DirectConvolution::DirectConvolution(const PoleModel &model, const std::vector<std::complex<double>> &state,
-                                       const ResponseSettings &settings)
-      : motion(model, state, settings.time_step)
+                                       const ResponseSettings &settings, const bool wide)
+      : motion(model, state, settings.time_step), dot(wide ? &wide_dot : &scalar_dot)
   {
     const unsigned long lags = std::max(2ul, settings.memory > 0 ? settings.memory : settings.n_steps);
     const unsigned int n = model.n_rows();
@@ -34,8 +45,8 @@ namespace vibrocontact
     {
       double sum = 0;
       for (unsigned int j = 0; j < n; ++j)
-        sum += wide_dot(backwards.data() + (i * n + j + 1) * memory - count,
-                        forces.data() + 2 * memory * j + end - count, count);
+        sum += dot(backwards.data() + (i * n + j + 1) * memory - count,
+                   forces.data() + 2 * memory * j + end - count, count);
       free[i] = sum;
     }
     motion.add_to(free.data());

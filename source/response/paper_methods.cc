@@ -8,27 +8,20 @@ namespace vibrocontact
   using Complex = std::complex<double>;
 
   PaperMethod::PaperMethod(const Form form, const PoleModel &model, const std::vector<Complex> &state,
-                           const double time_step, const unsigned long memory)
+                           const double time_step)
       : form(form), h(time_step), motion(model, state, time_step), poles(model.poles)
   {
     for (unsigned int k = 0; k < model.n_poles(); ++k)
       gains.push_back(2. * model.right(0, k) * model.left(0, k));
-    if (form == Form::scalar_convolution)
-      kernel = step_kernel(model, time_step, ForceShape::impulse, memory)[0];
   }
 
   void PaperMethod::run(const unsigned long n_steps, const double *heights, const double *rates,
                         double *displacements, double *forces)
   {
-    switch (form)
-    {
-    case Form::growing:
-      return run_growing(n_steps, heights, displacements, forces);
-    case Form::scalar_convolution:
-      return run_scalar(n_steps, heights, displacements, forces);
-    default:
-      return run_gauss(n_steps, heights, rates, displacements, forces);
-    }
+    if (form == Form::growing)
+      run_growing(n_steps, heights, displacements, forces);
+    else
+      run_gauss(n_steps, heights, rates, displacements, forces);
   }
 
   void PaperMethod::run_growing(const unsigned long n_steps, const double *heights, double *displacements,
@@ -111,23 +104,6 @@ namespace vibrocontact
       }
       displacements[step] = u + psi[0][0] * q1 + psi[0][1] * q2;
       forces[step] = 0.5 * (q1 + q2);
-    }
-  }
-
-  void PaperMethod::run_scalar(const unsigned long n_steps, const double *heights, double *displacements,
-                               double *forces)
-  {
-    const unsigned long memory = kernel.size();
-    for (unsigned long step = 0; step < n_steps; ++step)
-    {
-      double u = 0;
-      motion.add_to(&u);
-      motion.advance();
-      const unsigned long oldest = step + 1 > memory ? step + 1 - memory : 0;
-      for (unsigned long m = oldest; m < step; ++m)
-        u += kernel[step - m] * forces[m];
-      forces[step] = std::max(0., (heights[step] - u) / kernel[0]);
-      displacements[step] = u + kernel[0] * forces[step];
     }
   }
 } // namespace vibrocontact

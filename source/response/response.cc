@@ -11,11 +11,11 @@ namespace vibrocontact
 {
   namespace
   {
-    template <typename Method>
+    template <typename Method, bool... wide>
     std::unique_ptr<Response> create(const PoleModel &model, const std::vector<std::complex<double>> &state,
                                      const ResponseSettings &settings)
     {
-      return std::make_unique<Method>(model, state, settings);
+      return std::make_unique<Method>(model, state, settings, wide...);
     }
   } // namespace
 
@@ -50,9 +50,10 @@ namespace vibrocontact
   {
     static const std::vector<ResponseMethod> methods = {
         {"modal recursion", "exact propagation of one complex state per pole", &create<ModalRecursion>},
-        {"direct convolution", "sum over the newest forces in every step", &create<DirectConvolution>},
-        {"block convolution", "the same sum by fast Fourier transforms of blocks",
-         &create<BlockConvolution>}};
+        {"direct convolution", "sum over the newest forces in every step", &create<DirectConvolution, true>},
+        {"block convolution", "the same sum by fast Fourier transforms of blocks", &create<BlockConvolution>},
+        {"direct convolution, scalar", "the same sum by a plain loop, for comparison",
+         &create<DirectConvolution, false>}};
     return methods;
   }
 

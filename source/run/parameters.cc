@@ -47,6 +47,10 @@ namespace vibrocontact
     declare("Road", road);
     prm.enter_subsection("Modal convolution");
     modal_convolution.declare_parameters(prm);
+    // those of other analyses are partners in contact
+    for (unsigned int k = 1; k < scene.bodies.size(); ++k)
+      if (scene.bodies[k].is_green() && !scene.bodies[k].is_meshed())
+        comparison.further_bodies[scene.bodies[k].name];
     declare("Comparison", comparison);
     prm.leave_subsection();
     declare("Identification", identification);
@@ -282,8 +286,8 @@ namespace vibrocontact
     if (has_contact())
     {
       check_layer(scene, rolling);
-      // a body on a road is alone
-      if (scene.bodies.size() > 1)
+      // a body on a road has no partner
+      if (scene.bodies.size() > 1 && !scene.runs("modal convolution"))
         check_touch(scene.bodies[0], scene.bodies[1], contact.strip_length > 0);
       check_local_flexibility(*this);
     }
@@ -321,12 +325,18 @@ namespace vibrocontact
     {
       road.check();
       modal_convolution.check();
-      comparison.read_rows();
-      const BodyParameters &body = scene.bodies[0];
-      if (body.type == "ring" && body.ring.rolling && road.speed == 0)
-        throw InputError(body.name +
-                         "/Ring/Rolling is true, but Road/Speed is 0: the poles of a rolling ring need a "
-                         "constant Speed, give it.");
+      comparison.check();
+      for (const BodyParameters &body : scene.bodies)
+      {
+        const auto further = comparison.further_bodies.find(body.name);
+        const bool first = &body == &scene.bodies[0];
+        if (!first && (further == comparison.further_bodies.end() || further->second.rows.empty()))
+          continue;
+        if (body.type == "ring" && body.ring.rolling && (first ? road : further->second.road).speed == 0)
+          throw InputError(body.name +
+                           "/Ring/Rolling is true, but Road/Speed is 0: the poles of a rolling ring need a "
+                           "constant Speed, give it.");
+      }
       if (scene.runs("transient"))
         throw InputError(
             "Analyses lists both transient and modal convolution, which write the same histories: run "

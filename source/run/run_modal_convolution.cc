@@ -1,14 +1,12 @@
-#include <vibrocontact/analyses/method_comparison.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/stop_signal.h>
 #include <vibrocontact/base/version.h>
-#include <vibrocontact/numerics/wide_loops.h>
 #include <vibrocontact/output/modal_convolution_output.h>
-#include <vibrocontact/output/table.h>
 #include <vibrocontact/reduction/ring_poles.h>
 #include <vibrocontact/run/run_identification.h>
+#include <vibrocontact/run/run_method_comparison.h>
 #include <vibrocontact/run/run_modal_convolution.h>
 
 #include <deal.II/base/mpi.h>
@@ -25,7 +23,7 @@ namespace vibrocontact
   {
     constexpr unsigned int steps_of_a_block = 4096;
     constexpr unsigned int most_point_tables = 10;
-    constexpr unsigned long most_table_lines = 1000000;
+    constexpr unsigned long most_table_lines = 1000000, most_spectrum_lines = 20000000;
     constexpr int checkpoint_format = 1;
 
     PoleModel reduced_poles(const ReducedBody &body)
@@ -122,56 +120,12 @@ namespace vibrocontact
       if (!parameters.is_event_located())
         log.value("contact residual", result.residual);
     }
-
-    void compare(const Parameters &parameters, const PoleBody &body, const std::string &folder,
-                 nlohmann::ordered_json &json)
-    {
-      run_log().block("Comparison of methods");
-      run_log().value("registers", wide_loops_name());
-      Table table(
-          {"method", "step_s", "steps", "memory_steps", "error_displacement_m", "error_force_N",
-           "error_impulse", "seconds_per_step"},
-          {"Errors against the exact motion (displacement: largest; force: rms away from events; impulse: "
-           "relative) and cost; a method without errors broke down"});
-      for (const ComparedMethod &method :
-           compare_methods(parameters.comparison, parameters.modal_convolution, body.poles, parameters.road,
-                           body.places, body.shapes))
-      {
-        nlohmann::ordered_json entry = {{"method", method.method},
-                                        {"step_s", method.time_step},
-                                        {"steps", method.n_steps},
-                                        {"memory_steps", method.memory}};
-        const bool works = std::isfinite(method.error_displacement) && std::isfinite(method.error_force) &&
-                           std::isfinite(method.error_impulse);
-        std::ostringstream text;
-        if (works)
-        {
-          entry["error_displacement_m"] = method.error_displacement;
-          entry["error_force_N"] = method.error_force;
-          entry["error_impulse"] = method.error_impulse;
-          table.add_row({method.method, method.time_step, double(method.n_steps), double(method.memory),
-                         method.error_displacement, method.error_force, method.error_impulse,
-                         method.seconds_per_step});
-          text << method.error_displacement << " m, " << method.error_force << " N, ";
-        }
-        else
-        {
-          entry["broke_down"] = true;
-          text << "no finite numbers, ";
-        }
-        entry["seconds_per_step"] = method.seconds_per_step;
-        text << method.seconds_per_step * 1e9 << " ns per step";
-        run_log().line(method.method + ", h = " + std::to_string(method.time_step * 1e3) + " ms, memory " +
-                       std::to_string(method.memory) + ": " + text.str());
-        json["method_comparison"].push_back(entry);
-      }
-      on_first_rank([&] { table.write(folder + "/method_comparison.csv"); });
-    }
   } // namespace
 
-  PoleBody pole_body(const Parameters &parameters, const MeshedBodies &bodies)
+  PoleBody pole_body(const Parameters &parameters, const MeshedBodies &bodies, const unsigned int number,
+                     const RoadParameters &road)
   {
-    const BodyParameters &body = parameters.scene.bodies[0];
+    const BodyParameters &body = parameters.scene.bodies[number];
     if (body.type == "oscillator")
       return {oscillator_poles(body.oscillator), {0.}, {0.}};
     PoleBody result;
@@ -194,12 +148,12 @@ namespace vibrocontact
       if (!body.ring.is_meshed())
       {
         // a ring that rolls forward turns backwards in its own coordinate
-        const double rotation = body.ring.rolling ? -parameters.road.speed / body.ring.radius : 0;
+        const double rotation = body.ring.rolling ? -road.speed / body.ring.radius : 0;
         result.poles = ring_poles(body.ring, ring_rows(body.ring, false), rotation);
         return result;
       }
     }
-    ReducedBody reduced = bodies[0]->reduction.reduced(true);
+    ReducedBody reduced = bodies[number]->reduction.reduced(true);
     scale_damping(reduced, parameters.modes.at(body.name));
     if (body.type == "ring")
       result.poles = ring_poles(body.ring, reduced, false);
@@ -219,7 +173,7 @@ namespace vibrocontact
   void run_modal_convolution(const Parameters &parameters, const MeshedBodies &bodies,
                              const std::string &folder, const bool resume, Results &results)
   {
-    const PoleBody body = pole_body(parameters, bodies);
+    const PoleBody body = pole_body(parameters, bodies, 0, parameters.road);
     const ModalConvolutionParameters &own = parameters.modal_convolution;
     run_log().block("Modal convolution");
     run_log().value("poles", body.poles.n_poles());
@@ -305,6 +259,11 @@ namespace vibrocontact
           if (body.poles.n_rows() <= most_point_tables && lines <= most_table_lines)
             write_point_tables(folder, body.poles.n_rows());
           write_impacts(result, folder);
+          if (lines <= most_spectrum_lines)
+          {
+            write_third_octaves(own, result, folder);
+            json["third_octaves"] = "third_octaves.csv";
+          }
         });
     print(own, result);
     if (!message.empty())
@@ -316,7 +275,7 @@ namespace vibrocontact
     }
     if (results.stopped_by != 0)
       run_log().warning("Interrupted; a checkpoint is written, --resume continues.");
-    else if (!parameters.comparison.rows.empty() && message.empty())
-      compare(parameters, body, folder, json);
+    else if (parameters.comparison.any() && message.empty())
+      json["method_comparison"] = run_method_comparison(parameters, bodies, folder);
   }
 } // namespace vibrocontact

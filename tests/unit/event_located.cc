@@ -1,4 +1,4 @@
-// The oscillator on a sine against the closed forms of the tyre paper's errata, section 3.
+// The oscillator on a sine against the closed forms (doc/theory.md, corrections to the tyre paper).
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/response/event_located.h>
 #include <vibrocontact/response/response.h>
@@ -94,7 +94,7 @@ namespace
   }
 } // namespace
 
-TEST(EventLocated, PrintedValuesOfTheErrata)
+TEST(EventLocated, KnownEvents)
 {
   EXPECT_NEAR(ClosedForm(0.1).P, 1996.84425720, 1e-8);
   for (const double step : {1e-2, 1e-3, 1.7e-4})
@@ -225,7 +225,7 @@ TEST(EventLocated, RefusesWhatIsNotRigid)
   EXPECT_THROW(EventLocated(model, state_at_rest(model), road, 1e-3), InputError);
 }
 
-// Errata, section 6: the spectrum's printed values; a varying speed of constant value is the constant speed.
+// The deterministic road's known values; a varying speed of constant value is the constant speed.
 TEST(Road, SpectrumAndSpeed)
 {
   RoadParameters parameters;

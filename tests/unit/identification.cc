@@ -1,4 +1,4 @@
-// Identification: the tyre paper's ring from its frequency response (errata section 5), exact sums of poles, and what makes a model usable
+// Identification: the tyre paper's ring from its frequency response, exact sums of poles, and what makes a model usable
 // in contact.
 #include "ring_data.h"
 
@@ -168,7 +168,7 @@ TEST(Identification, RingWithZeroInitialValue)
   options.rules.zero_initial_value = true;
   const PoleFit fit = vector_fit(ring(), 25, options), free = vector_fit(ring(), 25);
   EXPECT_LT(worst_error(ring(), fit), 2e-3);
-  // imposed on the residues alone, poles as they were, it costs a factor of ten (errata: 1.1 %)
+  // imposed on the residues alone, poles as they were, it costs a factor of ten
   EXPECT_GT(worst_error(ring(), fit_residues(ring(), free.poles, options.rules)), 5e-3);
   for (unsigned int i = 0; i < 3; ++i)
   {

@@ -27,7 +27,7 @@ namespace
     return road;
   }
 
-  /// Errata of the tyre paper, section 6.
+  /// The ring on the deterministic road (doc/theory.md, corrections to the tyre paper).
   struct Tyre
   {
     Tyre(const double tread, const double indentation, const bool rolling)
@@ -137,12 +137,10 @@ TEST(ModalConvolution, CommonSolverGivesTheSame)
 // Second order of displacement and smooth force; what the paper's forms do; the memory of Table 2.
 TEST(ModalConvolution, MethodsAgainstTheExactMotion)
 {
-  ComparisonParameters comparison;
-  comparison.rows = "2e-4:2000:1000, 1e-4:4000:1900, 5e-5:8000:4000";
-  comparison.repetitions = 1;
   const ModalConvolutionParameters parameters;
   const PoleModel model = paper_oscillator();
-  const auto rows = compare_methods(comparison, parameters, model, sine(0.1), {0.}, {0.});
+  const auto rows = compare_methods({{2e-4, 2000, 1000}, {1e-4, 4000, 1900}, {5e-5, 8000, 4000}}, 1,
+                                    parameters, model, sine(0.1), {0.}, {0.});
   const auto find = [&](const std::string &method, const double step)
   {
     for (const ComparedMethod &row : rows)
@@ -169,6 +167,29 @@ TEST(ModalConvolution, MethodsAgainstTheExactMotion)
   EXPECT_NEAR(find("growing exponentials as printed", 1e-4).error_displacement /
                   find("modal recursion", 1e-4).error_displacement,
               1, 1e-3);
+}
+
+// The ring: all methods agree when nothing is forgotten, against the exact motion (rigid) or a finer one (tread).
+TEST(ModalConvolution, MethodsOfTheRing)
+{
+  for (const bool rigid : {true, false})
+  {
+    const Tyre tyre(rigid ? 0 : 3e5, rigid ? 0.5e-3 : 1e-3, false);
+    ModalConvolutionParameters parameters;
+    parameters.force_shape = "linear";
+    const auto rows =
+        compare_methods({{2e-5, 2000, 2001}}, 1, parameters, tyre.model, tyre.road, tyre.places, tyre.shapes);
+    EXPECT_EQ(rows.size(), rigid ? 7u : 6u);
+    for (const ComparedMethod &row : rows)
+      if (row.method == "event located")
+        EXPECT_EQ(row.error_displacement, 0);
+      else
+      {
+        EXPECT_NEAR(row.error_displacement / rows[rigid].error_displacement, 1, 1e-6) << row.method;
+        EXPECT_LT(row.error_displacement, rigid ? 1e-4 : 1e-6) << row.method;
+        EXPECT_LT(row.error_impulse, rigid ? 2e-2 : 1e-4) << row.method;
+      }
+  }
 }
 
 // 1,000 s at 0.1 m/s: the last period is the second; 1 m/s, where every touch is an impact and an immediate release.

@@ -222,7 +222,7 @@ TEST(Response, DirectBlockAndModalAreEqual)
 
 TEST(Response, MemoryOfTheOnePercentRule)
 {
-  // the paper's oscillator: 3655 steps of 0.1 ms (errata, section 1)
+  // the paper's oscillator: 3655 steps of 0.1 ms
   DenseMatrix trace(1, 1);
   trace(0, 0) = 1;
   PoleModel model = pole_model({std::sqrt(4e5)}, {0.02}, trace, {}, DenseMatrix(), {});

@@ -297,7 +297,7 @@ TEST(RingElements, SolidFrequencies)
   }
 }
 
-// Shear and thickness: how far the solid ring is from Euler and Bernoulli's (errata, section 4).
+// Shear and thickness: how far the solid ring is from Euler and Bernoulli's.
 TEST(RingElements, SolidIsSofterThanBeam)
 {
   RingParameters ring;

@@ -83,7 +83,7 @@ TEST(RingPoles, HighOrdersEqualDirectInversion)
   }
 }
 
-// Errata of the paper, section 4.
+// Frequencies and receptances of the corrected ring (doc/theory.md).
 TEST(RingPoles, PrintedValues)
 {
   RingParameters ring;

@@ -3,6 +3,7 @@
 #include <vibrocontact/numerics/cycle_measure.h>
 #include <vibrocontact/numerics/growth_fit.h>
 #include <vibrocontact/numerics/spectrum.h>
+#include <vibrocontact/numerics/third_octaves.h>
 #include <vibrocontact/output/signal_output.h>
 
 #include <gtest/gtest.h>
@@ -175,4 +176,74 @@ TEST(Signals, UnequalSteps)
   const Signal middle = part(signal, 0.01, 0.02);
   EXPECT_NEAR(middle.begin, 0.01, 2e-5);
   EXPECT_NEAR(middle.end(), 0.02, 2e-5);
+}
+
+// Bands of IEC 61260-1: names and edges; a sine lies in its own band; Parseval: contiguous bands add up to the mean square of the
+// signal limited to them, weighted as the window weighs.
+TEST(Signals, ThirdOctaves)
+{
+  const double step = 1e-4;
+  const std::size_t n = 5000;
+  const auto sine = third_octaves(sum_of({{1000, 0, 3, 0.4}}, step, (n + 0.5) * step));
+  double before = 0;
+  for (const ThirdOctave &band : sine)
+  {
+    EXPECT_NEAR(std::log10(band.upper / band.lower), 0.1, 1e-12);
+    EXPECT_NEAR(band.nominal / band.centre, 1, 0.015);
+    if (before > 0)
+      EXPECT_NEAR(band.lower / before, 1, 1e-12);
+    before = band.upper;
+    const bool own = band.nominal == 1000;
+    EXPECT_NEAR(band.rms, own ? 3 / std::sqrt(2.) : 0., 1e-4) << band.nominal;
+    if (own)
+      EXPECT_NEAR(band.level(), 20 * std::log10(3 / std::sqrt(2.)), 1e-3);
+  }
+  EXPECT_GT(sine.back().upper, 3900);
+  EXPECT_LE(sine.back().upper, 5000);
+
+  // steps and jumps with a mean; limited to the bands by a plain sum over the frequencies
+  Signal rough;
+  rough.step = step;
+  std::uint32_t state = 7;
+  for (std::size_t i = 0; i < 1200; ++i)
+  {
+    state = 1664525u * state + 1013904223u;
+    rough.values.push_back(5 + (i % 97 < 40 ? 2. : 0.) + 1e-9 * state);
+  }
+  const auto bands = third_octaves(rough);
+  double sum = 0;
+  for (const ThirdOctave &band : bands)
+    sum += band.rms * band.rms;
+  const std::size_t m = rough.size();
+  std::vector<double> window(m), windowed(m), limited(m, 0.);
+  double weights = 0, squares = 0, mean = 0;
+  for (std::size_t i = 0; i < m; ++i)
+  {
+    window[i] = std::pow(std::sin(two_pi / 2 * i / m), 2);
+    weights += window[i];
+    squares += window[i] * window[i];
+    mean += window[i] * rough.values[i];
+  }
+  for (std::size_t i = 0; i < m; ++i)
+    windowed[i] = window[i] * (rough.values[i] - mean / weights);
+  for (std::size_t k = 1; k < m / 2; ++k)
+  {
+    // the share of the line within the bands, as an amplitude
+    const double low = bands.front().lower * m * step, high = bands.back().upper * m * step;
+    const double share = std::clamp(std::min(k + 0.5, high) - std::max(k - 0.5, low), 0., 1.);
+    double real = 0, imaginary = 0;
+    for (std::size_t i = 0; i < m; ++i)
+    {
+      real += windowed[i] * std::cos(two_pi * k * i / m);
+      imaginary += windowed[i] * std::sin(two_pi * k * i / m);
+    }
+    for (std::size_t i = 0; i < m; ++i)
+      limited[i] += std::sqrt(share) * 2 / m *
+                    (real * std::cos(two_pi * k * i / m) + imaginary * std::sin(two_pi * k * i / m));
+  }
+  double square = 0;
+  for (const double value : limited)
+    square += value * value / squares;
+  EXPECT_GT(square, 0.5);
+  EXPECT_NEAR(sum / square, 1, 1e-10);
 }

@@ -2,29 +2,44 @@
 
 #include <vibrocontact/analyses/modal_convolution.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
 namespace vibrocontact
 {
+  /// Runs in which every method is timed: time step [s], number of steps, memory of the convolutions in steps.
+  struct ComparisonRow
+  {
+    double time_step;
+    unsigned long n_steps, memory;
+  };
+
   /// `subsection Modal convolution / subsection Comparison`
   struct ComparisonParameters
   {
-    /// e.g. 1e-4:2000:1900, 1e-5:20000:19000: time step [s], number of steps, memory of the convolutions in steps
+    /// of body 1, e.g. 1e-4:2000:1900, 1e-5:20000:19000
     std::string rows;
     /// each timing is the median of so many runs
     unsigned int repetitions = 5;
 
-    struct Row
+    /// A body after the first, in a subsection of its name: rolls over its own road in the comparison only.
+    struct FurtherBody
     {
-      double time_step;
-      unsigned long n_steps, memory;
+      std::string rows, force_shape = "impulse";
+      RoadParameters road;
     };
+    /// by name; the names have to be there before the declaration
+    std::map<std::string, FurtherBody> further_bodies;
 
     void declare_parameters(dealii::ParameterHandler &prm);
     /// @throws InputError naming the entry
-    std::vector<Row> read_rows() const;
+    void check() const;
+    bool any() const;
   };
+
+  /// @param entry said in the message. @throws InputError
+  std::vector<ComparisonRow> read_comparison_rows(const std::string &rows, const std::string &entry);
 
   /// One method of one row.
   struct ComparedMethod
@@ -45,7 +60,8 @@ namespace vibrocontact
   /// continuous linear forces in an eighth of the step.
   ///
   /// One point also has the paper's own forms (response/paper_methods.h).
-  std::vector<ComparedMethod> compare_methods(const ComparisonParameters &comparison,
+  std::vector<ComparedMethod> compare_methods(const std::vector<ComparisonRow> &rows,
+                                              unsigned int repetitions,
                                               const ModalConvolutionParameters &parameters,
                                               const PoleModel &model, const RoadParameters &road,
                                               const std::vector<double> &places,

@@ -9,7 +9,7 @@ namespace vibrocontact
 {
   /// The frictionless contact problem of many steps with one matrix,
   ///
-  ///   0 <= q  perp  gap = gap_0 + M q >= 0,       M = B + S        (errata of the tyre paper, section 2)
+  ///   0 <= q  perp  gap = gap_0 + M q >= 0,       M = B + S        (doc/modal_convolution.md)
   ///
   /// faster than the common solvers (contact/contact_solver.h), which it agrees with to 1e-12: the special case mu = 0
   /// of ContactProblem with M as its normal block. M need not be symmetric, but positive definite, so that there is

@@ -30,6 +30,12 @@ namespace vibrocontact
   /// histories.h5 as contact_point_<i>.csv: time_s, displacement_m, force_N. @throws OutputError
   void write_point_tables(const std::string &folder, unsigned int n_points);
 
+  /// third_octaves.csv of the force of all points together, from the last three quarters of histories.h5: nominal_Hz,
+  /// centre_Hz, lower_Hz, upper_Hz, rms_N, level_dB (re 1 N); bands without any force are left out. Impulses of the
+  /// event-located motion stand in the nearest line as force over the lines' distance.
+  void write_third_octaves(const ModalConvolutionParameters &parameters, const ModalConvolutionResult &result,
+                           const std::string &folder);
+
   /// analyses.modal_convolution of results.json; of more events than fit there (10,000) the first.
   nlohmann::ordered_json modal_convolution_json(const ModalConvolutionParameters &parameters,
                                                 const ModalConvolutionResult &result);

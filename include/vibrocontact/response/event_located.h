@@ -40,7 +40,7 @@ namespace vibrocontact
   ///   release  q_i = 0 from above
   ///
   /// What rounding leaves in u_i - u_r,i and its rate is removed after every piece, along left and Lambda left; with
-  /// one pole this is the closed form. (Errata of the tyre paper, sections 2 and 3.)
+  /// one pole this is the closed form. (doc/modal_convolution.md, event-located motion.)
   class EventLocated
   {
   public:

@@ -18,14 +18,11 @@ namespace vibrocontact
       /// arguments t + h - t_i, accepted if their mean is not negative
       gauss,
       /// Eqs 39-49 with the printed Psi (h in place of h/2: half of each correction is applied) and without the test
-      gauss_as_printed,
-      /// Eqs 5, 6 and 22 by a plain loop, one multiplication after the other: the paper's baseline
-      scalar_convolution
+      gauss_as_printed
     };
 
-    /// @param memory steps, of the convolution only
     PaperMethod(Form form, const PoleModel &model, const std::vector<std::complex<double>> &state,
-                double time_step, unsigned long memory);
+                double time_step);
     /// @param heights, rates of the road at the ends of the steps [m, m/s]; @param displacements at the ends and
     /// @param forces (impulse at the beginning over h, or mean of the Gauss forces); n_steps each
     void run(unsigned long n_steps, const double *heights, const double *rates, double *displacements,
@@ -35,14 +32,11 @@ namespace vibrocontact
     void run_growing(unsigned long n_steps, const double *heights, double *displacements, double *forces);
     void run_gauss(unsigned long n_steps, const double *heights, const double *rates, double *displacements,
                    double *forces);
-    void run_scalar(unsigned long n_steps, const double *heights, double *displacements, double *forces);
 
     const Form form;
     const double h;
     FreeMotion motion;
     /// lambda, 2 R
     std::vector<std::complex<double>> poles, gains;
-    /// h g(k h), k from 1
-    std::vector<double> kernel;
   };
 } // namespace vibrocontact

@@ -10,8 +10,8 @@
 
 namespace vibrocontact
 {
-  /// How a contact force runs within a step of length h; one unknown q per row and step (the tyre paper's errata,
-  /// section 2, say which one suits which contact).
+  /// How a contact force runs within a step of length h; one unknown q per row and step (doc/theory.md,
+  /// corrections to the tyre paper, says which one suits which contact).
   enum class ForceShape : unsigned char
   {
     /// an impulse h q at the beginning of the step: rigid contact
@@ -82,7 +82,7 @@ namespace vibrocontact
                                         const ResponseSettings &);
   };
 
-  /// modal recursion, direct convolution, block convolution
+  /// modal recursion, direct convolution, block convolution; direct convolution, scalar
   const std::vector<ResponseMethod> &response_methods();
   /// @throws InputError naming the methods
   std::unique_ptr<Response> create_response(const std::string &name, const PoleModel &model,

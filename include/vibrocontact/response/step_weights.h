@@ -47,7 +47,7 @@ namespace vibrocontact
 
   /// Samples of the Green's functions in the form that a convolution takes:
   ///
-  ///   u(t_(n+1)) = u_free motion + sum_(m <= n) kernel_(n-m) q_m        (errata of the paper, section 1)
+  ///   u(t_(n+1)) = u_free motion + sum_(m <= n) kernel_(n-m) q_m        (Eq. 5, corrected: doc/theory.md)
   ///
   /// each the exact integral of g times the shape of a force, from closed forms at each lag by itself (nothing is
   /// carried from lag to lag, so that the recursion has a second method beside it). Lag 0 includes S.

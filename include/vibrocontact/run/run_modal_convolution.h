@@ -7,7 +7,7 @@
 
 namespace vibrocontact
 {
-  /// Body 1 as a modal convolution sees it.
+  /// A body as a modal convolution sees it.
   struct PoleBody
   {
     PoleModel poles;
@@ -16,7 +16,9 @@ namespace vibrocontact
   };
 
   /// Oscillator and analytic ring by their closed forms, meshed bodies by their reduction. Collective.
-  PoleBody pole_body(const Parameters &parameters, const MeshedBodies &bodies);
+  /// @param number of the body in the scene, from 0; @param road whose speed a rolling ring has
+  PoleBody pole_body(const Parameters &parameters, const MeshedBodies &bodies, unsigned int number,
+                     const RoadParameters &road);
 
   /// The analysis `modal convolution` of body 1 on the road, with its output: results, histories.h5, a table per contact
   /// point (up to ten), impacts.csv, checkpoints as the transient's (modal_convolution.h5); with

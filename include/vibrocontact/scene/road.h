@@ -18,8 +18,8 @@ namespace vibrocontact
     std::string expression;
     /// CSV: position_m, height_m
     std::string table;
-    /// A to H, and the wavenumbers of its waves [1/m]; the defaults are the case of the tyre paper's errata,
-    /// section 6
+    /// A to H, and the wavenumbers of its waves [1/m]; the defaults are the deterministic road of
+    /// doc/theory.md, corrections to the tyre paper
     std::string iso_class = "A";
     double first_wavenumber = 2, last_wavenumber = 50, wavenumber_step = 0.1;
     unsigned int seed = 20110525;
@@ -34,7 +34,7 @@ namespace vibrocontact
     void check() const;
   };
 
-  /// Height of the road under each contact point in time (errata of the tyre paper, section 6):
+  /// Height of the road under each contact point in time:
   ///
   ///   u_r,i(t) = r(t) [indentation + z(s(t) + x_i)] - shape_i,      s(t) = int_0^t V dt
   ///   r(t) = (1 - cos(pi t / T)) / 2 up to the loading time T, then 1 (T = 0: 1)

@@ -1,0 +1,82 @@
+"""Modal convolution and the comparison of response methods."""
+import os
+
+import numpy as np
+import h5py
+
+from plots.common import plot_line, read_table, save, plt
+
+
+def plot_modal_convolution(folder):
+    """Displacements and forces of up to three contact points, as in Figs 2, 3, 6 and 7 of Meftah & Duhamel (2011), and
+    third-octave bands of the whole force."""
+    with h5py.File(os.path.join(folder, "histories.h5")) as file:
+        time = np.asarray(file["time_s"])
+        n_points = sum(1 for name in file if name.endswith("_force_N"))
+        shown = sorted({0, n_points // 2, n_points - 1})
+        u = {i: np.asarray(file[f"point_{i}_displacement_m"]) for i in shown}
+        q = {i: np.asarray(file[f"point_{i}_force_N"]) for i in shown}
+    if len(time) < 2:
+        return
+    for values, name, label, factor in ((u, "displacement", "displacement [mm]", 1e3), (q, "force", "force [N]", 1)):
+        figure, axis = plt.subplots(figsize=(8, 3.5))
+        for i in shown:
+            plot_line(axis, time, values[i] * factor, lw=0.8, label=f"point {i}")
+        axis.set_xlabel("time [s]")
+        axis.set_ylabel(label)
+        if len(shown) > 1:
+            axis.legend(fontsize=8)
+        if name == "force":
+            top = np.percentile(np.concatenate(list(values.values())), 99.8)
+            axis.set_ylim(min(0, min(v.min() for v in values.values())), 1.2 * top if top > 0 else None)
+        save(figure, folder, f"modal_convolution_{name}")
+    name = os.path.join(folder, "third_octaves.csv")
+    bands = read_table(name) if os.path.exists(name) else {"level_dB": []}
+    if len(bands["level_dB"]) > 2:
+        figure, axis = plt.subplots(figsize=(8, 3.5))
+        level = bands["level_dB"]
+        bottom = 10 * np.floor(max(level.min(), level.max() - 100) / 10 - 1)
+        axis.bar(range(len(level)), level - bottom, bottom=bottom, color="0.5")
+        axis.set_xticks(range(0, len(level), 3), [f"{f:g}" for f in bands["nominal_Hz"][::3]])
+        axis.set_ylim(bottom, None)
+        axis.set_xlabel("1/3-octave band [Hz]")
+        axis.set_ylabel("contact force [dB re 1 N]")
+        axis.grid(alpha=0.3, axis="y")
+        save(figure, folder, "modal_convolution_bands")
+
+
+def least_memory(entries, entry):
+    """Of the same method in the same run; two stand there, the row's and that of the 1 % rule."""
+    same = ("body", "step_s", "steps", "method")
+    return min(other["memory_steps"] for other in entries if all(other[key] == entry[key] for key in same))
+
+
+def plot_comparison(folder, entries):
+    """Errors of displacement and force against cost, one column per body and run of the comparison."""
+    def run_of(entry):
+        return entry["body"], entry["step_s"], entry["steps"]
+    runs = list(dict.fromkeys(run_of(entry) for entry in entries))
+    methods = list(dict.fromkeys(entry["method"] for entry in entries))
+    figure, axes = plt.subplots(2, len(runs), figsize=(3.6 * len(runs), 6.4), squeeze=False, sharex="col")
+    for column, run in zip(axes.T, runs):
+        for axis, quantity, label in zip(column, ("error_displacement_m", "error_force_N"),
+                                         ("largest error of the displacement [m]", "rms error of the force [N]")):
+            for entry in entries:
+                k = methods.index(entry["method"])
+                if run_of(entry) == run and entry.get(quantity) == 0:
+                    # exact: its cost alone
+                    axis.axvline(entry["seconds_per_step"] * 1e9, color=f"C{k % 10}", ls="--", lw=1)
+                elif run_of(entry) == run and quantity in entry:
+                    axis.loglog(entry["seconds_per_step"] * 1e9, entry[quantity], "os^vD<>PX*"[k % 10], color=f"C{k % 10}",
+                                fillstyle="none" if entry["memory_steps"] > least_memory(entries, entry) else "full")
+            axis.set_ylabel(label)
+            axis.grid(alpha=0.3)
+        column[0].set_title(f"{run[0]}, h = {run[1] * 1e3:g} ms, {run[2]} steps", fontsize=9)
+        column[-1].set_xlabel("ns per step")
+    handles = [plt.Line2D([], [], ls="", marker="os^vD<>PX*"[k % 10], color=f"C{k % 10}", label=method)
+               for k, method in enumerate(methods)]
+    handles.append(plt.Line2D([], [], color="k", ls="--", lw=1, label="dashed: cost of an exact method"))
+    handles.append(plt.Line2D([], [], ls="", marker="o", color="k", fillstyle="none", label="hollow: memory of the 1 % rule"))
+    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0), ncols=5, frameon=False, fontsize=8)
+    figure.tight_layout()
+    save(figure, folder, "method_comparison")

@@ -1,0 +1,90 @@
+"""Frequency responses and their identification."""
+import os
+import re
+
+import numpy as np
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+from plots.common import legend_above, read_table, save, plt
+
+
+def plot_frequency_response(folder, analysis):
+    """Magnitude at the driving points, one panel each, a line per body, as in Fig. 6; dashed: damping of a run in time."""
+    curves = {}
+    for body, one in analysis["bodies"].items():
+        for table, style in ((one["table"], "-"), (one.get("time_domain_table"), "--")):
+            if table is None:
+                continue
+            columns = read_table(os.path.join(folder, table))
+            for name in columns:
+                match = re.fullmatch(r"(\w+_[xyz])_\1_real_(m_\w+)", name.replace("-", "\u00b7"))
+                if match:
+                    point = match.group(1).replace("\u00b7", "-")
+                    value = columns[name] + 1j * columns[name.replace("_real_", "_imag_")]
+                    curves.setdefault(point, []).append((columns["frequency_Hz"], np.abs(value), style,
+                                                         body + (", damping in time" if style == "--" else "")))
+    if not curves:
+        return
+    figure, axes = plt.subplots(len(curves), 1, figsize=(8, 3.2 * len(curves)), squeeze=False)
+    unit = "m/(N s)" if analysis["quantity"] == "mobility" else "m/N"
+    for axis, (point, lines) in zip(axes[:, 0], curves.items()):
+        for k, (frequency, magnitude, style, label) in enumerate(lines):
+            axis.loglog(frequency, magnitude, style, lw=1, label=label)
+        axis.set_title(point.replace("_", ", "))
+        axis.set_ylabel(f"{analysis['quantity']} [{unit}]")
+        axis.grid(alpha=0.3, which="both")
+        axis.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axis.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axis.xaxis.set_minor_formatter(NullFormatter())
+    legend_above(axes[0, 0])
+    axes[0, 0].set_title(axes[0, 0].get_title(), pad=18)
+    axes[-1, 0].set_xlabel("frequency [Hz]")
+    figure.tight_layout()
+    save(figure, folder, "frequency_response")
+
+
+def receptances(folder, table):
+    """Complex columns by name of the pair, and the frequencies."""
+    columns = read_table(os.path.join(folder, table))
+    return columns["frequency_Hz"], {name[:-len("_real_m_N")]: columns[name] + 1j * columns[name.replace("_real_", "_imag_")]
+                                     for name in columns if name.endswith("_real_m_N")}
+
+
+def plot_identification(folder, fits):
+    """Data and fits, one panel per entry of the first row (at most four), with the distance of each fit from the data."""
+    frequency, data = receptances(folder, fits[0]["data"])
+    names = list(data)[:4]
+    figure, axes = plt.subplots(len(names), 1, figsize=(8, 2.6 * len(names)), squeeze=False, sharex=True)
+    fitted = [receptances(folder, fit["fit"])[1] for fit in fits]
+    for axis, name in zip(axes[:, 0], names):
+        axis.semilogy(frequency, np.abs(data[name]), "k", lw=1.6, label="data")
+        for k, (fit, values) in enumerate(zip(fits, fitted)):
+            error = fit["error_E_entries"][fit["entries"].index(name)]
+            axis.semilogy(frequency, np.abs(values[name]), "--", lw=1, color=f"C{k}",
+                          label=f"{fit['method']}, {fit['n_pole_pairs']:g} pairs, E = {error:.1e}")
+            axis.semilogy(frequency, np.abs(values[name] - data[name]) + 1e-300, ":", lw=0.8, color=f"C{k}")
+        axis.set_ylim(bottom=1e-6 * np.abs(data[name]).max())
+        axis.set_title(name)
+        axis.set_ylabel("receptance [m/N]")
+        axis.grid(alpha=0.3, which="both")
+        axis.legend(fontsize=7)
+    axes[-1, 0].set_xlabel("frequency [Hz]; dotted: difference to the data")
+    figure.tight_layout()
+    save(figure, folder, "identification")
+    if not fits[0].get("chart"):
+        return
+    chart = read_table(os.path.join(folder, fits[0]["chart"]))
+    figure, axis = plt.subplots(figsize=(8, 5))
+    for status, marker, colour, label in ((0, "x", "#bbbbbb", "new"), (1, "^", "#e08a2e", "frequency within 1 %"),
+                                          (2, "o", "#2a6fb0", "damping within 5 %, too")):
+        chosen = (chart["status"] == status) & (chart["frequency_Hz"] < 1.1 * frequency.max())
+        axis.plot(chart["frequency_Hz"][chosen], chart["n_pole_pairs"][chosen], marker, ms=4, color=colour, ls="none", label=label)
+    other = axis.twinx()
+    other.semilogy(frequency, np.abs(data[names[0]]), "k", lw=0.8, alpha=0.6)
+    other.set_ylabel(f"receptance of {names[0]} [m/N]")
+    axis.set_xlabel("frequency [Hz]")
+    axis.set_ylabel("pole pairs")
+    axis.set_title("Stabilisation chart, " + fits[0]["method"])
+    axis.legend(fontsize=8, loc="lower right")
+    figure.tight_layout()
+    save(figure, folder, "stabilisation_chart")
