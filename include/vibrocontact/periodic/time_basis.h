@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/base/dense.h>
+#include <vibrocontact/numerics/refinable_function.h>
 
 #include <complex>
 #include <memory>
@@ -37,19 +38,25 @@ namespace vibrocontact
     /// how many derivatives are square-integrable: 3 for cubic splines, 0 for Haar, `smooth` for Fourier
     virtual unsigned int n_derivatives() const = 0;
     static constexpr unsigned int smooth = 1000;
-    /// whether point values exist only at dyadic points: N t 2^k integer for some k <= 16
+    /// whether samples belong at dyadic points, N t 2^k integer: Daubechies' functions have values at every number, but
+    /// the derivative of the roughest is continuous only like the 0.09th power of the distance, so that round-off in
+    /// other phases is felt
     virtual bool is_dyadic() const { return false; }
+    /// phi of a wavelet basis; none for Fourier
+    virtual const RefinableFunction *scaling_function() const { return nullptr; }
 
-    /// d-th derivative of Theta_m with respect to the phase t. @param m 0..N/2 @param phase in [0, 1)
-    /// @throws InputError if that derivative has no point values, or not there
-    virtual std::complex<double> value(unsigned int m, double phase, unsigned int d) const = 0;
+    /// d-th derivative of every Theta_m with respect to the phase t: n_orders values. @param phase any, of period 1
+    /// @throws InputError if that derivative has no point values
+    virtual std::vector<std::complex<double>> values(double phase, unsigned int d) const = 0;
+    /// of one of them, m = 0..N/2
+    std::complex<double> value(unsigned int m, double phase, unsigned int d) const;
 
     /// int over the period of e^(-2 pi j h t) Theta_m(t) dt, h = m + l N: phi^(2 pi h / N); zero for Fourier unless l = 0
     /// (even N: the last function as above). @param l any integer
     virtual std::complex<double> fourier_coefficient(unsigned int m, int l) const = 0;
 
-    /// Usual functions of the family for figures: theta_0 for wavelets, the k-th of 1, cos, sin, ... for Fourier; d-th
-    /// derivative at a phase.
+    /// Usual functions of the family for figures, k = 0..N-1: theta_k for wavelets, of the cubic spline its orthogonal
+    /// companion (paper, Eqs 28-31, the same space); 1, cos, sin, ... for Fourier. d-th derivative at a phase.
     virtual double function(unsigned int k, double phase, unsigned int d) const = 0;
 
   protected:
@@ -68,7 +75,7 @@ namespace vibrocontact
   {
     std::string name, help;
   };
-  /// fourier, bspline, daubechies6, haar and the other even numbers of coefficients
+  /// fourier, bspline, haar, daubechies6 and the other even numbers of coefficients to 38
   const std::vector<TimeBasisEntry> &time_bases();
 
   /// @throws InputError if the name is unknown or n is 0

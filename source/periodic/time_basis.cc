@@ -1,0 +1,241 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/periodic/time_basis.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+    const double pi = std::acos(-1.);
+
+    double fraction(const double phase)
+    {
+      const double rest = phase - std::floor(phase);
+      return rest < 1 ? rest : 0.;
+    }
+
+    class FourierBasis : public TimeBasis
+    {
+    public:
+      explicit FourierBasis(const unsigned int n) : TimeBasis(n) {}
+      std::string name() const override { return "fourier"; }
+      unsigned int n_derivatives() const override { return smooth; }
+
+      std::vector<Complex> values(const double phase, const unsigned int d) const override
+      {
+        const unsigned int size = n_orders(n);
+        const double t = fraction(phase);
+        std::vector<Complex> result(size, 1.);
+        if (size > 1)
+          result[1] = std::polar(1., 2 * pi * t);
+        // products of halves: round-off grows with the logarithm of m
+        for (unsigned int m = 2; m < size; ++m)
+          result[m] = result[m / 2] * result[m - m / 2];
+        for (unsigned int m = 0; d > 0 && m < size; ++m)
+          result[m] *= factor(m, d);
+        if (n % 2 == 0)
+          result.back() = sine(t, d);
+        return result;
+      }
+
+      Complex fourier_coefficient(const unsigned int m, const int l) const override
+      {
+        if (2 * m == n)
+          return l == 0 ? Complex(0, -0.5) : l == -1 ? Complex(0, 0.5) : 0.;
+        return l == 0 ? 1. : 0.;
+      }
+
+      double function(const unsigned int k, const double phase, const unsigned int d) const override
+      {
+        const unsigned int m = (k + 1) / 2;
+        if (n % 2 == 0 && k == n - 1)
+          return sine(fraction(phase), d);
+        const Complex value = values(phase, d)[m];
+        return k == 0 || k % 2 == 1 ? value.real() : value.imag();
+      }
+
+    private:
+      /// (2 pi j m)^d
+      static Complex factor(const unsigned int m, const unsigned int d)
+      {
+        Complex result = 1;
+        for (unsigned int i = 0; i < d; ++i)
+          result *= Complex(0, 2 * pi * m);
+        return result;
+      }
+      double sine(const double t, const unsigned int d) const
+      {
+        return (factor(n / 2, d) * std::polar(1., pi * n * t)).imag();
+      }
+    };
+
+    class WaveletBasis : public TimeBasis
+    {
+    public:
+      WaveletBasis(std::string name, RefinableFunction phi_, const unsigned int n)
+          : TimeBasis(n), title(std::move(name)), phi(std::move(phi_)),
+            // the largest integer below the exponent
+            n_square_integrable(std::ceil(phi.smoothness() - 1e-6) - 1)
+      {
+        for (unsigned int k = 0; k < n; ++k)
+          roots.push_back(std::polar(1., 2 * pi * k / n));
+      }
+      std::string name() const override { return title; }
+      unsigned int n_derivatives() const override { return n_square_integrable; }
+      bool is_dyadic() const override { return title.rfind("daubechies", 0) == 0; }
+      const RefinableFunction *scaling_function() const override { return &phi; }
+
+      std::vector<Complex> values(const double phase, const unsigned int d) const override
+      {
+        const auto [cell, v] = local_values(phase, d);
+        std::vector<Complex> result(n_orders(n), 0.);
+        for (unsigned int i = 0; i < v.size(); ++i)
+        {
+          const unsigned int k = shift(cell, i);
+          for (std::size_t m = 0; m < result.size(); ++m)
+            result[m] += v[i] * roots[m * k % n];
+        }
+        if (n % 2 == 0)
+          result.back() = result.back().real();
+        return result;
+      }
+
+      Complex fourier_coefficient(const unsigned int m, const int l) const override
+      {
+        return phi.fourier_transform(2 * pi * (static_cast<double>(m) / n + l));
+      }
+
+      double function(const unsigned int k, const double phase, const unsigned int d) const override
+      {
+        const auto [cell, v] = local_values(phase, d);
+        double result = 0;
+        for (unsigned int i = 0; i < v.size(); ++i)
+          result += v[i] * coefficient((shift(cell, i) + n - k) % n);
+        return n * result;
+      }
+
+    protected:
+      /// theta_k of the figures is the sum of N phi(N t - k - i) times this, i = 0..N-1
+      virtual double coefficient(const unsigned int i) const { return i == 0; }
+
+    private:
+      /// N t = cell + x; phi^(d)(x + i) N^d
+      std::pair<unsigned int, std::vector<double>> local_values(const double phase,
+                                                                const unsigned int d) const
+      {
+        if (!phi.has_values(d))
+          throw InputError("The functions " + title + " have no point values of derivative " +
+                           std::to_string(d) +
+                           "; choose exact integrals, another form, or smoother functions.");
+        double x = n * fraction(phase);
+        // k / N is rounded: samples on a knot have to stay there
+        const double grid = std::ldexp(1., 20), nearest = std::round(x * grid) / grid;
+        if (std::abs(x - nearest) < 1e-11)
+          x = nearest;
+        const double cell = std::floor(x);
+        std::vector<double> v = phi.values(x - cell, d);
+        for (unsigned int i = 0; i < d; ++i)
+          for (double &value : v)
+            value *= n;
+        return {static_cast<unsigned int>(cell) % n, v};
+      }
+      /// k of the function whose argument is x + i in this cell
+      unsigned int shift(const unsigned int cell, const unsigned int i) const
+      {
+        return (cell + n - i % n) % n;
+      }
+
+      const std::string title;
+      const RefinableFunction phi;
+      const unsigned int n_square_integrable;
+      /// e^(2 pi j k / N)
+      std::vector<Complex> roots;
+    };
+
+    /// Cubic splines; their figures show the orthogonal ones, whose coefficients c_k = 1/pi int_0^pi cos(k x) /
+    /// sqrt(p_3(cos x)) dx are wrapped around the period.
+    class CubicSplineBasis : public WaveletBasis
+    {
+    public:
+      explicit CubicSplineBasis(const unsigned int n) : WaveletBasis("bspline", b_spline(4), n) {}
+
+    private:
+      double coefficient(const unsigned int i) const override
+      {
+        // sum over all k = i + l N of c_k: p_3 at the N points only
+        double sum = 0;
+        for (unsigned int m = 0; m < n; ++m)
+        {
+          const double x = 2 * pi * m / n, y = std::cos(x);
+          sum += std::cos(i * x) / std::sqrt((((y + 60) * y + 297) * y + 272) / 630);
+        }
+        return sum / n;
+      }
+    };
+
+    constexpr unsigned int first_daubechies = 6, last_daubechies = 38;
+  } // namespace
+
+  Complex TimeBasis::value(const unsigned int m, const double phase, const unsigned int d) const
+  {
+    return values(phase, d).at(m);
+  }
+
+  const std::vector<TimeBasisEntry> &time_bases()
+  {
+    static const std::vector<TimeBasisEntry> table = []
+    {
+      std::vector<TimeBasisEntry> entries{
+          {"fourier", "1, cos, sin: harmonic balance"},
+          {"bspline", "cubic splines, two continuous derivatives"},
+          {"haar", "constant on each of N equal parts of the period"},
+      };
+      for (unsigned int n = first_daubechies; n <= last_daubechies; n += 2)
+        entries.push_back({"daubechies" + std::to_string(n),
+                           "Daubechies' scaling function of " + std::to_string(n) +
+                               " coefficients (elsewhere db" + std::to_string(n / 2) + ")"});
+      return entries;
+    }();
+    return table;
+  }
+
+  std::unique_ptr<const TimeBasis> create_time_basis(const std::string &name, const unsigned int n)
+  {
+    if (n == 0)
+      throw InputError("A basis in time needs at least one function; " + name + " was given 0.");
+    if (name == "fourier")
+      return std::make_unique<FourierBasis>(n);
+    if (name == "bspline")
+      return std::make_unique<CubicSplineBasis>(n);
+    if (name == "haar")
+      return std::make_unique<WaveletBasis>(name, b_spline(1), n);
+    for (unsigned int length = first_daubechies; length <= last_daubechies; length += 2)
+      if (name == "daubechies" + std::to_string(length))
+        return std::make_unique<WaveletBasis>(name, daubechies(length), n);
+    throw InputError(
+        "There is no basis in time called " + name +
+        ": choose fourier, bspline, haar, or daubechies6 and every even number to daubechies38.");
+  }
+
+  DenseMatrix sampled(const TimeBasis &basis, const std::vector<double> &phases, const unsigned int d)
+  {
+    const unsigned int n = basis.n_functions();
+    DenseMatrix result(phases.size(), n);
+    for (unsigned int i = 0; i < phases.size(); ++i)
+    {
+      const std::vector<Complex> theta = basis.values(phases[i], d);
+      result(i, 0) = theta[0].real();
+      for (unsigned int m = 1; 2 * m < n; ++m)
+      {
+        result(i, 2 * m - 1) = 2 * theta[m].real();
+        result(i, 2 * m) = -2 * theta[m].imag();
+      }
+      if (n % 2 == 0)
+        result(i, n - 1) = theta[n / 2].real();
+    }
+    return result;
+  }
+} // namespace vibrocontact
