@@ -95,8 +95,14 @@ namespace vibrocontact
         for (unsigned int i = 0; i < v.size(); ++i)
         {
           const unsigned int k = shift(cell, i);
-          for (std::size_t m = 0; m < result.size(); ++m)
-            result[m] += v[i] * roots[m * k % n];
+          unsigned int root = 0;
+          for (Complex &value : result)
+          {
+            value += v[i] * roots[root];
+            root += k;
+            if (root >= n)
+              root -= n;
+          }
         }
         if (n % 2 == 0)
           result.back() = result.back().real();
@@ -224,17 +230,28 @@ namespace vibrocontact
   {
     const unsigned int n = basis.n_functions();
     DenseMatrix result(phases.size(), n);
-    for (unsigned int i = 0; i < phases.size(); ++i)
+    // columns lie far apart: a few samples at a time into each
+    constexpr unsigned int n_block = 16;
+    std::vector<std::vector<Complex>> theta(n_block);
+    for (unsigned int begin = 0; begin < phases.size(); begin += n_block)
     {
-      const std::vector<Complex> theta = basis.values(phases[i], d);
-      result(i, 0) = theta[0].real();
-      for (unsigned int m = 1; 2 * m < n; ++m)
-      {
-        result(i, 2 * m - 1) = 2 * theta[m].real();
-        result(i, 2 * m) = -2 * theta[m].imag();
-      }
-      if (n % 2 == 0)
-        result(i, n - 1) = theta[n / 2].real();
+      const unsigned int end = std::min<unsigned int>(begin + n_block, phases.size());
+      for (unsigned int i = begin; i < end; ++i)
+        theta[i - begin] = basis.values(phases[i], d);
+      for (unsigned int m = 0; m < n_orders(n); ++m)
+        for (unsigned int i = begin; i < end; ++i)
+        {
+          const Complex value = theta[i - begin][m];
+          if (m == 0)
+            result(i, 0) = value.real();
+          else if (2 * m == n)
+            result(i, n - 1) = value.real();
+          else
+          {
+            result(i, 2 * m - 1) = 2 * value.real();
+            result(i, 2 * m) = -2 * value.imag();
+          }
+        }
     }
     return result;
   }
