@@ -34,7 +34,8 @@ namespace vibrocontact
 
   /// All modes of the bar. @param massless the mass of the last element goes to its inner node: one mode less and the
   /// residual of that element
-  inline PeriodicBody axial_bar(const AxialBarCase &c, const bool massless = false, const unsigned int n_elements = 25)
+  inline PeriodicBody axial_bar(const AxialBarCase &c, const bool massless = false,
+                                const unsigned int n_elements = 25)
   {
     const double h = AxialBarCase::length / n_elements, k = AxialBarCase::modulus * AxialBarCase::area / h,
                  m = AxialBarCase::density * AxialBarCase::area * h;

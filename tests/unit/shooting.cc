@@ -1,0 +1,386 @@
+// Periodic motion against a stop by shooting: amplitudes in closed form, plain small steps, energy, conservation of phase
+// volume, differences, limit of the stiff spring.
+
+#include "axial_bar.h"
+
+#include <vibrocontact/analyses/modal_step.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/periodic/shooting.h>
+
+#include <gtest/gtest.h>
+
+using namespace vibrocontact;
+
+namespace
+{
+  const double pi = std::acos(-1.);
+
+  /// all modes with spring and penalty, massless contact node with all laws
+  struct Problem
+  {
+    std::string name;
+    AxialBarCase c;
+    PeriodicBody body;
+    StopLaw law;
+  };
+
+  std::vector<Problem> problems()
+  {
+    std::vector<Problem> all;
+    for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
+    {
+      const std::string f = std::to_string(int(c.frequency)) + " Hz, ";
+      const PeriodicBody body = axial_bar(c), massless = axial_bar(c, true);
+      const StopLaw spring = StopLaw::spring(c.stiffness()),
+                    penalty = StopLaw::penalty(c.amplitude, c.exponent);
+      all.push_back({f + "spring", c, body, spring});
+      all.push_back({f + "penalty", c, body, penalty});
+      all.push_back({f + "massless, spring", c, massless, spring});
+      all.push_back({f + "massless, penalty", c, massless, penalty});
+      if (c.frequency > 1000)
+        all.push_back({f + "massless, rigid", c, massless, StopLaw::rigid()});
+    }
+    return all;
+  }
+
+  /// largest difference of displacements over the largest displacement
+  double distance(const ShootingSolution &a, const ShootingSolution &b, const unsigned int n_samples = 200)
+  {
+    double largest = 0, difference = 0;
+    for (unsigned int k = 0; k < n_samples; ++k)
+    {
+      const double u = a.at((k + 0.3) / n_samples).displacement;
+      largest = std::max(largest, std::abs(u));
+      difference = std::max(difference, std::abs(u - b.at((k + 0.3) / n_samples).displacement));
+    }
+    return difference / largest;
+  }
+
+  /// State after a period from x at a phase by the classical Runge-Kutta method in equal steps.
+  std::vector<double> runge_kutta(const Problem &p, const double phase, std::vector<double> x,
+                                  const unsigned int n_steps)
+  {
+    const unsigned int n = p.body.n_modes(), m = x.size();
+    const double T = 1 / p.c.frequency, h = T / n_steps, S = p.body.residual(0, 0), beta = p.body.relaxation;
+    const auto rates = [&](const double t, const std::vector<double> &y, std::vector<double> &d)
+    {
+      const double s = p.c.force * std::sin(2 * pi * p.c.frequency * t);
+      double u = m > 2 * n ? y[2 * n] : 0.;
+      for (unsigned int k = 0; k < n; ++k)
+        u += p.body.trace(0, k) * y[k];
+      const double depth = std::max(0., u - p.body.gap[0]);
+      const double f = p.law.kind == StopLaw::Kind::spring
+                           ? p.law.stiffness * depth
+                           : p.law.amplitude * std::expm1(p.law.exponent * depth);
+      for (unsigned int k = 0; k < n; ++k)
+      {
+        const double w = p.body.omega[k];
+        d[k] = y[n + k];
+        d[n + k] = p.body.modal_force[k] * s - p.body.trace(0, k) * f -
+                   w * (w * y[k] + 2 * p.body.damping_ratio[k] * y[n + k]);
+      }
+      if (m > 2 * n)
+        d[2 * n] = (p.body.residual_force[0] * s - S * f - y[2 * n]) / beta;
+    };
+    std::vector<double> d1(m), d2(m), d3(m), d4(m), y(m);
+    for (unsigned int i = 0; i < n_steps; ++i)
+    {
+      const double t = phase * T + i * h;
+      const auto between = [&](const std::vector<double> &d, const double share)
+      {
+        for (unsigned int k = 0; k < m; ++k)
+          y[k] = x[k] + share * h * d[k];
+      };
+      rates(t, x, d1);
+      between(d1, 0.5);
+      rates(t + h / 2, y, d2);
+      between(d2, 0.5);
+      rates(t + h / 2, y, d3);
+      between(d3, 1);
+      rates(t + h, y, d4);
+      for (unsigned int k = 0; k < m; ++k)
+        x[k] += h / 6 * (d1[k] + 2 * (d2[k] + d3[k]) + d4[k]);
+    }
+    return x;
+  }
+
+  double relative(const PeriodMap &map, std::vector<double> a, const std::vector<double> &b)
+  {
+    for (unsigned int k = 0; k < a.size(); ++k)
+      a[k] -= b[k];
+    return map.norm(a) / map.norm(b);
+  }
+} // namespace
+
+TEST(Shooting, FreeModesAndTheirAnswersForAnyDamping)
+{
+  // a force linear in the step: the exact propagator of the transient analysis knows it
+  const GaussRule rule(6);
+  for (const double omega : {0., 0.3, 40., 3000.})
+    for (const double zeta : {0., 0.3, 1 - 1e-9, 1., 1 + 1e-9, 1.2, 30.})
+    {
+      PeriodicBody body;
+      body.omega = {omega};
+      body.damping_ratio = {zeta};
+      const double h = 0.7, x = 0.6;
+      const ForceAnswer answer = answer_to_force(body, rule, h, x, 0);
+      const ModalStep step = exact_step(omega, zeta, x * h, ReactionWeighting::as_other_forces);
+      EXPECT_NEAR(answer.free[0].qq, step.T[0][0], 1e-12);
+      EXPECT_NEAR(answer.free[0].qv * (1 + omega), step.T[0][1] * (1 + omega), 1e-11);
+      EXPECT_NEAR(answer.free[0].vv, step.T[1][1], 1e-11);
+      // p = 2 + 3 tau
+      double q = 0, v = 0;
+      for (unsigned int j = 0; j < 6; ++j)
+      {
+        q += answer.displacement[j] * (2 + 3 * h * rule.node[j]);
+        v += answer.velocity[j] * (2 + 3 * h * rule.node[j]);
+      }
+      const double p1 = 2 + 3 * x * h, scale = 1 + omega * omega;
+      EXPECT_NEAR(q * scale, (step.g0[0] * 2 + step.g1[0] * p1) * scale, 1e-10) << omega << " " << zeta;
+      EXPECT_NEAR(v * (1 + omega), (step.g0[1] * 2 + step.g1[1] * p1) * (1 + omega), 1e-10)
+          << omega << " " << zeta;
+    }
+}
+
+TEST(Shooting, NoContact)
+{
+  for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
+  {
+    PeriodicBody body = axial_bar(c);
+    EXPECT_NEAR(body.omega[0] / (2 * pi), 1273.147, 5e-4);
+    body.gap[0] = 1;
+    const ShootingSolution s = shoot(body, StopLaw::spring(1e9), c.excitation());
+    EXPECT_TRUE(s.contacts.empty());
+    double squares = 0;
+    for (unsigned int k = 0; k < 64; ++k)
+      squares += std::pow(s.at(k / 64.).displacement, 2) / 32;
+    EXPECT_NEAR(std::sqrt(squares) / c.linear_amplitude, 1, 3e-7);
+    EXPECT_EQ(s.impulse, 0);
+  }
+}
+
+TEST(Shooting, PeriodicRefinedAndOfHighOrder)
+{
+  for (const Problem &p : problems())
+  {
+    const ShootingSolution s = shoot(p.body, p.law, p.c.excitation());
+    EXPECT_LT(s.periodicity, 1e-12) << p.name;
+    EXPECT_LT(s.refinement, 1e-11) << p.name;
+    ASSERT_EQ(s.contacts.size(), 1u) << p.name;
+    // another phase of comparison, other steps, other polynomials
+    ShootingSettings other;
+    other.n_steps = 3 * s.map->n_steps() + 1;
+    other.n_nodes = 5;
+    other.phase = 0.05;
+    const ShootingSolution b = shoot(p.body, p.law, p.c.excitation(), other);
+    EXPECT_LT(distance(s, b), 1e-10) << p.name;
+    EXPECT_NEAR(b.impulse / s.impulse, 1, 1e-10) << p.name;
+    EXPECT_NEAR(b.contacts[0].begin, s.contacts[0].begin, 1e-11) << p.name;
+    EXPECT_NEAR(b.contacts[0].end, s.contacts[0].end, 1e-10) << p.name;
+    EXPECT_NEAR(b.energy_norm / s.energy_norm, 1, 1e-10) << p.name;
+  }
+}
+
+TEST(Shooting, SmallStepsOfRungeKuttaFindTheSameMotion)
+{
+  for (const Problem &p : problems())
+    if (p.law.kind != StopLaw::Kind::rigid)
+    {
+      // a section in contact: what the contact did has not decayed there
+      const ShootingSolution s = shoot(p.body, p.law, p.c.excitation());
+      const double phase = s.contacts[0].begin + 0.6 * (s.contacts[0].end - s.contacts[0].begin);
+      const std::vector<double> x = s.map->advance(s.state, s.phase, phase + 1 - s.phase);
+      const unsigned int n_steps = p.c.frequency < 200 ? 80000 : 40000;
+      EXPECT_LT(relative(*s.map, runge_kutta(p, phase, x, n_steps), x), 1e-7) << p.name;
+    }
+}
+
+TEST(Shooting, WorkOfTheForceIsWhatDampingTakes)
+{
+  for (const Problem &p : problems())
+  {
+    const ShootingSolution s = shoot(p.body, p.law, p.c.excitation());
+    const unsigned int n = p.body.n_modes();
+    double work = 0, loss = 0, time = 0, momentum = 0;
+    s.map->integrate(s.orbit,
+                     [&](const double weight, const MotionSample &m)
+                     {
+                       double residual_rate = m.velocity;
+                       for (unsigned int k = 0; k < n; ++k)
+                       {
+                         loss += weight * 2 * p.body.damping_ratio[k] * p.body.omega[k] * m.v[k] * m.v[k];
+                         residual_rate -= p.body.trace(0, k) * m.v[k];
+                       }
+                       if (p.body.residual(0, 0) > 0)
+                         loss += weight * p.body.relaxation * residual_rate * residual_rate /
+                                 p.body.residual(0, 0);
+                       time += weight;
+                       momentum += weight * m.force;
+                     });
+    for (const OrbitPiece &piece : s.orbit.pieces)
+    {
+      // the force's phase at Gauss points of a rule of its own, on halves of the pieces
+      const GaussRule rule(12);
+      for (unsigned int i = 0; i < rule.s && piece.length > 0; ++i)
+      {
+        const double t = piece.begin + rule.node[i] * piece.length;
+        const MotionSample m = s.at(t * p.c.frequency);
+        work += rule.weight[i] * piece.length * p.c.force * std::sin(2 * pi * p.c.frequency * t) * m.velocity;
+      }
+    }
+    EXPECT_NEAR(time * p.c.frequency, 1, 1e-13) << p.name;
+    EXPECT_NEAR(momentum / s.impulse, 1, 1e-12) << p.name;
+    // the Gauss points do not resolve what the fastest overdamped modes do after an event
+    EXPECT_NEAR(work / loss, 1, 1e-8) << p.name;
+  }
+}
+
+TEST(Shooting, MonodromyAgainstDifferences)
+{
+  for (const Problem &p : problems())
+  {
+    const ShootingSolution s = shoot(p.body, p.law, p.c.excitation());
+    const PeriodMap &map = *s.map;
+    // over the touch
+    const double phase = s.contacts[0].begin - 0.01, span = 0.02;
+    const std::vector<double> x = map.advance(s.state, s.phase, phase + 1 - s.phase);
+    DenseMatrix M;
+    map.advance(x, phase, span, &M);
+    const unsigned int n = p.body.n_modes(), m = map.n_states();
+    double worst = 0, largest = 0;
+    for (unsigned int j = 0; j < m; ++j)
+    {
+      // in parts of what each state does to the energy
+      const double unit = j < n ? 1 / p.body.omega[j] : j < 2 * n ? 1. : std::sqrt(p.body.residual(0, 0));
+      const double change = 1e-6 * map.norm(x) * unit;
+      std::vector<double> above = x, below = x;
+      above[j] += change;
+      below[j] -= change;
+      above = map.advance(above, phase, span);
+      below = map.advance(below, phase, span);
+      std::vector<double> difference(m), derivative(m);
+      for (unsigned int i = 0; i < m; ++i)
+      {
+        derivative[i] = M(i, j) * unit;
+        difference[i] = (above[i] - below[i]) / (2 * change) * unit - derivative[i];
+      }
+      worst = std::max(worst, map.norm(difference));
+      largest = std::max(largest, map.norm(derivative));
+    }
+    EXPECT_LT(worst, 2e-6 * largest) << p.name;
+  }
+}
+
+TEST(Shooting, MultipliersMultiplyToTheLossOfPhaseVolume)
+{
+  // three modes, so that the product does not vanish
+  const AxialBarCase c = axial_bar_1275();
+  PeriodicBody body = axial_bar(c);
+  body.omega.resize(3);
+  body.damping_ratio.resize(3);
+  body.modal_force.resize(3);
+  body.modal_load.resize(3);
+  DenseMatrix trace(1, 3);
+  double exponent = 0;
+  for (unsigned int k = 0; k < 3; ++k)
+  {
+    trace(0, k) = body.trace(0, k);
+    exponent += 2 * body.damping_ratio[k] * body.omega[k] / c.frequency;
+  }
+  body.trace = trace;
+  for (const StopLaw &law : {StopLaw::spring(c.stiffness()), StopLaw::penalty(c.amplitude, c.exponent)})
+  {
+    const ShootingSolution s = shoot(body, law, c.excitation());
+    ASSERT_FALSE(s.contacts.empty());
+    std::complex<double> product = 1;
+    for (const std::complex<double> mu : floquet_multipliers(s.monodromy))
+      product *= mu;
+    EXPECT_NEAR(product.real() * std::exp(exponent), 1, 1e-8);
+    EXPECT_NEAR(product.imag() * std::exp(exponent), 0, 1e-8);
+  }
+}
+
+TEST(Shooting, PreloadAndPermanentContact)
+{
+  // a spring that is never left: a linear structure of its own
+  const AxialBarCase c = axial_bar_150();
+  const double k = c.stiffness();
+  PeriodicBody body = axial_bar(c);
+  body.gap[0] = -2e-3;
+  const ShootingSolution s = shoot(body, StopLaw::spring(k), c.excitation());
+  ASSERT_EQ(s.contacts.size(), 1u);
+  EXPECT_EQ(s.contacts[0].end - s.contacts[0].begin, 1);
+  // u = H (F s - k (u + 2 mm)): H / (1 + k H) at f and at rest
+  const double Omega = 2 * pi * c.frequency;
+  std::complex<double> H = 0;
+  double H0 = 0;
+  for (unsigned int m = 0; m < body.n_modes(); ++m)
+  {
+    const double w = body.omega[m], b2 = std::pow(body.trace(0, m), 2);
+    H += b2 / std::complex<double>(w * w - Omega * Omega, 2 * body.damping_ratio[m] * w * Omega);
+    H0 += b2 / (w * w);
+  }
+  const std::complex<double> U = c.force * H / (1. + k * H);
+  for (const double phase : {0.1, 0.35, 0.9})
+    EXPECT_NEAR(s.at(phase).displacement * 1e3,
+                ((U * std::polar(1., 2 * pi * phase)).imag() - 2e-3 * H0 * k / (1 + k * H0)) * 1e3, 1e-10);
+}
+
+TEST(Shooting, ResidualLeadsAlongTheBranch)
+{
+  const AxialBarCase c = axial_bar_1275();
+  const PeriodicBody body = axial_bar(c);
+  const StopLaw law = StopLaw::penalty(c.amplitude, c.exponent);
+  ShootingSettings settings;
+  settings.n_steps = 128;
+  settings.phase = 0.9;
+  const ShootingSolution s = shoot(body, law, c.excitation(), settings);
+  ShootingResidual r = shooting_residual(body, law, c.excitation(), 128, 0.9, s.state);
+  EXPECT_LT(s.map->norm(r.value), 1e-9 * s.map->norm(s.state));
+  // dx/df = - (P_x - 1)^-1 P_f
+  DenseVector slope(s.state.size());
+  for (unsigned int k = 0; k < s.state.size(); ++k)
+    slope[k] = -r.by_frequency[k];
+  r.by_state.compute_lu_factorization();
+  r.by_state.solve(slope);
+  const double change = 1e-2;
+  const auto at = [&](const double f) {
+    return shoot(std::make_shared<PeriodMap>(body, law, HarmonicForce{c.force, f}, 128), 0.9, s.state).state;
+  };
+  const std::vector<double> above = at(c.frequency + change), below = at(c.frequency - change);
+  std::vector<double> expected(s.state.size()), found(s.state.size());
+  for (unsigned int k = 0; k < s.state.size(); ++k)
+  {
+    expected[k] = (above[k] - below[k]) / (2 * change);
+    found[k] = slope[k];
+  }
+  EXPECT_LT(relative(*s.map, found, expected), 1e-6);
+}
+
+TEST(Shooting, WhatSettlingLeaves)
+{
+  const AxialBarCase c = axial_bar_1275();
+  const ShootingSolution s = shoot(axial_bar(c), StopLaw::spring(c.stiffness()), c.excitation());
+  const SettledMotion settled = settle(s, 1e-7);
+  EXPECT_GT(settled.n_periods, 10u);
+  EXPECT_LT(settled.change, 1e-7);
+  // the slowest multiplier mu leaves 1 / (1 - |mu|) times the last change
+  const double mu = std::abs(floquet_multipliers(s.monodromy)[0]);
+  EXPECT_LT(settled.error, 3 * settled.change / (1 - mu));
+  EXPECT_GT(settled.error, 0.1 * settled.change);
+}
+
+TEST(Shooting, RefusesWhatItCannot)
+{
+  const AxialBarCase c = axial_bar_1275();
+  EXPECT_THROW(shoot(axial_bar(c), StopLaw::rigid(), c.excitation()), InputError);
+  PeriodicBody two = axial_bar(c);
+  two.gap = {1, 1};
+  two.trace.reinit(2, 25);
+  two.residual.reinit(2, 2);
+  EXPECT_THROW(shoot(two, StopLaw::spring(1e9), c.excitation()), InputError);
+  PeriodicBody undamped = axial_bar(c);
+  undamped.damping_ratio.assign(25, 0.);
+  EXPECT_THROW(shoot(undamped, StopLaw::spring(1e9), {1., undamped.omega[0] / (2 * pi)}), InputError);
+  EXPECT_EQ(stop_law(ExponentialPenaltyLaw(1e8, 20)).stiffness, 2e9);
+}
