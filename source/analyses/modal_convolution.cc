@@ -148,20 +148,8 @@ namespace vibrocontact
 
     void run_one(const unsigned int n_steps, const double *heights, double *displacements, double *forces)
     {
-      const double inverse = 1 / response->compliance()(0, 0);
-      const double *const free = response->free_displacement();
-      unsigned long closed = 0;
-      for (unsigned int k = 0; k < n_steps; ++k)
-      {
-        const double gap = free[0] - heights[k], trial = -gap * inverse;
-        const double force = trial > 0 ? trial : 0.;
-        closed += trial > 0;
-        forces[k] = force;
-        displacements[k] = trial > 0 ? heights[k] : free[0];
-        response->advance(&force);
-      }
-      closed_points += closed;
-      if (!std::isfinite(free[0]))
+      closed_points += response->advance_in_contact(n_steps, heights, displacements, forces);
+      if (!std::isfinite(response->free_displacement()[0]))
         throw ConvergenceError(
             "The motion is no longer finite: take a shorter Time step or another Force shape.");
     }
@@ -314,31 +302,41 @@ namespace vibrocontact
     forces.assign((n_steps + 1) * n_points, 0.);
     unsigned long line = results.steps == 0 ? 0 : results.steps + 1;
     const unsigned long first = line, last = results.steps + n_steps;
+    std::vector<double> times, places, u, q;
     results.seconds += seconds_of(
         [&]
         {
           events->advance(last * time_step,
                           [&](const EventLocated::Piece &piece)
                           {
+                            const unsigned long begin = line - first;
+                            times.clear();
                             // a line at an event shows what follows it
                             for (; line <= last && (line * time_step < piece.end ||
                                                     (line == last && piece.end >= last * time_step));
                                  ++line)
-                              for (unsigned int i = 0; i < n_points; ++i)
+                              times.push_back(std::clamp(line * time_step, piece.begin, piece.end));
+                            for (unsigned int i = 0; i < n_points; ++i)
+                            {
+                              places = times;
+                              piece.values(i, places, u, q);
+                              for (std::size_t k = 0; k < u.size(); ++k)
                               {
-                                const double t = std::clamp(line * time_step, piece.begin, piece.end);
-                                double *const force = &forces[(line - first) * n_points + i];
-                                displacements[(line - first) * n_points + i] = piece.u(i, t);
-                                *force = std::max(0., piece.q(i, t));
+                                double *const force = &forces[(begin + k) * n_points + i];
+                                displacements[(begin + k) * n_points + i] = u[k];
+                                *force = std::max(0., q[k]);
                                 results.largest_force = std::max(results.largest_force, *force);
                                 results.closed_points += *force > 0;
                               }
+                            }
                           });
         });
     observe({first, static_cast<unsigned int>(line - first), n_points, time_step, displacements.data(),
              forces.data()});
-    results.impacts = events->impacts;
-    results.releases = events->releases;
+    const auto append = [](std::vector<ContactEvent> &to, const std::vector<ContactEvent> &from)
+    { to.insert(to.end(), from.begin() + to.size(), from.end()); };
+    append(results.impacts, events->impacts);
+    append(results.releases, events->releases);
     results.impulse = events->impulse;
     results.steps += n_steps;
     results.time = results.steps * time_step;

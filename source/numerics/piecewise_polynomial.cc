@@ -1,4 +1,6 @@
 #include <vibrocontact/numerics/piecewise_polynomial.h>
+#include <vibrocontact/numerics/polynomial.h>
+#include <vibrocontact/numerics/wide_loops.h>
 
 #include <algorithm>
 #include <cmath>
@@ -190,10 +192,24 @@ namespace vibrocontact
     const unsigned int k = find(x);
     const Piece &piece = pieces[k];
     const double y = (2 * x - ends[k] - ends[k + 1]) / (ends[k + 1] - ends[k]);
-    double result = piece[n - 1];
-    for (unsigned int j = n - 1; j-- > 0;)
-      result = result * y + piece[j];
-    return result;
+    return polynomial(piece.data(), n, y);
+  }
+
+  void PiecewisePolynomial::values(const double *x, const std::size_t m, double *result) const
+  {
+    for (std::size_t i = 0; i < m;)
+    {
+      // as many as lie on the same piece
+      const unsigned int k = find(x[i]);
+      const double per_half = 2 / (ends[k + 1] - ends[k]);
+      const std::size_t first = i;
+      do
+      {
+        result[i] = (2 * x[i] - ends[k] - ends[k + 1]) * 0.5 * per_half;
+        ++i;
+      } while (i < m && (x[i] < ends[k + 1] || k + 1 == pieces.size()));
+      wide_polynomial(pieces[k].data(), n, result + first, result + first, i - first);
+    }
   }
 
   PiecewisePolynomial::Value PiecewisePolynomial::at(const double x) const

@@ -49,6 +49,41 @@ namespace vibrocontact
       return sum;
     }
 
+    /// Horner's rule in B registers at once
+    template <unsigned int B>
+    VIBROCONTACT_BODY void polynomial_block(const double *c, const std::size_t n, const double *x, double *y)
+    {
+      Wide place[B], s[B];
+      for (unsigned int b = 0; b < B; ++b)
+      {
+        place[b] = at(x + 8 * b);
+        s[b] = Wide{};
+      }
+      for (std::size_t k = n; k-- > 0;)
+        for (unsigned int b = 0; b < B; ++b)
+          s[b] = s[b] * place[b] + c[k];
+      for (unsigned int b = 0; b < B; ++b)
+        at(y + 8 * b) = s[b];
+    }
+
+    VIBROCONTACT_BODY void polynomial_body(const double *c, const std::size_t n, const double *x, double *y,
+                                           const std::size_t m)
+    {
+      std::size_t i = 0;
+      for (; i + 32 <= m; i += 32)
+        polynomial_block<4>(c, n, x + i, y + i);
+      for (; i + 8 <= m; i += 8)
+        polynomial_block<1>(c, n, x + i, y + i);
+      if (i == m)
+        return;
+      double places[8] = {}, values[8];
+      for (std::size_t k = i; k < m; ++k)
+        places[k - i] = x[k];
+      polynomial_block<1>(c, n, places, values);
+      for (std::size_t k = i; k < m; ++k)
+        y[k] = values[k - i];
+    }
+
     /// B registers of y at once, so that their sums do not wait for each other
     template <unsigned int B>
     VIBROCONTACT_BODY void columns_block(double *y, const double *columns, const std::size_t stride,
@@ -192,6 +227,9 @@ namespace vibrocontact
   }
 
     VIBROCONTACT_VARIANTS(double, dot, dot_body, (const double *a, const double *b, std::size_t n), (a, b, n))
+    VIBROCONTACT_VARIANTS(void, polynomial, polynomial_body,
+                          (const double *c, std::size_t n, const double *x, double *y, std::size_t m),
+                          (c, n, x, y, m))
     VIBROCONTACT_VARIANTS(void, add_columns, add_columns_body,
                           (double *y, const double *columns, std::size_t n, std::size_t stride,
                            const unsigned int *listed, const double *factors, std::size_t n_listed),
@@ -222,6 +260,7 @@ namespace vibrocontact
     {
       const char *name;
       decltype(&dot_128) dot;
+      decltype(&polynomial_128) polynomial;
       decltype(&add_columns_128) add_columns;
       decltype(&rotate_128) rotate;
       decltype(&spectra_128) spectra;
@@ -234,6 +273,7 @@ namespace vibrocontact
       if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
         return {"avx512",
                 dot_512,
+                polynomial_512,
                 add_columns_512,
                 rotate_512,
                 spectra_512,
@@ -242,6 +282,7 @@ namespace vibrocontact
       if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
         return {"avx2",
                 dot_256,
+                polynomial_256,
                 add_columns_256,
                 rotate_256,
                 spectra_256,
@@ -249,6 +290,7 @@ namespace vibrocontact
                 {real_recursion_1_256, real_recursion_2_256, real_recursion_3_256, real_recursion_4_256}};
       return {"sse2",
               dot_128,
+              polynomial_128,
               add_columns_128,
               rotate_128,
               spectra_128,
@@ -262,6 +304,11 @@ namespace vibrocontact
   const char *wide_loops_name()
   {
     return loops.name;
+  }
+
+  void wide_polynomial(const double *c, const std::size_t n, const double *x, double *y, const std::size_t m)
+  {
+    loops.polynomial(c, n, x, y, m);
   }
 
   double wide_dot(const double *a, const double *b, const std::size_t n)

@@ -119,25 +119,6 @@ namespace vibrocontact
   void ModalRecursion::advance(const double *q)
   {
     const unsigned int n = free.size();
-    if (n_poles == 1 && n == 1 && !real_shapes)
-    {
-      const std::size_t i = n_states;
-      const double real = e[0] * p[0] - e[i] * p[i] + w[0] * q[0];
-      const double imaginary = e[0] * p[i] + e[i] * p[0] + w[i] * q[0];
-      p[0] = real;
-      p[i] = imaginary;
-      free[0] = constant[0] + (c[0] * real - c[i] * imaginary);
-      return;
-    }
-    if (real_shapes && n_poles == 1 && n == 1)
-    {
-      const std::size_t i = n_states;
-      const double load = c[0] * q[0], real = e[0] * p[0] - e[i] * p[i] + w[0] * load;
-      p[i] = e[0] * p[i] + e[i] * p[0] + w[i] * load;
-      p[0] = real;
-      free[0] = constant[0] + c[0] * real;
-      return;
-    }
     if (n <= few)
     {
       if (real_shapes)
@@ -158,6 +139,41 @@ namespace vibrocontact
     wide_rotate(p.data(), e.data(), n_states);
     wide_add_columns(p.data(), w.data(), 2 * n_states, listed.data(), factors.data(), n_listed);
     show_many();
+  }
+
+  unsigned long ModalRecursion::advance_in_contact(const unsigned int n_steps, const double *heights,
+                                                   double *displacements, double *forces)
+  {
+    if (n_poles > 1)
+      return Response::advance_in_contact(n_steps, heights, displacements, forces);
+    // the state as minus the force that it takes to undo its displacement, so that a step waits for little: a
+    // product, a sum and a comparison; what the force before did not change is computed beside
+    const std::size_t i = n_states;
+    const double stiffness = 1 / one_step(0, 0), own = constant[0];
+    const Complex shape(c[0], real_shapes ? 0. : c[i]),
+        scale = -stiffness * shape, decay(e[0], e[i]),
+        gain = scale * Complex(w[0], w[i]) * (real_shapes ? c[0] : 1.);
+    const Complex before = scale * Complex(p[0], p[i]);
+    const double er = decay.real(), ei = decay.imag(), gr = gain.real(), gi = gain.imag();
+    // real part: without the last force, and by it
+    double rest = before.real(), pushed = 0, imaginary = before.imag();
+    unsigned long closed = 0;
+    for (unsigned int k = 0; k < n_steps; ++k)
+    {
+      const double trial = ((heights[k] - own) * stiffness + rest) + pushed, real = rest + pushed;
+      const double force = trial > 0 ? trial : 0.;
+      forces[k] = force;
+      displacements[k] = trial > 0 ? heights[k] : own - real * one_step(0, 0);
+      closed += trial > 0;
+      rest = er * real - ei * imaginary;
+      imaginary = er * imaginary + ei * real + gi * force;
+      pushed = gr * force;
+    }
+    const Complex after = Complex(rest + pushed, imaginary) / scale;
+    p[0] = after.real();
+    p[i] = after.imag();
+    free[0] = own + (shape * after).real();
+    return closed;
   }
 
   void ModalRecursion::exchange(CheckpointFile &file)

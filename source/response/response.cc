@@ -19,6 +19,22 @@ namespace vibrocontact
     }
   } // namespace
 
+  unsigned long Response::advance_in_contact(const unsigned int n_steps, const double *heights,
+                                             double *displacements, double *forces)
+  {
+    const double inverse = 1 / one_step(0, 0);
+    unsigned long closed = 0;
+    for (unsigned int k = 0; k < n_steps; ++k)
+    {
+      const double trial = (heights[k] - free[0]) * inverse;
+      forces[k] = trial > 0 ? trial : 0.;
+      displacements[k] = trial > 0 ? heights[k] : free[0];
+      closed += trial > 0;
+      advance(forces + k);
+    }
+    return closed;
+  }
+
   const std::vector<std::string> &force_shape_names()
   {
     static const std::vector<std::string> names = {"impulse", "constant", "linear"};

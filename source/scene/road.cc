@@ -213,6 +213,18 @@ namespace vibrocontact
     return loading(t) * (indentation + z) - shapes[point];
   }
 
+  void Road::heights(const unsigned int point, const double *t, const unsigned int n, double *result) const
+  {
+    if (!profile.empty())
+    {
+      for (unsigned int k = 0; k < n; ++k)
+        result[k] = distance(t[k]) + places[point];
+      profile.values(result, n, result);
+    }
+    for (unsigned int k = 0; k < n; ++k)
+      result[k] = loading(t[k]) * (indentation + (profile.empty() ? 0. : result[k])) - shapes[point];
+  }
+
   void Road::heights(const double t, double *result) const
   {
     const double r = loading(t), s = distance(t);

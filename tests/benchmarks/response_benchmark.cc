@@ -3,8 +3,9 @@
 ///   response_benchmark [repetitions, default 7]
 ///
 /// Oscillator of the tyre paper at its four rows (step, memory); many modes at one and three points; a patch of 100 points
-/// with tread and 404 rolling poles.
+/// with tread and 404 rolling poles; the event-located oscillator on the sine.
 
+#include <vibrocontact/analyses/modal_convolution.h>
 #include <vibrocontact/base/processor_clock.h>
 #include <vibrocontact/contact/unilateral_contact.h>
 #include <vibrocontact/numerics/wide_loops.h>
@@ -31,27 +32,19 @@ namespace
       for (unsigned int i = 0; i < n; ++i)
         road[k * n + i] = depth * (std::sin(25 * k * h + 0.01 * i) - 1e-4 * std::pow(i - 0.5 * n, 2));
     const double *const free = response.free_displacement();
-    const double inverse = 1 / response.compliance()(0, 0);
     for (unsigned int repetition = 0; repetition < repetitions; ++repetition)
     {
       const double begin = processor_seconds();
-      for (unsigned int k = 0; k < n_steps; ++k)
+      if (n == 1)
+        response.advance_in_contact(n_steps, road.data(), u.data(), q.data());
+      for (unsigned int k = 0; k < n_steps && n > 1; ++k)
       {
-        if (n == 1)
-        {
-          const double trial = (road[k] - free[0]) * inverse;
-          q[k] = trial > 0 ? trial : 0.;
-          u[k] = trial > 0 ? road[k] : free[0];
-        }
-        else
-        {
-          double *const gap = u.data() + k * n;
-          for (unsigned int i = 0; i < n; ++i)
-            gap[i] = free[i] - road[k * n + i];
-          contact.solve(gap, q.data() + k * n);
-          for (unsigned int i = 0; i < n; ++i)
-            gap[i] += road[k * n + i];
-        }
+        double *const gap = u.data() + k * n;
+        for (unsigned int i = 0; i < n; ++i)
+          gap[i] = free[i] - road[k * n + i];
+        contact.solve(gap, q.data() + k * n);
+        for (unsigned int i = 0; i < n; ++i)
+          gap[i] += road[k * n + i];
         response.advance(q.data() + k * n);
       }
       times.push_back((processor_seconds() - begin) / n_steps);
@@ -131,5 +124,28 @@ int main(int argc, char *argv[])
     const auto response = create_response("modal recursion", model, state_at_rest(model), settings);
     std::printf("100 points, 202 complex shapes: %.2f us per step\n",
                 1e-3 * time_steps(*response, 5000, settings.time_step, 3e-3));
+  }
+  for (const double speed : {0.1, 1., 2., 3.})
+  {
+    RoadParameters sine;
+    sine.profile = "expression";
+    sine.expression = "5e-3*sin(2*pi*s/0.025)";
+    sine.speed = speed;
+    ModalConvolutionParameters parameters;
+    parameters.method = "event located";
+    parameters.time_step = 1e-4;
+    parameters.end_time = 10;
+    const Road road(sine, {0.}, {0.}, parameters.end_time);
+    std::vector<double> times;
+    for (unsigned int repetition = 0; repetition < repetitions; ++repetition)
+    {
+      ModalConvolution motion(parameters, {}, oscillator, road);
+      while (motion.advance(4096, [](const ModalConvolutionLines &) {}))
+        ;
+      times.push_back(motion.result().seconds / parameters.end_time);
+    }
+    std::sort(times.begin(), times.end());
+    std::printf("event located, %g m/s: %.3f ms per simulated second, least %.3f\n", speed,
+                1e3 * times[times.size() / 2], 1e3 * times[0]);
   }
 }

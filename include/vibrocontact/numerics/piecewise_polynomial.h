@@ -32,6 +32,8 @@ namespace vibrocontact
     PiecewisePolynomial integral() const;
 
     double value(double x) const;
+    /// at m ascending places
+    void values(const double *x, std::size_t m, double *result) const;
     Value at(double x) const;
     double begin() const { return ends.front(); }
     double end() const { return ends.back(); }

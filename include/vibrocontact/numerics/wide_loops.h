@@ -37,6 +37,9 @@ namespace vibrocontact
   /// avx512, avx2 or sse2: what this machine runs
   const char *wide_loops_name();
 
+  /// y_i = sum over k < n of c_k x_i^k, m of them, any m
+  void wide_polynomial(const double *c, std::size_t n, const double *x, double *y, std::size_t m);
+
   /// sum of a_i b_i, any n and any alignment
   double wide_dot(const double *a, const double *b, std::size_t n);
 

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <vibrocontact/base/checkpoint_file.h>
-#include <vibrocontact/reduction/pole_model.h>
-#include <vibrocontact/scene/road.h>
+#include <vibrocontact/response/piece_series.h>
 
 #include <functional>
 #include <string>
@@ -26,13 +25,8 @@ namespace vibrocontact
   ///
   ///   z' = Lambda z + left q + load,  u = 2 Re right z,     q_i = 0 (open)  or  u_i = u_r,i (closed)
   ///
-  /// Closed points, with g(0) = 0 and G1 = g'(0) positive definite: two derivatives of u_i = u_r,i give
-  ///
-  ///   q_C = G1_CC^-1 (u_r'' - 2 Re right (lambda^2 z + lambda load))_C
-  ///
-  /// and thus a linear motion. On a piece of length tau <= h its Taylor series is summed to rounding, with u_r''
-  /// interpolated in Chebyshev points; gaps, forces and the states at any time in it are polynomials. Their roots are
-  /// the events:
+  /// With g(0) = 0 and G1 = g'(0) positive definite the motion between events is linear; on a piece of it displacements,
+  /// forces and states are polynomials (response/piece_series.h). Their roots are the events (numerics/first_fall.h):
   ///
   ///   touch    gap_i = 0 from above:  inelastic impact  0 <= J perp v + G1 J - u_r' >= 0 over all points with gap 0,
   ///            z += left J; for one point J = (u_r' - v) / g'(0). Then the closed points are those with q > 0 in
@@ -44,15 +38,20 @@ namespace vibrocontact
   class EventLocated
   {
   public:
-    /// Called between events with functions of the time that hold on [begin, end]; displacement and force of a point.
+    /// Called between events; holds on [begin, end].
     struct Piece
     {
-      double begin, end, length;
-      /// coefficients of the powers of (t - begin) / length; n_rows each
-      const std::vector<std::vector<double>> &displacement, &force;
-      double u(unsigned int i, double t) const { return horner(displacement[i], (t - begin) / length); }
-      double q(unsigned int i, double t) const { return horner(force[i], (t - begin) / length); }
-      static double horner(const std::vector<double> &c, double x);
+      double begin, end;
+      const PieceSeries &series;
+      const std::vector<char> &closed;
+      double u(unsigned int i, double t) const;
+      double q(unsigned int i, double t) const;
+      /// Of one point at many times, which are overwritten.
+      void values(unsigned int i, std::vector<double> &times, std::vector<double> &displacements,
+                  std::vector<double> &forces) const;
+
+    private:
+      double place(const double t) const { return (t - series.begin()) / series.length(); }
     };
     using Observer = std::function<void(const Piece &)>;
 
@@ -75,12 +74,10 @@ namespace vibrocontact
   private:
     using Complex = std::complex<double>;
 
-    /// false: the road is not smooth enough over that length
-    bool expand(double length);
     void find_closed_forces(const std::vector<unsigned int> &candidates);
     void touch(const std::vector<unsigned int> &touching);
     void project();
-    double first_touch(unsigned int i, double length) const;
+    double first_touch(unsigned int i) const;
     double first_release(unsigned int i) const;
     void invert_closed();
     double displacement(unsigned int i, unsigned int order) const;
@@ -103,12 +100,8 @@ namespace vibrocontact
     std::vector<unsigned int> closed;
     std::vector<char> is_closed, just_open;
     unsigned long pieces = 0;
-    unsigned int n_orders = 0;
     /// events so far without time between them
     unsigned int stuck = 0;
-
-    /// Taylor coefficients of the piece: states (order by order), then per row displacement and force
-    std::vector<std::vector<Complex>> series;
-    std::vector<std::vector<double>> u, q;
+    PieceSeries series;
   };
 } // namespace vibrocontact

@@ -20,6 +20,8 @@ namespace vibrocontact
     ModalRecursion(const PoleModel &model, const std::vector<std::complex<double>> &state,
                    const ResponseSettings &settings);
     void advance(const double *q) override;
+    unsigned long advance_in_contact(unsigned int n_steps, const double *heights, double *displacements,
+                                     double *forces) override;
     void exchange(CheckpointFile &file) override;
 
   private:

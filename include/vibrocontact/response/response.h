@@ -51,6 +51,11 @@ namespace vibrocontact
     const double *free_displacement() const { return free.data(); }
     /// Closes the step with its forces q; n_rows [N].
     virtual void advance(const double *q) = 0;
+    /// Steps of one point in contact, each with 0 <= q perp u_free + (B + S) q - height >= 0 in closed form.
+    /// @param heights, displacements, forces at the ends of the steps, n_steps each
+    /// @return how many closed
+    virtual unsigned long advance_in_contact(unsigned int n_steps, const double *heights,
+                                             double *displacements, double *forces);
     /// What a checkpoint needs.
     virtual void exchange(CheckpointFile &file) = 0;
 

@@ -57,6 +57,8 @@ namespace vibrocontact
     /// u_r with its two derivatives in time [m, m/s, m/s^2]
     PiecewisePolynomial::Value at(unsigned int point, double t) const;
     double height(unsigned int point, double t) const;
+    /// of one point at n ascending times [m]
+    void heights(unsigned int point, const double *t, unsigned int n, double *result) const;
     /// All points at once [m]; n_points.
     void heights(double t, double *result) const;
     unsigned int n_points() const { return places.size(); }
