@@ -117,19 +117,22 @@ namespace vibrocontact
   {
     const unsigned int m = closed.size();
     std::vector<double> alpha(m, 0.), beta(m, 0.);
+    std::vector<PiecewisePolynomial::Value> wanted;
+    for (const unsigned int point : closed)
+      wanted.push_back(road.at(point, now));
     for (unsigned int pass = 0; pass < 2 && m > 0; ++pass)
     {
       std::fill(alpha.begin(), alpha.end(), 0.);
       std::fill(beta.begin(), beta.end(), 0.);
       for (unsigned int j = 0; j < m; ++j)
       {
-        const double left_over = displacement(closed[j], 0) - road.height(closed[j], now);
+        const double left_over = displacement(closed[j], 0) - wanted[j].value;
         for (unsigned int i = 0; i < m; ++i)
           beta[i] += closed_inverse[i * m + j] * left_over;
       }
       for (unsigned int j = 0; j < m; ++j)
       {
-        double left_over = displacement(closed[j], 1) - road.at(closed[j], now).first;
+        double left_over = displacement(closed[j], 1) - wanted[j].first;
         for (unsigned int i = 0; i < m; ++i)
           left_over -= second(closed[j], closed[i]) * beta[i];
         for (unsigned int i = 0; i < m; ++i)

@@ -6,11 +6,14 @@
 namespace vibrocontact
 {
   /// Where a function passes through zero between a and b, of different signs there: false position that does not get
-  /// stuck on one side (Illinois), to rounding of x of order one.
+  /// stuck on one side (Anderson & Bjorck, BIT 13 (1973) 253), to rounding of x of order one.
   template <typename Function>
   double root_between(const Function &f, double a, double b)
   {
     double fa = f(a), fb = f(b), before = a;
+    // which end was moved last; the value at the other is lessened if it was the same end before
+    char moved = 0;
+    const auto lessened = [](const double ratio) { return ratio < 1 ? 1 - ratio : 0.5; };
     for (unsigned int k = 0; k < 200 && b - a > 1e-16; ++k)
     {
       double x = k % 8 == 7 || fa == fb ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
@@ -24,15 +27,19 @@ namespace vibrocontact
       before = x;
       if ((fx < 0) == (fb < 0))
       {
+        if (moved == 'b')
+          fa *= lessened(fx / fb);
         b = x;
         fb = fx;
-        fa *= 0.5;
+        moved = 'b';
       }
       else
       {
+        if (moved == 'a')
+          fb *= lessened(fx / fa);
         a = x;
         fa = fx;
-        fb *= 0.5;
+        moved = 'a';
       }
     }
     return 0.5 * (a + b);
