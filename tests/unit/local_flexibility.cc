@@ -1,6 +1,8 @@
 // The flexibility under the contact: half-spaces in place of the elements' own, normal/tangential coupling on and
 // off, lumped and consistent quadrature.
 
+#include "matrix_difference.h"
+
 #include <vibrocontact/analyses/rolling_scene.h>
 #include <vibrocontact/contact/half_space.h>
 #include <vibrocontact/fe/make_elastic_body.h>
@@ -75,18 +77,6 @@ namespace
     ContactParameters contact;
     contact.coupling = false;
     return contact;
-  }
-
-  double difference(const DenseMatrix &a, const DenseMatrix &b)
-  {
-    double largest = 0, scale = 0;
-    for (unsigned int i = 0; i < a.m(); ++i)
-      for (unsigned int j = 0; j < a.n(); ++j)
-      {
-        largest = std::max(largest, std::abs(a(i, j) - b(i, j)));
-        scale = std::max(scale, std::abs(a(i, j)));
-      }
-    return largest / scale;
   }
 
   /// Entries of the blocks between the directions, the largest over the largest of all.

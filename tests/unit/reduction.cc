@@ -1,5 +1,6 @@
 // Reduction: residual attachment responses with full vectors, static completeness, cache, ranks.
 
+#include "matrix_difference.h"
 #include "reduction_bodies.h"
 
 #include <vibrocontact/base/exceptions.h>
@@ -47,18 +48,6 @@ namespace
     parts.statics = reduce_statically(*body.system, flexibility);
     parts.modal = reduce_modally(*body.system, flexibility, parameters, {}, &parts.modes);
     return parts;
-  }
-
-  double difference(const DenseMatrix &a, const DenseMatrix &b)
-  {
-    double worst = 0, scale = 0;
-    for (unsigned int j = 0; j < a.n(); ++j)
-      for (unsigned int i = 0; i < a.m(); ++i)
-      {
-        worst = std::max(worst, std::abs(a(i, j) - b(i, j)));
-        scale = std::max(scale, std::abs(a(i, j)));
-      }
-    return worst / scale;
   }
 
   /// Psi_e diag(w_e^-2) Psi_e^T
