@@ -5,6 +5,7 @@ figures/contact_patch_<k>.png   pressure, traction and status over the patch
 figures/centre_line_<k>.png     tractions along y = 0, as in Fig. 7 of Lai et al. (2018)
 figures/creep_curves.png        tangential force (spin: moment too) against what is swept
 figures/frequency_response.png  mobilities of the driving points over frequency, as in Fig. 6
+figures/green_functions_<body>.png frequency and impulse responses of a body known by its Green's functions, as in Fig. 5 of Meftah & Duhamel
 figures/identification.png      receptances given, fitted by poles, and their differences
 figures/stabilisation_chart.png identified poles over their number
 figures/stability_sweep.png     divergence rates along a sweep of one entry

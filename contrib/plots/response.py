@@ -7,11 +7,16 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from plots.common import legend_above, read_table, save, plt
 
+MAX_CURVES = 12
+
 
 def plot_frequency_response(folder, analysis):
     """Magnitude at the driving points, one panel each, a line per body, as in Fig. 6; dashed: damping of a run in time."""
     curves = {}
     for body, one in analysis["bodies"].items():
+        if one.get("kind") == "Green's functions":
+            plot_green_functions(folder, body, one, analysis["quantity"])
+            continue
         for table, style in ((one["table"], "-"), (one.get("time_domain_table"), "--")):
             if table is None:
                 continue
@@ -41,6 +46,44 @@ def plot_frequency_response(folder, analysis):
     axes[-1, 0].set_xlabel("frequency [Hz]")
     figure.tight_layout()
     save(figure, folder, "frequency_response")
+
+
+def plot_green_functions(folder, body, one, quantity):
+    """Entries between the first point (each direction) and the others over frequency, as in Fig. 5 of Meftah & Duhamel (2011),
+    and the impulse responses that belong to them."""
+    columns = read_table(os.path.join(folder, one["table"]))
+    impulse = read_table(os.path.join(folder, one["impulse_response"])) if one.get("impulse_response") else {}
+    labels, panels = one["labels"], {}
+    for name in one["entries"]:
+        match = next((a, b) for a in labels for b in labels if name == f"{a}_{b}")
+        points, directions = zip(*(label.rsplit("_", 1) for label in match))
+        if points[0] == labels[0].rsplit("_", 1)[0]:
+            panels.setdefault(directions, []).append((name, points[1]))
+    figure, axes = plt.subplots(len(panels), 2 if impulse else 1, figsize=(11 if impulse else 7, 3 * len(panels)), squeeze=False)
+    unit = "_m_Ns" if quantity == "mobility" else "_m_N"
+    magnitude = {name: np.abs(columns[name + "_real" + unit] + 1j * columns[name + "_imag" + unit]) for name in one["entries"]}
+    largest = max(values.max() for values in magnitude.values())
+    for row, (directions, names) in zip(axes, panels.items()):
+        for name, other in names[:MAX_CURVES]:
+            if magnitude[name].max() < 1e-10 * largest:  # vanishes by symmetry
+                continue
+            label = f"$G_{{{labels[0].rsplit('_', 1)[0]}{other}}}$"
+            row[0].semilogy(columns["frequency_Hz"], magnitude[name], lw=1, label=label)
+            if impulse:
+                row[1].plot(1e3 * impulse["time_s"], impulse[name + "_m_Ns"], lw=1, label=label.replace("G", "g"))
+        title = f"displacement {directions[0]}, force {directions[1]}"
+        row[0].set_title(title)
+        row[0].set_ylabel(f"{quantity} [{'m/(N s)' if quantity == 'mobility' else 'm/N'}]")
+        row[0].set_xlabel("frequency [Hz]")
+        if impulse:
+            row[1].set_title(title)
+            row[1].set_ylabel("impulse response [m/(N s)]")
+            row[1].set_xlabel("time [ms]")
+        for axis in row:
+            axis.grid(alpha=0.3, which="both")
+            axis.legend(fontsize=8)
+    figure.tight_layout()
+    save(figure, folder, "green_functions_" + body)
 
 
 def receptances(folder, table):

@@ -153,7 +153,8 @@ namespace vibrocontact
     prm.add_parameter("Bodies", bodies,
                       "Bodies to be analysed, separated by commas; empty: all that have modes. Units: none.",
                       Anything());
-    prm.add_parameter("First frequency", first, "Lowest frequency. Units: Hz.", Double(1e-6, 1e9));
+    prm.add_parameter("First frequency", first, "Lowest frequency; 0 if the spacing is linear. Units: Hz.",
+                      Double(0, 1e9));
     prm.add_parameter("Last frequency", last, "Highest frequency. Units: Hz.", Double(1e-6, 1e9));
     prm.add_parameter("Number of frequencies", count, "Frequencies from first to last. Units: none.",
                       Integer(2, 100000));
@@ -183,6 +184,19 @@ namespace vibrocontact
                       "over the patch. Units: m.",
                       Double(1e-5, 100));
     prm.add_parameter("Load width", load_width, "Width along y of that patch. Units: m.", Double(1e-5, 100));
+    prm.add_parameter(
+        "Truncated orders", truncated_orders,
+        "Analytic rings: what is lost if the circumferential orders above each of these are left out or "
+        "answer statically (error E of the tyre paper, Eq. 9). Units: none.",
+        List(Integer(0, 5000), 0, 100, ","));
+    prm.add_parameter("Tangential", tangential,
+                      "Analytic rings: forces and displacements along the circle as well. Units: none.");
+    prm.add_parameter(
+        "Impulse response time", impulse_time,
+        "Bodies known by their Green's functions: impulse responses until then; 0: none. Units: s.",
+        Double(0, 1e6));
+    prm.add_parameter("Impulse response step", impulse_step, "Distance of their samples. Units: s.",
+                      Double(1e-9, 1e3));
   }
 
   void FrequencyResponseParameters::check() const
@@ -190,6 +204,13 @@ namespace vibrocontact
     parsed_points();
     if (std::adjacent_find(list.begin(), list.end(), std::greater_equal<double>()) != list.end())
       throw InputError("Frequency response/Frequencies must ascend and hold no frequency twice.");
+    if (list.empty() && first == 0 && spacing == "logarithmic")
+      throw InputError(
+          "Frequency response/First frequency is 0, but Spacing is logarithmic: set it to linear.");
+    if (impulse_time > 1e6 * impulse_step)
+      throw InputError(
+          "Frequency response/Impulse response time asks for more than 1,000,000 samples: enlarge "
+          "Impulse response step.");
     if (!(last > first))
       throw InputError("Frequency response/Last frequency (" + number_text(last) +
                        " Hz) must be above First frequency (" + number_text(first) + " Hz).");

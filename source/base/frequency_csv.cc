@@ -12,15 +12,42 @@ namespace vibrocontact
 {
   using Complex = std::complex<double>;
 
+  std::optional<std::string> without_end(const std::string &name, const std::string &end)
+  {
+    if (name.size() <= end.size() || name.substr(name.size() - end.size()) != end)
+      return {};
+    return name.substr(0, name.size() - end.size());
+  }
+
+  std::vector<std::pair<std::string, std::string>> split_pairs(const CsvTable &table,
+                                                               const std::vector<std::string> &pairs)
+  {
+    std::vector<std::string> known;
+    for (const std::string &pair : pairs)
+      if (pair.size() % 2 == 1 && pair[pair.size() / 2] == '_' &&
+          pair.substr(0, pair.size() / 2) == pair.substr(pair.size() / 2 + 1))
+        known.push_back(pair.substr(0, pair.size() / 2));
+    std::vector<std::pair<std::string, std::string>> result;
+    for (const std::string &pair : pairs)
+    {
+      const std::size_t before = result.size();
+      for (const std::string &response : known)
+        for (const std::string &reference : known)
+          if (result.size() == before && pair == response + "_" + reference)
+            result.emplace_back(response, reference);
+      if (result.size() == before)
+        throw InputError(
+            "The table \"" + table.source + "\" has a column for " + pair +
+            ", which is no pair of points that are driven themselves" +
+            (known.empty() ? ", of which there are none" : " (" + quoted_list(known, "and") + ")") +
+            ": name columns <response>_<force>_real_m_N and add <point>_<point>_real_m_N for "
+            "every point.");
+    }
+    return result;
+  }
+
   namespace
   {
-    std::optional<std::string> without_end(const std::string &name, const std::string &end)
-    {
-      if (name.size() <= end.size() || name.substr(name.size() - end.size()) != end)
-        return {};
-      return name.substr(0, name.size() - end.size());
-    }
-
     /// The kinds of columns: end of the name, powers of j omega in them.
     struct Unit
     {
@@ -28,37 +55,6 @@ namespace vibrocontact
       unsigned int power;
     };
     const std::vector<Unit> units = {{"_m_N", 0}, {"_m_Ns", 1}, {"_m_Ns2", 2}};
-
-    /// Splits <response>_<reference>: labels are those for which <label>_<label> is among the pairs.
-    class Labels
-    {
-    public:
-      Labels(const CsvTable &table, const std::vector<std::string> &pairs) : table(table)
-      {
-        for (const std::string &pair : pairs)
-          if (pair.size() % 2 == 1 && pair[pair.size() / 2] == '_' &&
-              pair.substr(0, pair.size() / 2) == pair.substr(pair.size() / 2 + 1))
-            known.push_back(pair.substr(0, pair.size() / 2));
-      }
-
-      std::pair<std::string, std::string> split(const std::string &pair) const
-      {
-        for (const std::string &response : known)
-          for (const std::string &reference : known)
-            if (pair == response + "_" + reference)
-              return {response, reference};
-        throw InputError(
-            "The table \"" + table.source + "\" has a column for " + pair +
-            ", which is no pair of points that are driven themselves" +
-            (known.empty() ? ", of which there are none" : " (" + quoted_list(known, "and") + ")") +
-            ": name columns <response>_<force>_real_m_N and add <point>_<point>_real_m_N for "
-            "every point.");
-      }
-
-    private:
-      const CsvTable &table;
-      std::vector<std::string> known;
-    };
 
     FrequencyData read_impulse_responses(const CsvTable &table, const std::vector<double> &time)
     {
@@ -78,14 +74,14 @@ namespace vibrocontact
         else if (name != "time_s")
           throw InputError("The table \"" + table.source + "\" has a column " + name +
                            ": an impulse response is called <response>_<force>_m_Ns.");
-      const Labels labels(table, pairs);
-      for (const std::string &pair : pairs)
+      const auto points = split_pairs(table, pairs);
+      for (unsigned int k = 0; k < pairs.size(); ++k)
       {
-        const auto [response, reference] = labels.split(pair);
+        const auto &[response, reference] = points[k];
         FrequencyData::Entry entry;
         entry.response = data.label_index(response);
         entry.reference = data.label_index(reference);
-        for (const double value : table.column(pair + "_m_Ns"))
+        for (const double value : table.column(pairs[k] + "_m_Ns"))
           entry.values.push_back(value);
         data.entries.push_back(entry);
       }
@@ -127,10 +123,10 @@ namespace vibrocontact
             ", which is neither frequency_Hz nor like <response>_<force>_real_m_N (or _imag_; _m_Ns "
             "for mobility, _m_Ns2 for accelerance): rename it or leave it out.");
     }
-    const Labels labels(table, pairs);
+    const auto points = split_pairs(table, pairs);
     for (unsigned int k = 0; k < pairs.size(); ++k)
     {
-      const auto [response, reference] = labels.split(pairs[k]);
+      const auto &[response, reference] = points[k];
       FrequencyData::Entry entry;
       entry.response = data.label_index(response);
       entry.reference = data.label_index(reference);

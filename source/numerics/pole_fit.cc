@@ -166,21 +166,29 @@ namespace vibrocontact
     return fit;
   }
 
+  double band_error(const std::vector<double> &omega, const std::vector<Complex> &exact,
+                    const std::vector<Complex> &other)
+  {
+    double difference = 0, whole = 0;
+    for (unsigned int l = 0; l < omega.size(); ++l)
+    {
+      const double width =
+          (omega[std::min<unsigned int>(l + 1, omega.size() - 1)] - omega[l > 0 ? l - 1 : 0]) / 2;
+      difference += width * std::abs(exact[l] - other[l]);
+      whole += width * std::abs(exact[l]);
+    }
+    return whole > 0 ? difference / whole : 0.;
+  }
+
   std::vector<double> fit_errors(const Spectra &data, const PoleFit &fit)
   {
     std::vector<double> errors;
-    const std::vector<double> &omega = data.omega;
     for (unsigned int i = 0; i < data.n_entries(); ++i)
     {
-      double difference = 0, whole = 0;
-      for (unsigned int l = 0; l < omega.size(); ++l)
-      {
-        const double width =
-            (omega[std::min<unsigned int>(l + 1, omega.size() - 1)] - omega[l > 0 ? l - 1 : 0]) / 2;
-        difference += width * std::abs(data.values[i][l] - fit.value(i, omega[l]));
-        whole += width * std::abs(data.values[i][l]);
-      }
-      errors.push_back(whole > 0 ? difference / whole : 0.);
+      std::vector<Complex> values;
+      for (const double omega : data.omega)
+        values.push_back(fit.value(i, omega));
+      errors.push_back(band_error(data.omega, data.values[i], values));
     }
     return errors;
   }

@@ -60,7 +60,8 @@ namespace vibrocontact
   {
     return scene.runs("identification") ||
            std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                       [](const BodyParameters &body) { return body.type == "identified"; });
+                       [](const BodyParameters &body)
+                       { return body.type == "identified" && body.identified.poles_file.empty(); });
   }
 
   ContactGrid Parameters::contact_grid() const
@@ -153,13 +154,23 @@ namespace vibrocontact
                            "give Pad stiffness x, y and z");
     }
 
+    void check_rolling(const BodyParameters &body, const RoadParameters &road)
+    {
+      if (body.type == "ring" && body.ring.rolling && road.speed == 0)
+        throw InputError(body.name +
+                         "/Ring/Rolling is true, but Road/Speed is 0: the poles of a rolling ring need a "
+                         "constant Speed, give it.");
+    }
+
     void check_frequency_response(const Scene &scene, const std::map<std::string, ModeParameters> &modes,
                                   const FrequencyResponseParameters &response)
     {
       response.check();
       const std::vector<std::string> wanted = split_list(response.bodies);
       for (const std::string &name : wanted)
-        if (modes.count(name) == 0)
+        if (modes.count(name) == 0 &&
+            std::none_of(scene.bodies.begin(), scene.bodies.end(),
+                         [&](const BodyParameters &body) { return body.name == name && body.is_green(); }))
           throw InputError("Frequency response/Bodies names \"" + name +
                            "\", which is no meshed body of this file; name one or leave the entry empty");
       for (const BodyParameters &body : scene.bodies)
@@ -321,6 +332,9 @@ namespace vibrocontact
       identification.check();
     if (scene.runs("stability"))
       check_sweep(*this);
+    if (scene.runs("frequency response"))
+      for (const BodyParameters &body : scene.bodies)
+        check_rolling(body, road);
     if (scene.runs("modal convolution"))
     {
       road.check();
@@ -332,10 +346,7 @@ namespace vibrocontact
         const bool first = &body == &scene.bodies[0];
         if (!first && (further == comparison.further_bodies.end() || further->second.rows.empty()))
           continue;
-        if (body.type == "ring" && body.ring.rolling && (first ? road : further->second.road).speed == 0)
-          throw InputError(body.name +
-                           "/Ring/Rolling is true, but Road/Speed is 0: the poles of a rolling ring need a "
-                           "constant Speed, give it.");
+        check_rolling(body, first ? road : further->second.road);
       }
       if (scene.runs("transient"))
         throw InputError(

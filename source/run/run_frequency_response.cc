@@ -8,6 +8,7 @@
 #include <vibrocontact/output/frequency_response_output.h>
 #include <vibrocontact/reduction/reduction_cache.h>
 #include <vibrocontact/run/run_frequency_response.h>
+#include <vibrocontact/run/run_green_functions.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -264,10 +265,16 @@ namespace vibrocontact
     const FrequencyResponseParameters &own = parameters.frequency_response;
     const std::vector<std::string> wanted = split_list(own.bodies);
     nlohmann::ordered_json tables = nlohmann::ordered_json::array(), all = nlohmann::ordered_json::object();
-    for (const auto &body : bodies)
-      if (body &&
-          (wanted.empty() || std::find(wanted.begin(), wanted.end(), body->parameters.name) != wanted.end()))
-        all[body->parameters.name] = respond(*body, own, folder, tables);
+    for (unsigned int k = 0; k < bodies.size(); ++k)
+    {
+      const BodyParameters &body = parameters.scene.bodies[k];
+      if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), body.name) == wanted.end())
+        continue;
+      if (bodies[k])
+        all[body.name] = respond(*bodies[k], own, folder, tables);
+      else if (body.is_green())
+        all[body.name] = run_green_functions(parameters, body, folder, tables);
+    }
     results.analyses["frequency_response"] = {{"quantity", own.quantity},
                                               {"load_length_m", own.load_length},
                                               {"load_width_m", own.load_width},

@@ -1,3 +1,4 @@
+#include <vibrocontact/analyses/pole_file.h>
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
@@ -5,6 +6,7 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/uff58.h>
 #include <vibrocontact/output/identification_output.h>
+#include <vibrocontact/reduction/band_limited.h>
 #include <vibrocontact/run/run_identification.h>
 
 #include <cmath>
@@ -17,18 +19,39 @@ namespace vibrocontact
                                read_file_on_all_ranks(parameters.data_file, "data file"), parameters.rolling);
   }
 
+  namespace
+  {
+    PoleFile pole_file(const BodyParameters &body)
+    {
+      const std::string &file = body.identified.poles_file;
+      return read_poles(read_csv(file, read_file_on_all_ranks(file, "poles file")));
+    }
+
+    bool goes_both_ways(const FrequencyData &names)
+    {
+      return names.entries.size() == names.labels.size() * names.labels.size() && names.labels.size() > 1;
+    }
+
+    void check_positions(const BodyParameters &body, const unsigned int n_points, const std::string &file)
+    {
+      if (!body.identified.positions.empty() && body.identified.positions.size() != n_points)
+        throw InputError(body.name + "/Identified/Positions gives " +
+                         std::to_string(body.identified.positions.size()) + " places, but the data \"" +
+                         file + "\" have " + std::to_string(n_points) + " points; give one for each.");
+    }
+  } // namespace
+
   void check_identification(const Parameters &parameters)
   {
+    for (const BodyParameters &body : parameters.scene.bodies)
+      if (body.type == "identified" && !body.identified.poles_file.empty())
+        check_positions(body, pole_file(body).names.labels.size(), body.identified.poles_file);
     if (!parameters.has_identification())
       return;
     const unsigned int n_points = identification_data(parameters.identification).labels.size();
     for (const BodyParameters &body : parameters.scene.bodies)
-      if (body.type == "identified" && !body.identified.positions.empty() &&
-          body.identified.positions.size() != n_points)
-        throw InputError(body.name + "/Identified/Positions gives " +
-                         std::to_string(body.identified.positions.size()) + " places, but the data \"" +
-                         parameters.identification.data_file + "\" have " + std::to_string(n_points) +
-                         " points; give one for each.");
+      if (body.type == "identified" && body.identified.poles_file.empty())
+        check_positions(body, n_points, parameters.identification.data_file);
   }
 
   namespace
@@ -96,7 +119,8 @@ namespace vibrocontact
             const FrequencyData fit = fitted_data(fits[k], data);
             const std::string title =
                 "Fit of " + std::to_string(fits[k].n_asked) + " pole pairs by " + fits[k].method;
-            poles_table(fits[k], data).write(folder + "/" + list[k]["poles"].get<std::string>());
+            poles_table(fits[k].fit, data, "Poles of " + data.file_name + " by " + fits[k].method)
+                .write(folder + "/" + list[k]["poles"].get<std::string>());
             write_file(folder + "/" + list[k]["fit"].get<std::string>(), frequency_csv(fit, {title}));
             write_file(folder + "/" + list[k]["fit_uff"].get<std::string>(), uff58_text(fit, title, true));
           }
@@ -106,19 +130,56 @@ namespace vibrocontact
     results.analyses["identification"] = list;
   }
 
-  PoleModel identified_body(const IdentificationParameters &parameters, const double step,
-                            const double tread_compliance, const std::string &body)
+  IdentifiedPoles identified_poles(const Parameters &parameters, const BodyParameters &body,
+                                   const double contact_step)
   {
-    const FrequencyData data = identification_data(parameters);
-    IdentificationParameters first = parameters;
-    first.methods = parameters.method_list().front();
-    first.pairs = {parameters.pairs.front()};
-    first.contact_step = tread_compliance > 0 ? 0 : step;
-    Identification one = identify(first, data, print).front();
-    PoleModel &model = one.identified.model;
+    if (body.identified.inverse_transform)
+      throw InputError(body.name +
+                       "/Identified/Inverse transform is true, which knows no poles: leave it out.");
+    if (!body.identified.poles_file.empty())
+    {
+      const PoleFile file = pole_file(body);
+      return {file.names.labels, goes_both_ways(file.names),
+              identified_model(file.fit, entry_map(file.names), parameters.identification.tolerance).model};
+    }
+    const FrequencyData data = identification_data(parameters.identification);
+    IdentificationParameters first = parameters.identification;
+    first.methods = first.method_list().front();
+    first.pairs = {first.pairs.front()};
+    first.contact_step = contact_step;
+    return {data.labels, first.rolling, identify(first, data, print).front().identified.model};
+  }
+
+  namespace
+  {
+    PoleModel transformed_body(const Parameters &parameters, const BodyParameters &body)
+    {
+      const FrequencyData data = identification_data(parameters.identification);
+      const ModalConvolutionParameters &run = parameters.modal_convolution;
+      const double remembered = run.memory > 0 ? std::min(run.memory, run.end_time) : run.end_time,
+                   longest = band_limited_memory(spectra(data));
+      if (run.method != "direct convolution" && run.method != "block convolution")
+        throw InputError(body.name + "/Identified/Inverse transform is true, which knows no poles: set Modal "
+                                     "convolution/Method to direct convolution or block convolution.");
+      if (remembered > longest * (1 + 1e-9))
+        throw InputError(body.name + "/Identified/Inverse transform has Green's functions of " +
+                         number_text(longest) +
+                         " s (half of 1 / the data's frequency step): set Modal "
+                         "convolution/Memory to that, or to less.");
+      return band_limited_model(spectra(data), entry_map(data));
+    }
+  } // namespace
+
+  PoleModel identified_body(const Parameters &parameters, const BodyParameters &body)
+  {
+    const double step = parameters.modal_convolution.time_step,
+                 tread = body.identified.tread_stiffness > 0 ? 1 / body.identified.tread_stiffness : 0;
+    PoleModel model = body.identified.inverse_transform
+                          ? transformed_body(parameters, body)
+                          : identified_poles(parameters, body, tread > 0 ? 0 : step).poles;
     for (unsigned int i = 0; i < model.n_rows(); ++i)
-      model.residual(i, i) += tread_compliance;
-    check_contact_readiness(model, step, body);
+      model.residual(i, i) += tread;
+    check_contact_readiness(model, step, body.name);
     return model;
   }
 } // namespace vibrocontact

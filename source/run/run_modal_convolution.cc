@@ -132,8 +132,7 @@ namespace vibrocontact
     if (body.type == "identified")
     {
       const IdentifiedParameters &own = body.identified;
-      result.poles = identified_body(parameters.identification, parameters.modal_convolution.time_step,
-                                     own.tread_stiffness > 0 ? 1 / own.tread_stiffness : 0., body.name);
+      result.poles = identified_body(parameters, body);
       result.places = own.positions.empty() ? std::vector<double>{0.} : own.positions;
       result.shapes = own.positions.empty() ? std::vector<double>{0.} : own.heights();
       return result;

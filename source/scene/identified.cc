@@ -10,6 +10,14 @@ namespace vibrocontact
   void IdentifiedParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
+    prm.add_parameter("Poles file", poles_file,
+                      "Poles and residues, a table as identification_poles_0.csv of the analysis "
+                      "identification, in place of section Identification. Units: none.",
+                      FileName());
+    prm.add_parameter(
+        "Inverse transform", inverse_transform,
+        "For comparison: no poles are fitted, the Green's functions are the inverse Fourier transform of the "
+        "data of section Identification; for direct or block convolution. Units: none.");
     prm.add_parameter(
         "Positions", positions,
         "Places of the data's points along the road (along the circle if there is a Radius), in their "
@@ -25,6 +33,8 @@ namespace vibrocontact
 
   void IdentifiedParameters::check(const std::string &section) const
   {
+    if (!poles_file.empty() && inverse_transform)
+      throw InputError(section + "/Poles file and Inverse transform are both given: leave one of them out.");
     if (std::adjacent_find(positions.begin(), positions.end(), std::greater_equal<double>()) !=
         positions.end())
       throw InputError(section + "/Positions must ascend and hold no place twice.");

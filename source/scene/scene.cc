@@ -66,7 +66,10 @@ namespace vibrocontact
   {
     static const std::vector<AnalysisType> types = {
         {"modes", "natural frequencies, shapes and damping of every meshed body", 1},
-        {"frequency response", "point and transfer mobilities of meshed bodies, with hysteretic loss", 1},
+        {"frequency response",
+         "point and transfer mobilities of meshed bodies, with hysteretic loss, and of "
+         "bodies known by their Green's functions",
+         1},
         {"identification", "poles of a body known by measured or computed Green's functions", 1},
         {"quasi-static rolling", "steady rolling contact of body 1 on body 2 with friction", 2},
         {"modal convolution", "a body known by its Green's functions rolls over a road in unilateral contact",
@@ -172,8 +175,10 @@ namespace vibrocontact
                            "\" does not take: it knows no road under a body given by its Green's functions; "
                            "leave the analysis out or choose another type");
     for (const std::string analysis : {"modes", "frequency response"})
-      if (runs(analysis) && std::none_of(bodies.begin(), bodies.end(),
-                                         [](const BodyParameters &body) { return body.is_meshed(); }))
+      if (runs(analysis) &&
+          std::none_of(bodies.begin(), bodies.end(),
+                       [&](const BodyParameters &body)
+                       { return body.is_meshed() || (analysis != "modes" && body.is_green()); }))
         throw InputError(
             "Analyses asks for " + analysis +
             ", but no body is meshed: half-spaces have no modes, nor have oscillators and analytic "

@@ -43,6 +43,12 @@ namespace vibrocontact
     std::vector<double> cut_frequencies;
     /// size of the patch of surface that carries the force, along x and y [m]
     double load_length = 0.08, load_width = 0.02;
+    /// rings: sums over the circumferential orders up to each of these are compared with the whole
+    std::vector<unsigned int> truncated_orders;
+    /// rings: also along the circle
+    bool tangential = false;
+    /// impulse responses of bodies known by their Green's functions, 0: none [s]
+    double impulse_time = 0, impulse_step = 1e-4;
 
     void declare_parameters(dealii::ParameterHandler &prm);
     /// @throws InputError

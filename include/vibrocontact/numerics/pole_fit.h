@@ -63,6 +63,9 @@ namespace vibrocontact
   PoleFit fit_residues(const Spectra &data, const std::vector<std::complex<double>> &poles,
                        const ResidueRules &rules = {});
 
+  /// E of Eq. 9: integral of |other - exact| over that of |exact|, by trapezoids over omega.
+  double band_error(const std::vector<double> &omega, const std::vector<std::complex<double>> &exact,
+                    const std::vector<std::complex<double>> &other);
   /// E of Eq. 9 per entry: integral of |G - fit| over that of |G|, by trapezoids over the data's axis.
   std::vector<double> fit_errors(const Spectra &data, const PoleFit &fit);
   /// That of the worst entry.

@@ -7,8 +7,10 @@
 
 namespace vibrocontact
 {
-  /// Poles of a fit: frequency and damping ratio, lambda, residue of every entry.
-  Table poles_table(const Identification &one, const FrequencyData &data);
+  /// Poles: frequency and damping ratio, lambda, residue of every entry, and its constant if there is one. 17 digits:
+  /// analyses/pole_file.h reads every bit back.
+  /// @param names labels and entries, its values are not looked at; @param title the table's first comment
+  Table poles_table(const PoleFit &fit, const FrequencyData &names, const std::string &title);
   /// Fitted receptances on the data's axis.
   FrequencyData fitted_data(const Identification &one, const FrequencyData &data);
   Table chart_table(const std::vector<ChartPole> &chart);

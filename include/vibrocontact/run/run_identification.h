@@ -19,9 +19,23 @@ namespace vibrocontact
   /// same, rank 0 writes. Collective.
   void run_identification(const Parameters &parameters, const std::string &folder, Results &results);
 
-  /// The model of a body of type `identified`: the first fit that section Identification asks for, which has to be
-  /// usable in contact at this step, and the compliance of a tread under each point [m/N].
+  /// A body of type `identified` as poles, without its tread.
+  struct IdentifiedPoles
+  {
+    /// of its points: name_direction
+    std::vector<std::string> labels;
+    /// both ways of each pair of points are known
+    bool both_ways = false;
+    PoleModel poles;
+  };
+
+  /// From its Poles file, or the first fit that section Identification asks for.
+  /// @param contact_step the fit is repaired if contact cannot be solved with it at this step; 0: it is not [s]
+  /// @throws InputError; also for an inverse transform, which has no poles
+  IdentifiedPoles identified_poles(const Parameters &parameters, const BodyParameters &body,
+                                   double contact_step);
+
+  /// The model for modal convolution, with the compliance of a tread under each point, usable in contact at its step.
   /// @throws InputError
-  PoleModel identified_body(const IdentificationParameters &parameters, double step, double tread_compliance,
-                            const std::string &body);
+  PoleModel identified_body(const Parameters &parameters, const BodyParameters &body);
 } // namespace vibrocontact

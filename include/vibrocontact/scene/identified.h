@@ -7,10 +7,14 @@
 
 namespace vibrocontact
 {
-  /// A body known by Green's functions that section Identification turns into poles: what the data do not say, where
-  /// its points lie over the road.
+  /// A body known by Green's functions: by poles that section Identification fits to data, or that a file has; or, for
+  /// comparison, by the data themselves. Beside it what these do not say, where its points lie over the road.
   struct IdentifiedParameters
   {
+    /// table of poles and residues as the analysis identification writes it, in place of section Identification
+    std::string poles_file;
+    /// no fit: the data's inverse Fourier transform (reduction/band_limited.h), for the convolutions
+    bool inverse_transform = false;
     /// of the data's points along the road, in their order; empty for one point at 0 [m]
     std::vector<double> positions;
     /// height of the points above the lowest one is radius (1 - cos(x / radius)), positions being measured along the

@@ -1,0 +1,92 @@
+#include <vibrocontact/analyses/pole_file.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/frequency_csv.h>
+#include <vibrocontact/base/number_text.h>
+
+#include <algorithm>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    const std::string real_end = "_residue_real_m_Ns", imag_end = "_residue_imag_m_Ns",
+                      direct_end = "_direct_m_N";
+
+    std::vector<std::string> pairs_of(const CsvTable &table)
+    {
+      std::vector<std::string> pairs;
+      for (const std::string &name : table.names)
+        if (const auto pair = without_end(name, real_end))
+          pairs.push_back(*pair);
+      for (const std::string &name : table.names)
+      {
+        bool understood = name == "frequency_Hz" || name == "damping_ratio" || name == "pole_real_1_s" ||
+                          name == "pole_imag_1_s" || without_end(name, real_end);
+        for (const std::string &end : {imag_end, direct_end})
+          if (const auto pair = without_end(name, end))
+            understood = understood || std::find(pairs.begin(), pairs.end(), *pair) != pairs.end();
+        if (!understood)
+          throw InputError("The table \"" + table.source + "\" has a column " + name +
+                           ", which is none of a table of poles: pole_real_1_s, pole_imag_1_s, "
+                           "<response>_<force>_residue_real_m_Ns, ..._residue_imag_m_Ns, ..._direct_m_N.");
+      }
+      if (pairs.empty())
+        throw InputError("The table \"" + table.source +
+                         "\" has no residues: name columns <response>_<force>_residue_real_m_Ns and _imag_.");
+      return pairs;
+    }
+
+    double constant(const CsvTable &table, const std::string &name)
+    {
+      const std::vector<double> *const values = table.find(name);
+      if (!values)
+        return 0;
+      for (std::size_t k = 0; k < values->size(); ++k)
+        if ((*values)[k] != values->front())
+          throw InputError("The table \"" + table.source + "\", line " + std::to_string(table.lines[k]) +
+                           ", has another " + name +
+                           " than the line before: it is one number, the same in all.");
+      return values->front();
+    }
+  } // namespace
+
+  PoleFile read_poles(const CsvTable &table)
+  {
+    PoleFile file;
+    file.names.file_name = table.source;
+    const std::vector<double> &real = table.column("pole_real_1_s"), &imag = table.column("pole_imag_1_s");
+    if (real.empty())
+      throw InputError("The table \"" + table.source + "\" has no poles: give one per line.");
+    for (std::size_t k = 0; k < real.size(); ++k)
+    {
+      if (!(real[k] < 0))
+        throw InputError(
+            "The table \"" + table.source + "\", line " + std::to_string(table.lines[k]) +
+            ", has an unstable pole, pole_real_1_s = " + number_text(real[k]) +
+            ": its motion does not decay; leave it out or give it damping (a negative real part).");
+      file.fit.poles.emplace_back(real[k], imag[k]);
+    }
+    const std::vector<std::string> pairs = pairs_of(table);
+    const auto points = split_pairs(table, pairs);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+    {
+      FrequencyData::Entry entry;
+      entry.response = file.names.label_index(points[i].first);
+      entry.reference = file.names.label_index(points[i].second);
+      file.names.entries.push_back(entry);
+      const std::vector<double> &a = table.column(pairs[i] + real_end),
+                                &b = table.column(pairs[i] + imag_end);
+      file.fit.residues.emplace_back();
+      for (std::size_t k = 0; k < a.size(); ++k)
+        file.fit.residues.back().emplace_back(a[k], b[k]);
+      file.fit.direct.push_back(constant(table, pairs[i] + direct_end));
+    }
+    const std::vector<std::string> &labels = file.names.labels;
+    for (unsigned int i = 0; i < labels.size(); ++i)
+      for (unsigned int j = 0; j < labels.size(); ++j)
+        if (!file.names.find(i, j) && !file.names.find(j, i))
+          throw InputError("The table \"" + table.source + "\" lacks the residues of " + labels[i] +
+                           " under a force at " + labels[j] + ": contact needs every pair of its points.");
+    return file;
+  }
+} // namespace vibrocontact
