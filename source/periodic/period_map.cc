@@ -324,7 +324,10 @@ namespace vibrocontact
         coefficient += (2 * k + 1) * rule.weight[i] * boost::math::legendre_p(k, 2 * rule.node[i] - 1) * f[i];
       rest = std::max(rest, std::abs(coefficient));
     }
-    return largest > 0 ? rest / largest : 0.;
+    // below it the force is the rounding of displacements
+    const double direct = law.compliance(0) + (relaxed && !slaved ? 0. : S);
+    const double rounding = 1e-14 * (std::abs(U) + std::abs(gap)) / direct;
+    return rest > rounding ? rest / largest : 0.;
   }
 
   void PeriodMap::vary_free(const double t, DenseMatrix &M) const
@@ -399,6 +402,7 @@ namespace vibrocontact
 
   bool PeriodMap::flight(double &t, const double end, bool fresh, State &x, Orbit *orbit) const
   {
+    const double rounding = 1e-14 * (std::abs(U) + std::abs(u_load) + std::abs(gap));
     double a = t;
     while (a < end)
     {
@@ -418,12 +422,12 @@ namespace vibrocontact
       const auto g = [&](const double tau) { return tip(moved(tau), a + tau); };
       const auto rate = [&](const double tau) { return tip_rate(moved(tau), a + tau); };
       const double ga = tip(x, a), gb = tip(next, b), va = tip_rate(x, a), vb = tip_rate(next, b);
-      double open = fresh ? -1 : 0, touch = gb > 0 ? length : -1;
+      double open = fresh ? -1 : 0, touch = gb > rounding ? length : -1;
       const double span = std::max(std::abs(va), std::abs(vb)) * length;
       if (touch < 0 && va > 0 && vb < 0 && std::min(-ga, -gb) < 2 * span)
       {
         const double top = root(rate, 0., length, va, vb);
-        if (g(top) > 0)
+        if (g(top) > rounding)
           touch = top;
       }
       if (touch > 0)
@@ -626,7 +630,7 @@ namespace vibrocontact
         closed = !fresh;
         n_events += fresh;
       }
-      if (n_events > 100000 * (1 + periods) || !std::isfinite(x[0]))
+      if (n_events > 10000 * (1 + periods) || !std::isfinite(x[0]))
         throw ConvergenceError("The motion of the time reference is not finite or its contacts do not stop "
                                "following each other.");
     }
@@ -720,10 +724,14 @@ namespace vibrocontact
     const unsigned int s = rule.s;
     for (const OrbitPiece &piece : orbit.pieces)
     {
+      const Step *known = piece.length == full->length ? full.get() : nullptr;
+      for (const std::unique_ptr<Step> &level : finer)
+        if (level->length == piece.length)
+          known = level.get();
       std::unique_ptr<Step> own;
-      if (piece.length != full->length && piece.length > 0)
+      if (!known && piece.length > 0)
         own = make_step(piece.length);
-      const Step &step = own ? *own : *full;
+      const Step &step = known ? *known : *own;
       for (unsigned int i = 0; i < s && piece.length > 0; ++i)
       {
         State x = piece.state;

@@ -179,7 +179,7 @@ namespace vibrocontact
     const Clock::time_point begin = Clock::now();
     const bool doubles = settings.n_steps == 0;
     unsigned int n_steps = doubles ? first_steps(body, law, force) : settings.n_steps;
-    double accuracy = 1e-8;
+    double accuracy = 1e-9;
     const auto make_map = [&]()
     { return std::make_shared<const PeriodMap>(body, law, force, n_steps, settings.n_nodes, accuracy); };
     auto map = make_map();

@@ -37,8 +37,7 @@ namespace
       all.push_back({f + "penalty", c, body, penalty});
       all.push_back({f + "massless, spring", c, massless, spring});
       all.push_back({f + "massless, penalty", c, massless, penalty});
-      if (c.frequency > 1000)
-        all.push_back({f + "massless, rigid", c, massless, StopLaw::rigid()});
+      all.push_back({f + "massless, rigid", c, massless, StopLaw::rigid()});
     }
     return all;
   }
@@ -102,6 +101,92 @@ namespace
         x[k] += h / 6 * (d1[k] + 2 * (d2[k] + d3[k]) + d4[k]);
     }
     return x;
+  }
+
+  /// State after `time` in contact under a linear law from x at a phase: exponential of the linear system of modes, residual,
+  /// F sin, F cos and 1, by its series on a 2^k-th of the time and k squarings; contact force at the end.
+  std::vector<double> exponential(const Problem &p, const double phase, const std::vector<double> &x,
+                                  const double time, double &force)
+  {
+    const unsigned int n = p.body.n_modes(), m = x.size(), sine = m, cosine = m + 1, one = m + 2;
+    const double S = p.body.residual(0, 0), beta = p.body.relaxation, Omega = 2 * pi * p.c.frequency;
+    const bool residual = m > 2 * n, rigid = p.law.kind == StopLaw::Kind::rigid;
+    // f = row . state
+    std::vector<double> row(m + 3, 0.);
+    const double k = rigid ? 1 / S : p.law.stiffness;
+    for (unsigned int j = 0; j < n; ++j)
+    {
+      row[j] = k * p.body.trace(0, j);
+      row[n + j] = rigid ? k * beta * p.body.trace(0, j) : 0.;
+    }
+    if (residual && rigid)
+      row[sine] = k * p.body.residual_force[0];
+    else if (residual)
+      row[2 * n] = k;
+    row[one] = -k * p.body.gap[0];
+    DenseMatrix A(m + 3, m + 3);
+    for (unsigned int j = 0; j < n; ++j)
+    {
+      const double w = p.body.omega[j];
+      A(j, n + j) = 1;
+      A(n + j, j) = -w * w;
+      A(n + j, n + j) = -2 * p.body.damping_ratio[j] * w;
+      A(n + j, sine) = p.body.modal_force[j];
+      for (unsigned int i = 0; i < m + 3; ++i)
+        A(n + j, i) -= p.body.trace(0, j) * row[i];
+      if (residual && rigid)
+        A(2 * n, n + j) = -p.body.trace(0, j);
+    }
+    if (residual && !rigid)
+    {
+      A(2 * n, 2 * n) = -1 / beta;
+      A(2 * n, sine) = p.body.residual_force[0] / beta;
+      for (unsigned int i = 0; i < m + 3; ++i)
+        A(2 * n, i) -= S / beta * row[i];
+    }
+    A(sine, cosine) = Omega;
+    A(cosine, sine) = -Omega;
+    // displacements times the highest frequency: entries of one size
+    const double top = p.body.omega.back();
+    std::vector<double> scale(m + 3, 1.);
+    for (unsigned int j = 0; j < n; ++j)
+      scale[j] = top;
+    if (residual)
+      scale[2 * n] = top;
+    for (unsigned int i = 0; i < m + 3; ++i)
+      for (unsigned int j = 0; j < m + 3; ++j)
+        A(i, j) *= scale[i] / scale[j];
+    const unsigned int squarings = 30;
+    A *= std::ldexp(time, -static_cast<int>(squarings));
+    // E = exp - 1, so that nothing is lost beside 1
+    DenseMatrix E = A, term = A, product(m + 3, m + 3);
+    for (unsigned int i = 2; i < 8; ++i)
+    {
+      term.mmult(product, A);
+      term = product;
+      term *= 1. / i;
+      E.add(1., term);
+    }
+    for (unsigned int i = 0; i < squarings; ++i)
+    {
+      E.mmult(product, E);
+      E *= 2;
+      E.add(1., product);
+    }
+    std::vector<double> start = x, end(m + 3);
+    start.insert(start.end(),
+                 {p.c.force * std::sin(2 * pi * phase), p.c.force * std::cos(2 * pi * phase), 1.});
+    for (unsigned int i = 0; i < m + 3; ++i)
+    {
+      end[i] = start[i];
+      for (unsigned int j = 0; j < m + 3; ++j)
+        end[i] += E(i, j) / scale[i] * scale[j] * start[j];
+    }
+    force = 0;
+    for (unsigned int i = 0; i < m + 3; ++i)
+      force += row[i] * end[i];
+    end.resize(m);
+    return end;
   }
 
   double relative(const PeriodMap &map, std::vector<double> a, const std::vector<double> &b)
@@ -170,7 +255,7 @@ TEST(Shooting, PeriodicRefinedAndOfHighOrder)
     // another phase of comparison, other steps, other polynomials
     ShootingSettings other;
     other.n_steps = 3 * s.map->n_steps() + 1;
-    other.n_nodes = 5;
+    other.n_nodes = 6;
     other.phase = 0.05;
     const ShootingSolution b = shoot(p.body, p.law, p.c.excitation(), other);
     EXPECT_LT(distance(s, b), 1e-10) << p.name;
@@ -192,6 +277,26 @@ TEST(Shooting, SmallStepsOfRungeKuttaFindTheSameMotion)
       const std::vector<double> x = s.map->advance(s.state, s.phase, phase + 1 - s.phase);
       const unsigned int n_steps = p.c.frequency < 200 ? 80000 : 40000;
       EXPECT_LT(relative(*s.map, runge_kutta(p, phase, x, n_steps), x), 1e-7) << p.name;
+    }
+}
+
+TEST(Shooting, ContactsOfLinearLawsAreExponentials)
+{
+  for (const Problem &p : problems())
+    if (p.law.is_linear())
+    {
+      const ShootingSolution s = shoot(p.body, p.law, p.c.excitation());
+      ASSERT_EQ(s.contacts.size(), 1u) << p.name;
+      const double touch = s.contacts[0].begin, span = s.contacts[0].end - touch;
+      const std::vector<double> at_touch = s.map->advance(s.state, s.phase, touch + 1 - s.phase);
+      const std::vector<double> at_release = s.map->advance(s.state, s.phase, touch + 1 + span - s.phase);
+      double force = 0, half_force = 0;
+      EXPECT_LT(relative(*s.map, exponential(p, touch, at_touch, span / p.c.frequency, force), at_release),
+                1e-9)
+          << p.name;
+      exponential(p, touch, at_touch, 0.5 * span / p.c.frequency, half_force);
+      EXPECT_NEAR(force / half_force, 0, 1e-7) << p.name;
+      EXPECT_NEAR(s.at(touch + 0.5 * span).force / half_force, 1, 1e-8) << p.name;
     }
 }
 
@@ -300,6 +405,32 @@ TEST(Shooting, MultipliersMultiplyToTheLossOfPhaseVolume)
   }
 }
 
+TEST(Shooting, StiffSpringTendsToTheRigidStop)
+{
+  for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
+  {
+    const PeriodicBody body = axial_bar(c, true);
+    const ShootingSolution rigid = shoot(body, StopLaw::rigid(), c.excitation());
+    double before = 0;
+    for (const double k : {1e12, 1e13, 1e14})
+    {
+      const double error = distance(shoot(body, StopLaw::spring(k), c.excitation()), rigid);
+      if (before > 0)
+        EXPECT_NEAR(before / error, 10, 0.5);
+      before = error;
+    }
+    // between touch and release the tip does not move, the force is positive
+    const ContactInterval i = rigid.contacts.at(0);
+    for (unsigned int k = 1; k < 50; ++k)
+    {
+      const MotionSample m = rigid.at(i.begin + k / 50. * (i.end - i.begin));
+      EXPECT_NEAR(m.displacement, c.gap, 1e-15);
+      EXPECT_EQ(m.velocity, 0);
+      EXPECT_GT(m.force, 0);
+    }
+  }
+}
+
 TEST(Shooting, PreloadAndPermanentContact)
 {
   // a spring that is never left: a linear structure of its own
@@ -324,6 +455,14 @@ TEST(Shooting, PreloadAndPermanentContact)
   for (const double phase : {0.1, 0.35, 0.9})
     EXPECT_NEAR(s.at(phase).displacement * 1e3,
                 ((U * std::polar(1., 2 * pi * phase)).imag() - 2e-3 * H0 * k / (1 + k * H0)) * 1e3, 1e-10);
+  // the rigid stop with preload opens and closes, with and without damping of the massless node
+  PeriodicBody massless = axial_bar(c, true);
+  massless.gap[0] = -0.3e-3;
+  const ShootingSolution damped = shoot(massless, StopLaw::rigid(), c.excitation());
+  EXPECT_FALSE(damped.contacts.empty());
+  EXPECT_LT(damped.periodicity, 1e-11);
+  massless.relaxation = 0;
+  EXPECT_LT(shoot(massless, StopLaw::rigid(), c.excitation()).periodicity, 1e-11);
 }
 
 TEST(Shooting, ResidualLeadsAlongTheBranch)

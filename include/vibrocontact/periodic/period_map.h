@@ -62,7 +62,7 @@ namespace vibrocontact
     /// @throws InputError if the body has more than one row of contact, if an undamped mode is excited at its own frequency,
     /// or if the stop is rigid and the body has no residual (contact node with mass)
     PeriodMap(const PeriodicBody &body, const StopLaw &law, const HarmonicForce &force, unsigned int n_steps,
-              unsigned int n_nodes = 8, double accuracy = 1e-8);
+              unsigned int n_nodes = 8, double accuracy = 1e-9);
     ~PeriodMap();
 
     unsigned int n_states() const { return 2 * n + (relaxed ? 1 : 0); }
