@@ -1,0 +1,465 @@
+#include <vibrocontact/numerics/continuation.h>
+
+#include <deal.II/lac/lapack_templates.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    using Vector = std::vector<double>;
+
+    double dot(const Vector &a, const Vector &b)
+    {
+      double sum = 0;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        sum += a[i] * b[i];
+      return sum;
+    }
+
+    bool is_finite(const Vector &x)
+    {
+      return std::all_of(x.begin(), x.end(), [](const double value) { return std::isfinite(value); });
+    }
+
+    /// [R_x, R_p; row] factorised
+    class Bordered
+    {
+    public:
+      /// false if it is singular
+      bool factorise(const DenseMatrix &by_x, const Vector &by_p, const Vector &row,
+                     const ContinuationSettings &s)
+      {
+        const unsigned int n = by_p.size();
+        size = n + 1;
+        matrix.resize(std::size_t(size) * size);
+        pivots.resize(size);
+        for (unsigned int j = 0; j < n; ++j)
+        {
+          for (unsigned int i = 0; i < n; ++i)
+            matrix[std::size_t(j) * size + i] = by_x(i, j) * (s.x_scale / s.residual_scale);
+          matrix[std::size_t(j) * size + n] = row[j];
+        }
+        for (unsigned int i = 0; i < n; ++i)
+          matrix[std::size_t(n) * size + i] = by_p[i] * (s.p_scale / s.residual_scale);
+        matrix[std::size_t(n) * size + n] = row[n];
+        if (!is_finite(matrix))
+          return false;
+        dealii::types::blas_int info;
+        dealii::getrf(&size, &size, matrix.data(), &size, pivots.data(), &info);
+        return info == 0;
+      }
+      int sign() const
+      {
+        int result = 1;
+        for (int i = 0; i < size; ++i)
+          if ((matrix[std::size_t(i) * size + i] < 0) != (pivots[i] != i + 1))
+            result = -result;
+        return result;
+      }
+      void solve(Vector &rhs) const
+      {
+        const dealii::types::blas_int one = 1;
+        dealii::types::blas_int info;
+        dealii::getrs("N", &size, &one, matrix.data(), &size, pivots.data(), rhs.data(), &size, &info);
+      }
+
+    private:
+      dealii::types::blas_int size = 0;
+      Vector matrix;
+      std::vector<dealii::types::blas_int> pivots;
+    };
+
+    class Tracer
+    {
+    public:
+      Tracer(CurveEquations &equations, const ContinuationSettings &settings)
+          : equations(equations), s(settings)
+      {
+      }
+
+      Curve run(const CurvePoint &start);
+
+    private:
+      /// where Newton's method on R = 0, row (y - from) = length ends, beginning at `guess`
+      std::optional<CurvePoint> corrected(const Vector &guess, const Vector &row, const Vector &from,
+                                          double length);
+      /// Tangent of a point that evaluate() was just called at, oriented along the reference; false: singular
+      bool set_tangent(CurvePoint &point, const Vector &reference);
+      std::optional<CurvePoint> at(const CurvePoint &base, const Vector &along, double length);
+      std::optional<CurvePoint> at(const CurvePoint &base, const Vector &along, double length,
+                                   const Vector &guess);
+      std::optional<CurvePoint> between(const CurvePoint &base, const Vector &along, double low, double high,
+                                        const CurvePoint &first, const CurvePoint &last, double share);
+      std::optional<CurvePoint> ahead(const CurvePoint &base, const Vector &along, double length);
+      void orient(CurvePoint &point, const CurvePoint &base, const Vector &along);
+      bool kink_direction(const CurvePoint &base, double length, Vector &along);
+      std::optional<CurvePoint> located(const CurvePoint &base, const Vector &along, double length,
+                                        const CurvePoint &end,
+                                        const std::function<double(const CurvePoint &)> &value);
+      bool find_special(std::vector<CurvePoint> &found, const CurvePoint &base, const Vector &along,
+                        const CurvePoint &end);
+      Vector packed(const CurvePoint &point) const
+      {
+        Vector y = point.x;
+        for (double &value : y)
+          value /= s.x_scale;
+        y.push_back(point.p / s.p_scale);
+        return y;
+      }
+      CurvePoint unpacked(Vector y) const
+      {
+        CurvePoint point;
+        point.p = y.back() * s.p_scale;
+        y.pop_back();
+        for (double &value : y)
+          value *= s.x_scale;
+        point.x = std::move(y);
+        return point;
+      }
+
+      CurveEquations &equations;
+      const ContinuationSettings &s;
+      Bordered bordered;
+      DenseMatrix by_x;
+      Vector by_p, residual;
+    };
+
+    std::optional<CurvePoint> Tracer::corrected(const Vector &guess, const Vector &row, const Vector &from,
+                                                const double length)
+    {
+      Vector y = guess;
+      double last = 1e300;
+      unsigned int rises = 0;
+      for (unsigned int iteration = 0; iteration <= s.max_newton; ++iteration)
+      {
+        CurvePoint point = unpacked(y);
+        equations.evaluate(point.x, point.p, residual, &by_x, &by_p);
+        const double size = std::sqrt(dot(residual, residual)) / s.residual_scale;
+        if (!std::isfinite(size) || (size > 2 * last && ++rises > 1))
+          return {};
+        last = size;
+        double plane = length;
+        for (std::size_t i = 0; i < y.size(); ++i)
+          plane -= row[i] * (y[i] - from[i]);
+        if (size <= s.tolerance && std::abs(plane) <= 1e-12 + 1e-6 * std::abs(length))
+        {
+          point.iterations = iteration;
+          point.piece = equations.piece();
+          return point;
+        }
+        if (!bordered.factorise(by_x, by_p, row, s))
+          return {};
+        Vector step = residual;
+        for (double &value : step)
+          value /= -s.residual_scale;
+        step.push_back(plane);
+        bordered.solve(step);
+        for (std::size_t i = 0; i < y.size(); ++i)
+          y[i] += step[i];
+      }
+      return {};
+    }
+
+    bool Tracer::set_tangent(CurvePoint &point, const Vector &reference)
+    {
+      if (!bordered.factorise(by_x, by_p, reference, s))
+        return false;
+      point.tangent.assign(reference.size(), 0.);
+      point.tangent.back() = 1;
+      bordered.solve(point.tangent);
+      if (!is_finite(point.tangent))
+        return false;
+      const double length = std::sqrt(dot(point.tangent, point.tangent));
+      for (double &value : point.tangent)
+        value /= length;
+      point.orientation = bordered.sign();
+      return true;
+    }
+
+    std::optional<CurvePoint> Tracer::at(const CurvePoint &base, const Vector &along, const double length)
+    {
+      Vector guess = packed(base);
+      for (std::size_t i = 0; i < guess.size(); ++i)
+        guess[i] += length * along[i];
+      return at(base, along, length, guess);
+    }
+
+    /// between two points that lie on planes low and high before the base
+    std::optional<CurvePoint> Tracer::between(const CurvePoint &base, const Vector &along, const double low,
+                                              const double high, const CurvePoint &first,
+                                              const CurvePoint &last, const double share)
+    {
+      Vector guess = packed(first);
+      const Vector end = packed(last);
+      for (std::size_t i = 0; i < guess.size(); ++i)
+        guess[i] += share * (end[i] - guess[i]);
+      return at(base, along, low + share * (high - low), guess);
+    }
+
+    std::optional<CurvePoint> Tracer::at(const CurvePoint &base, const Vector &along, const double length,
+                                         const Vector &guess)
+    {
+      const Vector from = packed(base);
+      std::optional<CurvePoint> point = corrected(guess, along, from, length);
+      if (!point || !set_tangent(*point, along))
+        return {};
+      point->step = length;
+      // a point far off the line belongs to another part of the curve
+      const Vector y = packed(*point);
+      double distance = 0;
+      for (std::size_t i = 0; i < y.size(); ++i)
+        distance += (y[i] - from[i]) * (y[i] - from[i]);
+      if (std::sqrt(distance) > 1.5 * length)
+        return {};
+      orient(*point, base, along);
+      return point;
+    }
+
+    /// at(), but on a limit of the parameter if that comes first
+    std::optional<CurvePoint> Tracer::ahead(const CurvePoint &base, const Vector &along, const double length)
+    {
+      std::optional<CurvePoint> point = at(base, along, length);
+      if (!point || (point->p > s.p_min && point->p < s.p_max))
+        return point;
+      const double limit = point->p <= s.p_min ? s.p_min : s.p_max;
+      const Vector from = packed(base);
+      Vector guess = packed(*point), row(guess.size(), 0.);
+      row.back() = 1;
+      const double whole = point->p - base.p, part = (limit - base.p) / whole;
+      for (std::size_t i = 0; i < guess.size(); ++i)
+        guess[i] = from[i] + part * (guess[i] - from[i]);
+      point = corrected(guess, row, from, (limit - base.p) / s.p_scale);
+      if (!point || !set_tangent(*point, along))
+        return {};
+      point->p = limit;
+      const Vector y = packed(*point);
+      point->step = 0;
+      for (std::size_t i = 0; i < y.size(); ++i)
+        point->step += along[i] * (y[i] - from[i]);
+      orient(*point, base, along);
+      return point;
+    }
+
+    /// By the determinant if a kink was crossed, else straight on.
+    void Tracer::orient(CurvePoint &point, const CurvePoint &base, const Vector &along)
+    {
+      if (base.orientation == 0 || point.orientation == base.orientation)
+        return;
+      const bool straight = std::abs(dot(point.tangent, along)) > std::cos(s.max_angle);
+      if (point.piece == base.piece || straight)
+      {
+        point.kind = CurvePoint::Kind::branch_point;
+        return;
+      }
+      for (double &value : point.tangent)
+        value = -value;
+      point.orientation = base.orientation;
+    }
+
+    /// Tangent of the piece that the line ahead meets, if it is another one.
+    bool Tracer::kink_direction(const CurvePoint &base, const double length, Vector &along)
+    {
+      Vector y = packed(base);
+      for (std::size_t i = 0; i < y.size(); ++i)
+        y[i] += length * base.tangent[i];
+      CurvePoint beyond = unpacked(y);
+      equations.evaluate(beyond.x, beyond.p, residual, &by_x, &by_p);
+      beyond.piece = equations.piece();
+      if (beyond.piece == base.piece || !set_tangent(beyond, base.tangent))
+        return false;
+      along = beyond.tangent;
+      if (beyond.orientation != base.orientation)
+        for (double &value : along)
+          value = -value;
+      return true;
+    }
+
+    /// Nothing if the part between cannot be reached, as at a kink by more than a right angle: to be tried on a shorter one.
+    std::optional<CurvePoint> Tracer::located(const CurvePoint &base, const Vector &along,
+                                              const double length, const CurvePoint &end,
+                                              const std::function<double(const CurvePoint &)> &value)
+    {
+      double low = 0, high = length, at_low = value(base), at_high = value(end);
+      CurvePoint first = base, last = end;
+      double weight_low = 1, weight_high = 1;
+      for (unsigned int iteration = 0;; ++iteration)
+      {
+        const double slope = std::max(std::abs(first.tangent.back()), std::abs(last.tangent.back()));
+        const double within = s.p_scale * slope * (high - low);
+        if ((within <= s.location_tolerance && std::abs(last.p - first.p) <= s.location_tolerance) ||
+            high - low <= 1e-14)
+          break;
+        double share = 0.5;
+        if (iteration % 3 != 2)
+        {
+          const double a = weight_low * at_low, b = weight_high * at_high;
+          share = std::clamp(a / (a - b), 0.01, 0.99);
+        }
+        std::optional<CurvePoint> middle = between(base, along, low, high, first, last, share);
+        for (const double other : {0.37, 0.63, 0.21, 0.79, 0.09, 0.91})
+          if (!middle)
+            middle = between(base, along, low, high, first, last, share = other);
+        if (!middle || iteration == 100)
+          return {};
+        const double t = low + share * (high - low);
+        const double at_middle = value(*middle);
+        if ((at_middle < 0) == (at_low < 0))
+        {
+          low = t;
+          at_low = at_middle;
+          first = *middle;
+          weight_low = 1;
+          weight_high /= 2;
+        }
+        else
+        {
+          high = t;
+          at_high = at_middle;
+          last = *middle;
+          weight_high = 1;
+          weight_low /= 2;
+        }
+      }
+      CurvePoint result = std::abs(at_low) < std::abs(at_high) ? first : last;
+      result.step = std::abs(at_low) < std::abs(at_high) ? low : high;
+      return result;
+    }
+
+    bool Tracer::find_special(std::vector<CurvePoint> &found, const CurvePoint &base, const Vector &along,
+                              const CurvePoint &end)
+    {
+      const auto add = [&](const CurvePoint::Kind kind, const unsigned int event,
+                           const std::function<double(const CurvePoint &)> &value)
+      {
+        std::optional<CurvePoint> point = located(base, along, end.step, end, value);
+        if (!point)
+          return false;
+        point->kind = kind;
+        point->event = event;
+        found.push_back(*point);
+        return true;
+      };
+      if ((base.tangent.back() < 0) != (end.tangent.back() < 0) &&
+          !add(CurvePoint::Kind::fold, 0, [](const CurvePoint &point) { return point.tangent.back(); }))
+        return false;
+      const Vector before = equations.events(base.x, base.p), after = equations.events(end.x, end.p);
+      for (unsigned int k = 0; k < before.size(); ++k)
+        if ((before[k] < 0) != (after[k] < 0) &&
+            !add(CurvePoint::Kind::event, k,
+                 [&](const CurvePoint &point) { return equations.events(point.x, point.p)[k]; }))
+          return false;
+      std::sort(found.begin(), found.end(),
+                [](const CurvePoint &a, const CurvePoint &b) { return a.step < b.step; });
+      return true;
+    }
+
+    Curve Tracer::run(const CurvePoint &start)
+    {
+      Curve curve;
+      CurvePoint base = start;
+      if (base.tangent.empty())
+      {
+        Vector y = packed(start), row(y.size(), 0.);
+        row.back() = s.direction;
+        std::optional<CurvePoint> first = corrected(y, row, y, 0);
+        if (!first || !set_tangent(*first, row))
+          return curve;
+        base = *first;
+        base.p = start.p;
+      }
+      curve.points.push_back(base);
+      const Vector origin = packed(base);
+      const auto outside = [&](const CurvePoint &point)
+      {
+        return (point.p >= s.p_max && point.tangent.back() > 0) ||
+               (point.p <= s.p_min && point.tangent.back() < 0);
+      };
+      double step = s.first_step;
+      while (true)
+      {
+        if (outside(base))
+        {
+          curve.end = Curve::End::parameter_limit;
+          return curve;
+        }
+        if (curve.points.size() >= s.max_points)
+        {
+          curve.end = Curve::End::most_points;
+          return curve;
+        }
+        Vector along = base.tangent;
+        std::optional<CurvePoint> next = ahead(base, along, step);
+        const bool may_turn = step <= s.kink_step;
+        const auto refused = [&]
+        {
+          return !next || (!may_turn && (dot(next->tangent, base.tangent) < std::cos(s.max_angle) ||
+                                         next->kind == CurvePoint::Kind::branch_point));
+        };
+        if (!next && may_turn && kink_direction(base, step, along))
+          next = ahead(base, along, step);
+        std::vector<CurvePoint> found;
+        if (refused() || !find_special(found, base, along, *next))
+        {
+          ++curve.refused;
+          step /= next ? 2 : 3;
+          if (step < s.min_step)
+          {
+            curve.end = Curve::End::step_too_small;
+            return curve;
+          }
+          continue;
+        }
+        curve.points.insert(curve.points.end(), found.begin(), found.end());
+        // past the start again?
+        const Vector y = packed(base);
+        double to_origin = 0, off = 0;
+        for (std::size_t i = 0; i < y.size(); ++i)
+          to_origin += along[i] * (origin[i] - y[i]);
+        for (std::size_t i = 0; i < y.size(); ++i)
+          off += std::pow(origin[i] - y[i] - to_origin * along[i], 2);
+        if (curve.points.size() > 4 && to_origin > 0 && to_origin <= next->step &&
+            std::sqrt(off) < 0.1 * next->step)
+        {
+          curve.points.push_back(curve.points.front());
+          curve.end = Curve::End::closed;
+          return curve;
+        }
+        curve.points.push_back(*next);
+        const double turned = std::acos(std::clamp(dot(next->tangent, base.tangent), -1., 1.));
+        double factor = std::pow(2., (4. - next->iterations) / 2.);
+        factor = std::min(factor, 0.7 * s.max_angle / std::max(turned, 1e-3));
+        step = std::min(step * std::clamp(factor, 0.5, 2.), s.max_step);
+        base = *next;
+        base.kind = CurvePoint::Kind::regular;
+      }
+    }
+  } // namespace
+
+  std::string Curve::reason() const
+  {
+    switch (end)
+    {
+    case End::parameter_limit:
+      return "limit of the parameter";
+    case End::closed:
+      return "the curve is closed";
+    case End::most_points:
+      return "largest number of points";
+    case End::step_too_small:
+      return "smallest step: Newton's method did not converge from here";
+    default:
+      return "Newton's method did not converge at the start";
+    }
+  }
+
+  Curve continue_curve(CurveEquations &equations, const CurvePoint &start,
+                       const ContinuationSettings &settings)
+  {
+    return Tracer(equations, settings).run(start);
+  }
+} // namespace vibrocontact

@@ -1,0 +1,166 @@
+// Curves R(x, p) = 0 by pseudo-arc-length. Truth: closed forms of the curve, its folds, kinks and branch points.
+
+#include <vibrocontact/numerics/continuation.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+using namespace vibrocontact;
+
+namespace
+{
+  /// One equation by functions of (x, p).
+  struct Plane : CurveEquations
+  {
+    std::function<double(double, double)> value, by_unknown, by_parameter, event;
+    std::function<std::size_t(double, double)> which = [](double, double) { return 0; };
+    std::size_t met = 0;
+
+    void evaluate(const std::vector<double> &x, double p, std::vector<double> &residual, DenseMatrix *by_x,
+                  std::vector<double> *by_p) override
+    {
+      residual = {value(x[0], p)};
+      if (by_x)
+      {
+        by_x->reinit(1, 1);
+        (*by_x)(0, 0) = by_unknown(x[0], p);
+      }
+      if (by_p)
+        *by_p = {by_parameter(x[0], p)};
+      met = which(x[0], p);
+    }
+    std::size_t piece() const override { return met; }
+    std::vector<double> events(const std::vector<double> &x, double p) override
+    {
+      return event ? std::vector<double>{event(x[0], p)} : std::vector<double>{};
+    }
+  };
+
+  CurvePoint start_at(const double x, const double p)
+  {
+    CurvePoint point;
+    point.x = {x};
+    point.p = p;
+    return point;
+  }
+
+  std::vector<CurvePoint> special(const Curve &curve, const CurvePoint::Kind kind)
+  {
+    std::vector<CurvePoint> result;
+    for (const CurvePoint &point : curve.points)
+      if (point.kind == kind)
+        result.push_back(point);
+    return result;
+  }
+} // namespace
+
+TEST(Continuation, CircleIsClosedWithTwoFolds)
+{
+  Plane circle;
+  circle.value = [](double x, double p) { return x * x + p * p - 1; };
+  circle.by_unknown = [](double x, double) { return 2 * x; };
+  circle.by_parameter = [](double, double p) { return 2 * p; };
+  circle.event = [](double x, double) { return x - 0.5; };
+  for (const int direction : {-1, 1})
+  {
+    ContinuationSettings settings;
+    settings.location_tolerance = 1e-10;
+    settings.direction = direction;
+    const Curve curve = continue_curve(circle, start_at(0.9, 0.3), settings);
+    EXPECT_EQ(curve.end, Curve::End::closed);
+    const auto folds = special(curve, CurvePoint::Kind::fold),
+               events = special(curve, CurvePoint::Kind::event);
+    ASSERT_EQ(folds.size(), 2u);
+    EXPECT_NEAR(folds[0].p, direction, 1e-10);
+    EXPECT_NEAR(folds[1].p, -direction, 1e-10);
+    ASSERT_EQ(events.size(), 2u);
+    EXPECT_NEAR(std::abs(events[0].p), std::sqrt(0.75), 1e-9);
+    for (const CurvePoint &point : curve.points)
+      EXPECT_NEAR(std::hypot(point.x[0], point.p), 1, 1e-9);
+  }
+}
+
+TEST(Continuation, CubicFoldsInScaledUnknownsAndFromAnyPoint)
+{
+  // p = 1e3 (z^3 - z), x = 1e6 z: folds at z = -+1/sqrt(3)
+  Plane cubic;
+  cubic.value = [](double x, double p) { return p - 1e3 * (std::pow(x / 1e6, 3) - x / 1e6); };
+  cubic.by_unknown = [](double x, double) { return -1e3 * (3 * std::pow(x / 1e6, 2) - 1) / 1e6; };
+  cubic.by_parameter = [](double, double) { return 1.; };
+  ContinuationSettings settings;
+  settings.x_scale = 1e6;
+  settings.p_scale = settings.residual_scale = 1e3;
+  settings.p_min = -6e3;
+  settings.p_max = 6e3;
+  settings.location_tolerance = 1e-6;
+  const Curve curve = continue_curve(cubic, start_at(-2e6, -6e3), settings);
+  EXPECT_EQ(curve.end, Curve::End::parameter_limit);
+  EXPECT_NEAR(curve.points.back().x[0], 2e6, 1e-2);
+  const auto folds = special(curve, CurvePoint::Kind::fold);
+  ASSERT_EQ(folds.size(), 2u);
+  EXPECT_NEAR(folds[0].p, 2e3 / std::pow(3, 1.5), 2e-6);
+  EXPECT_NEAR(folds[1].p, -2e3 / std::pow(3, 1.5), 2e-6);
+  // from the middle of the curve on
+  const Curve rest = continue_curve(cubic, curve.points[curve.points.size() / 2], settings);
+  EXPECT_EQ(rest.end, Curve::End::parameter_limit);
+  EXPECT_NEAR(rest.points.back().x[0], 2e6, 1e-2);
+}
+
+TEST(Continuation, TurnsSharplyAtKinks)
+{
+  // p = 10 x up to x = 1, then 20 - 10 x, from x = 2 on 10 (x - 2): the tangent turns by 169 degrees twice
+  Plane zigzag;
+  zigzag.which = [](double x, double) -> std::size_t { return x < 1 ? 0 : x < 2 ? 1 : 2; };
+  const auto g = [](double x) { return x < 1 ? 10 * x : x < 2 ? 20 - 10 * x : 10 * (x - 2); };
+  zigzag.value = [g](double x, double p) { return p - g(x); };
+  zigzag.by_unknown = [](double x, double) { return x >= 1 && x < 2 ? 10. : -10.; };
+  zigzag.by_parameter = [](double, double) { return 1.; };
+  ContinuationSettings settings;
+  settings.p_max = 25;
+  settings.location_tolerance = 1e-3;
+  const Curve curve = continue_curve(zigzag, start_at(-1, -10), settings);
+  EXPECT_EQ(curve.end, Curve::End::parameter_limit);
+  EXPECT_NEAR(curve.points.back().x[0], 4.5, 1e-9);
+  const auto folds = special(curve, CurvePoint::Kind::fold);
+  ASSERT_EQ(folds.size(), 2u);
+  EXPECT_NEAR(folds[0].p, 10, 2e-3);
+  EXPECT_NEAR(folds[1].p, 0, 2e-3);
+}
+
+TEST(Continuation, PassesBranchPointsStraightOn)
+{
+  // x (x - p) = 0 from the left on x = 0
+  Plane cross;
+  cross.value = [](double x, double p) { return x * (x - p); };
+  cross.by_unknown = [](double x, double p) { return 2 * x - p; };
+  cross.by_parameter = [](double x, double) { return -x; };
+  ContinuationSettings settings;
+  settings.p_max = 1;
+  const Curve curve = continue_curve(cross, start_at(0, -1.003), settings);
+  EXPECT_EQ(curve.end, Curve::End::parameter_limit);
+  EXPECT_NEAR(curve.points.back().x[0], 0, 1e-12);
+  EXPECT_EQ(special(curve, CurvePoint::Kind::fold).size(), 0u);
+}
+
+TEST(Continuation, SaysWhyItStops)
+{
+  Plane none;
+  none.value = [](double x, double p) { return x * x + p * p + 1; };
+  none.by_unknown = [](double x, double) { return 2 * x; };
+  none.by_parameter = [](double, double p) { return 2 * p; };
+  EXPECT_EQ(continue_curve(none, start_at(1, 1), {}).end, Curve::End::no_start);
+
+  // the curve ends at x = 1: nothing beyond
+  Plane ends;
+  ends.value = [](double x, double p) { return x < 1 ? x - p : std::nan(""); };
+  ends.by_unknown = [](double, double) { return 1.; };
+  ends.by_parameter = [](double, double) { return -1.; };
+  const Curve curve = continue_curve(ends, start_at(0, 0), {});
+  EXPECT_EQ(curve.end, Curve::End::step_too_small);
+  EXPECT_NEAR(curve.points.back().x[0], 1, 1e-6);
+  ContinuationSettings few;
+  few.max_points = 3;
+  EXPECT_EQ(continue_curve(ends, start_at(0, 0), few).end, Curve::End::most_points);
+}
