@@ -12,13 +12,19 @@ def plot_modal_convolution(folder):
     third-octave bands of the whole force."""
     with h5py.File(os.path.join(folder, "histories.h5")) as file:
         time = np.asarray(file["time_s"])
-        n_points = sum(1 for name in file if name.endswith("_force_N"))
+        n_points = sum(1 for name in file if name.endswith("_force_N") and not name.endswith("_tangential_force_N"))
         shown = sorted({0, n_points // 2, n_points - 1})
         u = {i: np.asarray(file[f"point_{i}_displacement_m"]) for i in shown}
         q = {i: np.asarray(file[f"point_{i}_force_N"]) for i in shown}
+        pictures = [(u, "displacement", "displacement [mm]", 1e3), (q, "force", "force [N]", 1)]
+        for quantity, unit, label, factor in (("displacement", "m", "tangential displacement [mm]", 1e3),
+                                              ("force", "N", "tangential force [N]", 1)):
+            if f"point_0_tangential_{quantity}_{unit}" in file:  # with friction
+                own = {i: np.asarray(file[f"point_{i}_tangential_{quantity}_{unit}"]) for i in shown}
+                pictures.append((own, "tangential_" + quantity, label, factor))
     if len(time) < 2:
         return
-    for values, name, label, factor in ((u, "displacement", "displacement [mm]", 1e3), (q, "force", "force [N]", 1)):
+    for values, name, label, factor in pictures:
         figure, axis = plt.subplots(figsize=(8, 3.5))
         for i in shown:
             plot_line(axis, time, values[i] * factor, lw=0.8, label=f"point {i}")

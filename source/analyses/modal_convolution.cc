@@ -1,4 +1,5 @@
 #include <vibrocontact/analyses/modal_convolution.h>
+#include <vibrocontact/analyses/road_friction.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/processor_clock.h>
 #include <vibrocontact/contact/unilateral_contact.h>
@@ -49,9 +50,16 @@ namespace vibrocontact
     prm.add_parameter("Initial state", initial_state,
                       "at rest (undeformed) or equilibrium (under the loads, without contact). Units: none.",
                       Selection("at rest|equilibrium"));
-    prm.add_parameter("Contact solver", contact_solver,
-                      "active set, or common: the solver of section Contact/Solver. Units: none.",
-                      Selection("active set|common"));
+    prm.add_parameter(
+        "Contact solver", contact_solver,
+        "active set, or common: the solver of section Contact/Solver, which also solves all contact "
+        "with friction. Units: none.",
+        Selection("active set|common"));
+    prm.add_parameter(
+        "Friction", friction,
+        "Whether the contact points have Coulomb's friction along the road, with Contact/Friction "
+        "coefficient and Road/Sliding speed; for bodies that do not roll. Units: none.",
+        Bool());
     prm.add_parameter("History interval", history_interval,
                       "Distance of the lines of the histories, 0: every step. Units: s.", Double(0, 1e9));
     prm.add_parameter("Checkpoint interval", checkpoint_interval,
@@ -68,24 +76,10 @@ namespace vibrocontact
       throw InputError(
           "Modal convolution/Memory is given, but the modal recursion forgets nothing: leave it out or "
           "take a convolution.");
-  }
-
-  ContactProblem frictionless_problem(const DenseMatrix &matrix)
-  {
-    const unsigned int n = matrix.m();
-    DenseMatrix whole(3 * n, 3 * n);
-    for (unsigned int i = 0; i < n; ++i)
-    {
-      for (unsigned int j = 0; j < n; ++j)
-        whole(i, j) = matrix(i, j);
-      // nothing pulls sideways
-      whole(n + i, n + i) = whole(2 * n + i, 2 * n + i) = matrix(0, 0);
-    }
-    ContactProblem problem;
-    problem.A = std::make_shared<DenseContactOperator>(whole);
-    problem.b.reinit(3 * n);
-    problem.mu.assign(n, 0.);
-    return problem;
+    if (friction && is_event_located())
+      throw InputError(
+          "Modal convolution/Friction is true, but Method is event located, which finds touches and "
+          "releases only: take modal recursion or a convolution.");
   }
 
   /// The steps of any number of points: response and contact.
@@ -93,32 +87,92 @@ namespace vibrocontact
   {
   public:
     Stepper(const ModalConvolutionParameters &parameters, const ContactSolverParameters &solver_parameters,
-            const PoleModel &model, const unsigned long n_steps)
+            const PoleModel &model, const unsigned int n_points, const unsigned long n_steps, const double mu,
+            const double sliding_speed)
         : response(make_response(parameters, model, n_steps)),
-          contact(response->compliance(), at_step(parameters.time_step)),
-          problem(frictionless_problem(response->compliance()))
+          contact(normal_block(response->compliance(), n_points), at_step(parameters.time_step)), n(n_points),
+          step(parameters.time_step), sliding_speed(sliding_speed), solver_parameters(solver_parameters),
+          problem(road_contact_problem(response->compliance(), n_points, mu, parameters.time_step)),
+          is_linear(force_shape(parameters.force_shape) == ForceShape::linear),
+          is_common(parameters.contact_solver == "common" || model.n_rows() > n_points)
     {
-      if (parameters.contact_solver == "common")
-        common = create_contact_solver(solver_parameters);
     }
 
-    /// @param heights, displacements, forces n_points per step
+    /// Without friction. @param heights, displacements, forces n_points per step
     void run(const unsigned int n_steps, const double *heights, double *displacements, double *forces)
     {
-      if (common)
-        run_common(n_steps, heights, displacements, forces);
-      else if (response->n_rows() == 1)
+      if (is_common)
+        run_common(n_steps, heights, displacements, forces, nullptr, nullptr);
+      else if (n == 1)
         run_one(n_steps, heights, displacements, forces);
       else
         run_many(n_steps, heights, displacements, forces);
     }
 
+    /// By the common solvers. @param tangential_displacements, tangential_forces as the others, the line that the first
+    /// step begins with in front of them; null without friction
+    void run_common(const unsigned int n_steps, const double *heights, double *displacements, double *forces,
+                    double *tangential_displacements, double *tangential_forces)
+    {
+      // nothing is left of the steps before: a resumed run, which begins with a block, has the same solver
+      const std::unique_ptr<ContactSolver> solver = create_contact_solver(solver_parameters);
+      ContactSolution solution;
+      std::vector<double> q(response->n_rows());
+      const double *const free = response->free_displacement();
+      const bool has_friction = tangential_forces != nullptr;
+      for (unsigned int k = 0; k < n_steps; ++k, heights += n, displacements += n, forces += n)
+      {
+        const double *const before = tangential_displacements - (has_friction ? n : 0);
+        for (unsigned int i = 0; i < n; ++i)
+          problem.b[i] = free[i] - heights[i];
+        for (unsigned int i = 0; has_friction && i < n; ++i)
+          problem.b[n + i] = (free[n + i] - before[i]) / step + sliding_speed;
+        solution = solver->solve(problem, solution);
+        if (!solution.converged)
+          throw ConvergenceError("The contact of a step did not converge, relative residual " +
+                                 std::to_string(solution.residual) + ".");
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          forces[i] = q[i] = solution.R[i];
+          displacements[i] = solution.y[i] + heights[i];
+          closed_points += forces[i] > 0;
+        }
+        for (unsigned int i = 0; has_friction && i < n; ++i)
+        {
+          const double slip = solution.y[n + i];
+          tangential_forces[i] = q[n + i] = solution.R[n + i];
+          tangential_displacements[i] = before[i] + step * (slip - sliding_speed);
+          // of linear forces the mean
+          const double force = is_linear ? 0.5 * (q[n + i] + (tangential_forces - n)[i]) : q[n + i];
+          dissipation -= step * force * slip;
+          sticking_points += solution.status[i] == ContactStatus::stick;
+        }
+        if (has_friction)
+        {
+          tangential_displacements += n;
+          tangential_forces += n;
+        }
+        response->advance(q.data());
+        iterations += solution.iterations;
+        residual = std::max(residual, solution.residual);
+      }
+    }
+
     std::unique_ptr<Response> response;
     UnilateralContact contact;
-    unsigned long closed_points = 0, iterations = 0;
-    double residual = 0;
+    unsigned long closed_points = 0, sticking_points = 0, iterations = 0;
+    double residual = 0, dissipation = 0;
 
   private:
+    static DenseMatrix normal_block(const DenseMatrix &matrix, const unsigned int n_points)
+    {
+      DenseMatrix block(n_points, n_points);
+      for (unsigned int i = 0; i < n_points; ++i)
+        for (unsigned int j = 0; j < n_points; ++j)
+          block(i, j) = matrix(i, j);
+      return block;
+    }
+
     static std::string at_step(const double time_step)
     {
       std::ostringstream text;
@@ -156,7 +210,6 @@ namespace vibrocontact
 
     void run_many(const unsigned int n_steps, const double *heights, double *displacements, double *forces)
     {
-      const unsigned int n = response->n_rows();
       const double *const free = response->free_displacement();
       for (unsigned int k = 0; k < n_steps; ++k, heights += n, displacements += n, forces += n)
       {
@@ -172,53 +225,41 @@ namespace vibrocontact
       iterations = contact.corrections();
     }
 
-    void run_common(const unsigned int n_steps, const double *heights, double *displacements, double *forces)
-    {
-      const unsigned int n = response->n_rows();
-      const double *const free = response->free_displacement();
-      for (unsigned int k = 0; k < n_steps; ++k, heights += n, displacements += n, forces += n)
-      {
-        for (unsigned int i = 0; i < n; ++i)
-          problem.b[i] = free[i] - heights[i];
-        solution = common->solve(problem, solution);
-        if (!solution.converged)
-          throw ConvergenceError("The contact of a step did not converge, relative residual " +
-                                 std::to_string(solution.residual) + ".");
-        for (unsigned int i = 0; i < n; ++i)
-        {
-          forces[i] = solution.R[i];
-          displacements[i] = solution.y[i] + heights[i];
-          closed_points += forces[i] > 0;
-        }
-        response->advance(forces);
-        iterations += solution.iterations;
-        residual = std::max(residual, solution.residual);
-      }
-    }
-
+    const unsigned int n;
+    const double step, sliding_speed;
+    const ContactSolverParameters &solver_parameters;
     ContactProblem problem;
-    std::unique_ptr<ContactSolver> common;
-    ContactSolution solution;
+    const bool is_linear, is_common;
   };
 
   ModalConvolution::ModalConvolution(const ModalConvolutionParameters &parameters,
                                      const ContactSolverParameters &solver, const PoleModel &model,
-                                     const Road &road)
-      : parameters(parameters), road(road), n_points(model.n_rows()), time_step(parameters.time_step),
-        last_step(std::lround(parameters.end_time / parameters.time_step)), was_closed(n_points, 0)
+                                     const Road &road, const double mu)
+      : parameters(parameters), road(road), n_points(road.n_points()), time_step(parameters.time_step),
+        last_step(std::lround(parameters.end_time / parameters.time_step)), was_closed(n_points, 0),
+        has_friction(model.n_rows() > n_points)
   {
     results.impulse.assign(n_points, 0.);
     last_force.assign(n_points, 0.);
     const auto state =
         parameters.initial_state == "at rest" ? state_at_rest(model) : state_in_equilibrium(model);
-    last_displacement.assign(n_points, 0.);
-    for (unsigned int i = 0; i < n_points; ++i)
+    std::vector<double> displacement(model.n_rows(), 0.);
+    for (unsigned int i = 0; i < model.n_rows(); ++i)
       for (unsigned int k = 0; k < model.n_poles(); ++k)
-        last_displacement[i] += 2 * (model.right(i, k) * state[k]).real();
+        displacement[i] += 2 * (model.right(i, k) * state[k]).real();
+    last_displacement.assign(displacement.begin(), displacement.begin() + n_points);
+    if (has_friction)
+    {
+      check_road_friction(model, n_points, time_step, force_shape(parameters.force_shape));
+      results.tangential_impulse.assign(n_points, 0.);
+      last_tangential_displacement.assign(displacement.begin() + n_points, displacement.end());
+      last_tangential_force.assign(n_points, 0.);
+    }
     if (parameters.is_event_located())
       events = std::make_unique<EventLocated>(model, state, road, 1e300);
     else
-      stepper = std::make_unique<Stepper>(parameters, solver, model, last_step);
+      stepper =
+          std::make_unique<Stepper>(parameters, solver, model, n_points, last_step, mu, road.sliding_speed());
   }
 
   ModalConvolution::~ModalConvolution() = default;
@@ -244,39 +285,84 @@ namespace vibrocontact
         });
     std::copy(last_displacement.begin(), last_displacement.end(), displacements.begin());
     std::copy(last_force.begin(), last_force.end(), forces.begin());
+    if (has_friction)
+    {
+      tangential_displacements.resize((n_steps + 1) * n_points);
+      tangential_forces.resize((n_steps + 1) * n_points);
+      std::copy(last_tangential_displacement.begin(), last_tangential_displacement.end(),
+                tangential_displacements.begin());
+      std::copy(last_tangential_force.begin(), last_tangential_force.end(), tangential_forces.begin());
+    }
     results.seconds += seconds_of(
         [&]
         {
-          stepper->run(n_steps, heights.data() + n_points, displacements.data() + n_points,
-                       forces.data() + n_points);
+          if (has_friction)
+            stepper->run_common(n_steps, heights.data() + n_points, displacements.data() + n_points,
+                                forces.data() + n_points, tangential_displacements.data() + n_points,
+                                tangential_forces.data() + n_points);
+          else
+            stepper->run(n_steps, heights.data() + n_points, displacements.data() + n_points,
+                         forces.data() + n_points);
         });
-    const double *const own = forces.data() + n_points;
+    add_up(n_steps);
+    find_events(n_steps, forces.data() + n_points);
+
+    const auto show = [&](const unsigned long line, const unsigned int n_lines, const unsigned int first,
+                          const unsigned int first_force)
+    {
+      ModalConvolutionLines lines = {line,
+                                     n_lines,
+                                     n_points,
+                                     time_step,
+                                     displacements.data() + first * n_points,
+                                     forces.data() + first_force * n_points};
+      if (has_friction)
+      {
+        lines.tangential_displacement = tangential_displacements.data() + first * n_points;
+        lines.tangential_force = tangential_forces.data() + first_force * n_points;
+      }
+      observe(lines);
+    };
+    if (force_shape(parameters.force_shape) == ForceShape::impulse)
+      // lines 0 ... of this block, the last displacement waits for its force
+      show(results.steps, n_steps, 0, 1);
+    else
+    {
+      if (results.steps == 0)
+        show(0, 1, 0, 0);
+      show(results.steps + 1, n_steps, 1, 1);
+    }
+    std::copy_n(displacements.begin() + n_steps * n_points, n_points, last_displacement.begin());
+    std::copy_n(forces.begin() + n_steps * n_points, n_points, last_force.begin());
+    if (has_friction)
+    {
+      std::copy_n(tangential_displacements.begin() + n_steps * n_points, n_points,
+                  last_tangential_displacement.begin());
+      std::copy_n(tangential_forces.begin() + n_steps * n_points, n_points, last_tangential_force.begin());
+    }
+    results.steps += n_steps;
+    results.time = results.steps * time_step;
+  }
+
+  void ModalConvolution::add_up(const unsigned int n_steps)
+  {
     const bool linear = force_shape(parameters.force_shape) == ForceShape::linear;
     for (unsigned int k = 0; k < n_steps; ++k)
       for (unsigned int i = 0; i < n_points; ++i)
       {
-        const double force = own[k * n_points + i], before = forces[k * n_points + i];
-        results.impulse[i] += time_step * (linear ? 0.5 * (force + before) : force);
-        results.largest_force = std::max(results.largest_force, force);
+        const unsigned int before = k * n_points + i, now = before + n_points;
+        const auto impulse = [&](const std::vector<double> &force)
+        { return time_step * (linear ? 0.5 * (force[now] + force[before]) : force[now]); };
+        results.impulse[i] += impulse(forces);
+        results.largest_force = std::max(results.largest_force, forces[now]);
+        if (has_friction)
+          results.tangential_impulse[i] += impulse(tangential_forces);
       }
-    find_events(n_steps, own);
     results.closed_points = stepper->closed_points;
     results.corrections = stepper->iterations;
     results.residual = stepper->residual;
-
-    if (force_shape(parameters.force_shape) == ForceShape::impulse)
-      // lines 0 ... of this block, the last displacement waits for its force
-      observe({results.steps, n_steps, n_points, time_step, displacements.data(), own});
-    else
-    {
-      if (results.steps == 0)
-        observe({0, 1, n_points, time_step, displacements.data(), forces.data()});
-      observe({results.steps + 1, n_steps, n_points, time_step, displacements.data() + n_points, own});
-    }
-    std::copy_n(displacements.begin() + n_steps * n_points, n_points, last_displacement.begin());
-    std::copy_n(forces.begin() + n_steps * n_points, n_points, last_force.begin());
-    results.steps += n_steps;
-    results.time = results.steps * time_step;
+    results.dissipation = stepper->dissipation;
+    results.sticking_points = stepper->sticking_points;
   }
 
   void ModalConvolution::find_events(const unsigned int n_steps, const double *force)
@@ -367,7 +453,17 @@ namespace vibrocontact
       file("stepper/iterations", stepper->iterations);
       file("stepper/residual", stepper->residual);
     }
-    else
+    if (has_friction)
+    {
+      file("result/tangential_impulse", r.tangential_impulse);
+      file("last/tangential_displacement", last_tangential_displacement);
+      file("last/tangential_force", last_tangential_force);
+      file("stepper/dissipation", stepper->dissipation);
+      file("stepper/sticking_points", stepper->sticking_points);
+      r.dissipation = stepper->dissipation;
+      r.sticking_points = stepper->sticking_points;
+    }
+    if (events)
       events->exchange(file);
   }
 } // namespace vibrocontact

@@ -12,14 +12,24 @@ namespace vibrocontact
   {
     constexpr std::size_t most_events_in_json = 10000;
 
-    std::vector<std::string> columns(const unsigned int n_points)
+    std::vector<std::string> quantities(const bool friction)
+    {
+      if (friction)
+        return {"displacement_m", "force_N", "tangential_displacement_m", "tangential_force_N"};
+      return {"displacement_m", "force_N"};
+    }
+
+    std::string point_name(const unsigned int i)
+    {
+      return "point_" + std::to_string(i) + "_";
+    }
+
+    std::vector<std::string> columns(const unsigned int n_points, const bool friction)
     {
       std::vector<std::string> names = {"time_s"};
       for (unsigned int i = 0; i < n_points; ++i)
-      {
-        names.push_back("point_" + std::to_string(i) + "_displacement_m");
-        names.push_back("point_" + std::to_string(i) + "_force_N");
-      }
+        for (const std::string &quantity : quantities(friction))
+          names.push_back(point_name(i) + quantity);
       return names;
     }
   } // namespace
@@ -27,7 +37,8 @@ namespace vibrocontact
   ModalConvolutionHistory::ModalConvolutionHistory(const ModalConvolutionParameters &parameters,
                                                    const unsigned int n_points, const std::string &folder)
       : every(std::max(1l, std::lround(parameters.history_interval / parameters.time_step))),
-        rows(folder + "/histories", columns(n_points)), row(1 + 2 * n_points)
+        friction(parameters.friction), rows(folder + "/histories", columns(n_points, friction)),
+        row(1 + (friction ? 4 : 2) * n_points)
   {
   }
 
@@ -40,8 +51,15 @@ namespace vibrocontact
       row[0] = (lines.first_line + k) * lines.time_step;
       for (unsigned int i = 0; i < lines.n_points; ++i)
       {
-        row[1 + 2 * i] = lines.displacement[k * lines.n_points + i];
-        row[2 + 2 * i] = lines.force[k * lines.n_points + i];
+        const unsigned int place = k * lines.n_points + i;
+        double *const own = &row[1 + (friction ? 4 : 2) * i];
+        own[0] = lines.displacement[place];
+        own[1] = lines.force[place];
+        if (friction)
+        {
+          own[2] = lines.tangential_displacement[place];
+          own[3] = lines.tangential_force[place];
+        }
       }
       rows.add(row);
     }
@@ -54,21 +72,31 @@ namespace vibrocontact
     file.reading() ? rows.resume(n) : rows.flush();
   }
 
-  void write_point_tables(const std::string &folder, const unsigned int n_points)
+  void write_point_tables(const std::string &folder, const unsigned int n_points, const bool friction)
   {
     Hdf5Reader file(folder + "/histories.h5");
     const std::vector<double> time = file.numbers("time_s");
+    std::vector<std::string>
+        names = quantities(friction),
+        notes = {"displacement of body 1 > 0 away from the road, tread compression included; force > 0 is "
+                 "compression"};
+    if (friction)
+      notes.push_back("tangential: along the road, > 0 forward; force on body 1");
     for (unsigned int i = 0; i < n_points; ++i)
     {
-      const std::string name = "point_" + std::to_string(i);
-      const std::vector<double> displacement = file.numbers(name + "_displacement_m"),
-                                force = file.numbers(name + "_force_N");
-      Table table({"time_s", "displacement_m", "force_N"},
-                  {"Contact point " + std::to_string(i) + " of a modal convolution",
-                   "displacement of body 1 > 0 away from the road, tread compression included; force > 0 is "
-                   "compression"});
+      std::vector<std::string> head = {"time_s"},
+                               lines = {"Contact point " + std::to_string(i) + " of a modal convolution"};
+      std::vector<std::vector<double>> values;
+      for (const std::string &name : names)
+      {
+        head.push_back(name);
+        values.push_back(file.numbers(point_name(i) + name));
+      }
+      lines.insert(lines.end(), notes.begin(), notes.end());
+      Table table(head, lines);
       for (std::size_t k = 0; k < time.size(); ++k)
-        table.add_row({time[k], displacement[k], force[k]});
+        friction ? table.add_row({time[k], values[0][k], values[1][k], values[2][k], values[3][k]})
+                 : table.add_row({time[k], values[0][k], values[1][k]});
       table.write(folder + "/contact_point_" + std::to_string(i) + ".csv");
     }
   }
@@ -128,24 +156,31 @@ namespace vibrocontact
                          {"impulse_Ns", result.impacts[k].impulse}});
     for (std::size_t k = 0; k < std::min(most_events_in_json, result.releases.size()); ++k)
       releases.push_back({{"time_s", result.releases[k].time}, {"point", result.releases[k].point}});
-    return {{"steps", result.steps},
-            {"time_s", result.time},
-            {"seconds_per_step", result.seconds / steps},
-            {"seconds_per_step_road", result.road_seconds / steps},
-            {"seconds_per_simulated_second",
-             (result.seconds + result.road_seconds) / std::max(1e-300, result.time)},
-            {"method", parameters.method},
-            {"force_shape", parameters.is_event_located() ? "exact" : parameters.force_shape},
-            {"time_step_s", parameters.time_step},
-            {"impacts", impacts},
-            {"releases", releases},
-            {"n_impacts", result.impacts.size()},
-            {"n_releases", result.releases.size()},
-            {"impulse_Ns", result.impulse},
-            {"largest_force_N", result.largest_force},
-            {"closed_points_mean", result.closed_points / steps},
-            {"corrections_per_step", result.corrections / steps},
-            {"contact_residual", result.residual},
-            {"histories", "histories.h5"}};
+    Json json = {{"steps", result.steps},
+                 {"time_s", result.time},
+                 {"seconds_per_step", result.seconds / steps},
+                 {"seconds_per_step_road", result.road_seconds / steps},
+                 {"seconds_per_simulated_second",
+                  (result.seconds + result.road_seconds) / std::max(1e-300, result.time)},
+                 {"method", parameters.method},
+                 {"force_shape", parameters.is_event_located() ? "exact" : parameters.force_shape},
+                 {"time_step_s", parameters.time_step},
+                 {"impacts", impacts},
+                 {"releases", releases},
+                 {"n_impacts", result.impacts.size()},
+                 {"n_releases", result.releases.size()},
+                 {"impulse_Ns", result.impulse},
+                 {"largest_force_N", result.largest_force},
+                 {"closed_points_mean", result.closed_points / steps},
+                 {"corrections_per_step", result.corrections / steps},
+                 {"contact_residual", result.residual},
+                 {"histories", "histories.h5"}};
+    if (parameters.friction)
+    {
+      json["tangential_impulse_Ns"] = result.tangential_impulse;
+      json["friction_J"] = result.dissipation;
+      json["sticking_points_mean"] = result.sticking_points / steps;
+    }
+    return json;
   }
 } // namespace vibrocontact

@@ -132,6 +132,13 @@ namespace vibrocontact
       return is_real || pole.lambda.imag() > 0;
     }
 
+    // [m/N]
+    double tread_compliance(const RingParameters &ring, const bool tangential)
+    {
+      const double stiffness = tangential ? ring.tread_tangential_stiffness : ring.tread_stiffness;
+      return stiffness > 0 ? 1 / stiffness : 0.;
+    }
+
     void check_held(const RingParameters &ring, const unsigned int n)
     {
       const RingParameters::Order L = ring.order(n);
@@ -192,8 +199,7 @@ namespace vibrocontact
     else
       model.residual.reinit(rows.size(), rows.size());
     for (unsigned int i = 0; i < rows.size(); ++i)
-      if (!rows[i].tangential && ring.tread_stiffness > 0)
-        model.residual(i, i) += 1 / ring.tread_stiffness;
+      model.residual(i, i) += tread_compliance(ring, rows[i].tangential);
     return model;
   }
 
@@ -243,12 +249,25 @@ namespace vibrocontact
     return result;
   }
 
-  PoleModel oscillator_poles(const OscillatorParameters &oscillator)
+  PoleModel oscillator_poles(const OscillatorParameters &oscillator, const bool with_friction)
   {
-    DenseMatrix trace(1, 1);
-    trace(0, 0) = 1 / std::sqrt(oscillator.mass);
-    return pole_model({std::sqrt(oscillator.stiffness / oscillator.mass)}, {oscillator.damping_ratio}, trace,
-                      {-std::sqrt(oscillator.mass) * oscillator.gravity}, DenseMatrix(1, 1), {"oscillator"});
+    std::vector<double> omega = {std::sqrt(oscillator.stiffness / oscillator.mass)},
+                        damping_ratio = {oscillator.damping_ratio},
+                        load = {-std::sqrt(oscillator.mass) * oscillator.gravity}, mass = {oscillator.mass};
+    std::vector<std::string> labels = {"oscillator"};
+    if (with_friction)
+    {
+      omega.push_back(std::sqrt(oscillator.tangential_stiffness / oscillator.tangential_mass));
+      damping_ratio.push_back(oscillator.tangential_damping_ratio);
+      load.push_back(0);
+      mass.push_back(oscillator.tangential_mass);
+      labels.push_back("oscillator, tangential");
+    }
+    const unsigned int n = omega.size();
+    DenseMatrix trace(n, n);
+    for (unsigned int k = 0; k < n; ++k)
+      trace(k, k) = 1 / std::sqrt(mass[k]);
+    return pole_model(omega, damping_ratio, trace, load, DenseMatrix(n, n), labels);
   }
 
   PoleModel ring_poles(const RingParameters &ring, const ReducedBody &reduced, const bool with_friction)
@@ -261,8 +280,7 @@ namespace vibrocontact
         trace(a, k) = reduced.modal_trace(a, k);
       for (unsigned int b = 0; b < n_rows; ++b)
         residual(a, b) = reduced.residual_flexibility(a, b);
-      if (a < ring.n_points && ring.tread_stiffness > 0)
-        residual(a, a) += 1 / ring.tread_stiffness;
+      residual(a, a) += tread_compliance(ring, a >= ring.n_points);
     }
     return pole_model(reduced.omega, reduced.damping_ratio, trace, reduced.modal_load, residual,
                       reduced.labels);

@@ -181,6 +181,37 @@ namespace vibrocontact
                            "frequency or Count, or set Method to direct");
     }
 
+    void check_road_friction(const Parameters &parameters)
+    {
+      const BodyParameters &body = parameters.scene.bodies[0];
+      if (!parameters.modal_convolution.friction)
+      {
+        bool slides = parameters.road.sliding_speed != 0;
+        for (const auto &further : parameters.comparison.further_bodies)
+          slides = slides || further.second.road.sliding_speed != 0;
+        if (slides)
+          throw InputError("Road/Sliding speed is given, but Modal convolution/Friction is false, so that "
+                           "nothing feels it: set Friction to true or leave the speed out.");
+        return;
+      }
+      const std::string entry = "Modal convolution/Friction is true, but ";
+      if (body.type == "identified")
+        throw InputError(entry + body.name +
+                         " is of type identified, whose data say nothing about motion along "
+                         "the road: set it to false.");
+      if (body.type == "ring" && body.ring.rolling)
+        throw InputError(entry + body.name +
+                         "/Ring/Rolling too: the slip of material that flows through the "
+                         "contact points is not known here; set one of them to false.");
+      if (parameters.contact.falling.acts())
+        throw InputError(entry + "Contact/Static friction ratio is not 1: modal convolution knows constant "
+                                 "friction only.");
+      if (parameters.comparison.any())
+        throw InputError(entry +
+                         "Comparison/Rows asks for a comparison of methods, whose exact motion has none: "
+                         "leave one of them out.");
+    }
+
     void check_sweep(const Parameters &parameters)
     {
       const ParameterSweep &sweep = parameters.stability.sweep;
@@ -340,6 +371,7 @@ namespace vibrocontact
       road.check();
       modal_convolution.check();
       comparison.check();
+      check_road_friction(*this);
       for (const BodyParameters &body : scene.bodies)
       {
         const auto further = comparison.further_bodies.find(body.name);

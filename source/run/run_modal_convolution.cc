@@ -26,16 +26,18 @@ namespace vibrocontact
     constexpr unsigned long most_table_lines = 1000000, most_spectrum_lines = 20000000;
     constexpr int checkpoint_format = 1;
 
-    PoleModel reduced_poles(const ReducedBody &body)
+    PoleModel reduced_poles(const ReducedBody &body, const bool with_friction)
     {
-      const unsigned int n = body.grid.n_points(), m = body.omega.size();
-      DenseMatrix trace(n, m), residual(n, n);
-      for (unsigned int i = 0; i < n; ++i)
+      const unsigned int n = body.grid.n_points(), n_rows = with_friction ? 2 * n : n, m = body.omega.size();
+      // the contact's x points backwards, the road's forward
+      const auto sign = [n](const unsigned int row) { return row < n ? 1. : -1.; };
+      DenseMatrix trace(n_rows, m), residual(n_rows, n_rows);
+      for (unsigned int i = 0; i < n_rows; ++i)
       {
         for (unsigned int k = 0; k < m; ++k)
-          trace(i, k) = body.modal_trace(i, k);
-        for (unsigned int j = 0; j < n; ++j)
-          residual(i, j) = body.residual_flexibility(i, j);
+          trace(i, k) = sign(i) * body.modal_trace(i, k);
+        for (unsigned int j = 0; j < n_rows; ++j)
+          residual(i, j) = sign(i) * sign(j) * body.residual_flexibility(i, j);
       }
       return pole_model(body.omega, body.damping_ratio, trace, body.modal_load, residual, body.labels);
     }
@@ -45,10 +47,10 @@ namespace vibrocontact
       return folder + "/modal_convolution.h5";
     }
 
-    /// What tells bodies apart: the poles.
+    /// What tells bodies apart: the rows and the poles.
     std::vector<double> marks(const PoleModel &model)
     {
-      std::vector<double> result;
+      std::vector<double> result = {double(model.n_rows())};
       for (const auto &pole : model.poles)
         result.insert(result.end(), {pole.real(), pole.imag()});
       return result;
@@ -119,6 +121,11 @@ namespace vibrocontact
         log.value("impulse of point " + std::to_string(i), result.impulse[i], "N s");
       if (!parameters.is_event_located())
         log.value("contact residual", result.residual);
+      if (parameters.friction)
+      {
+        log.value("sticking points on average", result.sticking_points / steps);
+        log.value("friction", result.dissipation, "J");
+      }
     }
   } // namespace
 
@@ -126,8 +133,9 @@ namespace vibrocontact
                      const RoadParameters &road)
   {
     const BodyParameters &body = parameters.scene.bodies[number];
+    const bool friction = parameters.modal_convolution.friction;
     if (body.type == "oscillator")
-      return {oscillator_poles(body.oscillator), {0.}, {0.}};
+      return {oscillator_poles(body.oscillator, friction), {0.}, {0.}};
     PoleBody result;
     if (body.type == "identified")
     {
@@ -148,17 +156,17 @@ namespace vibrocontact
       {
         // a ring that rolls forward turns backwards in its own coordinate
         const double rotation = body.ring.rolling ? -road.speed / body.ring.radius : 0;
-        result.poles = ring_poles(body.ring, ring_rows(body.ring, false), rotation);
+        result.poles = ring_poles(body.ring, ring_rows(body.ring, friction), rotation);
         return result;
       }
     }
     ReducedBody reduced = bodies[number]->reduction.reduced(true);
     scale_damping(reduced, parameters.modes.at(body.name));
     if (body.type == "ring")
-      result.poles = ring_poles(body.ring, reduced, false);
+      result.poles = ring_poles(body.ring, reduced, friction);
     else
     {
-      result.poles = reduced_poles(reduced);
+      result.poles = reduced_poles(reduced, friction);
       for (unsigned int i = 0; i < reduced.grid.n_points(); ++i)
       {
         // the contact travels towards -x
@@ -176,15 +184,16 @@ namespace vibrocontact
     const ModalConvolutionParameters &own = parameters.modal_convolution;
     run_log().block("Modal convolution");
     run_log().value("poles", body.poles.n_poles());
-    run_log().value("contact points", body.poles.n_rows());
+    const unsigned int n_points = body.places.size();
+    run_log().value("contact points", n_points);
     run_log().value("method", own.method);
     const Road road(parameters.road, body.places, body.shapes, own.end_time);
-    ModalConvolution motion(own, parameters.contact_solver, body.poles, road);
+    ModalConvolution motion(own, parameters.contact_solver, body.poles, road, parameters.contact.friction);
 
     const bool first = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     std::optional<ModalConvolutionHistory> history;
     if (first)
-      history.emplace(own, body.poles.n_rows(), folder);
+      history.emplace(own, n_points, folder);
     Checkpoints checkpoints(folder, body.poles, motion, history);
     bool found = false;
     if (resume)
@@ -255,8 +264,8 @@ namespace vibrocontact
         {
           history->finish(message.empty() && results.stopped_by == 0);
           const double lines = result.time / std::max(own.time_step, own.history_interval);
-          if (body.poles.n_rows() <= most_point_tables && lines <= most_table_lines)
-            write_point_tables(folder, body.poles.n_rows());
+          if (n_points <= most_point_tables && lines <= most_table_lines)
+            write_point_tables(folder, n_points, own.friction);
           write_impacts(result, folder);
           if (lines <= most_spectrum_lines)
           {

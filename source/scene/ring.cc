@@ -65,6 +65,10 @@ namespace vibrocontact
     prm.add_parameter("Tread stiffness", tread_stiffness,
                       "Radial stiffness of the tread under each contact point; 0: rigid. Units: N/m.",
                       Double(0, 1e15));
+    prm.add_parameter("Tread tangential stiffness", tread_tangential_stiffness,
+                      "Stiffness of the tread under each contact point along the circle, with friction only; "
+                      "0: rigid. Units: N/m.",
+                      Double(0, 1e15));
   }
 
   void RingParameters::check(const std::string &section) const

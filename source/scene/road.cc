@@ -59,6 +59,12 @@ namespace vibrocontact
         "CSV file with the columns time_s and speed_m_s, linear in between, in place of Speed; empty: "
         "none. Units: none.",
         FileName());
+    prm.add_parameter(
+        "Sliding speed", sliding_speed,
+        "How fast the contact points slide forward over the road, with friction only: that of the "
+        "road under a locked wheel, negative if the road (a belt) drags them forward. It does not "
+        "move the profile. Units: m/s.",
+        Double(-1e3, 1e3));
     prm.add_parameter("Indentation", indentation,
                       "How far the road is pushed towards the body, from where both just touch. Units: m.",
                       Double(-1, 1));
@@ -88,7 +94,7 @@ namespace vibrocontact
   Road::Road(const RoadParameters &parameters, const std::vector<double> &places,
              const std::vector<double> &shapes, const double end_time)
       : places(places), shapes(shapes), speed(parameters.speed), indentation(parameters.indentation),
-        loading_time(parameters.loading_time)
+        loading_time(parameters.loading_time), sliding(parameters.sliding_speed)
   {
     make_speed(parameters, end_time);
     jumps.push_back(loading_time);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """modal_convolution.py PROGRAM MPIRUN PARAMETER_FILES: an interrupted modal convolution equals an uninterrupted one.
 
-A tyre on three points by each stepping method and the event-located oscillator are stopped by SIGTERM at random moments,
+A tyre on three points by each stepping method, also with friction, and the event-located oscillator are stopped by SIGTERM at random moments,
 resumed, and compared: histories and impulses bit for bit, also on two ranks. Further: an end before the checkpoint.
 """
 import json, os, random, signal, subprocess, sys, time
@@ -69,6 +69,8 @@ short = "Modal convolution/End time=0.4"
 for method in ("modal recursion", "direct convolution", "block convolution"):
     memory = [] if method == "modal recursion" else ["Modal convolution/Memory=0.02"]
     command = check("tyre_three_points", method.split()[0], short, f"Modal convolution/Method={method}", *memory)
+check("tyre_three_points", "friction", short, "Modal convolution/Friction=true", "Road/Sliding speed=0.05",
+      "tyre/Ring/Tread tangential stiffness=1e5")
 check("oscillator_on_sine", "events", "Modal convolution/End time=20")
 done = subprocess.run(command + ["--set", "Modal convolution/End time=0.2", "--output", "block_whole", "--resume"],
                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

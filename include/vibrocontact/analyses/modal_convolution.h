@@ -25,8 +25,10 @@ namespace vibrocontact
     double memory = 0;
     /// at rest or equilibrium (under the loads)
     std::string initial_state = "at rest";
-    /// active set, or common: the solver of section Contact/Solver
+    /// active set, or common: the solver of section Contact/Solver, which contact with friction has anyway
     std::string contact_solver = "active set";
+    /// Coulomb's along the road, with Contact/Friction coefficient
+    bool friction = false;
     /// [s], 0: every step
     double history_interval = 0;
     /// [s] of wall time, 0: none but the last
@@ -49,6 +51,11 @@ namespace vibrocontact
     /// per point [N s]
     std::vector<double> impulse;
     double largest_force = 0;
+    /// with friction: the same along the road, forward on body 1; -T slip summed over steps and points [J]; sum over
+    /// the steps of closed points that stick
+    std::vector<double> tangential_impulse;
+    double dissipation = 0;
+    unsigned long sticking_points = 0;
     /// sums over the steps: closed points, corrections of the closed set; largest residual of the contact
     unsigned long closed_points = 0, corrections = 0;
     double residual = 0;
@@ -63,19 +70,23 @@ namespace vibrocontact
     unsigned int n_lines, n_points;
     double time_step;
     const double *displacement, *force;
+    /// with friction, else null: forward
+    const double *tangential_displacement = nullptr, *tangential_force = nullptr;
   };
 
   /// A body known by its poles on a road, in steps of h: u = u_free + (B + S) q with 0 <= q perp u - u_r >= 0 at the end
   /// of every step (response/response.h, contact/unilateral_contact.h), or from event to event
-  /// (response/event_located.h).
+  /// (response/event_located.h). With friction (two rows of the model per point of the road) by the common solvers
+  /// (analyses/road_friction.h).
   class ModalConvolution
   {
   public:
     using Observer = std::function<void(const ModalConvolutionLines &)>;
 
+    /// @param mu friction coefficient, of a model with tangential rows
     /// @throws InputError if the body cannot be in contact in this way. They are referred to.
     ModalConvolution(const ModalConvolutionParameters &parameters, const ContactSolverParameters &solver,
-                     const PoleModel &model, const Road &road);
+                     const PoleModel &model, const Road &road, double mu = 0);
     ~ModalConvolution();
 
     /// The next steps, at most n_steps; false: the end is reached. Blocks count from the beginning, so that a resumed
@@ -92,6 +103,7 @@ namespace vibrocontact
     void advance_steps(unsigned int n_steps, const Observer &observe);
     void advance_events(unsigned int n_steps, const Observer &observe);
     void find_events(unsigned int n_steps, const double *force);
+    void add_up(unsigned int n_steps);
 
     const ModalConvolutionParameters &parameters;
     const Road &road;
@@ -105,8 +117,9 @@ namespace vibrocontact
     std::vector<double> last_displacement, last_force;
     std::vector<char> was_closed;
     std::vector<double> heights, displacements, forces;
+    /// along the road, with friction: the last line so far, then lines like those above
+    const bool has_friction;
+    std::vector<double> last_tangential_displacement, last_tangential_force, tangential_displacements,
+        tangential_forces;
   };
-
-  /// The frictionless problem of one step for the common solvers: M as its normal block. b is zero.
-  ContactProblem frictionless_problem(const DenseMatrix &matrix);
 } // namespace vibrocontact

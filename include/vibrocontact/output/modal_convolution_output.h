@@ -10,7 +10,8 @@
 namespace vibrocontact
 {
   /// Histories of a modal convolution: histories.h5 with one array per column, `time_s`, then per contact point
-  /// `point_<i>_displacement_m`, `point_<i>_force_N`. A line every history interval.
+  /// `point_<i>_displacement_m`, `point_<i>_force_N`, with friction also `point_<i>_tangential_displacement_m`,
+  /// `point_<i>_tangential_force_N`. A line every history interval.
   class ModalConvolutionHistory
   {
   public:
@@ -23,12 +24,14 @@ namespace vibrocontact
   private:
     /// every how many steps there is a line
     const unsigned long every;
+    const bool friction;
     RowFile rows;
     std::vector<double> row;
   };
 
-  /// histories.h5 as contact_point_<i>.csv: time_s, displacement_m, force_N. @throws OutputError
-  void write_point_tables(const std::string &folder, unsigned int n_points);
+  /// histories.h5 as contact_point_<i>.csv: time_s, displacement_m, force_N, with friction also
+  /// tangential_displacement_m, tangential_force_N. @throws OutputError
+  void write_point_tables(const std::string &folder, unsigned int n_points, bool friction);
 
   /// third_octaves.csv of the force of all points together, from the last three quarters of histories.h5: nominal_Hz,
   /// centre_Hz, lower_Hz, upper_Hz, rms_N, level_dB (re 1 N); bands without any force are left out. Impulses of the

@@ -49,8 +49,8 @@ namespace vibrocontact
   DenseMatrix ring_residual(const RingParameters &ring, const std::vector<RingRow> &rows, double rotation,
                             RingFrame frame);
 
-  /// A mass on a spring under its weight; one row, up.
-  PoleModel oscillator_poles(const OscillatorParameters &oscillator);
+  /// A mass on a spring under its weight; one row, up; with friction a second one, forward.
+  PoleModel oscillator_poles(const OscillatorParameters &oscillator, bool with_friction = false);
 
   /// A ring of elements, reduced by its modes and its residual flexibility, as poles: rows as ring_rows().
   PoleModel ring_poles(const RingParameters &ring, const ReducedBody &reduced, bool with_friction);

@@ -10,6 +10,7 @@ namespace vibrocontact
   /// A body as a modal convolution sees it.
   struct PoleBody
   {
+    /// rows of all points, upward; with friction then those forward
     PoleModel poles;
     /// of the contact points: place along the road, forward; height of the undeformed surface [m]
     std::vector<double> places, shapes;

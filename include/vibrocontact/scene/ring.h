@@ -55,6 +55,8 @@ namespace vibrocontact
     double spacing = 0.00895353906273091;
     /// of the tread under each point, 0: rigid [N/m]
     double tread_stiffness = 0;
+    /// of the same along the circle, with friction only [N/m]
+    double tread_tangential_stiffness = 0;
 
     void declare_parameters(dealii::ParameterHandler &prm);
     void check(const std::string &section) const;

@@ -27,6 +27,8 @@ namespace vibrocontact
     /// [m/s], or as an expression of the time t, or a CSV: time_s, speed_m_s
     double speed = 0;
     std::string speed_expression, speed_table;
+    /// of the contact points over the road, forward; with friction only [m/s]
+    double sliding_speed = 0;
     /// how far the road is pressed towards the body [m], reached in the loading time [s]
     double indentation = 0, loading_time = 0;
 
@@ -62,6 +64,8 @@ namespace vibrocontact
     /// All points at once [m]; n_points.
     void heights(double t, double *result) const;
     unsigned int n_points() const { return places.size(); }
+    /// of the contact points over the road [m/s]
+    double sliding_speed() const { return sliding; }
     /// The next time > t at which the acceleration of the heights may jump (end of the loading, a kink of the speed's
     /// table); infinite if there is none.
     double next_jump(double t) const;
@@ -74,7 +78,7 @@ namespace vibrocontact
     double loading(double t) const;
 
     const std::vector<double> places, shapes;
-    const double speed, indentation, loading_time;
+    const double speed, indentation, loading_time, sliding;
     /// empty: flat; constant speed
     PiecewisePolynomial profile, travelled;
     /// ascending [s]
