@@ -28,6 +28,22 @@ namespace vibrocontact
                        "give Contact/Penalty amplitude and Contact/Penalty exponent.");
   }
 
+  LinearSpringLaw::LinearSpringLaw(const double stiffness) : k(stiffness)
+  {
+    if (!(k > 0))
+      throw InputError(
+          "The linear spring law needs a positive stiffness; give Contact/Penalty amplitude [N] and "
+          "Contact/Penalty exponent [1/m], whose product it is.");
+  }
+
+  NormalLaw::Projection LinearSpringLaw::project(const double force, const double gap, const double rho) const
+  {
+    const double trial = force - rho * gap, share = k / (k + rho);
+    if (trial > 0)
+      return {share * trial, share, -rho * share};
+    return {0., 0., 0.};
+  }
+
   double ExponentialPenaltyLaw::stiffness(const double gap) const
   {
     return gap >= 0 ? 0. : amplitude * exponent * std::exp(std::min(-gap * exponent, linear_beyond));
@@ -90,7 +106,8 @@ namespace vibrocontact
   {
     static const std::vector<NormalLawEntry> table = {
         {"signorini", "rigid unilateral contact: gap >= 0, force >= 0, one of them zero"},
-        {"exponential penalty", "force = amplitude * (exp(exponent * penetration) - 1)"}};
+        {"exponential penalty", "force = amplitude * (exp(exponent * penetration) - 1)"},
+        {"linear spring", "force = amplitude * exponent * penetration"}};
     return table;
   }
 
@@ -101,6 +118,8 @@ namespace vibrocontact
       return std::make_shared<SignoriniLaw>();
     if (name == "exponential penalty")
       return std::make_shared<ExponentialPenaltyLaw>(amplitude, exponent);
+    if (name == "linear spring")
+      return std::make_shared<LinearSpringLaw>(amplitude * exponent);
     std::vector<std::string> names;
     for (const NormalLawEntry &entry : normal_laws())
       names.push_back(entry.name);

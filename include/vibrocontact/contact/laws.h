@@ -50,6 +50,31 @@ namespace vibrocontact
     double potential(double) const override { return 0; }
   };
 
+  /// A law whose force is a function of the gap: a spring behind the surface, open gaps without force.
+  class SpringLaw : public NormalLaw
+  {
+  public:
+    /// f(g) [N], its stiffness -df/dg [N/m] zero where it is open
+    virtual double force(double gap) const = 0;
+    virtual double stiffness(double gap) const = 0;
+  };
+
+  /// One-sided linear spring N = k max(-g, 0).
+  class LinearSpringLaw : public SpringLaw
+  {
+  public:
+    /// @param stiffness k [N/m], positive; @throws InputError
+    explicit LinearSpringLaw(double stiffness);
+    Description description() const override { return {"linear spring", k, 1.}; }
+    Projection project(double force, double gap, double rho) const override;
+    double force(double gap) const override { return gap < 0 ? -k * gap : 0.; }
+    double stiffness(double gap) const override { return gap < 0 ? k : 0.; }
+    double potential(double gap) const override { return gap < 0 ? 0.5 * k * gap * gap : 0.; }
+
+  private:
+    double k;
+  };
+
   /// Exponential penalty of the axial-bar paper: N = f(g) = a (exp(alpha d) - 1), d = max(-g, 0)  (Jones &
   /// Legrand 2014).
   ///
@@ -60,16 +85,15 @@ namespace vibrocontact
   /// Its projection is the resolvent: the point (N', g') of the graph with N' - rho g' = N - rho g. A plain
   /// N' = f(g) would satisfy the same law, but a fixed point on it diverges once the law is stiffer than the
   /// bodies. Tangent: dP/dN = f' / (f' + rho), which tends to Signorini's one.
-  class ExponentialPenaltyLaw : public NormalLaw
+  class ExponentialPenaltyLaw : public SpringLaw
   {
   public:
     /// @param amplitude a [N], @param exponent alpha [1/m]; both positive
     ExponentialPenaltyLaw(double amplitude, double exponent);
     Description description() const override { return {"exponential penalty", amplitude, exponent}; }
     Projection project(double force, double gap, double rho) const override;
-    /// f(g) [N] and its stiffness -df/dg [N/m]
-    double force(double gap) const;
-    double stiffness(double gap) const;
+    double force(double gap) const override;
+    double stiffness(double gap) const override;
     /// energy stored at the gap g, a ((exp(alpha d) - 1) / alpha - d) up to the linear continuation [J]
     double potential(double gap) const override;
 
@@ -110,7 +134,8 @@ namespace vibrocontact
   /// All normal laws by name, for the parameter pattern and for tests that create every member.
   const std::vector<NormalLawEntry> &normal_laws();
 
-  /// Creates a law by its name; amplitude [N] and exponent [1/m] are used by the exponential penalty only.
+  /// Creates a law by its name; amplitude [N] and exponent [1/m] are those of the exponential penalty, the stiffness of the
+  /// linear spring is their product, the penalty's at touch.
   /// @throws InputError naming the known laws
   std::shared_ptr<const NormalLaw> create_normal_law(const std::string &name, double amplitude,
                                                      double exponent);

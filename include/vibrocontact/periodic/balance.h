@@ -1,0 +1,121 @@
+#pragma once
+
+#include <vibrocontact/contact/laws.h>
+#include <vibrocontact/periodic/condensation.h>
+#include <vibrocontact/periodic/time_sampling.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// How a periodic motion is sought.
+  struct BalanceSettings
+  {
+    std::string trial = "fourier", weighting = "fourier";
+    unsigned int n_functions = 127;
+    TimeForm form = TimeForm::distributional;
+    /// samples of the contact law over the period; left points of the integrals, 0: exact
+    unsigned int n_samples = 4096, quadrature_points = 0;
+    /// coefficient of friction [-]
+    double friction = 0;
+    /// parameter of the projections over the largest compliance [-]
+    double projection = 30;
+    /// largest residual over the exciting force or the contact force [-]
+    double tolerance = 1e-10;
+    unsigned int max_iterations = 60;
+  };
+
+  /// A periodic motion: moments of the contact forces and coefficients of the rows' motion, N numbers each in the layout
+  /// of time_basis.h, row after row. Contact forces are compressions on normal rows, forces on the body on
+  /// tangential ones.
+  struct PeriodicSolution
+  {
+    std::vector<double> force, displacement;
+    HarmonicForce excitation;
+    bool converged = false;
+    unsigned int iterations = 0;
+    /// steps of the gap that the motion was followed over; 0: found directly
+    unsigned int homotopy_steps = 0;
+    double residual = 0;
+  };
+
+  /// Periodic motion in contact as one equation in the moments c of the contact forces,
+  ///
+  ///   R(c) = c - P law(L c, Q u(c), f Q' u(c)) = 0,     u = linear + H p(c)
+  ///
+  /// Q, Q': samples of trial functions and their derivatives, L: of the force from its moments, P: moments of
+  /// samples. A law that is a function of the gap (penalty, linear spring) needs no L c; for it R is the paper's
+  /// equation (17) condensed onto the contact. Signorini's law and Coulomb's are their projections,
+  ///
+  ///   max(N + r (u_n - gap_0), 0),      Proj_disc(mu N) (T - r v)
+  ///
+  /// at each sample: a dynamic Lagrangian whose unknowns are the forces of the N functions. Newton's method (semi-smooth:
+  /// the derivative on the side of the law's branch in force) with a line search.
+  class PeriodicBalance
+  {
+  public:
+    /// @throws InputError for an inadmissible pair, a body or settings that do not fit the law
+    PeriodicBalance(const PeriodicBody &body, std::shared_ptr<const NormalLaw> law,
+                    const BalanceSettings &settings);
+
+    /// Condenses the body at this force. Cheap: n_modes n_rows^2 N.
+    void set_force(const HarmonicForce &force);
+    void set_gap(const std::vector<double> &gap) { body.gap = gap; }
+
+    /// R, dR/dc and dR/df [1/Hz]; null: not wanted.
+    void evaluate(const std::vector<double> &c, std::vector<double> &residual, DenseMatrix *jacobian,
+                  std::vector<double> *by_frequency);
+
+    /// From c, or from the motion without contact if c is empty. If Newton's method fails from there, the motion is followed
+    /// from a gap that it just does not touch. Never throws for want of convergence: see `converged`.
+    PeriodicSolution solve(const std::vector<double> &start = {});
+
+    unsigned int n_unknowns() const { return body.n_rows() * settings.n_functions; }
+    /// coefficients of the rows' motion under the contact forces c
+    std::vector<double> displacement(const std::vector<double> &c) const;
+    /// forces on the body: normal rows of c change sign
+    std::vector<double> body_forces(const std::vector<double> &c) const;
+
+    /// scale of residuals [N]
+    double force_scale(const std::vector<double> &c) const;
+
+    const PeriodicBody &linear_body() const { return body; }
+    const NormalLaw &normal_law() const { return *law; }
+    const TimePairing &integrals() const { return pairing; }
+    const TimeBasis &trial() const { return *trial_basis; }
+    const TimeBasis &weighting() const { return *weighting_basis; }
+    const TimeSampling &sampling() const { return *samples; }
+    const CondensedBody &condensed() const { return linear; }
+    const HarmonicForce &excitation() const { return force; }
+    const BalanceSettings settings;
+
+  private:
+    void displacement_from(const std::vector<double> &c, const std::vector<std::complex<double>> &linear_part,
+                           const std::vector<std::complex<double>> &compliance, std::vector<double> &u) const;
+    /// Samples of the law at c and of its derivatives; what the next three work with.
+    void apply_law(const std::vector<double> &c);
+    void residual_of(const std::vector<double> &c, std::vector<double> &residual) const;
+    void assemble(DenseMatrix &jacobian);
+    void slope_of(const std::vector<double> &c, std::vector<double> &by_frequency);
+    bool newton(std::vector<double> &c, PeriodicSolution &solution);
+    bool is_normal(const unsigned int row) const { return row % body.rows_per_point == 0; }
+    double sign(const unsigned int row) const { return is_normal(row) ? -1. : 1.; }
+
+    PeriodicBody body;
+    const std::shared_ptr<const NormalLaw> law;
+    /// the same law if it is a function of the gap, else null
+    const SpringLaw *const spring;
+    std::unique_ptr<const TimeBasis> trial_basis, weighting_basis;
+    TimePairing pairing;
+    std::unique_ptr<TimeSampling> samples;
+    HarmonicForce force;
+    CondensedBody linear;
+    /// of the projections [N/m], [N s/m]
+    double normal_rho = 0, tangential_rho = 0;
+    // work space: coefficients and samples of the rows; derivatives of the law by point and pair of its rows
+    std::vector<double> u, u_samples, v_samples, c_samples, law_samples, by_u, by_v, by_c;
+    DenseMatrix by_displacement;
+  };
+} // namespace vibrocontact

@@ -1,0 +1,372 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/periodic/balance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+    using Quantity = TimeSampling::Quantity;
+
+    constexpr double shortest_line_step = 1. / 256, shortest_gap_step = 1e-3;
+
+    double norm(const std::vector<double> &x)
+    {
+      double sum = 0;
+      for (const double value : x)
+        sum += value * value;
+      return std::sqrt(sum);
+    }
+
+    /// x of matrix x = rhs; false if the matrix is singular or not finite
+    bool solve_dense(DenseMatrix &matrix, const std::vector<double> &rhs, std::vector<double> &x)
+    {
+      DenseVector b(rhs.begin(), rhs.end());
+      try
+      {
+        matrix.compute_lu_factorization();
+        matrix.solve(b);
+      }
+      catch (const dealii::ExceptionBase &)
+      {
+        return false;
+      }
+      x.assign(b.begin(), b.end());
+      return std::all_of(x.begin(), x.end(), [](const double value) { return std::isfinite(value); });
+    }
+  } // namespace
+
+  PeriodicBalance::PeriodicBalance(const PeriodicBody &body, std::shared_ptr<const NormalLaw> law,
+                                   const BalanceSettings &settings)
+      : settings(settings), body(body), law(law), spring(dynamic_cast<const SpringLaw *>(law.get())),
+        trial_basis(create_time_basis(settings.trial, settings.n_functions)),
+        weighting_basis(create_time_basis(settings.weighting, settings.n_functions)),
+        pairing(pair_time_bases(*trial_basis, *weighting_basis, settings.form, settings.quadrature_points)),
+        samples(std::make_unique<TimeSampling>(*trial_basis, *weighting_basis, pairing, settings.n_samples))
+  {
+    if (settings.friction > 0 && body.rows_per_point != 3)
+      throw InputError("Friction needs the tangential motion of the contact points; this body has none: set "
+                       "Contact/Friction coefficient = 0.");
+    if (settings.friction > 0 && trial_basis->n_derivatives() == 0)
+      throw InputError("Friction needs the velocity of the trial functions; those of " + trial_basis->name() +
+                       " have none: choose another Periodic/Trial basis.");
+    const std::size_t size = std::size_t(body.n_rows()) * samples->n_samples();
+    u_samples.resize(size);
+    v_samples.resize(size);
+    c_samples.resize(size);
+    law_samples.resize(size);
+    const std::size_t blocks = body.rows_per_point * body.rows_per_point * samples->n_samples();
+    by_u.resize(body.n_points() * blocks);
+    by_v.resize(by_u.size());
+    by_c.resize(by_u.size());
+  }
+
+  void PeriodicBalance::set_force(const HarmonicForce &new_force)
+  {
+    force = new_force;
+    linear = condense(body, pairing, force);
+    double normal = 0, tangential = 0;
+    const unsigned int n = body.n_rows();
+    for (unsigned int m = 0; m < pairing.a0.size(); ++m)
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        const double size = std::abs(linear.compliance[(m * n + i) * n + i]);
+        if (is_normal(i))
+          normal = std::max(normal, size);
+        else
+          tangential = std::max(tangential, size * 2 * M_PI * m * force.frequency);
+      }
+    normal_rho = settings.projection / normal;
+    tangential_rho = tangential > 0 ? settings.projection / tangential : 0.;
+  }
+
+  void PeriodicBalance::displacement_from(const std::vector<double> &c,
+                                          const std::vector<Complex> &linear_part,
+                                          const std::vector<Complex> &compliance,
+                                          std::vector<double> &u) const
+  {
+    const unsigned int n = body.n_rows(), N = settings.n_functions;
+    u.resize(n * N);
+    for (unsigned int m = 0; 2 * m <= N; ++m)
+    {
+      const bool is_real = m == 0 || 2 * m == N;
+      const unsigned int at = m == 0 ? 0 : 2 * m - 1;
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        Complex sum = linear_part[m * n + i];
+        for (unsigned int j = 0; j < n; ++j)
+          sum += compliance[(m * n + i) * n + j] * sign(j) *
+                 Complex(c[j * N + at], is_real ? 0. : c[j * N + at + 1]);
+        u[i * N + at] = sum.real();
+        if (!is_real)
+          u[i * N + at + 1] = sum.imag();
+      }
+    }
+  }
+
+  std::vector<double> PeriodicBalance::displacement(const std::vector<double> &c) const
+  {
+    std::vector<double> u;
+    displacement_from(c, linear.linear, linear.compliance, u);
+    return u;
+  }
+
+  std::vector<double> PeriodicBalance::body_forces(const std::vector<double> &c) const
+  {
+    std::vector<double> p = c;
+    for (unsigned int i = 0; i < body.n_rows(); ++i)
+      for (unsigned int k = 0; k < settings.n_functions; ++k)
+        p[i * settings.n_functions + k] *= sign(i);
+    return p;
+  }
+
+  double PeriodicBalance::force_scale(const std::vector<double> &c) const
+  {
+    return std::max({force.amplitude, norm(c), std::numeric_limits<double>::min()});
+  }
+
+  void PeriodicBalance::apply_law(const std::vector<double> &c)
+  {
+    const unsigned int N = settings.n_functions, count = samples->n_samples(), rows = body.rows_per_point;
+    const bool friction = settings.friction > 0;
+    displacement_from(c, linear.linear, linear.compliance, u);
+    for (unsigned int i = 0; i < body.n_rows(); ++i)
+    {
+      if (is_normal(i))
+        samples->samples(Quantity::displacement, &u[i * N], &u_samples[i * count]);
+      else if (friction)
+        samples->samples(Quantity::velocity, &u[i * N], &v_samples[i * count]);
+      if (is_normal(i) ? !spring : friction)
+        samples->samples(Quantity::force, &c[i * N], &c_samples[i * count]);
+    }
+    for (unsigned int p = 0; p < body.n_points(); ++p)
+    {
+      const unsigned int normal = p * rows * count;
+      double *const du = &by_u[p * rows * rows * count], *const dc = &by_c[p * rows * rows * count],
+                    *const dv = &by_v[p * rows * rows * count];
+      for (unsigned int k = 0; k < count; ++k)
+      {
+        const double gap = body.gap[p] - u_samples[normal + k];
+        if (spring)
+        {
+          law_samples[normal + k] = spring->force(gap);
+          du[k] = spring->stiffness(gap);
+        }
+        else
+        {
+          const auto value = law->project(c_samples[normal + k], gap, normal_rho);
+          law_samples[normal + k] = value.force;
+          du[k] = -value.by_gap;
+          dc[k] = value.by_force;
+        }
+      }
+      if (!friction)
+        continue;
+      const unsigned int first = normal + count, second = first + count;
+      const double f = force.frequency;
+      for (unsigned int k = 0; k < count; ++k)
+      {
+        const CoulombLaw::Vector2 trial = {
+            {c_samples[first + k] - tangential_rho * f * v_samples[first + k],
+             c_samples[second + k] - tangential_rho * f * v_samples[second + k]}};
+        const auto value = CoulombLaw::project(trial, settings.friction * law_samples[normal + k]);
+        for (unsigned int a = 0; a < 2; ++a)
+        {
+          law_samples[first + a * count + k] = value.force[a];
+          const unsigned int row = (a + 1) * rows;
+          du[row * count + k] = settings.friction * value.by_radius[a] * du[k];
+          dc[row * count + k] = settings.friction * value.by_radius[a] * dc[k];
+          for (unsigned int b = 0; b < 2; ++b)
+          {
+            dc[(row + 1 + b) * count + k] = value.by_trial[a][b];
+            dv[(row + 1 + b) * count + k] = -tangential_rho * value.by_trial[a][b];
+          }
+        }
+      }
+    }
+  }
+
+  void PeriodicBalance::residual_of(const std::vector<double> &c, std::vector<double> &residual) const
+  {
+    const unsigned int N = settings.n_functions, count = samples->n_samples();
+    residual.assign(c.size(), 0.);
+    for (unsigned int i = 0; i < body.n_rows(); ++i)
+      if (is_normal(i) || settings.friction > 0)
+        samples->moments(&law_samples[i * count], &residual[i * N]);
+    for (unsigned int k = 0; k < c.size(); ++k)
+      residual[k] = c[k] - residual[k];
+  }
+
+  void PeriodicBalance::assemble(DenseMatrix &jacobian)
+  {
+    const unsigned int N = settings.n_functions, n = body.n_rows(), count = samples->n_samples(),
+                       rows = body.rows_per_point;
+    const bool friction = settings.friction > 0;
+    jacobian.reinit(n * N, n * N);
+    by_displacement.reinit(n * N, n * N);
+    for (unsigned int p = 0; p < body.n_points(); ++p)
+      for (unsigned int a = 0; a < rows; ++a)
+        for (unsigned int b = 0; b < rows; ++b)
+        {
+          if (!friction && (a > 0 || b > 0))
+            continue;
+          const std::size_t at = std::size_t((p * rows + a) * rows + b) * count;
+          const unsigned int row = (p * rows + a) * N, column = (p * rows + b) * N;
+          if (b == 0)
+            samples->add_weighted(&by_u[at], Quantity::displacement, 1., by_displacement, row, column);
+          else if (a > 0)
+            samples->add_weighted(&by_v[at], Quantity::velocity, force.frequency, by_displacement, row,
+                                  column);
+          if (!spring || (a > 0 && b > 0))
+            samples->add_weighted(&by_c[at], Quantity::force, -1., jacobian, row, column);
+        }
+    // minus (by displacement) H sign
+    const auto axpy = [&](const double factor, const unsigned int from, const unsigned int to)
+    {
+      if (factor == 0)
+        return;
+      const double *const x = &by_displacement(0, from);
+      double *const y = &jacobian(0, to);
+      for (unsigned int r = 0; r < n * N; ++r)
+        y[r] += factor * x[r];
+    };
+    for (unsigned int m = 0; 2 * m <= N; ++m)
+    {
+      const bool is_real = m == 0 || 2 * m == N;
+      const unsigned int at = m == 0 ? 0 : 2 * m - 1;
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+        {
+          const Complex h = -sign(j) * linear.compliance[(m * n + i) * n + j];
+          axpy(h.real(), i * N + at, j * N + at);
+          if (is_real)
+            continue;
+          axpy(h.imag(), i * N + at + 1, j * N + at);
+          axpy(-h.imag(), i * N + at, j * N + at + 1);
+          axpy(h.real(), i * N + at + 1, j * N + at + 1);
+        }
+    }
+    for (unsigned int k = 0; k < n * N; ++k)
+      jacobian(k, k) += 1;
+  }
+
+  void PeriodicBalance::slope_of(const std::vector<double> &c, std::vector<double> &by_frequency)
+  {
+    const unsigned int N = settings.n_functions, count = samples->n_samples(), rows = body.rows_per_point;
+    std::vector<double> slope, row_u(count), law_slope(count);
+    displacement_from(c, linear.linear_slope, linear.compliance_slope, slope);
+    by_frequency.assign(c.size(), 0.);
+    for (unsigned int p = 0; p < body.n_points(); ++p)
+      for (unsigned int a = 0; a < rows; ++a)
+      {
+        if (a > 0 && !(settings.friction > 0))
+          continue;
+        std::fill(law_slope.begin(), law_slope.end(), 0.);
+        for (unsigned int b = 0; b < (a == 0 ? 1 : rows); ++b)
+        {
+          const unsigned int j = p * rows + b;
+          const std::size_t at = std::size_t((p * rows + a) * rows + b) * count;
+          samples->samples(b == 0 ? Quantity::displacement : Quantity::velocity, &slope[j * N], row_u.data());
+          for (unsigned int k = 0; k < count; ++k)
+            law_slope[k] += b == 0 ? by_u[at + k] * row_u[k]
+                                   : by_v[at + k] * (force.frequency * row_u[k] + v_samples[j * count + k]);
+        }
+        samples->moments(law_slope.data(), &by_frequency[(p * rows + a) * N]);
+      }
+    for (double &value : by_frequency)
+      value = -value;
+  }
+
+  void PeriodicBalance::evaluate(const std::vector<double> &c, std::vector<double> &residual,
+                                 DenseMatrix *jacobian, std::vector<double> *by_frequency)
+  {
+    apply_law(c);
+    residual_of(c, residual);
+    if (jacobian)
+      assemble(*jacobian);
+    if (by_frequency)
+      slope_of(c, *by_frequency);
+  }
+
+  bool PeriodicBalance::newton(std::vector<double> &c, PeriodicSolution &solution)
+  {
+    std::vector<double> residual, step, trial(c.size());
+    DenseMatrix jacobian;
+    evaluate(c, residual, nullptr, nullptr);
+    for (unsigned int iteration = 0; iteration < settings.max_iterations; ++iteration)
+    {
+      const double size = norm(residual);
+      solution.residual = size / force_scale(c);
+      if (!std::isfinite(size))
+        return false;
+      if (solution.residual <= settings.tolerance)
+        return true;
+      ++solution.iterations;
+      assemble(jacobian);
+      if (!solve_dense(jacobian, residual, step))
+        return false;
+      double length = 1;
+      for (;; length /= 2)
+      {
+        for (unsigned int k = 0; k < c.size(); ++k)
+          trial[k] = c[k] - length * step[k];
+        evaluate(trial, residual, nullptr, nullptr);
+        if (norm(residual) <= (1 - 1e-4 * length) * size)
+          break;
+        if (length < shortest_line_step)
+          return false;
+      }
+      c = trial;
+    }
+    return false;
+  }
+
+  PeriodicSolution PeriodicBalance::solve(const std::vector<double> &start)
+  {
+    PeriodicSolution solution;
+    solution.excitation = force;
+    std::vector<double> c = start;
+    if (c.empty())
+      c.assign(n_unknowns(), 0.);
+    solution.converged = newton(c, solution);
+    if (!solution.converged)
+    {
+      // no contact at the gap that the linear motion just reaches: from there to the gap asked for
+      const std::vector<double> gap = body.gap, none(n_unknowns(), 0.);
+      std::vector<double> excess(gap.size()), u = displacement(none), values(samples->n_samples());
+      for (unsigned int p = 0; p < gap.size(); ++p)
+      {
+        samples->samples(Quantity::displacement, &u[p * body.rows_per_point * settings.n_functions],
+                         values.data());
+        excess[p] = std::max(*std::max_element(values.begin(), values.end()) - gap[p], 0.);
+      }
+      c = none;
+      double reached = 0, step = 0.25;
+      while (reached < 1 && step >= shortest_gap_step)
+      {
+        const double next = std::min(reached + step, 1.);
+        for (unsigned int p = 0; p < gap.size(); ++p)
+          body.gap[p] = gap[p] + (1 - next) * excess[p];
+        std::vector<double> trial = c;
+        ++solution.homotopy_steps;
+        if (newton(trial, solution))
+        {
+          c = trial;
+          reached = next;
+          step *= 2;
+        }
+        else
+          step /= 2;
+      }
+      body.gap = gap;
+      solution.converged = reached >= 1;
+    }
+    solution.force = c;
+    solution.displacement = displacement(c);
+    return solution;
+  }
+} // namespace vibrocontact
