@@ -15,9 +15,7 @@ namespace vibrocontact
     ModalResult result;
     result.body = body.request().body;
     result.labels = modal.labels;
-    result.damping_ratio = modal.damping_ratio;
-    for (double &ratio : result.damping_ratio)
-      ratio *= body.request().modes.damping_factor;
+    result.damping_ratio = body.request().modes.scaled(modal.damping_ratio, modal.omega);
     result.n_dofs = modal.n_dofs;
     result.n_rigid_modes = modal.n_rigid_modes;
     result.seconds = modal.seconds;

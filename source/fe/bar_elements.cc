@@ -71,6 +71,12 @@ namespace vibrocontact
             stiffness(a, b) += material.young_modulus * bar.section * values.shape_grad(a, q)[0] *
                                values.shape_grad(b, q)[0] * values.JxW(q);
           }
+      // vertex dofs come first: 0 is the one towards the contact end
+      if (bar.massless_contact_node && dofs[0] == contact_end)
+      {
+        mass = 0;
+        mass(1, 1) = material.density * bar.section * cell->measure();
+      }
       for (unsigned int a = 0; a < n; ++a)
       {
         if (!system->locally_owned.is_element(dofs[a]))

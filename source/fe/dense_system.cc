@@ -11,11 +11,25 @@ namespace vibrocontact
   {
     constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
 
+    /// Whether the stiffness couples a dof to others: a held one has its diagonal entry only.
+    bool is_coupled(const SecondOrderSystem &system, const dealii::types::global_dof_index dof)
+    {
+      PetscInt n_columns;
+      const PetscInt *columns;
+      const PetscScalar *values;
+      petsc_check(MatGetRow(system.stiffness, dof, &n_columns, &columns, &values), "MatGetRow");
+      bool result = false;
+      for (PetscInt k = 0; k < n_columns; ++k)
+        result = result || (columns[k] != PetscInt(dof) && values[k] != 0);
+      petsc_check(MatRestoreRow(system.stiffness, dof, &n_columns, &columns, &values), "MatRestoreRow");
+      return result;
+    }
+
     std::vector<unsigned int> places(const SecondOrderSystem &system)
     {
       std::vector<unsigned int> place(system.mass.m(), 0);
       for (const auto dof : system.locally_owned)
-        place[dof] = system.mass.diag_element(dof) > 0;
+        place[dof] = system.mass.diag_element(dof) > 0 || is_coupled(system, dof);
       dealii::Utilities::MPI::sum(place, system.communicator, place);
       unsigned int n = 0;
       for (unsigned int &entry : place)

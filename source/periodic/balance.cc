@@ -80,6 +80,15 @@ namespace vibrocontact
         else
           tangential = std::max(tangential, size * 2 * M_PI * m * force.frequency);
       }
+    is_inert.assign(n, 0);
+    for (unsigned int i = 0; i < n; ++i)
+      if (!is_normal(i))
+      {
+        double size = 0;
+        for (unsigned int m = 0; m < pairing.a0.size(); ++m)
+          size = std::max(size, std::abs(linear.compliance[(m * n + i) * n + i]));
+        is_inert[i] = size <= 1e-14 * normal;
+      }
     normal_rho = settings.projection / normal;
     tangential_rho = tangential > 0 ? settings.projection / tangential : 0.;
   }
@@ -176,6 +185,8 @@ namespace vibrocontact
         const auto value = CoulombLaw::project(trial, settings.friction * law_samples[normal + k]);
         for (unsigned int a = 0; a < 2; ++a)
         {
+          if (is_inert[p * rows + 1 + a])
+            continue; // its law and derivatives stay zero
           law_samples[first + a * count + k] = value.force[a];
           const unsigned int row = (a + 1) * rows;
           du[row * count + k] = settings.friction * value.by_radius[a] * du[k];
@@ -188,6 +199,22 @@ namespace vibrocontact
         }
       }
     }
+  }
+
+  std::array<double, 3> PeriodicBalance::contact_force(const std::array<double, 3> &given, const double gap,
+                                                       const std::array<double, 3> &velocity) const
+  {
+    std::array<double, 3> result{};
+    result[0] = spring ? spring->force(gap) : law->project(given[0], gap, normal_rho).force;
+    if (settings.friction > 0)
+    {
+      const auto value = CoulombLaw::project(
+          {{given[1] - tangential_rho * velocity[1], given[2] - tangential_rho * velocity[2]}},
+          settings.friction * result[0]);
+      result[1] = value.force[0];
+      result[2] = value.force[1];
+    }
+    return result;
   }
 
   void PeriodicBalance::residual_of(const std::vector<double> &c, std::vector<double> &residual) const

@@ -1,5 +1,7 @@
 #include <vibrocontact/periodic/condensation.h>
 
+#include <cmath>
+
 namespace vibrocontact
 {
   namespace
@@ -21,7 +23,8 @@ namespace vibrocontact
     /// moments of the exciting force and of the constant loads' unit
     Complex exciting_moment(const TimePairing &pairing, const unsigned int m, const HarmonicForce &force)
     {
-      return force.amplitude * pairing.sine[m];
+      return force.amplitude *
+             (std::cos(force.phase) * pairing.sine[m] + std::sin(force.phase) * pairing.cosine[m]);
     }
     Complex constant_moment(const TimePairing &pairing, const unsigned int m)
     {

@@ -19,18 +19,53 @@ namespace vibrocontact
       return result;
     }
 
+    /// Motion of all dofs for unit motions of those with mass, the others following statically: T, n x n_massive.
+    DenseMatrix static_following(const DenseSystem &dense, const std::string &body)
+    {
+      const unsigned int n = dense.n_dofs();
+      std::vector<unsigned int> massive, massless;
+      for (unsigned int i = 0; i < n; ++i)
+        (dense.mass(i, i) > 0 ? massive : massless).push_back(i);
+      DenseMatrix T(n, massive.size());
+      for (unsigned int j = 0; j < massive.size(); ++j)
+        T(massive[j], j) = 1;
+      if (massless.empty())
+        return T;
+      DenseMatrix K(massless.size());
+      for (unsigned int i = 0; i < massless.size(); ++i)
+        for (unsigned int j = 0; j < massless.size(); ++j)
+          K(i, j) = dense.stiffness(massless[i], massless[j]);
+      if (!factorise_cholesky(K))
+        throw ConvergenceError("Dofs of body '" + body +
+                               "' have neither mass nor stiffness; check its mesh.");
+      DenseVector follow(massless.size());
+      for (unsigned int j = 0; j < massive.size(); ++j)
+      {
+        for (unsigned int i = 0; i < massless.size(); ++i)
+          follow(i) = -dense.stiffness(massless[i], massive[j]);
+        K.solve(follow);
+        for (unsigned int i = 0; i < massless.size(); ++i)
+          T(massless[i], j) = follow(i);
+      }
+      return T;
+    }
+
     // the modes that are M-orthogonal to those kept
     Modes remaining_modes(const SecondOrderSystem &system, const Modes &kept)
     {
       const DenseSystem dense = dense_system(system);
-      const unsigned int n = dense.n_dofs(), m = kept.shapes.size();
+      const DenseMatrix T = static_following(dense, system.body);
+      const unsigned int n = T.n(), m = kept.shapes.size();
       Modes rest;
       if (n <= m)
         return rest;
-      const std::optional<DenseMatrix> Z =
-          null_space(product(dense.mass, dense_vectors(system, dense, kept.shapes)), n);
+      DenseMatrix inertia(n, m);
+      if (m > 0)
+        T.Tmmult(inertia, product(dense.mass, dense_vectors(system, dense, kept.shapes)));
+      const std::optional<DenseMatrix> Z = null_space(inertia, n);
       AssertThrow(Z, dealii::ExcMessage("the modes of body '" + system.body + "' depend on each other"));
-      DenseMatrix K = projected(dense.stiffness, *Z), M = projected(dense.mass, *Z);
+      const DenseMatrix motions = product(T, *Z);
+      DenseMatrix K = projected(dense.stiffness, motions), M = projected(dense.mass, motions);
       std::vector<DenseVector> vectors(n - m, DenseVector(n - m));
       try
       {
@@ -41,18 +76,18 @@ namespace vibrocontact
         throw ConvergenceError("LAPACK found no eigenvalues of the finite elements of body '" + system.body +
                                "'; check its mesh and its material.");
       }
-      DenseMatrix shapes(n, n - m);
+      DenseMatrix shapes(dense.n_dofs(), n - m);
       std::vector<double> squares;
       for (unsigned int k = 0; k < n - m; ++k)
       {
         squares.push_back(K.eigenvalue(k).real());
-        DenseVector shape(n);
-        Z->vmult(shape, vectors[k]);
+        DenseVector shape(dense.n_dofs());
+        motions.vmult(shape, vectors[k]);
         std::copy(shape.begin(), shape.end(), &shapes(0, k));
       }
       // each rank writes its part of a shape: all have to mean the same sign and the same of a pair
       MPI_Bcast(squares.data(), n - m, MPI_DOUBLE, 0, system.communicator);
-      MPI_Bcast(&shapes(0, 0), n * (n - m), MPI_DOUBLE, 0, system.communicator);
+      MPI_Bcast(&shapes(0, 0), dense.n_dofs() * (n - m), MPI_DOUBLE, 0, system.communicator);
       for (unsigned int k = 0; k < n - m; ++k)
       {
         if (!(squares[k] > 1e-14 * squares.back()))
@@ -94,8 +129,20 @@ namespace vibrocontact
       body.damping_ratio.push_back(0);
       body.labels.push_back("mode " + std::to_string(k + 1 - body.n_rigid_modes));
     }
-    body.residual_flexibility = 0;
-    std::fill(body.residual_load_response.begin(), body.residual_load_response.end(), 0.);
+    if (n == n_moving_dofs(system))
+    {
+      body.residual_flexibility = 0;
+      std::fill(body.residual_load_response.begin(), body.residual_load_response.end(), 0.);
+    }
+    else // massless dofs have no mode: what the modes found leave of the flexibility is theirs
+      for (unsigned int k = n_kept; k < n; ++k)
+        for (unsigned int j = 0; j < body.modal_trace.m(); ++j)
+        {
+          const double answer = body.modal_trace(j, k) / (body.omega[k] * body.omega[k]);
+          body.residual_load_response[j] -= answer * body.modal_load[k];
+          for (unsigned int i = 0; i < body.modal_trace.m(); ++i)
+            body.residual_flexibility(i, j) -= body.modal_trace(i, k) * answer;
+        }
     return body;
   }
 } // namespace vibrocontact

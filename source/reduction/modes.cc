@@ -43,10 +43,23 @@ namespace vibrocontact
         "valid. Units: none.",
         Double(0, 1e6));
     prm.add_parameter(
+        "Stiffness damping", stiffness_damping,
+        "beta of a viscous damping proportional to the stiffness, C = beta K: adds beta w / 2 to every "
+        "modal damping ratio. Units: s.",
+        Double(0, 1e6));
+    prm.add_parameter(
         "Rim radius", rim_radius,
         "Points of a wheel further than this from its axle are its rim, whose motion names the family of a "
         "mode. Units: m.",
         Double(0, 100));
+  }
+
+  std::vector<double> ModeParameters::scaled(std::vector<double> damping_ratio,
+                                             const std::vector<double> &omega) const
+  {
+    for (unsigned int k = 0; k < omega.size(); ++k)
+      damping_ratio[k] = damping_factor * damping_ratio[k] + stiffness_damping * omega[k] / 2;
+    return damping_ratio;
   }
 
   void ModeParameters::check(const std::string &section) const

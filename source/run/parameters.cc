@@ -54,6 +54,7 @@ namespace vibrocontact
     declare("Comparison", comparison);
     prm.leave_subsection();
     declare("Identification", identification);
+    declare("Periodic", periodic);
   }
 
   bool Parameters::has_identification() const
@@ -385,13 +386,22 @@ namespace vibrocontact
             "Analyses lists both transient and modal convolution, which write the same histories: run "
             "them from a file each.");
     }
-    if (has_dynamics())
+    if (scene.runs("periodic"))
+    {
+      periodic.check();
+      if (!scene.bodies[0].is_meshed())
+        throw InputError("Analyses lists periodic, but " + scene.bodies[0].name + " is a " +
+                         scene.bodies[0].type + " without elements: make body 1 a bar, a block or a mesh.");
+      if (scene.bodies.size() > 1 && scene.bodies[1].type != "rigid")
+        throw InputError("Analyses lists periodic, whose body 2 is a stop, but " + scene.bodies[1].name +
+                         " is a " + scene.bodies[1].type + ": make it rigid or leave it out.");
+    }
+    if (has_dynamics() || scene.runs("periodic"))
       for (const BodyParameters &body : scene.bodies)
         if (body.is_meshed() && !modes.at(body.name).any())
-          throw InputError(
-              body.name +
-              "/Modes asks for no modes, but stability, transient and modal convolution move the body by "
-              "them; give Upper frequency or Count");
+          throw InputError(body.name + "/Modes asks for no modes, but stability, transient, modal "
+                                       "convolution and periodic move the body by "
+                                       "them; give Upper frequency or Count");
     if (scene.runs("stability") && !scene.bodies[0].is_meshed() && !scene.bodies[1].is_meshed())
       throw InputError("Analyses asks for stability, but no body has modes; leave \"stability\" out");
     if (scene.runs("stability") && stability.second_count && contact.falling.acts())

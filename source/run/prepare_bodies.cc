@@ -48,8 +48,7 @@ namespace vibrocontact
 
   void scale_damping(ReducedBody &body, const ModeParameters &modes)
   {
-    for (double &ratio : body.damping_ratio)
-      ratio *= modes.damping_factor;
+    body.damping_ratio = modes.scaled(body.damping_ratio, body.omega);
   }
 
   std::unique_ptr<const PreparedPair> prepare_pair(const Parameters &parameters, const MeshedBodies &bodies,

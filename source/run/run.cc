@@ -14,6 +14,7 @@
 #include <vibrocontact/run/run_identification.h>
 #include <vibrocontact/run/run_modal_convolution.h>
 #include <vibrocontact/run/run_modes.h>
+#include <vibrocontact/run/run_periodic.h>
 #include <vibrocontact/run/run_rolling.h>
 #include <vibrocontact/run/run_stability.h>
 #include <vibrocontact/run/run_transient.h>
@@ -107,6 +108,11 @@ namespace vibrocontact
       {
         run_identification(parameters, record.folder, results);
         save("identification");
+      }
+      if (due("periodic"))
+      {
+        run_periodic(parameters, bodies, record.folder, results);
+        save("periodic");
       }
       if (due("stability"))
       {

@@ -4,6 +4,7 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/fe/beam_elements.h>
+#include <vibrocontact/fe/nearest_dof.h>
 #include <vibrocontact/fe/trace_assembly.h>
 #include <vibrocontact/output/frequency_response_output.h>
 #include <vibrocontact/reduction/reduction_cache.h>
@@ -23,36 +24,6 @@ namespace vibrocontact
   {
     using Rows = std::vector<TraceRow>;
 
-    /// The dof of the body next to a place, in one direction.
-    TraceRow nearest_dof(const SecondOrderSystem &system, const ResponsePoint &point)
-    {
-      const unsigned int directions[3] = {2, 0, 1};
-      const dealii::Point<3> place(point.x, point.y, *point.z);
-      double distance = 1e300, size = 0;
-      dealii::types::global_dof_index dof = 0;
-      for (unsigned int i = 0; i < system.dof_position.size(); ++i)
-      {
-        size = std::max(size, system.dof_position[i].norm());
-        if (system.dof_direction[i] == directions[point.component] &&
-            system.dof_position[i].distance(place) < distance)
-        {
-          distance = system.dof_position[i].distance(place);
-          dof = system.locally_owned.nth_index_in_set(i);
-        }
-      }
-      // the lowest number of those at the smallest distance, the same on any number of ranks
-      const double smallest = dealii::Utilities::MPI::min(distance, system.communicator);
-      size = dealii::Utilities::MPI::max(size, system.communicator);
-      const bool is_here = distance < smallest * (1 + 1e-9) + 1e-12;
-      dof = dealii::Utilities::MPI::min(is_here ? dof : system.stiffness.m(), system.communicator);
-      if (smallest > 0.05 * size)
-        throw InputError("Frequency response/Points: " + point.name + " is " + number_text(smallest) +
-                         " m away from the nearest node of " + system.body +
-                         " that moves in its direction; give a place on the body.");
-      run_log().line(point.name + ": nearest node " + number_text(1e3 * smallest) + " mm away");
-      return {{dof, 1.}};
-    }
-
     /// How the points move with the dofs of the body.
     Rows response_rows(MeshedBody &body, const FrequencyResponseParameters &parameters)
     {
@@ -60,7 +31,12 @@ namespace vibrocontact
       Rows rows;
       for (const ResponsePoint &point : parameters.parsed_points())
         if (point.z)
-          rows.push_back(nearest_dof(body.reduction.system(), point));
+        {
+          const unsigned int directions[3] = {2, 0, 1};
+          rows.push_back(nearest_dof(body.reduction.system(), {point.x, point.y, *point.z},
+                                     directions[point.component],
+                                     "Frequency response/Points: " + point.name));
+        }
         else if (own.is_solid())
         {
           ContactGrid patch;

@@ -33,10 +33,10 @@ namespace vibrocontact
         BodyReduction &reduction = bodies[k]->reduction;
         const Modes &shapes = reduction.shapes();
         ReducedBody kept = reduction.reduced(true);
-        scale_damping(kept, reduction.request().modes);
         dealii::Timer timer;
         const Modes all = all_modes(reduction.system(), shapes);
         pair->reduced[k] = with_all_modes(std::move(kept), reduction.system(), all);
+        scale_damping(pair->reduced[k], reduction.request().modes);
         result.surfaces[k] = surface_shapes(reduction.system().surface, all);
         run_log().line(bodies[k]->parameters.name + ": all " + std::to_string(all.omega.size()) +
                        " modes: " + time_text(timer.wall_time()));

@@ -13,6 +13,10 @@ namespace vibrocontact
                       Integer(1, 10));
     prm.add_parameter("Far end", far_end, "The end away from the contact. Units: none.",
                       Selection("held|free"));
+    prm.add_parameter(
+        "Massless contact node", massless_contact_node,
+        "Give the mass of the contact element to its inner node: rigid contact of a node with mass needs "
+        "an impact law. Units: none.");
   }
 
   void BarParameters::check(const std::string &path) const
@@ -20,5 +24,8 @@ namespace vibrocontact
     if (double(divisions) * degree > 200000)
       throw InputError("Section '" + path +
                        "' asks for more than 200,000 dofs: lower Divisions or Element degree.");
+    if (massless_contact_node && divisions < 2)
+      throw InputError("Section '" + path +
+                       "': Massless contact node leaves a bar of one element without mass: raise Divisions.");
   }
 } // namespace vibrocontact

@@ -74,6 +74,7 @@ namespace vibrocontact
         {"quasi-static rolling", "steady rolling contact of body 1 on body 2 with friction", 2},
         {"modal convolution", "a body known by its Green's functions rolls over a road in unilateral contact",
          1},
+        {"periodic", "periodic motions of body 1 against a stop, by weighted residuals in time", 1},
         {"stability", "complex eigenvalues about the rolling equilibrium: which modes squeal", 2},
         {"transient", "motion in time of body 1 on body 2", 2}};
     return types;

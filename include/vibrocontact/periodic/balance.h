@@ -4,6 +4,7 @@
 #include <vibrocontact/periodic/condensation.h>
 #include <vibrocontact/periodic/time_sampling.h>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -78,6 +79,11 @@ namespace vibrocontact
     /// forces on the body: normal rows of c change sign
     std::vector<double> body_forces(const std::vector<double> &c) const;
 
+    /// The law at one sample: force of a point's rows from their forces in the basis, the gap and the physical velocities of
+    /// the tangential rows.
+    std::array<double, 3> contact_force(const std::array<double, 3> &force, double gap,
+                                        const std::array<double, 3> &velocity) const;
+
     /// scale of residuals [N]
     double force_scale(const std::vector<double> &c) const;
 
@@ -114,6 +120,8 @@ namespace vibrocontact
     CondensedBody linear;
     /// of the projections [N/m], [N s/m]
     double normal_rho = 0, tangential_rho = 0;
+    /// tangential rows that no force moves: they carry none
+    std::vector<char> is_inert;
     // work space: coefficients and samples of the rows; derivatives of the law by point and pair of its rows
     std::vector<double> u, u_samples, v_samples, c_samples, law_samples, by_u, by_v, by_c;
     DenseMatrix by_displacement;

@@ -40,9 +40,10 @@ namespace vibrocontact
     unsigned int n_points() const { return gap.size(); }
   };
 
-  /// F and f of s(t) = F sin(2 pi f t) [N], [Hz].
+  /// s(t) = F sin(2 pi f t + phase) [N], [Hz], [rad]. Results are read from where the force rises through zero; the phase
+  /// only moves the force against the functions of time.
   struct HarmonicForce
   {
-    double amplitude = 0, frequency = 1;
+    double amplitude = 0, frequency = 1, phase = 0;
   };
 } // namespace vibrocontact

@@ -10,11 +10,12 @@ namespace vibrocontact
   ///
   ///   Phi_k^T M Z = 0,    Z^T K Z y = w^2 Z^T M Z y,    phi = Z y.
   ///
+  /// Dofs without mass (a massless contact node) follow the others statically and are condensed before.
   /// Pairs and signs as in orient_modes(). LAPACK, replicated; collective. @throws ConvergenceError
   Modes all_modes(const SecondOrderSystem &system, const Modes &kept);
 
   /// The finite elements themselves, unreduced, in the form of a reduced body: the change of basis to all modes
-  /// takes nothing away. The residual flexibility becomes zero, the contact points have the mass that
+  /// takes nothing away. The residual flexibility becomes zero (or that of massless dofs, if there are any), the contact points have the mass that
   /// the elements give them, and a step of the theta-method has the response
   ///
   ///   Psi diag(1 / (1 + h theta c + h^2 theta^2 w^2)) Psi^T = P_c (M + h theta C + h^2 theta^2 K)^-1 P_c^T,

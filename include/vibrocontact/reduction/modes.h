@@ -20,9 +20,13 @@ namespace vibrocontact
     double damping_0 = 1e-3, damping_1 = 1e-2, damping_2 = 1e-4;
     /// all damping ratios of the body times this; no part of the reduction [-]
     double damping_factor = 1;
+    /// beta of C = beta K: adds beta w / 2 to every damping ratio, after the factor; no part of the reduction [s]
+    double stiffness_damping = 0;
     /// points further than this from the axle are the rim, whose motion names the family of a mode [m]
     double rim_radius = 0.385;
 
+    /// Damping ratios of modes by the two entries above. @param omega [rad/s]
+    std::vector<double> scaled(std::vector<double> damping_ratio, const std::vector<double> &omega) const;
     /// Whether any modes are asked for.
     bool any() const { return upper_frequency > 0 || count > 0; }
     void declare_parameters(dealii::ParameterHandler &prm);

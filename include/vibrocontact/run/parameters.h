@@ -3,6 +3,7 @@
 #include <vibrocontact/analyses/frequency_response.h>
 #include <vibrocontact/analyses/identification.h>
 #include <vibrocontact/analyses/method_comparison.h>
+#include <vibrocontact/analyses/periodic.h>
 #include <vibrocontact/analyses/stability.h>
 #include <vibrocontact/analyses/transient_parameters.h>
 #include <vibrocontact/base/parameter_file.h>
@@ -34,6 +35,7 @@ namespace vibrocontact
     RoadParameters road;
     ModalConvolutionParameters modal_convolution;
     ComparisonParameters comparison;
+    PeriodicParameters periodic;
     /// of the meshed bodies, by name
     std::map<std::string, ModeParameters> modes;
     IdentificationParameters identification;
@@ -42,14 +44,21 @@ namespace vibrocontact
     void declare(dealii::ParameterHandler &prm);
     void check() const;
     /// Whether a contact grid is needed.
-    bool has_contact() const { return scene.runs("quasi-static rolling") || has_dynamics(); }
+    bool has_contact() const
+    {
+      return scene.runs("quasi-static rolling") || has_dynamics() ||
+             (scene.runs("periodic") && periodic.contact_points.empty());
+    }
     /// Whether the bodies move.
     bool has_dynamics() const
     {
       return scene.runs("transient") || scene.runs("stability") || scene.runs("modal convolution");
     }
     /// Whether the contact needs the modes of the bodies.
-    bool needs_modes() const { return has_dynamics() || (has_contact() && contact.replaces_flexibility()); }
+    bool needs_modes() const
+    {
+      return has_dynamics() || scene.runs("periodic") || (has_contact() && contact.replaces_flexibility());
+    }
     /// Whether data are identified: by the analysis, or for a body.
     bool has_identification() const;
     /// The grid of section Contact, or one point if a body has no more.

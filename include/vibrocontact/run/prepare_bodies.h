@@ -37,7 +37,7 @@ namespace vibrocontact
   std::unique_ptr<const PreparedPair> prepare_pair(const Parameters &parameters, const MeshedBodies &bodies,
                                                    bool with_modes);
 
-  /// The damping ratios of a reduced body by its Damping factor.
+  /// The damping ratios of a reduced body by its Damping factor and Stiffness damping.
   void scale_damping(ReducedBody &body, const ModeParameters &modes);
 
   /// Makes the meshes and lays the contact grid on them, so that what is wrong there is said before the

@@ -19,6 +19,9 @@ namespace vibrocontact
     unsigned int divisions = 20, degree = 3;
     /// "free" or "held"
     std::string far_end = "held";
+    /// the mass of the contact element goes to its inner node, so that the contact end has none: forces of rigid contact
+    /// then converge (doc/theory.md, "Periodic motion")
+    bool massless_contact_node = false;
 
     void declare_parameters(dealii::ParameterHandler &prm);
     void check(const std::string &section) const;

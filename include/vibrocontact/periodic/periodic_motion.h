@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vibrocontact/periodic/balance.h>
+
+#include <vector>
+
+namespace vibrocontact
+{
+  /// One period of a contact point at equal phases, phase 0 where the exciting force rises through zero; u > 0 towards the
+  /// stop.
+  struct PointHistory
+  {
+    /// [m], [m/s], [N]
+    std::vector<double> displacement, velocity, contact_force;
+    /// with friction: displacement and force on the body along both tangential directions
+    std::vector<double> tangential_displacement[2], tangential_force[2];
+  };
+
+  /// A periodic motion in samples, and what is read off it.
+  struct PeriodicMotion
+  {
+    std::vector<double> phase;
+    std::vector<PointHistory> points;
+    /// energy of the body and of the contact springs [J]
+    std::vector<double> energy;
+    /// of the first point [m]
+    double tip_max = 0, tip_min = 0;
+    /// largest displacement beyond the gap, any point [m]
+    double penetration = 0;
+    /// of a period, by point [N s]
+    std::vector<double> impulse;
+    /// rms over the period of the energy [J]
+    double energy_norm = 0;
+  };
+
+  /// Samples a solution of the balance. Energy: sum over modes (q'^2 + w^2 q^2) / 2, of the first point's residual r^2 / (2
+  /// S), and the contact law's own. Velocity of Haar functions as sampled_velocity().
+  /// @param n_samples phases i / n_samples; a power of two for Daubechies' functions
+  PeriodicMotion sample_motion(const PeriodicBalance &balance, const PeriodicSolution &solution,
+                               unsigned int n_samples);
+
+  /// rms(a - b) / rms(b)
+  double relative_error(const std::vector<double> &a, const std::vector<double> &b);
+} // namespace vibrocontact

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vibrocontact/output/results.h>
+#include <vibrocontact/run/prepare_bodies.h>
+
+#include <string>
+
+namespace vibrocontact
+{
+  /// The analysis `periodic` of body 1 against a stop, with its output: analyses.periodic[] and a table periodic_<k>.csv per
+  /// solution; what did not converge is kept and marked. Every rank computes, rank 0 writes. Collective.
+  void run_periodic(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
+                    Results &results);
+} // namespace vibrocontact

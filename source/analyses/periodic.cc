@@ -1,0 +1,180 @@
+#include <vibrocontact/analyses/periodic.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/parameter_text.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <sstream>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    std::vector<double> numbers_of(const std::string &text, const unsigned int count,
+                                   const std::string &entry)
+    {
+      std::vector<double> result;
+      for (const std::string &member : split_list(text))
+      {
+        std::istringstream stream(member);
+        double value;
+        if (!(stream >> value) || stream.rdbuf()->in_avail() != 0)
+          throw InputError("Periodic/" + entry + ": \"" + member + "\" is no number; give lengths in m.");
+        result.push_back(value);
+      }
+      if (result.size() != count)
+        throw InputError("Periodic/" + entry + ": \"" + text + "\" has " + std::to_string(result.size()) +
+                         " numbers, " + std::to_string(count) + " are needed.");
+      return result;
+    }
+
+    std::string basis_pattern()
+    {
+      std::string names;
+      for (const TimeBasisEntry &entry : time_bases())
+        names += (names.empty() ? "" : "|") + entry.name;
+      return names;
+    }
+  } // namespace
+
+  void PeriodicParameters::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add_parameter("Trial basis", trial, "Functions of time that the motion is made of. Units: none.",
+                      Selection(basis_pattern()));
+    prm.add_parameter("Weighting basis", weighting,
+                      "Functions of time that the residual is orthogonal to. Units: none.",
+                      Selection(basis_pattern()));
+    prm.add_parameter("Number of functions", n_functions,
+                      "Functions in each basis; odd numbers leave no undamped last function. Units: none.",
+                      Integer(1, 100000));
+    prm.add_parameter("Form", form, "Who carries the derivatives of the inertia term. Units: none.",
+                      Selection("strong|weak|distributional"));
+    prm.add_parameter(
+        "Law", law,
+        "Stop: exponential spring, one-sided linear spring (both by Contact/Penalty amplitude and "
+        "exponent), or rigid. Units: none.",
+        Selection("penalty|linear|signorini"));
+    prm.add_parameter("Frequency", frequency, "Frequency of the exciting force. Units: Hz.", Double(1e-9));
+    prm.add_parameter("Force", force, "Amplitude of the exciting force. Units: N.", Double(0));
+    prm.add_parameter(
+        "Force point", force_point,
+        "Place and direction of the force, \"x, y, z, direction\"; empty: the first contact point, "
+        "into the stop. Units: m.");
+    prm.add_parameter(
+        "Contact points", contact_points,
+        "Points that may touch, \"name: x, y, z; ...\", each at the nearest node; empty: the contact "
+        "point of section Contact. Units: m.");
+    prm.add_parameter("Stop direction", stop_direction, "Direction from the body to the stop. Units: none.",
+                      Selection("+x|-x|+y|-y|+z|-z"));
+    prm.add_parameter("Gap", gap, "Gap of the undeformed body; negative: preloaded. Units: m.", Double());
+    prm.add_parameter("Model", model,
+                      "What moves: the modes kept and residual flexibility, or all modes of the "
+                      "elements. Units: none.",
+                      Selection("reduced|finite elements"));
+    prm.add_parameter("Samples", n_samples,
+                      "Samples of the contact law over the period, at least. Units: none.",
+                      Integer(2, 1 << 24));
+    prm.add_parameter(
+        "Quadrature points", quadrature_points,
+        "Integrals between the bases by so many left points instead of exactly; 0: exactly. Units: none.",
+        Integer(0, 1 << 24));
+    prm.add_parameter(
+        "Reference", reference,
+        "Whether the distance of each solution to the motion found by shooting is computed. Units: none.");
+    prm.add_parameter("Output samples", n_output, "Lines of the tables. Units: none.", Integer(4, 1 << 24));
+    prm.enter_subsection("Comparison");
+    prm.add_parameter(
+        "Pairs", pairs,
+        "Solutions beside the first one: pairs of bases \"trial:weighting, ...\". Units: none.");
+    prm.add_parameter("Numbers", numbers, "Numbers of functions of these solutions. Units: none.",
+                      List(Integer(1, 100000), 0, 1000));
+    prm.add_parameter(
+        "Force phases", n_phases,
+        "Errors are medians over so many positions of the force within one cell of the basis. Units: none.",
+        Integer(1, 1000));
+    prm.leave_subsection();
+  }
+
+  void PeriodicParameters::check() const
+  {
+    parsed_contact_points();
+    parsed_force();
+    const auto pairs_asked = parsed_pairs();
+    if (numbers.empty() && pairs_asked.size() > 1)
+      throw InputError(
+          "Periodic/Comparison/Pairs needs Periodic/Comparison/Numbers: give the numbers of functions.");
+  }
+
+  std::vector<PeriodicParameters::Place> PeriodicParameters::parsed_contact_points() const
+  {
+    std::vector<Place> result;
+    for (const std::string &member : dealii::Utilities::split_string_list(contact_points, ';'))
+    {
+      const std::size_t colon = member.find(':');
+      if (colon == std::string::npos)
+        throw InputError("Periodic/Contact points: \"" + member +
+                         "\" has no name; write it as name: x, y, z.");
+      const std::vector<double> x = numbers_of(member.substr(colon + 1), 3, "Contact points");
+      result.push_back({trimmed(member.substr(0, colon)), {x[0], x[1], x[2]}});
+    }
+    return result;
+  }
+
+  std::pair<unsigned int, double> PeriodicParameters::stop_axis() const
+  {
+    return {stop_direction[1] - 'x', stop_direction[0] == '+' ? 1. : -1.};
+  }
+
+  std::optional<std::pair<dealii::Point<3>, unsigned int>> PeriodicParameters::parsed_force() const
+  {
+    if (trimmed(force_point).empty())
+      return {};
+    const std::size_t comma = force_point.rfind(',');
+    const std::string direction = comma == std::string::npos ? "" : trimmed(force_point.substr(comma + 1));
+    if (direction.size() != 1 || direction[0] < 'x' || direction[0] > 'z')
+      throw InputError("Periodic/Force point: \"" + force_point +
+                       "\" does not end in a direction; write it as x, y, z, "
+                       "direction with direction x, y or z.");
+    const std::vector<double> x = numbers_of(force_point.substr(0, comma), 3, "Force point");
+    return std::make_pair(dealii::Point<3>(x[0], x[1], x[2]), unsigned(direction[0] - 'x'));
+  }
+
+  std::vector<std::pair<std::string, std::string>> PeriodicParameters::parsed_pairs() const
+  {
+    std::vector<std::pair<std::string, std::string>> result = {{trial, weighting}};
+    for (const std::string &member : split_list(pairs))
+    {
+      const std::size_t colon = member.find(':');
+      if (colon == std::string::npos)
+        throw InputError("Periodic/Comparison/Pairs: \"" + member +
+                         "\" is no pair; write it as trial:weighting.");
+      result.emplace_back(trimmed(member.substr(0, colon)), trimmed(member.substr(colon + 1)));
+    }
+    return result;
+  }
+
+  BalanceSettings PeriodicParameters::settings(const std::string &trial_basis,
+                                               const std::string &weighting_basis, const unsigned int number,
+                                               const double friction) const
+  {
+    BalanceSettings result;
+    result.trial = trial_basis;
+    result.weighting = weighting_basis;
+    result.n_functions = number;
+    result.form = time_form(form);
+    result.n_samples = n_samples;
+    result.quadrature_points = quadrature_points;
+    result.friction = friction;
+    return result;
+  }
+
+  std::shared_ptr<const NormalLaw> PeriodicParameters::normal_law(const double amplitude,
+                                                                  const double exponent) const
+  {
+    return create_normal_law(law == "penalty"  ? "exponential penalty"
+                             : law == "linear" ? "linear spring"
+                                               : "signorini",
+                             amplitude, exponent);
+  }
+} // namespace vibrocontact

@@ -1,0 +1,108 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/fe/dense_system.h>
+#include <vibrocontact/fe/nearest_dof.h>
+#include <vibrocontact/reduction/all_modes.h>
+#include <vibrocontact/reduction/point_reduction.h>
+#include <vibrocontact/run/periodic_body.h>
+
+#include <deal.II/base/numbers.h>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    using Rows = std::vector<TraceRow>;
+
+    TraceRow times(TraceRow row, const double factor)
+    {
+      for (auto &[dof, weight] : row)
+        weight *= factor;
+      return row;
+    }
+
+    /// Rows of the contact points: motion into the stop, with friction the two tangential ones behind it.
+    Rows contact_rows(const Parameters &parameters, const SecondOrderSystem &system,
+                      const unsigned int rows_per_point)
+    {
+      const auto [axis, sign] = parameters.periodic.stop_axis();
+      const unsigned int directions[3] = {axis, (axis + 1) % 3, (axis + 2) % 3};
+      Rows rows;
+      for (const auto &[name, place] : parameters.periodic.parsed_contact_points())
+        for (unsigned int a = 0; a < rows_per_point; ++a)
+          rows.push_back(times(nearest_dof(system, place, directions[a], "Periodic/Contact points: " + name),
+                               a == 0 ? sign : 1.));
+      if (!rows.empty())
+        return rows;
+      if (axis != 2)
+        throw InputError("Periodic/Stop direction is " + parameters.periodic.stop_direction +
+                         ", but the contact surface of " + system.body +
+                         " looks along z: give Contact points.");
+      // contact components: z, x, y
+      const unsigned int n = system.trace.grid.n_points();
+      for (unsigned int p = 0; p < n; ++p)
+        for (unsigned int a = 0; a < rows_per_point; ++a)
+          rows.push_back(times(system.trace.rows[contact_row(n, a, p)], a == 0 ? sign : 1.));
+      return rows;
+    }
+  } // namespace
+
+  PeriodicBody periodic_body(const Parameters &parameters, const MeshedBodies &bodies)
+  {
+    MeshedBody &meshed = *bodies[0];
+    BodyReduction &reduction = meshed.reduction;
+    const PeriodicParameters &periodic = parameters.periodic;
+    const SecondOrderSystem &system = reduction.system();
+    if (system.n_rigid_modes > 0)
+      throw InputError(system.body +
+                       " is free, but a periodic motion needs a body that is held: it would drift.");
+    PeriodicBody body;
+    body.rows_per_point = parameters.contact.friction > 0 ? 3 : 1;
+    Rows rows = contact_rows(parameters, system, body.rows_per_point);
+    const unsigned int n = rows.size();
+    const auto force = periodic.parsed_force();
+    if (force)
+      rows.push_back(nearest_dof(system, force->first, force->second, "Periodic/Force point"));
+
+    Modes modes = reduction.shapes();
+    std::vector<double> damping_ratio = reduction.modal().damping_ratio;
+    if (periodic.model == "finite elements")
+    {
+      if (n_moving_dofs(system) > most_dense_dofs)
+        throw InputError("Periodic/Model is finite elements, but " + system.body + " has " +
+                         std::to_string(n_moving_dofs(system)) + " degrees of freedom, more than the " +
+                         std::to_string(most_dense_dofs) + " that go to LAPACK: set it to reduced.");
+      modes = all_modes(system, modes);
+      damping_ratio = strain_energy_damping(system, modes);
+    }
+    const PointReduction points = reduce_to_points(system, reduction.flexibility(), modes, rows);
+    body.omega = modes.omega;
+    body.damping_ratio = reduction.request().modes.scaled(damping_ratio, body.omega);
+    body.relaxation = reduction.request().modes.stiffness_damping;
+    const unsigned int m = body.omega.size(), exciting = force ? n : 0;
+    body.trace.reinit(n, m);
+    body.residual.reinit(n, n);
+    body.modal_load = points.load;
+    body.residual_load.assign(points.residual_load.begin(), points.residual_load.begin() + n);
+    for (unsigned int k = 0; k < m; ++k)
+    {
+      body.modal_force.push_back(points.trace(exciting, k));
+      for (unsigned int i = 0; i < n; ++i)
+        body.trace(i, k) = points.trace(i, k);
+    }
+    for (unsigned int j = 0; j < n; ++j)
+    {
+      body.residual_force.push_back(points.residual(j, exciting));
+      for (unsigned int i = 0; i < n; ++i)
+        body.residual(i, j) = points.residual(i, j);
+    }
+    body.gap.assign(n / body.rows_per_point, periodic.gap);
+
+    Log &log = run_log();
+    log.value("modes", m);
+    log.value("first frequency", body.omega[0] / (2 * dealii::numbers::PI), "Hz");
+    log.value("contact points", body.n_points());
+    log.value("residual flexibility of the first point", body.residual(0, 0), "m/N");
+    return body;
+  }
+} // namespace vibrocontact
