@@ -19,6 +19,9 @@ figures/transient_status.png    status of the contact points through a period, a
 figures/transient_<signal>.png  velocity of a probe and its spectrogram, as in Fig. 15
 figures/modal_convolution_*.png displacements, forces and 1/3-octave bands of the force, as in Figs 2, 3, 6, 7 of Meftah & Duhamel
 figures/method_comparison.png   error against cost of the response methods
+figures/periodic_motion.png     displacement, velocity and contact force over a period, as in Figs 6 to 9 of Jones & Legrand
+figures/periodic_errors.png     their errors over the number of functions and over time, as in Figs 10 and 11
+figures/time_bases.png          functions of the bases in time, as in Figs 2 to 5
 Needs matplotlib, after a transient also h5py; exit code 4 without. Tractions act on body 1; the contact travels towards -x.
 """
 import json
@@ -37,6 +40,7 @@ except ImportError:
     sys.exit(4)
 
 from plots.contact import plot_centre_line, plot_curves, plot_patch
+from plots.periodic import plot_periodic
 from plots.response import plot_frequency_response, plot_identification
 from plots.shapes import plot_modes, plot_unstable
 from plots.stability import plot_divergence, plot_sweep
@@ -68,6 +72,8 @@ def main():
     if "stability" in analyses and os.path.exists(os.path.join(folder, "stability.csv")):
         plot_divergence(folder)
         plot_unstable(folder, analyses["stability"])
+    if analyses.get("periodic"):
+        plot_periodic(folder, analyses["periodic"])
     if not os.path.exists(HISTORIES):
         return
     # they need h5py

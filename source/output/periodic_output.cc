@@ -1,5 +1,4 @@
 #include <vibrocontact/output/periodic_output.h>
-#include <vibrocontact/output/table.h>
 
 namespace vibrocontact
 {
@@ -25,7 +24,77 @@ namespace vibrocontact
     json["energy_norm_J"] = motion.energy_norm;
     json["penetration_m"] = motion.penetration;
     json["impulse_Ns"] = motion.impulse;
+    if (solved.errors)
+    {
+      json["error_to_reference"] = solved.errors->displacement;
+      json["reference"] = "shooting in time";
+      json["error_velocity"] = solved.errors->velocity;
+      json["error_contact_force"] = solved.errors->contact_force;
+      json["error_impulse"] = solved.errors->impulse;
+      json["error_energy_norm"] = solved.errors->energy_norm;
+      json["error_midpoints"] = solved.errors->midpoints;
+    }
     return json;
+  }
+
+  void write_reference_table(const PeriodicReference &reference, const std::string &file_name)
+  {
+    Table table({"phase", "displacement_m", "velocity_m_s", "contact_force_N"},
+                {"Periodic motion by shooting in time, the reference of periodic_errors.csv"});
+    const std::size_t n = reference.displacement.size();
+    for (std::size_t i = 0; i < n; ++i)
+      table.add_row(
+          {double(i) / n, reference.displacement[i], reference.velocity[i], reference.contact_force[i]});
+    table.write(file_name);
+  }
+
+  void write_basis_table(const std::vector<std::string> &families, const std::string &file_name)
+  {
+    constexpr unsigned int n_phases = 512, n_levels = 6;
+    std::vector<std::string> columns = {"phase"};
+    std::vector<std::vector<double>> values(n_phases);
+    for (unsigned int i = 0; i < n_phases; ++i)
+      values[i].push_back(double(i) / n_phases);
+    for (const std::string &family : families)
+      for (unsigned int level = 0; level < n_levels; ++level)
+      {
+        const bool fourier = family == "fourier";
+        const auto basis = create_time_basis(family, fourier ? n_levels : 1u << level);
+        columns.push_back(family + "_" + (fourier ? std::to_string(level) : std::to_string(1u << level)));
+        for (unsigned int i = 0; i < n_phases; ++i)
+          values[i].push_back(basis->function(fourier ? level : 0, values[i][0], 0));
+      }
+    Table table(
+        columns,
+        {"Functions of the bases in time: fourier_<k> the k-th, others the first of so many functions"});
+    for (const std::vector<double> &row : values)
+      table.add_row({row.begin(), row.end()});
+    table.write(file_name);
+  }
+
+  Table periodic_error_table()
+  {
+    return Table(
+        {"basis", "weighting", "n_functions", "error_displacement", "error_velocity", "error_contact_force",
+         "error_impulse", "error_energy_norm", "error_midpoints", "phases", "failed_phases",
+         "newton_iterations", "seconds"},
+        {"Relative rms errors of the first contact point against shooting in time, medians over positions of "
+         "the force within a cell of the basis",
+         "error_midpoints: of the displacement in the middle of the cells; iterations and seconds of one "
+         "solution"});
+  }
+
+  void add_line(Table &table, const PeriodicCase &solved)
+  {
+    std::vector<Table::Cell> row = {solved.settings.trial, solved.settings.weighting,
+                                    double(solved.settings.n_functions)};
+    for (double PeriodicErrors::*entry :
+         {&PeriodicErrors::displacement, &PeriodicErrors::velocity, &PeriodicErrors::contact_force,
+          &PeriodicErrors::impulse, &PeriodicErrors::energy_norm, &PeriodicErrors::midpoints})
+      row.push_back(solved.errors ? Table::Cell((*solved.errors).*entry) : Table::Cell("none"));
+    row.insert(row.end(), {double(solved.n_phases), double(solved.failed_phases),
+                           double(solved.solution.iterations), solved.seconds});
+    table.add_row(row);
   }
 
   void write_periodic_table(const PeriodicCase &solved, const std::string &file_name)

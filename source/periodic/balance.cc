@@ -89,8 +89,14 @@ namespace vibrocontact
           size = std::max(size, std::abs(linear.compliance[(m * n + i) * n + i]));
         is_inert[i] = size <= 1e-14 * normal;
       }
-    normal_rho = settings.projection / normal;
-    tangential_rho = tangential > 0 ? settings.projection / tangential : 0.;
+    // kept while they are of the right size: a solution does not depend on them, its derivatives on the way do
+    const auto renew = [&](double &rho, const double wanted) {
+      if (!(rho > wanted / 4 && rho < wanted * 4))
+        rho = wanted;
+    };
+    renew(normal_rho, settings.projection / normal);
+    if (tangential > 0)
+      renew(tangential_rho, settings.projection / tangential);
   }
 
   void PeriodicBalance::displacement_from(const std::vector<double> &c,

@@ -4,7 +4,12 @@
 #include <vibrocontact/run/run_periodic.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/timer.h>
+
+#include <optional>
+#include <set>
+#include <sstream>
 
 namespace vibrocontact
 {
@@ -21,6 +26,42 @@ namespace vibrocontact
       return result;
     }
 
+    /// One solution, for further positions of the force in a cell its errors only.
+    PeriodicCase solve(const PeriodicParameters &periodic, const PeriodicBody &body,
+                       const std::shared_ptr<const NormalLaw> &law, const BalanceSettings &settings,
+                       const unsigned int n_phases, const std::optional<PeriodicReference> &reference)
+    {
+      PeriodicBalance balance(body, law, settings);
+      PeriodicCase result{settings, periodic.law, {}, {}, {}, n_phases, 0, 0};
+      std::vector<PeriodicErrors> errors;
+      for (unsigned int k = 0; k < n_phases; ++k)
+      {
+        dealii::Timer timer;
+        balance.set_force({periodic.force, periodic.frequency,
+                           2 * dealii::numbers::PI * k / (double(n_phases) * settings.n_functions)});
+        const PeriodicSolution solution = balance.solve();
+        const double seconds = timer.wall_time();
+        if (k == 0)
+        {
+          result.solution = solution;
+          result.seconds = seconds;
+        }
+        if (!solution.converged)
+        {
+          ++result.failed_phases;
+          continue;
+        }
+        const PeriodicMotion motion = sample_motion(balance, solution, periodic.n_output);
+        if (reference)
+          errors.push_back(errors_of(balance, solution, motion, *reference));
+        if (k == 0)
+          result.motion = motion;
+      }
+      if (!errors.empty())
+        result.errors = median(errors);
+      return result;
+    }
+
     void tell(const PeriodicCase &solved)
     {
       Log &log = run_log();
@@ -34,6 +75,10 @@ namespace vibrocontact
         log.value("largest displacement", solved.motion.tip_max, "m");
         log.value("impulse of a period", solved.motion.impulse[0], "N s");
       }
+      if (solved.errors)
+        log.value("relative error to shooting", solved.errors->displacement);
+      if (solved.failed_phases > 0)
+        log.value("positions of the force without solution", solved.failed_phases);
       log.value("time", solved.seconds * 1e3, "ms");
     }
   } // namespace
@@ -52,26 +97,49 @@ namespace vibrocontact
           "the rigid stop meets a contact point with mass: its forces do not converge with the number of "
           "functions; give the body a massless contact node or keep fewer modes");
 
-    nlohmann::ordered_json &json = results.analyses["periodic"] = nlohmann::ordered_json::array();
-    for (const BalanceSettings &settings : solutions(periodic, parameters.contact.friction))
+    std::optional<PeriodicReference> reference;
+    if (periodic.reference)
     {
-      PeriodicBalance balance(body, law, settings);
-      dealii::Timer timer;
-      balance.set_force({periodic.force, periodic.frequency});
-      PeriodicCase solved{settings, periodic.law, balance.solve(), {}, 0};
-      solved.seconds = timer.wall_time();
-      if (solved.solution.converged)
-        solved.motion = sample_motion(balance, solved.solution, periodic.n_output);
-      else
-        results.failures.push_back(
-            {"periodic", "The periodic motion by " + std::to_string(settings.n_functions) + " functions " +
-                             settings.trial + ":" + settings.weighting + " did not converge (residual " +
-                             std::to_string(solved.solution.residual) +
-                             "): choose another number of functions."});
+      reference = periodic_reference(body, *law, {periodic.force, periodic.frequency}, periodic.n_output);
+      run_log().value("reference by shooting", reference->solution.seconds * 1e3, "ms");
+      run_log().value("its periodicity", reference->solution.periodicity);
+    }
+
+    if (writes && reference)
+      write_reference_table(*reference, folder + "/periodic_reference.csv");
+    if (writes && !periodic.numbers.empty())
+    {
+      std::set<std::string> families;
+      for (const auto &[trial, weighting] : periodic.parsed_pairs())
+        families.insert({trial, weighting});
+      write_basis_table({families.begin(), families.end()}, folder + "/time_bases.csv");
+    }
+
+    nlohmann::ordered_json &json = results.analyses["periodic"] = nlohmann::ordered_json::array();
+    Table table = periodic_error_table();
+    const std::vector<BalanceSettings> asked = solutions(periodic, parameters.contact.friction);
+    Progress progress("periodic motions", asked.size());
+    for (const BalanceSettings &settings : asked)
+    {
+      const PeriodicCase solved =
+          solve(periodic, body, law, settings, json.empty() ? 1 : periodic.n_phases, reference);
+      if (!solved.solution.converged && json.empty())
+      {
+        std::ostringstream text;
+        text << "The periodic motion by " << settings.n_functions << " functions " << settings.trial << ":"
+             << settings.weighting << " did not converge, its residual is " << solved.solution.residual
+             << ": choose another number of functions or another pair.";
+        results.failures.push_back({"periodic", text.str()});
+      }
       tell(solved);
       if (writes && solved.solution.converged)
         write_periodic_table(solved, folder + "/periodic_" + std::to_string(json.size()) + ".csv");
+      if (reference)
+        add_line(table, solved);
       json.push_back(periodic_json(solved));
+      progress.advance();
     }
+    if (writes && reference)
+      table.write(folder + "/periodic_errors.csv");
   }
 } // namespace vibrocontact
