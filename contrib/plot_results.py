@@ -8,6 +8,7 @@ figures/frequency_response.png  mobilities of the driving points over frequency,
 figures/green_functions_<body>.png frequency and impulse responses of a body known by its Green's functions, as in Fig. 5 of Meftah & Duhamel
 figures/identification.png      receptances given, fitted by poles, and their differences
 figures/stabilisation_chart.png identified poles over their number
+figures/response.png            periodic motions along a branch, stable and unstable, as in Fig. 12 of Jones & Legrand
 figures/stability_sweep.png     divergence rates along a sweep of one entry
 figures/stability_map.png       number of unstable roots and each one's divergence rate over a sweep of two entries
 figures/root_locus.png          paths of the followed roots: growth against frequency
@@ -42,6 +43,7 @@ except ImportError:
 from plots.contact import plot_centre_line, plot_curves, plot_patch
 from plots.periodic import plot_periodic
 from plots.response import plot_frequency_response, plot_identification
+from plots.response_curve import plot_response_curve
 from plots.shapes import plot_modes, plot_unstable
 from plots.stability import plot_divergence, plot_sweep
 
@@ -64,6 +66,8 @@ def main():
         plot_frequency_response(folder, analyses["frequency_response"])
     if analyses.get("identification"):
         plot_identification(folder, analyses["identification"])
+    if "response" in analyses:
+        plot_response_curve(folder, analyses["response"])
     if analyses.get("stability", {}).get("sweep"):
         plot_sweep(folder, analyses["stability"]["swept_columns"], analyses["stability"]["swept_entries"])
     for body, modes in analyses.get("modes", {}).items():

@@ -94,12 +94,16 @@ namespace vibrocontact
         "Errors are medians over so many positions of the force within one cell of the basis. Units: none.",
         Integer(1, 1000));
     prm.leave_subsection();
+    prm.enter_subsection("Continuation");
+    continuation.declare_parameters(prm);
+    prm.leave_subsection();
   }
 
   void PeriodicParameters::check() const
   {
     parsed_contact_points();
     parsed_force();
+    continuation.check();
     const auto pairs_asked = parsed_pairs();
     if (numbers.empty() && pairs_asked.size() > 1)
       throw InputError(

@@ -65,10 +65,34 @@ namespace vibrocontact
     by_c.resize(by_u.size());
   }
 
+  void PeriodicBalance::set_condensation(std::function<CondensedBody(const HarmonicForce &)> given)
+  {
+    receptances = std::move(given);
+    set_force(force);
+  }
+
+  CondensedBody PeriodicBalance::condensed_at(const HarmonicForce &at) const
+  {
+    return receptances ? receptances(at) : condense(body, pairing, at);
+  }
+
+  void PeriodicBalance::set(const SceneParameter parameter, const double value)
+  {
+    HarmonicForce changed = force;
+    if (parameter == SceneParameter::gap)
+      body.gap.assign(body.n_points(), value);
+    else if (parameter == SceneParameter::force)
+      changed.amplitude = value;
+    else
+      changed.frequency = value;
+    if (parameter != SceneParameter::gap)
+      set_force(changed);
+  }
+
   void PeriodicBalance::set_force(const HarmonicForce &new_force)
   {
     force = new_force;
-    linear = condense(body, pairing, force);
+    linear = condensed_at(force);
     double normal = 0, tangential = 0;
     const unsigned int n = body.n_rows();
     for (unsigned int m = 0; m < pairing.a0.size(); ++m)
@@ -90,11 +114,15 @@ namespace vibrocontact
         is_inert[i] = size <= 1e-14 * normal;
       }
     // kept while they are of the right size: a solution does not depend on them, its derivatives on the way do
-    const auto renew = [&](double &rho, const double wanted) {
+    const auto renew = [&](double &rho, const double wanted)
+    {
       if (!(rho > wanted / 4 && rho < wanted * 4))
         rho = wanted;
     };
-    renew(normal_rho, settings.projection / normal);
+    if (fixed_rho > 0)
+      normal_rho = fixed_rho;
+    else
+      renew(normal_rho, settings.projection / normal);
     if (tangential > 0)
       renew(tangential_rho, settings.projection / tangential);
   }
@@ -287,12 +315,40 @@ namespace vibrocontact
       jacobian(k, k) += 1;
   }
 
-  void PeriodicBalance::slope_of(const std::vector<double> &c, std::vector<double> &by_frequency)
+  std::vector<double> PeriodicBalance::motion_slope(const std::vector<double> &c,
+                                                    const SceneParameter parameter) const
+  {
+    std::vector<double> slope;
+    if (parameter == SceneParameter::frequency)
+      displacement_from(c, linear.linear_slope, linear.compliance_slope, slope);
+    else if (parameter == SceneParameter::force)
+    {
+      const std::vector<double> none(c.size(), 0.);
+      std::vector<double> at_rest;
+      const CondensedBody unit = condensed_at({1., force.frequency, force.phase}),
+                          rest = condensed_at({0., force.frequency, force.phase});
+      displacement_from(none, unit.linear, unit.compliance, slope);
+      displacement_from(none, rest.linear, rest.compliance, at_rest);
+      for (unsigned int k = 0; k < slope.size(); ++k)
+        slope[k] -= at_rest[k];
+    }
+    else
+    {
+      // a wider gap is a motion away from the stop; the first function is the constant one
+      slope.assign(c.size(), 0.);
+      for (unsigned int i = 0; i < body.n_rows(); ++i)
+        if (is_normal(i))
+          slope[i * settings.n_functions] = -1;
+    }
+    return slope;
+  }
+
+  void PeriodicBalance::slope_of(const std::vector<double> &slope, const bool in_frequency,
+                                 std::vector<double> &by_parameter)
   {
     const unsigned int N = settings.n_functions, count = samples->n_samples(), rows = body.rows_per_point;
-    std::vector<double> slope, row_u(count), law_slope(count);
-    displacement_from(c, linear.linear_slope, linear.compliance_slope, slope);
-    by_frequency.assign(c.size(), 0.);
+    std::vector<double> row_u(count), law_slope(count);
+    by_parameter.assign(slope.size(), 0.);
     for (unsigned int p = 0; p < body.n_points(); ++p)
       for (unsigned int a = 0; a < rows; ++a)
       {
@@ -305,24 +361,83 @@ namespace vibrocontact
           const std::size_t at = std::size_t((p * rows + a) * rows + b) * count;
           samples->samples(b == 0 ? Quantity::displacement : Quantity::velocity, &slope[j * N], row_u.data());
           for (unsigned int k = 0; k < count; ++k)
-            law_slope[k] += b == 0 ? by_u[at + k] * row_u[k]
-                                   : by_v[at + k] * (force.frequency * row_u[k] + v_samples[j * count + k]);
+          {
+            if (b == 0)
+              law_slope[k] += by_u[at + k] * row_u[k];
+            else
+              law_slope[k] += by_v[at + k] *
+                              (force.frequency * row_u[k] + (in_frequency ? v_samples[j * count + k] : 0.));
+          }
         }
-        samples->moments(law_slope.data(), &by_frequency[(p * rows + a) * N]);
+        samples->moments(law_slope.data(), &by_parameter[(p * rows + a) * N]);
       }
-    for (double &value : by_frequency)
+    for (double &value : by_parameter)
       value = -value;
   }
 
   void PeriodicBalance::evaluate(const std::vector<double> &c, std::vector<double> &residual,
-                                 DenseMatrix *jacobian, std::vector<double> *by_frequency)
+                                 DenseMatrix *jacobian, std::vector<double> *by_parameter,
+                                 const SceneParameter parameter)
   {
     apply_law(c);
     residual_of(c, residual);
     if (jacobian)
       assemble(*jacobian);
-    if (by_frequency)
-      slope_of(c, *by_frequency);
+    if (by_parameter)
+      slope_of(motion_slope(c, parameter), parameter == SceneParameter::frequency, *by_parameter);
+  }
+
+  std::size_t PeriodicBalance::active_pattern() const
+  {
+    const unsigned int count = samples->n_samples(), rows = body.rows_per_point;
+    std::size_t hash = 0;
+    for (unsigned int p = 0; p < body.n_points(); ++p)
+      for (unsigned int k = 0; k < count; ++k)
+        if (by_u[p * rows * rows * count + k] != 0)
+          hash = (hash ^ (p * count + k + 1)) * 1099511628211ull;
+    return hash;
+  }
+
+  unsigned int PeriodicBalance::n_active() const
+  {
+    const unsigned int count = samples->n_samples(), rows = body.rows_per_point;
+    unsigned int result = 0;
+    for (unsigned int p = 0; p < body.n_points(); ++p)
+      for (unsigned int k = 0; k < count; ++k)
+        result += by_u[p * rows * rows * count + k] != 0;
+    return result;
+  }
+
+  std::vector<double> PeriodicBalance::contact_stiffness(const unsigned int point, const double rigid) const
+  {
+    const unsigned int count = samples->n_samples(), rows = body.rows_per_point,
+                       normal = point * rows * count;
+    const auto gap = [&](const unsigned int k) { return body.gap[point] - u_samples[normal + k]; };
+    std::vector<double> result(count, 0.);
+    for (unsigned int k = 0; k < count; ++k)
+    {
+      if (!spring)
+      {
+        result[k] = law_samples[normal + k] > 0 ? rigid : 0.;
+        continue;
+      }
+      const unsigned int next = k + 1 < count ? k + 1 : 0;
+      const double here = gap(k), there = gap(next);
+      if (here < 0 && there < 0)
+      {
+        result[k] += 0.5 * spring->stiffness(here);
+        result[next] += 0.5 * spring->stiffness(there);
+      }
+      else if (here < 0 || there < 0)
+      {
+        // a part s of the interval is in contact: shares by linear shape functions
+        const unsigned int closed = here < 0 ? k : next, open = here < 0 ? next : k;
+        const double s = gap(closed) / (gap(closed) - gap(open)), stiffness = spring->stiffness(gap(closed));
+        result[closed] += stiffness * s * (1 - 0.5 * s);
+        result[open] += stiffness * 0.5 * s * s;
+      }
+    }
+    return result;
   }
 
   bool PeriodicBalance::newton(std::vector<double> &c, PeriodicSolution &solution)

@@ -2,6 +2,7 @@
 #include <vibrocontact/output/periodic_output.h>
 #include <vibrocontact/run/periodic_body.h>
 #include <vibrocontact/run/run_periodic.h>
+#include <vibrocontact/run/run_response.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -141,5 +142,7 @@ namespace vibrocontact
     }
     if (writes && reference)
       table.write(folder + "/periodic_errors.csv");
+    if (periodic.continuation.is_wanted())
+      run_response(periodic, body, law, parameters.contact.friction, folder, results);
   }
 } // namespace vibrocontact

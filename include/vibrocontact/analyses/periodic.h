@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/analyses/branch.h>
 #include <vibrocontact/contact/laws.h>
 #include <vibrocontact/periodic/balance.h>
 
@@ -42,6 +43,7 @@ namespace vibrocontact
     unsigned int n_phases = 1;
     /// samples of the tables
     unsigned int n_output = 4096;
+    BranchParameters continuation;
 
     struct Place
     {

@@ -5,6 +5,7 @@
 #include <vibrocontact/periodic/time_sampling.h>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,6 +43,15 @@ namespace vibrocontact
     double residual = 0;
   };
 
+  /// What a branch of solutions may be followed in: frequency [Hz] and amplitude [N] of the exciting force, gap of every
+  /// point [m].
+  enum class SceneParameter
+  {
+    frequency,
+    force,
+    gap
+  };
+
   /// Periodic motion in contact as one equation in the moments c of the contact forces,
   ///
   ///   R(c) = c - P law(L c, Q u(c), f Q' u(c)) = 0,     u = linear + H p(c)
@@ -64,10 +74,28 @@ namespace vibrocontact
     /// Condenses the body at this force. Cheap: n_modes n_rows^2 N.
     void set_force(const HarmonicForce &force);
     void set_gap(const std::vector<double> &gap) { body.gap = gap; }
+    void set(SceneParameter parameter, double value);
+    /// Parameter of the normal projections, whatever the force from now on [N/m]; 0: by BalanceSettings::projection.
+    void set_projection(const double rho)
+    {
+      fixed_rho = rho;
+      set_force(force);
+    }
+    /// Replaces the modes of the body by receptances of any kind, for example those of the continuous bar.
+    void set_condensation(std::function<CondensedBody(const HarmonicForce &)> receptances);
 
-    /// R, dR/dc and dR/df [1/Hz]; null: not wanted.
+    /// R, dR/dc and the derivative with respect to a parameter; null: not wanted.
     void evaluate(const std::vector<double> &c, std::vector<double> &residual, DenseMatrix *jacobian,
-                  std::vector<double> *by_frequency);
+                  std::vector<double> *by_parameter, SceneParameter parameter = SceneParameter::frequency);
+
+    /// Of the last c that was evaluated: displacement of a row at the samples [m]; a number that changes with the set of samples in
+    /// contact; how many there are.
+    const double *row_samples(const unsigned int row) const { return &u_samples[row * samples->n_samples()]; }
+    std::size_t active_pattern() const;
+    unsigned int n_active() const;
+    /// Tangent stiffness of a point's law around each sample [N/m], first touch and release placed between samples by the
+    /// gap; of a rigid stop `rigid` where it carries force.
+    std::vector<double> contact_stiffness(unsigned int point, double rigid) const;
 
     /// From c, or from the motion without contact if c is empty. If Newton's method fails from there, the motion is followed
     /// from a gap that it just does not touch. Never throws for want of convergence: see `converged`.
@@ -104,7 +132,10 @@ namespace vibrocontact
     void apply_law(const std::vector<double> &c);
     void residual_of(const std::vector<double> &c, std::vector<double> &residual) const;
     void assemble(DenseMatrix &jacobian);
-    void slope_of(const std::vector<double> &c, std::vector<double> &by_frequency);
+    void slope_of(const std::vector<double> &slope, bool in_frequency, std::vector<double> &by_parameter);
+    /// derivative of the rows' coefficients at fixed c
+    std::vector<double> motion_slope(const std::vector<double> &c, SceneParameter parameter) const;
+    CondensedBody condensed_at(const HarmonicForce &at) const;
     bool newton(std::vector<double> &c, PeriodicSolution &solution);
     bool is_normal(const unsigned int row) const { return row % body.rows_per_point == 0; }
     double sign(const unsigned int row) const { return is_normal(row) ? -1. : 1.; }
@@ -117,9 +148,10 @@ namespace vibrocontact
     TimePairing pairing;
     std::unique_ptr<TimeSampling> samples;
     HarmonicForce force;
+    std::function<CondensedBody(const HarmonicForce &)> receptances;
     CondensedBody linear;
     /// of the projections [N/m], [N s/m]
-    double normal_rho = 0, tangential_rho = 0;
+    double normal_rho = 0, tangential_rho = 0, fixed_rho = 0;
     /// tangential rows that no force moves: they carry none
     std::vector<char> is_inert;
     // work space: coefficients and samples of the rows; derivatives of the law by point and pair of its rows

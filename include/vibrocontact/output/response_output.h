@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vibrocontact/periodic/response_curve.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace vibrocontact
+{
+  /// A curve with what is told about it.
+  struct ResponseCase
+  {
+    BalanceSettings settings;
+    std::string law;
+    ResponseCurve curve;
+  };
+
+  /// analyses.response of results.json, or one of its variants. Folds are named by the unit of the parameter: folds_Hz, folds_N,
+  /// folds_m.
+  nlohmann::ordered_json response_json(const ResponseCase &solved, const std::string &table);
+
+  /// response.csv: frequency_Hz, amplitude_m, stable, multiplier_abs, and more behind them; in order along the branch.
+  void write_response_table(const ResponseCase &solved, const std::string &file_name);
+} // namespace vibrocontact

@@ -1,0 +1,68 @@
+#include <vibrocontact/output/response_output.h>
+#include <vibrocontact/output/table.h>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    std::string name_of(const CurvePoint::Kind kind)
+    {
+      switch (kind)
+      {
+      case CurvePoint::Kind::fold:
+        return "fold";
+      case CurvePoint::Kind::event:
+        return "grazing";
+      case CurvePoint::Kind::branch_point:
+        return "branch point";
+      default:
+        return "regular";
+      }
+    }
+  } // namespace
+
+  nlohmann::ordered_json response_json(const ResponseCase &solved, const std::string &table)
+  {
+    const ResponseCurve &curve = solved.curve;
+    const std::string unit = curve.parameter == SceneParameter::frequency ? "_Hz"
+                             : curve.parameter == SceneParameter::force   ? "_N"
+                                                                          : "_m";
+    nlohmann::ordered_json json = {{"name", solved.settings.trial + ":" + solved.settings.weighting + ", " +
+                                                std::to_string(solved.settings.n_functions)},
+                                   {"basis", solved.settings.trial},
+                                   {"weighting", solved.settings.weighting},
+                                   {"n_functions", solved.settings.n_functions},
+                                   {"law", solved.law},
+                                   {"table", table},
+                                   {"points", curve.points.size()},
+                                   {"complete", curve.complete},
+                                   {"end", curve.reason},
+                                   {"folds" + unit, curve.folds},
+                                   {"grazing" + unit, curve.grazing},
+                                   {"seconds", curve.seconds},
+                                   {"stability_seconds", curve.stability_seconds}};
+    return json;
+  }
+
+  void write_response_table(const ResponseCase &solved, const std::string &file_name)
+  {
+    const ResponseCurve &curve = solved.curve;
+    Table table({"frequency_Hz", "amplitude_m", "stable", "multiplier_abs", "multiplier_real",
+                 "multiplier_imag", "force_N", "gap_m", "contact_part", "kind"},
+                {"Branch of periodic motions, " + solved.settings.trial + ":" + solved.settings.weighting +
+                     ", " + std::to_string(solved.settings.n_functions) + " functions, in order along it",
+                 "amplitude: largest |u| of the first contact point in the period; multiplier: the Floquet "
+                 "multiplier "
+                 "of the largest modulus, stable 1 if that is at most 1; both -1 if they were not asked for",
+                 "contact_part: share of the period in contact"});
+    for (const BranchPoint &point : curve.points)
+    {
+      const bool known = curve.has_stability;
+      table.add_row({point.excitation.frequency, point.amplitude, known ? double(point.is_stable()) : -1.,
+                     known ? std::abs(point.multiplier) : -1., point.multiplier.real(),
+                     point.multiplier.imag(), point.excitation.amplitude, point.gap, point.active,
+                     name_of(point.kind)});
+    }
+    table.write(file_name);
+  }
+} // namespace vibrocontact

@@ -1,0 +1,176 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/periodic/floquet.h>
+#include <vibrocontact/periodic/response_curve.h>
+
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// The balance as a curve in one parameter of the scene.
+    class BalanceCurve : public CurveEquations
+    {
+    public:
+      BalanceCurve(PeriodicBalance &balance, const SceneParameter parameter)
+          : balance(balance), parameter(parameter)
+      {
+      }
+
+      void set(const double p)
+      {
+        if (p != value)
+          balance.set(parameter, value = p);
+      }
+      void evaluate(const std::vector<double> &x, const double p, std::vector<double> &residual,
+                    DenseMatrix *by_x, std::vector<double> *by_p) override
+      {
+        set(p);
+        balance.evaluate(x, residual, by_x, by_p, parameter);
+      }
+      std::size_t piece() const override { return balance.active_pattern(); }
+      std::vector<double> events(const std::vector<double> &x, const double p) override
+      {
+        set(p);
+        std::vector<double> residual;
+        balance.evaluate(x, residual, nullptr, nullptr);
+        return {approach()};
+      }
+
+      /// largest displacement beyond the gap [m]; between samples by the parabola through three of them
+      double approach() const
+      {
+        const PeriodicBody &body = balance.linear_body();
+        const unsigned int count = balance.sampling().n_samples();
+        double result = -1e300;
+        for (unsigned int p = 0; p < body.n_points(); ++p)
+        {
+          const double *const u = balance.row_samples(p * body.rows_per_point);
+          const unsigned int top = std::max_element(u, u + count) - u;
+          double most = u[top];
+          if (balance.trial().n_derivatives() > 0)
+          {
+            const double before = u[(top + count - 1) % count], behind = u[(top + 1) % count],
+                         bend = 2 * most - before - behind;
+            if (bend > 0)
+              most += (behind - before) * (behind - before) / (8 * bend);
+          }
+          result = std::max(result, most - body.gap[p]);
+        }
+        return result;
+      }
+
+    private:
+      PeriodicBalance &balance;
+      const SceneParameter parameter;
+      double value = std::nan("");
+    };
+
+    /// force that closes the gap at rest
+    double force_scale(const PeriodicBalance &balance)
+    {
+      const PeriodicBody &body = balance.linear_body();
+      double scale = balance.excitation().amplitude;
+      for (unsigned int p = 0; p < body.n_points(); ++p)
+      {
+        const unsigned int row = p * body.rows_per_point;
+        const double compliance = std::abs(balance.condensed().compliance[row * body.n_rows() + row]);
+        if (compliance > 0)
+          scale = std::max(scale, std::abs(body.gap[p]) / compliance);
+      }
+      return scale > 0 ? scale : 1.;
+    }
+  } // namespace
+
+  std::complex<double> largest_multiplier(const PeriodicBalance &balance, const StabilityMethod method,
+                                          const double mode_limit, const unsigned int hill_harmonics)
+  {
+    const PeriodicBody &body = balance.linear_body();
+    TangentContact contact;
+    contact.frequency = balance.excitation().frequency;
+    for (unsigned int p = 0; p < body.n_points(); ++p)
+    {
+      const double residual = body.residual(p * body.rows_per_point, p * body.rows_per_point);
+      contact.stiffness.push_back(balance.contact_stiffness(p, residual > 0 ? 1e4 / residual : 0.));
+    }
+    const std::complex<double> found =
+        monodromy_multipliers(slow_part(body, 2 * M_PI * contact.frequency * mode_limit), contact)[0];
+    return method == StabilityMethod::hill ? hill_multiplier(body, contact, hill_harmonics, found) : found;
+  }
+
+  ResponseCurve follow_response(PeriodicBalance &balance, const BranchSettings &settings)
+  {
+    const bool wants_stability = settings.stability != StabilityMethod::none;
+    if (wants_stability && balance.settings.friction > 0)
+      throw InputError("The stability of motions with friction is not computed: set "
+                       "Periodic/Continuation/Stability = none.");
+    if (wants_stability && !dynamic_cast<const SpringLaw *>(&balance.normal_law()) &&
+        !(balance.linear_body().residual(0, 0) > 0))
+      throw InputError(
+          "The stability of motions against a rigid stop needs a massless contact point: give the body "
+          "one, or set Periodic/Continuation/Stability = none.");
+    dealii::Timer timer;
+    ResponseCurve result;
+    result.parameter = settings.parameter;
+    result.has_stability = wants_stability;
+    balance.set(settings.parameter, settings.start);
+    const PeriodicSolution first = balance.solve();
+    if (!first.converged)
+    {
+      result.reason = "Newton's method did not converge at the start";
+      return result;
+    }
+    BalanceCurve equations(balance, settings.parameter);
+    ContinuationSettings continuation;
+    continuation.x_scale = continuation.residual_scale = force_scale(balance);
+    continuation.p_scale =
+        settings.scale > 0 ? settings.scale : std::max(0.1 * (settings.most - settings.least), 1e-300);
+    continuation.p_min = settings.least;
+    continuation.p_max = settings.most;
+    continuation.first_step = settings.first_step;
+    continuation.min_step = settings.min_step;
+    continuation.max_step = settings.max_step;
+    continuation.max_points = settings.max_points;
+    continuation.location_tolerance = settings.location_tolerance;
+    continuation.direction = settings.direction;
+    continuation.tolerance = balance.settings.tolerance;
+    CurvePoint start;
+    start.x = first.force;
+    start.p = settings.start;
+    const Curve curve = continue_curve(equations, start, continuation);
+    result.complete = curve.end == Curve::End::parameter_limit || curve.end == Curve::End::closed;
+    result.reason = curve.reason();
+
+    const unsigned int count = balance.sampling().n_samples();
+    std::vector<double> residual;
+    double stability_begin = timer.wall_time();
+    for (const CurvePoint &point : curve.points)
+    {
+      equations.set(point.p);
+      balance.evaluate(point.x, residual, nullptr, nullptr);
+      BranchPoint response;
+      response.kind = point.kind;
+      response.excitation = balance.excitation();
+      response.gap = balance.linear_body().gap[0];
+      response.force = point.x;
+      const double *const u = balance.row_samples(0);
+      for (unsigned int k = 0; k < count; ++k)
+        response.amplitude = std::max(response.amplitude, std::abs(u[k]));
+      response.active = double(balance.n_active()) / (count * balance.linear_body().n_points());
+      if (wants_stability)
+        response.multiplier =
+            largest_multiplier(balance, settings.stability, settings.mode_limit, settings.hill_harmonics);
+      if (point.kind == CurvePoint::Kind::fold)
+        result.folds.push_back(point.p);
+      if (point.kind == CurvePoint::Kind::event)
+        result.grazing.push_back(point.p);
+      result.points.push_back(std::move(response));
+    }
+    result.stability_seconds = timer.wall_time() - stability_begin;
+    result.seconds = timer.wall_time();
+    return result;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,100 @@
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/output/response_output.h>
+#include <vibrocontact/run/run_response.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// Both ways from a start inside of the range become one curve.
+    ResponseCurve joined(ResponseCurve back, const ResponseCurve &forth)
+    {
+      std::reverse(back.points.begin(), back.points.end());
+      std::reverse(back.folds.begin(), back.folds.end());
+      std::reverse(back.grazing.begin(), back.grazing.end());
+      if (!back.points.empty() && !forth.points.empty())
+        back.points.pop_back();
+      back.points.insert(back.points.end(), forth.points.begin(), forth.points.end());
+      back.folds.insert(back.folds.end(), forth.folds.begin(), forth.folds.end());
+      back.grazing.insert(back.grazing.end(), forth.grazing.begin(), forth.grazing.end());
+      back.reason += "; " + forth.reason;
+      back.complete = back.complete && forth.complete;
+      back.seconds += forth.seconds;
+      back.stability_seconds += forth.stability_seconds;
+      return back;
+    }
+
+    /// folds lie within millihertz of each other
+    std::string precise(const double value, const std::string &unit)
+    {
+      std::ostringstream text;
+      text << std::setprecision(10) << value << " " << unit;
+      return text.str();
+    }
+
+    void tell(const ResponseCase &solved, const std::string &unit)
+    {
+      Log &log = run_log();
+      log.value("basis", solved.settings.trial + ":" + solved.settings.weighting + ", " +
+                             std::to_string(solved.settings.n_functions) + " functions");
+      log.value("points", double(solved.curve.points.size()));
+      for (const double value : solved.curve.folds)
+        log.value("fold", precise(value, unit));
+      for (const double value : solved.curve.grazing)
+        log.value("grazing", precise(value, unit));
+      log.value("end", solved.curve.reason);
+      log.value("time", solved.curve.seconds, "s");
+    }
+  } // namespace
+
+  void run_response(const PeriodicParameters &periodic, const PeriodicBody &body,
+                    const std::shared_ptr<const NormalLaw> &law, const double friction,
+                    const std::string &folder, Results &results)
+  {
+    const BranchParameters &response = periodic.continuation;
+    const bool writes = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    const std::string unit = response.parameter == "frequency" ? "Hz"
+                             : response.parameter == "force"   ? "N"
+                                                               : "m";
+    run_log().block("Response curve");
+    std::vector<BalanceSettings> asked = {
+        periodic.settings(periodic.trial, periodic.weighting, periodic.n_functions, friction)};
+    const std::vector<unsigned int> numbers =
+        response.numbers.empty() ? std::vector<unsigned int>{periodic.n_functions} : response.numbers;
+    for (const auto &[trial, weighting] : response.parsed_pairs())
+      for (const unsigned int number : numbers)
+        asked.push_back(periodic.settings(trial, weighting, number, friction));
+
+    nlohmann::ordered_json main, variants = nlohmann::ordered_json::array();
+    for (unsigned int k = 0; k < asked.size(); ++k)
+    {
+      ResponseCase solved{asked[k], periodic.law, {}};
+      std::vector<ResponseCurve> parts;
+      for (const BranchSettings &settings : response.settings())
+      {
+        PeriodicBalance balance(body, law, asked[k]);
+        balance.set_force({periodic.force, periodic.frequency});
+        parts.push_back(follow_response(balance, settings));
+      }
+      solved.curve = parts.size() == 1 ? parts[0] : joined(parts[0], parts[1]);
+      tell(solved, unit);
+      if (!solved.curve.complete && k == 0)
+        results.failures.push_back({"response", "The response curve ends before its last value after " +
+                                                    std::to_string(solved.curve.points.size()) +
+                                                    " points: " + solved.curve.reason + "."});
+      const std::string table = k == 0 ? "response.csv" : "response_" + std::to_string(k) + ".csv";
+      if (writes)
+        write_response_table(solved, folder + "/" + table);
+      (k == 0 ? main : variants.emplace_back()) = response_json(solved, table);
+    }
+    if (!variants.empty())
+      main["variants"] = variants;
+    results.analyses["response"] = main;
+  }
+} // namespace vibrocontact
