@@ -11,15 +11,23 @@ namespace vibrocontact
   namespace
   {
     using Complex = std::complex<double>;
-    /// points of the inner integrals: exact to rounding for exponents up to `slow` times polynomials of degree 11
-    constexpr unsigned int n_inner = 24;
-    constexpr double slow = 20;
+    /// inner integrals by so many Gauss points are exact to rounding for exponents up to `slow`, for `very_slow` by the fewer
+    /// ones, times polynomials of degree 11
+    constexpr unsigned int n_inner = 24, n_fewer = 14;
+    constexpr double slow = 20, very_slow = 2;
 
-    const dealii::QGauss<1> &inner_rule()
+    struct InnerRule
     {
-      static const dealii::QGauss<1> rule(n_inner);
-      return rule;
-    }
+      InnerRule(const GaussRule &inner, const GaussRule &rule, const double t, const double x) : inner(inner)
+      {
+        for (unsigned int m = 0; m < inner.s; ++m)
+          for (const double value : rule.lagrange(x * inner.node[m]))
+            values.push_back(value * inner.weight[m] * t);
+      }
+      const GaussRule &inner;
+      /// Lagrange polynomials at the points times weights
+      std::vector<double> values;
+    };
 
     /// int_0^t e^(lambda (t - tau)) p(tau / h) dtau by parts, derivatives of p at 0 and x = t / h
     template <typename Number>
@@ -109,14 +117,13 @@ namespace vibrocontact
   {
     const unsigned int n = body.n_modes(), s = rule.s;
     const double t = x * h;
-    const dealii::QGauss<1> &inner = inner_rule();
     ForceAnswer answer;
     answer.displacement.assign(n * s, 0.);
     answer.velocity.assign(n * s, 0.);
-    std::vector<double> inner_values;
-    for (unsigned int m = 0; m < n_inner; ++m)
-      for (const double value : rule.lagrange(x * inner.point(m)[0]))
-        inner_values.push_back(value * inner.weight(m) * t);
+    static const GaussRule many_points(n_inner), fewer_points(n_fewer);
+    const InnerRule many(many_points, rule, t, x), few(fewer_points, rule, t, x);
+    const auto inner_rule = [&](const double exponent) -> const InnerRule &
+    { return exponent > very_slow ? many : few; };
     std::vector<double> at_0, at_x;
     const auto need_derivatives = [&]()
     {
@@ -137,11 +144,12 @@ namespace vibrocontact
         return by_parts(lambda, t, h, s, at_0, at_x, integral);
       }
       integral.assign(s, 0.);
-      for (unsigned int m = 0; m < n_inner; ++m)
+      const InnerRule &points = inner_rule(-lambda * t);
+      for (unsigned int m = 0; m < points.inner.s; ++m)
       {
-        const double kernel = std::exp(lambda * t * (1 - inner.point(m)[0]));
+        const double kernel = std::exp(lambda * t * (1 - points.inner.node[m]));
         for (unsigned int j = 0; j < s; ++j)
-          integral[j] += kernel * inner_values[m * s + j];
+          integral[j] += kernel * points.values[m * s + j];
       }
     };
     for (unsigned int k = 0; k < n; ++k)
@@ -152,15 +160,18 @@ namespace vibrocontact
       const double split = w * std::sqrt(std::abs((zeta - 1) * (zeta + 1)));
       const double fastest = zeta > 1 ? a + split : w;
       if (fastest * t <= slow)
-        for (unsigned int m = 0; m < n_inner; ++m)
+      {
+        const InnerRule &points = inner_rule(fastest * t);
+        for (unsigned int m = 0; m < points.inner.s; ++m)
         {
-          const FreeMode kernel = free_mode(w, zeta, t * (1 - inner.point(m)[0]));
+          const FreeMode kernel = free_mode(w, zeta, t * (1 - points.inner.node[m]));
           for (unsigned int j = 0; j < s; ++j)
           {
-            q[j] += kernel.qv * inner_values[m * s + j];
-            v[j] += kernel.vv * inner_values[m * s + j];
+            q[j] += kernel.qv * points.values[m * s + j];
+            v[j] += kernel.vv * points.values[m * s + j];
           }
         }
+      }
       else if (split * t < 1)
       {
         // close to critical damping the roots do not separate: several intervals of Gauss points
@@ -168,7 +179,8 @@ namespace vibrocontact
         for (unsigned int p = 0; p < n_panels; ++p)
           for (unsigned int m = 0; m < n_inner; ++m)
           {
-            const double at = (p + inner.point(m)[0]) / n_panels, factor = inner.weight(m) * t / n_panels;
+            const double at = (p + many.inner.node[m]) / n_panels,
+                         factor = many.inner.weight[m] * t / n_panels;
             const FreeMode kernel = free_mode(w, zeta, t * (1 - at));
             const std::vector<double> l = rule.lagrange(x * at);
             for (unsigned int j = 0; j < s; ++j)

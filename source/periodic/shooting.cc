@@ -203,7 +203,7 @@ namespace vibrocontact
       }
       catch (const ConvergenceError &)
       {
-        if (n_settling > 1000)
+        if (n_settling > 50)
           throw;
       }
     }
@@ -218,8 +218,10 @@ namespace vibrocontact
       solution.refinement = std::max(map->norm(difference(solution.state, coarse.state)) /
                                          std::max(map->norm(solution.state), 1e-300),
                                      tip_change(coarse, solution));
-      if (solution.impulse > 0)
-        solution.refinement = std::max(solution.refinement, std::abs(coarse.impulse / solution.impulse - 1));
+      const double impulse = std::max(solution.impulse, 0.01 * std::abs(force.amplitude) / force.frequency);
+      if (impulse > 0)
+        solution.refinement =
+            std::max(solution.refinement, std::abs(coarse.impulse - solution.impulse) / impulse);
       if (solution.refinement <= settings.refinement)
         break;
       if (n_steps > 1u << 18)
