@@ -35,6 +35,7 @@ namespace vibrocontact
                                    {"law", solved.law},
                                    {"table", table},
                                    {"points", curve.points.size()},
+                                   {"points_before_break", curve.n_first},
                                    {"complete", curve.complete},
                                    {"end", curve.reason},
                                    {"folds" + unit, curve.folds},

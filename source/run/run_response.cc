@@ -12,21 +12,42 @@ namespace vibrocontact
 {
   namespace
   {
+    void reverse(ResponseCurve &curve)
+    {
+      std::reverse(curve.points.begin(), curve.points.end());
+      std::reverse(curve.folds.begin(), curve.folds.end());
+      std::reverse(curve.grazing.begin(), curve.grazing.end());
+    }
+
+    /// appends in the order of the branch
+    void append(ResponseCurve &curve, const ResponseCurve &rest)
+    {
+      curve.points.insert(curve.points.end(), rest.points.begin(), rest.points.end());
+      curve.folds.insert(curve.folds.end(), rest.folds.begin(), rest.folds.end());
+      curve.grazing.insert(curve.grazing.end(), rest.grazing.begin(), rest.grazing.end());
+      curve.seconds += rest.seconds;
+      curve.stability_seconds += rest.stability_seconds;
+    }
+
+    /// A curve that is broken somewhere.
+    ResponseCurve from_both_ends(ResponseCurve curve, ResponseCurve rest)
+    {
+      reverse(rest);
+      curve.n_first = curve.points.size();
+      append(curve, rest);
+      curve.reason = "from the first value: " + curve.reason + "; from the last value: " + rest.reason;
+      return curve;
+    }
+
     /// Both ways from a start inside of the range become one curve.
     ResponseCurve joined(ResponseCurve back, const ResponseCurve &forth)
     {
-      std::reverse(back.points.begin(), back.points.end());
-      std::reverse(back.folds.begin(), back.folds.end());
-      std::reverse(back.grazing.begin(), back.grazing.end());
+      reverse(back);
       if (!back.points.empty() && !forth.points.empty())
         back.points.pop_back();
-      back.points.insert(back.points.end(), forth.points.begin(), forth.points.end());
-      back.folds.insert(back.folds.end(), forth.folds.begin(), forth.folds.end());
-      back.grazing.insert(back.grazing.end(), forth.grazing.begin(), forth.grazing.end());
+      append(back, forth);
       back.reason += "; " + forth.reason;
       back.complete = back.complete && forth.complete;
-      back.seconds += forth.seconds;
-      back.stability_seconds += forth.stability_seconds;
       return back;
     }
 
@@ -75,14 +96,24 @@ namespace vibrocontact
     for (unsigned int k = 0; k < asked.size(); ++k)
     {
       ResponseCase solved{asked[k], periodic.law, {}};
-      std::vector<ResponseCurve> parts;
-      for (const BranchSettings &settings : response.settings())
+      const auto follow = [&](const BranchSettings &settings)
       {
         PeriodicBalance balance(body, law, asked[k]);
         balance.set_force({periodic.force, periodic.frequency});
-        parts.push_back(follow_response(balance, settings));
+        return follow_response(balance, settings);
+      };
+      const std::vector<BranchSettings> ways = response.settings();
+      solved.curve = follow(ways[0]);
+      if (ways.size() > 1)
+        solved.curve = joined(solved.curve, follow(ways[1]));
+      else if (!solved.curve.complete)
+      {
+        // what lies behind a tongue of an undamped last function, or behind a kink that is not passed
+        BranchSettings back = ways[0];
+        back.start = response.last;
+        back.direction = -back.direction;
+        solved.curve = from_both_ends(solved.curve, follow(back));
       }
-      solved.curve = parts.size() == 1 ? parts[0] : joined(parts[0], parts[1]);
       tell(solved, unit);
       if (!solved.curve.complete && k == 0)
         results.failures.push_back({"response", "The response curve ends before its last value after " +

@@ -62,6 +62,8 @@ namespace vibrocontact
     std::vector<BranchPoint> points;
     bool complete = false;
     std::string reason;
+    /// points of the part from the first value if the curve is broken behind them; 0: it is whole
+    unsigned int n_first = 0;
     /// values of the parameter
     std::vector<double> folds, grazing;
     bool has_stability = false;
