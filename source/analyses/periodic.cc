@@ -108,6 +108,13 @@ namespace vibrocontact
     if (numbers.empty() && pairs_asked.size() > 1)
       throw InputError(
           "Periodic/Comparison/Pairs needs Periodic/Comparison/Numbers: give the numbers of functions.");
+    for (const BalanceSettings &asked : solutions(0))
+    {
+      const auto trial_basis = create_time_basis(asked.trial, asked.n_functions),
+                 weighting_basis = create_time_basis(asked.weighting, asked.n_functions);
+      pair_time_bases(*trial_basis, *weighting_basis, asked.form, asked.quadrature_points);
+      check_samples(asked.n_functions, asked.n_samples);
+    }
   }
 
   std::vector<PeriodicParameters::Place> PeriodicParameters::parsed_contact_points() const
@@ -170,6 +177,15 @@ namespace vibrocontact
     result.n_samples = n_samples;
     result.quadrature_points = quadrature_points;
     result.friction = friction;
+    return result;
+  }
+
+  std::vector<BalanceSettings> PeriodicParameters::solutions(const double friction) const
+  {
+    std::vector<BalanceSettings> result = {settings(trial, weighting, n_functions, friction)};
+    for (const auto &[trial_basis, weighting_basis] : parsed_pairs())
+      for (const unsigned int number : numbers)
+        result.push_back(settings(trial_basis, weighting_basis, number, friction));
     return result;
   }
 

@@ -28,8 +28,9 @@ namespace vibrocontact
     errors.displacement = relative_error(point.displacement, reference.displacement);
     errors.velocity = relative_error(point.velocity, reference.velocity);
     errors.contact_force = relative_error(point.contact_force, reference.contact_force);
-    errors.impulse = std::abs(motion.impulse[0] / reference.solution.impulse - 1);
-    errors.energy_norm = std::abs(motion.energy_norm / reference.solution.energy_norm - 1);
+    errors.impulse = relative(motion.impulse[0] - reference.solution.impulse, reference.solution.impulse);
+    errors.energy_norm =
+        relative(motion.energy_norm - reference.solution.energy_norm, reference.solution.energy_norm);
 
     const unsigned int n = balance.settings.n_functions;
     std::vector<double> middle;

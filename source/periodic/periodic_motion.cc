@@ -28,12 +28,17 @@ namespace vibrocontact
     }
   } // namespace
 
+  double relative(const double difference, const double size)
+  {
+    return difference == 0 ? 0. : size == 0 ? 1. : std::abs(difference / size);
+  }
+
   double relative_error(const std::vector<double> &a, const std::vector<double> &b)
   {
     std::vector<double> difference(a.size());
     for (unsigned int i = 0; i < a.size(); ++i)
       difference[i] = a[i] - b[i];
-    return std::sqrt(mean_square(difference) / mean_square(b));
+    return relative(std::sqrt(mean_square(difference)), std::sqrt(mean_square(b)));
   }
 
   PeriodicMotion sample_motion(const PeriodicBalance &balance, const PeriodicSolution &solution,

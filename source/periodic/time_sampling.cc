@@ -143,9 +143,7 @@ namespace vibrocontact
                              const TimePairing &pairing, const unsigned int n_samples)
       : n(trial.n_functions()), phase(sample_phases(trial, weighting_basis, n_samples))
   {
-    if (n_samples < 2 * n)
-      throw InputError("Periodic/Samples = " + std::to_string(n_samples) + " is too few for " +
-                       std::to_string(n) + " functions: give at least twice as many.");
+    check_samples(n, n_samples);
     if (trial.n_derivatives() == TimeBasis::smooth && weighting_basis.n_derivatives() == TimeBasis::smooth)
     {
       fourier = std::make_unique<Fourier>(n, phase.size());
@@ -223,6 +221,13 @@ namespace vibrocontact
     for (unsigned int k = 0; k < n; ++k)
       for (unsigned int i = 0; i < n; ++i)
         into(row + i, column + k) += block(i, k);
+  }
+
+  void check_samples(const unsigned int n_functions, const unsigned int n_samples)
+  {
+    if (n_samples < 2 * n_functions)
+      throw InputError("Periodic/Samples = " + std::to_string(n_samples) + " is too few for " +
+                       std::to_string(n_functions) + " functions: give at least twice as many.");
   }
 
   DenseMatrix sampled_velocity(const TimeBasis &basis, const std::vector<double> &phases)

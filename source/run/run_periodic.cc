@@ -16,17 +16,6 @@ namespace vibrocontact
 {
   namespace
   {
-    /// What is to be solved, the main solution first.
-    std::vector<BalanceSettings> solutions(const PeriodicParameters &periodic, const double friction)
-    {
-      std::vector<BalanceSettings> result = {
-          periodic.settings(periodic.trial, periodic.weighting, periodic.n_functions, friction)};
-      for (const auto &[trial, weighting] : periodic.parsed_pairs())
-        for (const unsigned int number : periodic.numbers)
-          result.push_back(periodic.settings(trial, weighting, number, friction));
-      return result;
-    }
-
     /// One solution, for further positions of the force in a cell its errors only.
     PeriodicCase solve(const PeriodicParameters &periodic, const PeriodicBody &body,
                        const std::shared_ptr<const NormalLaw> &law, const BalanceSettings &settings,
@@ -118,7 +107,7 @@ namespace vibrocontact
 
     nlohmann::ordered_json &json = results.analyses["periodic"] = nlohmann::ordered_json::array();
     Table table = periodic_error_table();
-    const std::vector<BalanceSettings> asked = solutions(periodic, parameters.contact.friction);
+    const std::vector<BalanceSettings> asked = periodic.solutions(parameters.contact.friction);
     Progress progress("periodic motions", asked.size());
     for (const BalanceSettings &settings : asked)
     {

@@ -63,6 +63,8 @@ namespace vibrocontact
     std::vector<std::pair<std::string, std::string>> parsed_pairs() const;
     BalanceSettings settings(const std::string &trial_basis, const std::string &weighting_basis,
                              unsigned int number, double friction) const;
+    /// all that is to be solved, the main solution first
+    std::vector<BalanceSettings> solutions(double friction) const;
     /// @param amplitude [N], @param exponent [1/m] of section Contact
     std::shared_ptr<const NormalLaw> normal_law(double amplitude, double exponent) const;
   };

@@ -39,6 +39,8 @@ namespace vibrocontact
   PeriodicMotion sample_motion(const PeriodicBalance &balance, const PeriodicSolution &solution,
                                unsigned int n_samples);
 
-  /// rms(a - b) / rms(b)
+  /// |difference / size|; 0 if nothing differs, 1 if there is nothing to differ from
+  double relative(double difference, double size);
+  /// rms(a - b) / rms(b), as relative()
   double relative_error(const std::vector<double> &a, const std::vector<double> &b);
 } // namespace vibrocontact
