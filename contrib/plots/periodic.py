@@ -3,7 +3,7 @@ import os
 
 import numpy as np
 
-from plots.common import LIMIT, LINE, plt, read_table, save
+from plots.common import LINE, STICK, plt, read_table, save
 
 SHORT = {"daubechies6": "DB6", "bspline": "B-spline", "fourier": "Fourier", "haar": "Haar"}
 MOST_SHOWN = 6
@@ -26,7 +26,8 @@ def shown_solutions(entries):
 
 
 def plot_periodic(folder, entries):
-    """Displacement, velocity and contact force over a period, as in Figs 6 to 9 of Jones & Legrand (2014), and errors
+    """Displacement, velocity and contact force over a period (the reference in time broad behind them), as in Figs 6 to 9 of
+    Jones & Legrand (2014), and errors
     over the number of functions and over time, as in their Figs 10 and 11."""
     tables = {}
     for k, entry in shown_solutions(entries).items():
@@ -45,7 +46,7 @@ def plot_periodic(folder, entries):
             for row, (key, label, factor) in enumerate(columns):
                 axis = axes[row, column]
                 if reference is not None:
-                    axis.plot(reference["phase"], reference[key] * factor, color=LIMIT, lw=2, label="time")
+                    axis.plot(reference["phase"], reference[key] * factor, color=STICK, lw=2.5, alpha=0.5)
                 axis.plot(table["phase"], table[key] * factor, color=LINE, lw=0.8)
                 if column == 0:
                     axis.set_ylabel(label)
@@ -86,6 +87,7 @@ def plot_errors(folder, table):
     axes[0, 0].set_ylabel("relative error")
     axes[1, 0].set_ylabel("relative error")
     axes[0, 0].legend(fontsize=7)
+    figure.tight_layout()
     save(figure, folder, "periodic_errors")
 
 
@@ -99,5 +101,9 @@ def plot_bases(folder, table):
             axis.plot(table["phase"], table[column], color=LINE, lw=0.8)
             axis.set_title(column.replace("_", " ", 1) if family == "fourier" else column, fontsize=7)
             axis.tick_params(labelsize=6)
+            axis.ticklabel_format(useOffset=False)
+            if np.ptp(table[column]) < 1e-6:
+                axis.set_ylim(0, 2)
         axes[row, 0].set_ylabel(SHORT.get(family, family))
+    figure.tight_layout()
     save(figure, folder, "time_bases")
