@@ -328,6 +328,29 @@ TEST(ResponseCurve, MultipliersOfPermanentContactAndOfNone)
     }
 }
 
+TEST(ResponseCurve, MultipliersAgainstShooting)
+{
+  // the same contacts, massless node with relaxation: the rigid stop's force jumps at touch
+  const PeriodicBody body = axial_bar(bar_case, true);
+  for (const bool rigid : {true, false})
+  {
+    const StopLaw law = rigid ? StopLaw::rigid() : StopLaw::penalty(bar_case.amplitude, bar_case.exponent);
+    const ShootingSolution solution = shoot(body, law, bar_case.excitation());
+    const std::complex<double> exact = floquet_multipliers(solution.monodromy)[0];
+    const unsigned int count = 32768;
+    const double stiffness = rigid ? 1e4 / body.residual(0, 0) : bar_case.stiffness();
+    std::vector<double> k(count, 0.);
+    for (const ContactInterval &contact : solution.contacts)
+      for (unsigned int i = 0; i < 2 * count; ++i)
+        if ((i + 0.5) / count >= contact.begin && (i + 0.5) / count < contact.end)
+          k[i % count] = stiffness;
+    const std::complex<double> found = monodromy_multipliers(
+        slow_part(body, 2 * M_PI * bar_case.frequency * 20), {bar_case.frequency, {k}})[0];
+    EXPECT_NEAR(found.real(), exact.real(), 2e-3);
+    EXPECT_NEAR(std::abs(found.imag()), std::abs(exact.imag()), 2e-3);
+  }
+}
+
 TEST(ResponseCurve, HardCases)
 {
   // every one converges or says why, and no number is a NaN
