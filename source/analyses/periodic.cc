@@ -108,7 +108,10 @@ namespace vibrocontact
     if (numbers.empty() && pairs_asked.size() > 1)
       throw InputError(
           "Periodic/Comparison/Pairs needs Periodic/Comparison/Numbers: give the numbers of functions.");
-    for (const BalanceSettings &asked : solutions(0))
+    std::vector<BalanceSettings> all = solutions(0);
+    for (const BalanceSettings &curve : curves(0))
+      all.push_back(curve);
+    for (const BalanceSettings &asked : all)
     {
       const auto trial_basis = create_time_basis(asked.trial, asked.n_functions),
                  weighting_basis = create_time_basis(asked.weighting, asked.n_functions);
@@ -185,6 +188,20 @@ namespace vibrocontact
     std::vector<BalanceSettings> result = {settings(trial, weighting, n_functions, friction)};
     for (const auto &[trial_basis, weighting_basis] : parsed_pairs())
       for (const unsigned int number : numbers)
+        result.push_back(settings(trial_basis, weighting_basis, number, friction));
+    return result;
+  }
+
+  std::vector<BalanceSettings> PeriodicParameters::curves(const double friction) const
+  {
+    if (!continuation.is_wanted())
+      return {};
+    std::vector<BalanceSettings> result = {settings(trial, weighting, n_functions, friction)};
+    std::vector<unsigned int> curve_numbers = continuation.numbers;
+    if (curve_numbers.empty())
+      curve_numbers = {n_functions};
+    for (const auto &[trial_basis, weighting_basis] : continuation.parsed_pairs())
+      for (const unsigned int number : curve_numbers)
         result.push_back(settings(trial_basis, weighting_basis, number, friction));
     return result;
   }

@@ -395,6 +395,18 @@ namespace vibrocontact
       if (scene.bodies.size() > 1 && scene.bodies[1].type != "rigid")
         throw InputError("Analyses lists periodic, whose body 2 is a stop, but " + scene.bodies[1].name +
                          " is a " + scene.bodies[1].type + ": make it rigid or leave it out.");
+      const bool tells_stability =
+          periodic.continuation.is_wanted() && periodic.continuation.stability != "none";
+      if (tells_stability && contact.friction > 0)
+        throw InputError(
+            "Periodic/Continuation/Stability knows no friction: set it to none or Contact/Friction "
+            "coefficient to 0.");
+      if (tells_stability && periodic.law == "signorini" && periodic.model == "finite elements" &&
+          !scene.bodies[0].bar.massless_contact_node)
+        throw InputError(
+            "Periodic/Continuation/Stability with the rigid law needs a contact node without mass: set " +
+            scene.bodies[0].name +
+            "/Bar/Massless contact node to true or Periodic/Continuation/Stability to none.");
       if (periodic.reference && contact.friction > 0)
         throw InputError(
             "Periodic/Reference knows no friction: set Contact/Friction coefficient to 0 or leave it out.");

@@ -84,14 +84,7 @@ namespace vibrocontact
                              : response.parameter == "force"   ? "N"
                                                                : "m";
     run_log().block("Response curve");
-    std::vector<BalanceSettings> asked = {
-        periodic.settings(periodic.trial, periodic.weighting, periodic.n_functions, friction)};
-    const std::vector<unsigned int> numbers =
-        response.numbers.empty() ? std::vector<unsigned int>{periodic.n_functions} : response.numbers;
-    for (const auto &[trial, weighting] : response.parsed_pairs())
-      for (const unsigned int number : numbers)
-        asked.push_back(periodic.settings(trial, weighting, number, friction));
-
+    const std::vector<BalanceSettings> asked = periodic.curves(friction);
     nlohmann::ordered_json main, variants = nlohmann::ordered_json::array();
     for (unsigned int k = 0; k < asked.size(); ++k)
     {

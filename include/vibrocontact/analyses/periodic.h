@@ -65,6 +65,8 @@ namespace vibrocontact
                              unsigned int number, double friction) const;
     /// all that is to be solved, the main solution first
     std::vector<BalanceSettings> solutions(double friction) const;
+    /// of the response curves, the main one first; none if there is no continuation
+    std::vector<BalanceSettings> curves(double friction) const;
     /// @param amplitude [N], @param exponent [1/m] of section Contact
     std::shared_ptr<const NormalLaw> normal_law(double amplitude, double exponent) const;
   };
