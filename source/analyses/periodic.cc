@@ -59,8 +59,9 @@ namespace vibrocontact
     prm.add_parameter("Force", force, "Amplitude of the exciting force. Units: N.", Double(0));
     prm.add_parameter(
         "Force point", force_point,
-        "Place and direction of the force, \"x, y, z, direction\"; empty: the first contact point, "
-        "into the stop. Units: m.");
+        "Place and direction of the force, \"x, y, z, direction\" with direction x, y or z, or \"x, y, z, "
+        "dx, "
+        "dy, dz\" with a vector of any length; empty: the first contact point, into the stop. Units: m.");
     prm.add_parameter(
         "Contact points", contact_points,
         "Points that may touch, \"name: x, y, z; ...\", each at the nearest node; empty: the contact "
@@ -140,18 +141,29 @@ namespace vibrocontact
     return {stop_direction[1] - 'x', stop_direction[0] == '+' ? 1. : -1.};
   }
 
-  std::optional<std::pair<dealii::Point<3>, unsigned int>> PeriodicParameters::parsed_force() const
+  std::optional<std::pair<dealii::Point<3>, dealii::Tensor<1, 3>>> PeriodicParameters::parsed_force() const
   {
     if (trimmed(force_point).empty())
       return {};
+    dealii::Tensor<1, 3> direction;
     const std::size_t comma = force_point.rfind(',');
-    const std::string direction = comma == std::string::npos ? "" : trimmed(force_point.substr(comma + 1));
-    if (direction.size() != 1 || direction[0] < 'x' || direction[0] > 'z')
+    const std::string last = comma == std::string::npos ? "" : trimmed(force_point.substr(comma + 1));
+    const bool is_axis = last.size() == 1 && last[0] >= 'x' && last[0] <= 'z';
+    if (!is_axis && split_list(force_point).size() != 6)
       throw InputError("Periodic/Force point: \"" + force_point +
-                       "\" does not end in a direction; write it as x, y, z, "
-                       "direction with direction x, y or z.");
-    const std::vector<double> x = numbers_of(force_point.substr(0, comma), 3, "Force point");
-    return std::make_pair(dealii::Point<3>(x[0], x[1], x[2]), unsigned(direction[0] - 'x'));
+                       "\" does not end in a direction; write it as x, y, z, direction with direction x, y "
+                       "or z, or as x, y, z, dx, dy, dz.");
+    const std::vector<double> x =
+        numbers_of(is_axis ? force_point.substr(0, comma) : force_point, is_axis ? 3 : 6, "Force point");
+    if (is_axis)
+      direction[last[0] - 'x'] = 1;
+    else
+      for (unsigned int d = 0; d < 3; ++d)
+        direction[d] = x[3 + d];
+    if (!(direction.norm() > 0))
+      throw InputError("Periodic/Force point: \"" + force_point +
+                       "\" has no direction, dx, dy and dz are zero; give one of them.");
+    return std::make_pair(dealii::Point<3>(x[0], x[1], x[2]), direction / direction.norm());
   }
 
   std::vector<std::pair<std::string, std::string>> PeriodicParameters::parsed_pairs() const

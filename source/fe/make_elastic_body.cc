@@ -31,6 +31,12 @@ namespace vibrocontact
       for (const std::string &boundary : parameters.block.held)
         model.held.push_back(mesh.boundary_id(boundary));
     }
+    else if (parameters.type == "blade")
+    {
+      mesh = make_blade(parameters.blade, parameters.name, communicator);
+      model.held = {mesh.boundary_id("root")};
+      degree = parameters.blade.element_degree;
+    }
     else if (parameters.type == "mesh")
     {
       mesh = make_mesh_from_file(parameters.mesh, lateral_position, grid, parameters.name, communicator);

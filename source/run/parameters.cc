@@ -391,7 +391,12 @@ namespace vibrocontact
       periodic.check();
       if (!scene.bodies[0].is_meshed())
         throw InputError("Analyses lists periodic, but " + scene.bodies[0].name + " is a " +
-                         scene.bodies[0].type + " without elements: make body 1 a bar, a block or a mesh.");
+                         scene.bodies[0].type +
+                         " without elements: make body 1 a bar, a block, a blade or a mesh.");
+      if (scene.bodies[0].type == "blade" && periodic.contact_points.empty())
+        throw InputError("Periodic/Contact points is empty, but " + scene.bodies[0].name +
+                         " is a blade, which is touched at places of its tip: give them, for instance "
+                         "Contact points = corner: 0.04, 0.003, 0.2");
       if (scene.bodies.size() > 1 && scene.bodies[1].type != "rigid")
         throw InputError("Analyses lists periodic, whose body 2 is a stop, but " + scene.bodies[1].name +
                          " is a " + scene.bodies[1].type + ": make it rigid or leave it out.");

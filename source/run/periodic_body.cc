@@ -21,6 +21,18 @@ namespace vibrocontact
       return row;
     }
 
+    TraceRow force_row(const SecondOrderSystem &system,
+                       const std::pair<dealii::Point<3>, dealii::Tensor<1, 3>> &force)
+    {
+      TraceRow row;
+      for (unsigned int d = 0; d < 3; ++d)
+        if (force.second[d] != 0)
+          for (const auto &[dof, weight] :
+               nearest_dof(system, force.first, d, std::string("Periodic/Force point, ") + "xyz"[d]))
+            row.emplace_back(dof, weight * force.second[d]);
+      return row;
+    }
+
     /// Rows of the contact points: motion into the stop, with friction the two tangential ones behind it.
     Rows contact_rows(const Parameters &parameters, const SecondOrderSystem &system,
                       const unsigned int rows_per_point)
@@ -62,7 +74,7 @@ namespace vibrocontact
     const unsigned int n = rows.size();
     const auto force = periodic.parsed_force();
     if (force)
-      rows.push_back(nearest_dof(system, force->first, force->second, "Periodic/Force point"));
+      rows.push_back(force_row(system, *force));
 
     Modes modes = reduction.shapes();
     std::vector<double> damping_ratio = reduction.modal().damping_ratio;

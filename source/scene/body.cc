@@ -14,6 +14,7 @@ namespace vibrocontact
         {"beam rail", "Beam rail", "rail as a Timoshenko beam on pads, half-space under the contact", true,
          false},
         {"block", "Block", "box of hexahedra", true, true},
+        {"blade", "Blade", "twisted cantilever of hexahedra, root held", true, true},
         {"layer", "Layer", "elastic layer on a rigid plane: plane strain or a box, held on top", true, false},
         {"bar", "Bar", "straight bar along z that only stretches", true, false},
         {"identified", "Identified",
@@ -70,6 +71,8 @@ namespace vibrocontact
       declare("Oscillator", oscillator);
     if (type == "block")
       declare("Block", block);
+    if (type == "blade")
+      declare("Blade", blade);
     if (type == "layer")
       declare("Layer", layer);
     if (type == "wheel")
@@ -98,6 +101,8 @@ namespace vibrocontact
       ring.check(section + "/Ring");
     if (type == "block")
       block.check(section + "/Block");
+    if (type == "blade")
+      blade.check(section + "/Blade");
     if (type == "layer")
       layer.check(section + "/Layer");
     if (type == "wheel")

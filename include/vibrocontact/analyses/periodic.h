@@ -26,7 +26,7 @@ namespace vibrocontact
     std::string law = "penalty";
     /// f [Hz], F [N], gap of the undeformed body [m]
     double frequency = 100, force = 1, gap = 0;
-    /// "x, y, z, direction"; empty: at the first contact point, into the stop
+    /// "x, y, z, direction" or "x, y, z, dx, dy, dz"; empty: at the first contact point, into the stop
     std::string force_point;
     /// "name: x, y, z; ..." empty: the contact point of the body's own grid
     std::string contact_points;
@@ -57,8 +57,8 @@ namespace vibrocontact
     std::vector<Place> parsed_contact_points() const;
     /// direction 0 x, 1 y, 2 z and sign
     std::pair<unsigned int, double> stop_axis() const;
-    /// place and direction of the force, nothing: at the first contact point
-    std::optional<std::pair<dealii::Point<3>, unsigned int>> parsed_force() const;
+    /// place and direction (of length 1) of the force, nothing: at the first contact point
+    std::optional<std::pair<dealii::Point<3>, dealii::Tensor<1, 3>>> parsed_force() const;
     /// trial and weighting of the main solution and of the further ones
     std::vector<std::pair<std::string, std::string>> parsed_pairs() const;
     BalanceSettings settings(const std::string &trial_basis, const std::string &weighting_basis,

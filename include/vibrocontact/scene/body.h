@@ -3,6 +3,7 @@
 #include <vibrocontact/base/parameter_file.h>
 #include <vibrocontact/scene/bar.h>
 #include <vibrocontact/scene/beam_rail.h>
+#include <vibrocontact/scene/blade.h>
 #include <vibrocontact/scene/block.h>
 #include <vibrocontact/scene/half_space_body.h>
 #include <vibrocontact/scene/identified.h>
@@ -35,7 +36,7 @@ namespace vibrocontact
     bool is_solid;
   };
 
-  /// half-space, rigid, wheel, rail, beam rail, block, layer, bar, ring, oscillator, identified, mesh
+  /// half-space, rigid, wheel, rail, beam rail, block, blade, layer, bar, ring, oscillator, identified, mesh
   const std::vector<BodyType> &body_types();
 
   /// `subsection <name of the body>`: its type, and one nested subsection per group of entries. Only the
@@ -47,6 +48,7 @@ namespace vibrocontact
     ElasticMaterial material;
     HalfSpaceParameters half_space;
     BlockParameters block;
+    BladeParameters blade;
     LayerParameters layer;
     BarParameters bar;
     IdentifiedParameters identified;
