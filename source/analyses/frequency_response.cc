@@ -151,7 +151,8 @@ namespace vibrocontact
         "place; direction x, y or z; coordinates of the contact. Units: m.",
         Anything());
     prm.add_parameter("Bodies", bodies,
-                      "Bodies to be analysed, separated by commas; empty: all that have modes. Units: none.",
+                      "Bodies to be analysed, separated by commas: bodies with modes, analytic rings, oscillators, "
+                      "identified bodies; empty: all of them. Units: none.",
                       Anything());
     prm.add_parameter("First frequency", first, "Lowest frequency; 0 if the spacing is linear. Units: Hz.",
                       Double(0, 1e9));

@@ -185,11 +185,16 @@ namespace vibrocontact
         if (!result.readiness.usable())
         {
           rules.initial_slope = raised_slopes(result.fit, map);
-          take(fit_residues(data, result.fit.poles, rules));
+          PoleFit again = fit_residues(data, result.fit.poles, rules);
+          again.converged = result.fit.converged;
+          take(again);
         }
         result.repaired = result.readiness.usable();
         if (!result.repaired)
+        {
           result = before;
+          result.repair_failed = true;
+        }
         else
           result.errors_before_repair = before.errors;
       }
@@ -226,6 +231,7 @@ namespace vibrocontact
         if (best.worst() <= parameters.target_error)
           break;
       }
+      best.target_reached = best.worst() <= parameters.target_error;
       keep(best);
     }
     return results;

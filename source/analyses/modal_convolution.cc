@@ -3,6 +3,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/processor_clock.h>
 #include <vibrocontact/contact/unilateral_contact.h>
+#include <vibrocontact/response/step_weights.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,6 +69,14 @@ namespace vibrocontact
 
   void ModalConvolutionParameters::check() const
   {
+    if (is_event_located() && (memory > 0 || force_shape != "impulse" || contact_solver != "active set"))
+      throw InputError(
+          std::string("Modal convolution/") +
+          (memory > 0                 ? "Memory"
+           : force_shape != "impulse" ? "Force shape"
+                                      : "Contact solver") +
+          " is given, but Method is event located, which has no steps: leave it out or take modal "
+          "recursion or a convolution.");
     if (end_time < time_step)
       throw InputError("Modal convolution/End time is before the first Time step: give a later one.");
     if (end_time / time_step > 1e12)
@@ -96,6 +105,7 @@ namespace vibrocontact
           is_linear(force_shape(parameters.force_shape) == ForceShape::linear),
           is_common(parameters.contact_solver == "common" || model.n_rows() > n_points)
     {
+      check_force_shape(parameters, model, n_points);
     }
 
     /// Without friction. @param heights, displacements, forces n_points per step
@@ -171,6 +181,30 @@ namespace vibrocontact
         for (unsigned int j = 0; j < n_points; ++j)
           block(i, j) = matrix(i, j);
       return block;
+    }
+
+    static void check_force_shape(const ModalConvolutionParameters &parameters, const PoleModel &model,
+                                  const unsigned int n_points)
+    {
+      const double longest =
+          longest_step(model.residual, initial_derivative(model, 1), force_shape(parameters.force_shape));
+      if (parameters.time_step <= longest)
+        return;
+      std::ostringstream text;
+      text << "Modal convolution/Force shape is " << parameters.force_shape
+           << ", with which the contact forces ring ";
+      if (longest > 0)
+        text << "at steps above " << longest << " s: take a shorter Time step or Force shape = impulse.";
+      else
+      {
+        unsigned int rigid = 0;
+        while (rigid + 1 < model.residual.m() && model.residual(rigid, rigid) > 0)
+          ++rigid;
+        text << "as contact point " << rigid % n_points << " is rigid"
+             << (rigid < n_points ? "" : " along the road") << ": take Force shape = impulse, or give a "
+             << (rigid < n_points ? "" : "tangential ") << "tread stiffness.";
+      }
+      throw InputError(text.str());
     }
 
     static std::string at_step(const double time_step)
@@ -250,7 +284,7 @@ namespace vibrocontact
     last_displacement.assign(displacement.begin(), displacement.begin() + n_points);
     if (has_friction)
     {
-      check_road_friction(model, n_points, time_step, force_shape(parameters.force_shape));
+      check_road_friction(model, time_step, force_shape(parameters.force_shape));
       results.tangential_impulse.assign(n_points, 0.);
       last_tangential_displacement.assign(displacement.begin() + n_points, displacement.end());
       last_tangential_force.assign(n_points, 0.);

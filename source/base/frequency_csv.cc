@@ -1,6 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/frequency_csv.h>
 #include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/base/number_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,18 @@ namespace vibrocontact
     return result;
   }
 
+  double equal_time_step(const std::string &source, const std::vector<double> &time, const double rounding,
+                         const std::vector<unsigned int> &lines)
+  {
+    const double step = time.back() / (time.size() - 1);
+    for (std::size_t i = 0; i < time.size(); ++i)
+      if (std::abs(time[i] - i * step) > 1e-4 * step + rounding * time.back())
+        throw InputError(source + (lines.empty() ? "" : ", line " + std::to_string(lines[i]) + ",") +
+                         " leaves at " + number_text(time[i]) +
+                         " s the equal steps from t = 0 on that an impulse response needs: sample it so.");
+    return step;
+  }
+
   namespace
   {
     /// The kinds of columns: end of the name, powers of j omega in them.
@@ -59,12 +72,7 @@ namespace vibrocontact
     FrequencyData read_impulse_responses(const CsvTable &table, const std::vector<double> &time)
     {
       check_axis(table.source, time, "s", table.lines);
-      const double step = time.back() / (time.size() - 1);
-      for (std::size_t i = 0; i < time.size(); ++i)
-        if (std::abs(time[i] - i * step) > 1e-4 * step)
-          throw InputError("The table \"" + table.source + "\", line " + std::to_string(table.lines[i]) +
-                           ", leaves the equal steps from time_s = 0 on that an impulse response needs: "
-                           "sample it so.");
+      const double step = equal_time_step("The table \"" + table.source + "\"", time, 0, table.lines);
       FrequencyData data;
       data.file_name = table.source;
       std::vector<std::string> pairs;

@@ -16,6 +16,10 @@ namespace vibrocontact
 
   namespace
   {
+    /// function types of record 6
+    constexpr int unknown_function = 0, time_response = 1, frequency_response = 4;
+    /// of times that a file gives one by one: 6 digits
+    constexpr double rounding_of_times = 6e-6;
     /// specific data types of records 8 to 10
     constexpr int displacement = 8, velocity = 11, acceleration = 12, excitation_force = 13,
                   reaction_force = 9, time_axis = 17, frequency_axis = 18;
@@ -93,7 +97,9 @@ namespace vibrocontact
     {
       std::string response_entity, reference_entity;
       int response_node = 0, response_direction = 0, reference_node = 0, reference_direction = 0;
-      int abscissa_type = 0, numerator = 0, denominator = 0;
+      int type = 0, abscissa_type = 0, numerator = 0, denominator = 0;
+      /// the abscissa is a first value and a step
+      bool even = false;
       std::vector<double> abscissa;
       std::vector<Complex> values;
       unsigned int line = 0;
@@ -162,6 +168,7 @@ namespace vibrocontact
       std::string text = cursor.next_line();
       text.resize(80, ' ');
       function.line = cursor.line_number();
+      function.type = cursor.integer(text, 0, 5);
       function.response_entity = trimmed(text.substr(31, 10));
       function.response_node = cursor.integer(text, 41, 10);
       function.response_direction = cursor.integer(text, 51, 4);
@@ -170,7 +177,7 @@ namespace vibrocontact
       function.reference_direction = cursor.integer(text, 76, 4);
       text = cursor.next_line();
       const int type = cursor.integer(text, 0, 10), n = cursor.integer(text, 10, 10);
-      const bool even = cursor.integer(text, 20, 10) == 1;
+      const bool even = function.even = cursor.integer(text, 20, 10) == 1;
       const double first = cursor.number(text, 30, 13), step = cursor.number(text, 43, 13);
       if ((type != 2 && type != 4 && type != 5 && type != 6) || n < 1)
         cursor.fail("gives the data type " + std::to_string(type) + " and " + std::to_string(n) +
@@ -212,6 +219,13 @@ namespace vibrocontact
         if (!binary.is)
           cursor.fail("has more values than the " + std::to_string(n) + " that it announces.");
       return function;
+    }
+
+    /// What files of measurements have besides (coherence 6, spectra 2, 3, 9, 12, ...) does not count.
+    bool is_response(const Function &function)
+    {
+      return function.type == unknown_function ||
+             function.type == (function.abscissa_type == time_axis ? time_response : frequency_response);
     }
 
     std::string direction_suffix(const Cursor &cursor, const int direction)
@@ -277,6 +291,7 @@ namespace vibrocontact
     data.file_name = file_name;
     PointNames names;
     int abscissa_type = 0;
+    double rounding = 0;
     std::vector<unsigned int> powers;
     while (!cursor.at_end())
     {
@@ -307,6 +322,11 @@ namespace vibrocontact
         binary.n_bytes = cursor.integer(header, 31, 12);
       }
       const Function function = read_function(cursor, binary);
+      if (!is_response(function))
+      {
+        ++data.n_skipped;
+        continue;
+      }
       if (function.abscissa_type != time_axis && function.abscissa_type != frequency_axis)
         cursor.fail("ends a function of the abscissa type " + std::to_string(function.abscissa_type) +
                     ": frequency (18) or time (17) is needed.");
@@ -314,6 +334,7 @@ namespace vibrocontact
       {
         abscissa_type = function.abscissa_type;
         data.frequency = function.abscissa;
+        rounding = function.even ? 0 : rounding_of_times;
         check_axis(file_name, data.frequency, abscissa_type == time_axis ? "s" : "Hz", {});
       }
       if (function.abscissa_type != abscissa_type || function.abscissa != data.frequency)
@@ -331,13 +352,15 @@ namespace vibrocontact
     }
     if (data.entries.empty())
       throw InputError("The universal file \"" + file_name +
-                       "\" has no dataset 58: frequency responses are needed.");
+                       "\" has no dataset 58 with a frequency response or an impulse response (" +
+                       std::to_string(data.n_skipped) + " with other functions): these are needed.");
     if (abscissa_type == time_axis)
     {
       if (data.frequency.front() != 0)
         throw InputError("The universal file \"" + file_name +
                          "\" has impulse responses that do not begin at t = 0: cut them there.");
-      transform_to_frequency(data, data.frequency.back() / (data.frequency.size() - 1));
+      transform_to_frequency(
+          data, equal_time_step("The universal file \"" + file_name + "\"", data.frequency, rounding, {}));
     }
     for (unsigned int k = 0; k < powers.size(); ++k)
       integrate_in_frequency(data, k, powers[k]);

@@ -98,10 +98,10 @@ namespace vibrocontact
   }
 
   template <unsigned int N>
-  bool UnilateralContact::try_set(const unsigned int set, const double *gap_0, double *gap, double *q) const
+  bool UnilateralContact::try_set(const unsigned int set, const double *gap_0, double *gap, double *q)
   {
     const double *const own = set_inverses.data() + set * N * N;
-    double worst = 0, scale = 0;
+    double worst = 0, scale = 0, largest_closed = 0;
     for (unsigned int i = 0; i < N; ++i)
     {
       double force = 0;
@@ -118,9 +118,13 @@ namespace vibrocontact
         value += matrix[i * N + j] * q[j];
       const bool shut = set >> i & 1;
       worst = shut ? worst : std::min(worst, value);
+      largest_closed = shut ? std::max(largest_closed, std::abs(value)) : largest_closed;
       gap[i] = shut ? 0. : value;
     }
-    return worst >= -slack * scale;
+    if (!(worst >= -slack * scale))
+      return false;
+    last_residual = std::max(-worst, largest_closed) / std::max(scale, std::numeric_limits<double>::min());
+    return true;
   }
 
   template <unsigned int N>
@@ -133,8 +137,8 @@ namespace vibrocontact
     for (unsigned int set = 0; set < 1u << N && !found; ++set)
     {
       found = try_set<N>(set, gap_0, next, force);
+      n_corrections += found;
       last_set = set;
-      ++n_corrections;
     }
     if (!found)
       throw ConvergenceError("The contact of a step has no solution: the motion is no longer finite.");

@@ -173,6 +173,7 @@ namespace vibrocontact
         best = fit;
       }
     }
+    best.converged = n_still >= 3;
     return best;
   }
 } // namespace vibrocontact

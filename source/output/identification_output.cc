@@ -78,6 +78,8 @@ namespace vibrocontact
                    {"error_E", one.worst()},
                    {"error_E_entries", one.errors},
                    {"entries", entries},
+                   {"converged", one.fit.converged},
+                   {"target_reached", one.target_reached},
                    {"n_unstable", one.fit.n_unstable()},
                    {"n_states", one.identified.model.n_poles()},
                    {"truncation", one.identified.truncation},
@@ -88,6 +90,7 @@ namespace vibrocontact
     const ContactReadiness &readiness = one.readiness;
     result["contact"] = {{"usable", readiness.usable()},
                          {"repaired", one.repaired},
+                         {"repair_failed", one.repair_failed},
                          {"steps_s", readiness.steps},
                          {"definiteness", readiness.definiteness},
                          {"definiteness_limit", readiness.limit},

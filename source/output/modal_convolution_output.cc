@@ -144,6 +144,12 @@ namespace vibrocontact
     table.write(folder + "/third_octaves.csv");
   }
 
+  bool is_contact_iterated(const ModalConvolutionParameters &parameters, const unsigned int n_points)
+  {
+    return !parameters.is_event_located() &&
+           (n_points > 1 || parameters.contact_solver == "common" || parameters.friction);
+  }
+
   nlohmann::ordered_json modal_convolution_json(const ModalConvolutionParameters &parameters,
                                                 const ModalConvolutionResult &result)
   {
@@ -172,9 +178,12 @@ namespace vibrocontact
                  {"impulse_Ns", result.impulse},
                  {"largest_force_N", result.largest_force},
                  {"closed_points_mean", result.closed_points / steps},
-                 {"corrections_per_step", result.corrections / steps},
-                 {"contact_residual", result.residual},
                  {"histories", "histories.h5"}};
+    if (is_contact_iterated(parameters, result.impulse.size()))
+    {
+      json["corrections_per_step"] = result.corrections / steps;
+      json["contact_residual"] = result.residual;
+    }
     if (parameters.friction)
     {
       json["tangential_impulse_Ns"] = result.tangential_impulse;

@@ -194,13 +194,19 @@ namespace vibrocontact
         model.left(i, k) = sign(rows[i]) * left[k][component(rows[i])] * std::conj(phase);
       }
     model.load.assign(model.poles.size(), 0.);
-    if (ring.residual)
-      model.residual = ring_residual(ring, rows, rotation, frame);
-    else
-      model.residual.reinit(rows.size(), rows.size());
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      model.residual(i, i) += tread_compliance(ring, rows[i].tangential);
+    model.residual = ring_rest(ring, rows, rotation, frame);
     return model;
+  }
+
+  DenseMatrix ring_rest(const RingParameters &ring, const std::vector<RingRow> &rows, const double rotation,
+                        const RingFrame frame)
+  {
+    DenseMatrix rest(rows.size(), rows.size());
+    if (ring.residual)
+      rest = ring_residual(ring, rows, rotation, frame);
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      rest(i, i) += tread_compliance(ring, rows[i].tangential);
+    return rest;
   }
 
   ComplexMatrix ring_receptance(const RingParameters &ring, const std::vector<RingRow> &rows,

@@ -201,7 +201,6 @@ namespace vibrocontact
         now = event ? begin + x * length : begin + length;
         if (!event && length == target - begin)
           now = target;
-        ++pieces;
       }
       stuck = x * length > 1e-6 * piece ? 0 : stuck + 1;
       if (stuck > 1000)
@@ -259,7 +258,6 @@ namespace vibrocontact
     file("events/is_closed", is_closed);
     file("events/just_open", just_open);
     file("events/impulse", impulse);
-    file("events/pieces", pieces);
     vibrocontact::exchange(file, "events/impacts", impacts);
     vibrocontact::exchange(file, "events/releases", releases);
     invert_closed();

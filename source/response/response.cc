@@ -87,7 +87,8 @@ namespace vibrocontact
     throw InputError("There is no response method \"" + name + "\": choose one of " + known + ".");
   }
 
-  unsigned long steps_of_memory(const PoleModel &model, const double time_step, const double share)
+  unsigned long steps_of_memory(const PoleModel &model, const double time_step, const double share,
+                                const unsigned long most_steps)
   {
     std::vector<double> size(model.n_poles(), 0.);
     double sum = 0;
@@ -97,7 +98,7 @@ namespace vibrocontact
         size[k] = std::max(size[k], std::abs(model.right(i, k) * model.left(i, k)));
       sum += size[k];
     }
-    double low = 0, high = time_step;
+    double low = 0, high = most_steps * time_step;
     const auto envelope = [&](const double t)
     {
       double value = 0;
@@ -106,9 +107,7 @@ namespace vibrocontact
       return value / sum;
     };
     // the largest g stays below the envelope at zero, hence the fifth
-    while (envelope(high) > 0.2 * share && high < 1e6 * time_step * model.n_poles() + 1e6)
-      high *= 2;
-    for (unsigned int k = 0; k < 60; ++k)
+    for (unsigned int k = 0; k < 60 && !(envelope(high) > 0.2 * share); ++k)
     {
       const double middle = 0.5 * (low + high);
       (envelope(middle) > 0.2 * share ? low : high) = middle;
@@ -117,8 +116,9 @@ namespace vibrocontact
     const unsigned int n = model.n_rows();
     PoleModel moving = model;
     moving.residual.reinit(0, 0);
-    const auto kernel = step_kernel(moving, time_step, ForceShape::impulse,
-                                    static_cast<unsigned long>(std::ceil(high / time_step)));
+    const auto kernel =
+        step_kernel(moving, time_step, ForceShape::impulse,
+                    std::min(most_steps, static_cast<unsigned long>(std::ceil(high / time_step))));
     double largest = 0;
     for (unsigned int i = 0; i < n; ++i)
       for (const double value : kernel[i * n + i])

@@ -1,8 +1,11 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/unilateral_contact.h>
 #include <vibrocontact/numerics/phi_functions.h>
 #include <vibrocontact/response/step_weights.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace vibrocontact
 {
@@ -41,6 +44,31 @@ namespace vibrocontact
     if (model.residual.m() > 0)
       result.add(1., model.residual);
     return result;
+  }
+
+  double longest_step(const DenseMatrix &S, const DenseMatrix &slope, const ForceShape shape)
+  {
+    if (shape == ForceShape::impulse)
+      return std::numeric_limits<double>::infinity();
+    // beyond rounding
+    if (S.m() == 0 || !(definiteness(S) > 1e-12))
+      return 0;
+    if (shape == ForceShape::constant)
+      return std::numeric_limits<double>::infinity();
+    const unsigned int n = S.m();
+    DenseMatrix left(n, n), right(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+      {
+        left(i, j) = 0.5 * (slope(i, j) + slope(j, i));
+        right(i, j) = 0.5 * (S(i, j) + S(j, i));
+      }
+    std::vector<DenseVector> vectors;
+    left.compute_generalized_eigenvalues_symmetric(right, vectors);
+    double largest = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      largest = std::max(largest, left.eigenvalue(i).real());
+    return 2.7 / std::sqrt(largest);
   }
 
   void exchange_past_forces(CheckpointFile &file, std::vector<double> &forces)

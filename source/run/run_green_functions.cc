@@ -94,14 +94,10 @@ namespace vibrocontact
                            const bool residual, const std::vector<double> &frequency)
     {
       ring.highest_order = highest;
+      ring.residual = residual;
       ring.residual_order = std::max(ring.residual_order, highest + 1);
       const unsigned int n = body.rows.size();
-      DenseMatrix rest(n, n);
-      if (residual)
-        rest = ring_residual(ring, body.rows, body.rotation, RingFrame::road);
-      for (unsigned int i = 0; i < n; ++i)
-        if (!body.rows[i].tangential && ring.tread_stiffness > 0)
-          rest(i, i) += 1 / ring.tread_stiffness;
+      const DenseMatrix rest = ring_rest(ring, body.rows, body.rotation, RingFrame::road);
       return evaluated(body, frequency,
                        [&](const double omega)
                        {

@@ -56,12 +56,22 @@ namespace vibrocontact
 
   namespace
   {
+    std::string missed_target(const Identification &one, const IdentificationParameters &own)
+    {
+      return "Identification/Target error " + number_text(own.target_error) + " is not reached by " +
+             one.method + " with up to " + std::to_string(own.largest) +
+             " pole pairs; the best fit has E = " + number_text(one.worst()) + " with " +
+             std::to_string(one.n_asked) + ".";
+    }
+
     void print(const Identification &one)
     {
       run_log().line(one.method + ", " + number_text(one.fit.n_pairs()) + " pole pairs: E = " +
                      number_text(one.worst()) + " (worst entry), " + time_text(one.seconds));
       if (one.fit.n_unstable() > 0)
         run_log().warning(std::to_string(one.fit.n_unstable()) + " poles are unstable.");
+      if (!one.fit.converged)
+        run_log().warning("The poles still move after the last relocation: E may fall with more Iterations.");
       if (!one.checked)
         return;
       if (one.repaired)
@@ -70,7 +80,9 @@ namespace vibrocontact
             number_text(*std::max_element(one.errors_before_repair.begin(), one.errors_before_repair.end())) +
             " before");
       if (!one.readiness.usable())
-        run_log().warning("This model cannot be used in contact: " + one.readiness.reason() + ".");
+        run_log().warning("This model cannot be used in contact" +
+                          std::string(one.repair_failed ? ", its repair was tried and failed" : "") + ": " +
+                          one.readiness.reason() + ".");
       else if (!one.readiness.impacts)
         run_log().line("  g(0+) is " + number_text(one.readiness.initial_value) +
                        " of the largest g: for rigid contact with impacts set Impose zero initial value");
@@ -84,10 +96,17 @@ namespace vibrocontact
     const FrequencyData data = identification_data(own);
     run_log().value("points", (unsigned int)(data.labels.size()));
     run_log().value("frequencies", (unsigned int)(data.frequency.size()));
+    if (data.n_skipped > 0)
+      run_log().value("functions left aside, neither frequency nor impulse responses", data.n_skipped);
     const std::vector<Identification> fits = identify(own, data, print);
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (unsigned int k = 0; k < fits.size(); ++k)
     {
+      if (!fits[k].target_reached)
+      {
+        results.failures.push_back({"identification", missed_target(fits[k], own)});
+        run_log().warning(results.failures.back().message);
+      }
       nlohmann::ordered_json one = identification_json(fits[k], data);
       const std::string number = "_" + std::to_string(k);
       one["poles"] = "identification_poles" + number + ".csv";
@@ -147,7 +166,10 @@ namespace vibrocontact
     first.methods = first.method_list().front();
     first.pairs = {first.pairs.front()};
     first.contact_step = contact_step;
-    return {data.labels, first.rolling, identify(first, data, print).front().identified.model};
+    const Identification one = identify(first, data, print).front();
+    if (!one.target_reached)
+      run_log().warning(missed_target(one, first));
+    return {data.labels, first.rolling, one.identified.model};
   }
 
   namespace

@@ -42,10 +42,11 @@ namespace vibrocontact
   {
     run_log().block("Comparison of methods");
     run_log().value("registers", wide_loops_name());
-    Table table({"body", "method", "step_s", "steps", "memory_steps", "error_displacement_m", "error_force_N",
-                 "error_impulse", "seconds_per_step"},
-                {"Errors against the exact motion (displacement: largest; force: rms away from events; "
-                 "impulse: relative) and cost; a method that broke down has no line"});
+    Table table(
+        {"body", "method", "step_s", "steps", "memory_steps", "error_displacement_m", "error_force_N",
+         "error_impulse", "seconds_per_step"},
+        {"Errors against the exact motion (displacement: largest; force: rms away from events; "
+         "impulse: worst point, relative to the largest) and cost; a method that broke down has no line"});
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (unsigned int number = 0; number < parameters.scene.bodies.size(); ++number)
       for (const ComparedMethod &method : compare_body(parameters, bodies, number))

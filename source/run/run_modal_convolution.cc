@@ -119,7 +119,7 @@ namespace vibrocontact
       log.value("releases", static_cast<unsigned long long>(result.releases.size()));
       for (unsigned int i = 0; i < std::min<std::size_t>(result.impulse.size(), 3); ++i)
         log.value("impulse of point " + std::to_string(i), result.impulse[i], "N s");
-      if (!parameters.is_event_located())
+      if (is_contact_iterated(parameters, result.impulse.size()))
         log.value("contact residual", result.residual);
       if (parameters.friction)
       {

@@ -79,6 +79,12 @@ namespace vibrocontact
   {
     if (profile == "expression" && expression.empty())
       throw InputError("Road/Profile is expression, but Road/Expression is empty: give it.");
+    if (profile != "expression" && !expression.empty())
+      throw InputError("Road/Expression is given, but Road/Profile is " + profile +
+                       ": set it to expression, or leave the expression out.");
+    if (profile != "table" && !table.empty())
+      throw InputError("Road/Table is given, but Road/Profile is " + profile +
+                       ": set it to table, or leave the table out.");
     if (profile == "table" && table.empty())
       throw InputError("Road/Profile is table, but Road/Table is empty: name a file.");
     if (!speed_expression.empty() && !speed_table.empty())

@@ -146,6 +146,55 @@ TEST(FrequencyData, ForeignUniversalFile)
   EXPECT_NEAR(std::abs(data.entries[0].values[1] * 16. * M_PI * M_PI - Complex(0, 4)), 0, 1e-12);
 }
 
+namespace
+{
+  /// one function of a universal file over time or frequency, real, one abscissa per value
+  std::string uneven_function(const int type, const int axis, const std::vector<double> &abscissa)
+  {
+    char line[128];
+    std::snprintf(line, sizeof line,
+                  "%5d         1    0         0 NONE               1   3 NONE               1   3\n", type);
+    std::string text = std::string("    -1\n    58\nTest\nNONE\nNONE\nNONE\nNONE\n") + line;
+    std::snprintf(line, sizeof line, "         2%10zu         0  0.00000E+00  0.00000E+00  0.00000E+00\n",
+                  abscissa.size());
+    text += line;
+    std::snprintf(line, sizeof line, "%10d    0    0    0 axis                 NONE\n", axis);
+    text += line;
+    text +=
+        "         8    1    0    0 Displacement         m\n        13    0    1    0 Force                N\n"
+        "         0    0    0    0 NONE                 NONE\n";
+    for (unsigned int i = 0; i < abscissa.size(); ++i)
+    {
+      std::snprintf(line, sizeof line, "%13.5E%13.5E%s", abscissa[i], std::exp(-1. * i),
+                    i % 3 == 2 || i + 1 == abscissa.size() ? "\n" : "");
+      text += line;
+    }
+    return text + "    -1\n";
+  }
+} // namespace
+
+TEST(FrequencyData, UniversalFileOfOtherFunctions)
+{
+  const std::vector<double> even = {0, 0.001, 0.002, 0.003, 0.004, 0.005},
+                            uneven = {0, 0.001, 0.002, 0.004, 0.008}, frequencies = {1, 2, 3, 4};
+  // impulse responses: equal steps, to the 6 digits of the file
+  const FrequencyData impulse = read_uff58("g.uff", uneven_function(1, 17, even));
+  EXPECT_NEAR(impulse.frequency[1], 1 / (6 * 0.001), 1e-9);
+  expect_words(refused("g.uff", uneven_function(1, 17, uneven)), {"g.uff", "equal steps"});
+  // coherence (6), auto spectrum (2) and a time record over frequency beside a response are left aside, and counted
+  const std::string response = uneven_function(4, 18, frequencies);
+  const FrequencyData data =
+      read_frequency_data("h.uff",
+                          uneven_function(6, 18, frequencies) + response + uneven_function(2, 18, even) +
+                              uneven_function(1, 18, frequencies),
+                          false);
+  EXPECT_EQ(data.entries.size(), 1);
+  EXPECT_EQ(data.n_skipped, 3);
+  expect_equal(data, read_uff58("h.uff", response));
+  expect_equal(data, read_uff58("h.uff", uneven_function(0, 18, frequencies)));
+  expect_words(refused("h.uff", uneven_function(6, 18, frequencies)), {"1 with other functions"});
+}
+
 TEST(FrequencyData, ImpulseResponse)
 {
   // m = 1, omega_d = 100, decay 20: G = 1 / ((s + 20)^2 + 100^2)

@@ -270,18 +270,39 @@ TEST(Identification, FitsOfTheRingAreRepairedForContact)
     for (unsigned int j = i; j < 3; ++j)
       data.entries.push_back({i, j, ring().values[map.entry[3 * i + j]]});
   IdentificationParameters parameters;
-  parameters.pairs = {16, 25};
+  // doc/identification.md: 16 and 25 pairs can be used as they are, 20 and 30 are refused
+  parameters.pairs = {16, 20, 25, 30};
   unsigned int n = 0;
   for (const Identification &one : identify(parameters, data, [&](const Identification &) { ++n; }))
   {
     EXPECT_TRUE(one.readiness.usable()) << one.readiness.reason();
     EXPECT_EQ(one.fit.n_unstable(), 0);
-    EXPECT_LT(one.worst(), one.n_asked == 16 ? 1.5e-2 : 3e-3);
+    EXPECT_LT(one.worst(), one.n_asked == 16 ? 1.5e-2 : one.n_asked == 20 ? 6e-3 : 3e-3);
+    const bool refused = one.n_asked == 20 || one.n_asked == 30;
+    EXPECT_EQ(one.repaired, refused) << one.n_asked;
+    EXPECT_FALSE(one.repair_failed);
+    EXPECT_EQ(one.errors_before_repair.empty(), !refused);
   }
-  EXPECT_EQ(n, 2);
+  EXPECT_EQ(n, 4);
+  parameters.repair = false;
+  parameters.pairs = {20, 30};
+  for (const Identification &one : identify(parameters, data, [](const Identification &) {}))
+  {
+    EXPECT_FALSE(one.readiness.usable()) << one.n_asked;
+    EXPECT_FALSE(one.repaired);
+  }
+  parameters.repair = true;
   parameters.target_error = 0.05;
   const auto found = identify(parameters, data, [](const Identification &) {});
   ASSERT_EQ(found.size(), 1);
   EXPECT_LE(found.front().worst(), 0.05);
+  EXPECT_TRUE(found.front().target_reached);
   EXPECT_LT(found.front().n_asked, 12);
+  // out of reach, and too few relocations: said
+  parameters.largest = 4;
+  parameters.n_iterations = 2;
+  const auto missed = identify(parameters, data, [](const Identification &) {});
+  EXPECT_GT(missed.front().worst(), 0.05);
+  EXPECT_FALSE(missed.front().target_reached);
+  EXPECT_FALSE(missed.front().fit.converged);
 }

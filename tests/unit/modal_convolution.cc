@@ -1,5 +1,6 @@
 // Whole runs: the oscillator and the ring on the road against exact motion, converged runs and published values.
 #include <vibrocontact/analyses/method_comparison.h>
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/reduction/ring_poles.h>
 
 #include <gtest/gtest.h>
@@ -54,7 +55,7 @@ namespace
   struct Outcome
   {
     std::vector<double> impulse, forces;
-    double largest = 0;
+    double largest = 0, residual = 0;
   };
 
   Outcome run(const Tyre &tyre, const std::string &method, const std::string &shape, const double step,
@@ -82,6 +83,7 @@ namespace
       ;
     outcome.impulse = motion.result().impulse;
     outcome.largest = motion.result().largest_force;
+    outcome.residual = motion.result().residual;
     return outcome;
   }
 } // namespace
@@ -93,6 +95,8 @@ TEST(ModalConvolution, ThreePointsWithTread)
                 converged = run(tyre, "modal recursion", "linear", 2.5e-6, 8);
   EXPECT_NEAR(own.impulse[1] / 17.67764, 1, 1e-4);
   EXPECT_NEAR(converged.impulse[1] / 17.67764, 1, 1e-5);
+  EXPECT_GT(own.residual, 0);
+  EXPECT_LT(own.residual, 1e-12);
   ASSERT_EQ(own.forces.size(), converged.forces.size());
   double error = 0;
   for (std::size_t k = 0; k < own.forces.size(); ++k)
@@ -190,6 +194,48 @@ TEST(ModalConvolution, MethodsOfTheRing)
         EXPECT_LT(row.error_impulse, rigid ? 2e-2 : 1e-4) << row.method;
       }
   }
+}
+
+// Five rigid points: impulses in an eighth of the step are the reference, and it is stable.
+TEST(ModalConvolution, MethodsOfManyRigidPoints)
+{
+  Tyre tyre(0, 0.5e-3, false);
+  const RingParameters &ring = tyre.ring;
+  tyre.ring.n_points = 5;
+  tyre.model = ring_poles(ring, ring_rows(ring, false));
+  tyre.places.clear();
+  tyre.shapes.clear();
+  for (const double angle : ring.angles())
+  {
+    tyre.places.push_back(ring.radius * angle);
+    tyre.shapes.push_back(ring.radius * (1 - std::cos(angle)));
+  }
+  ModalConvolutionParameters parameters;
+  parameters.force_shape = "linear";
+  const auto rows =
+      compare_methods({{2e-5, 1000, 1001}}, 1, parameters, tyre.model, tyre.road, tyre.places, tyre.shapes);
+  EXPECT_EQ(rows.size(), 6u);
+  for (const ComparedMethod &row : rows)
+  {
+    EXPECT_LT(row.error_displacement, 1e-4) << row.method;
+    EXPECT_LT(row.error_impulse, 5e-2) << row.method;
+  }
+}
+
+TEST(ModalConvolution, RowsOfTheComparison)
+{
+  EXPECT_EQ(read_comparison_rows("1e-4:2000:1900, 1e-5:20000:19000 ", "Rows").size(), 2);
+  for (const char *wrong : {"1e-4:2000.7:1900", "1e-4:2000:1900junk", "1e-4:2000:1900.5", "1e-4:2000"})
+    EXPECT_THROW(read_comparison_rows(wrong, "Rows"), InputError) << wrong;
+}
+
+// Forces of rigid points that are constant or linear in a step are refused, those behind a tread up to a step.
+TEST(ModalConvolution, RefusesShapesThatRing)
+{
+  for (const char *shape : {"constant", "linear"})
+    EXPECT_THROW(run(Tyre(0, 0.5e-3, false), "modal recursion", shape, 20e-6, 1, 1e-3), InputError);
+  EXPECT_THROW(run(Tyre(3e5, 1e-3, false), "modal recursion", "linear", 5e-3, 1, 0.1), InputError);
+  EXPECT_NO_THROW(run(Tyre(3e5, 1e-3, false), "modal recursion", "constant", 1e-3, 1, 0.1));
 }
 
 // 1,000 s at 0.1 m/s: the last period is the second; 1 m/s, where every touch is an impact and an immediate release.

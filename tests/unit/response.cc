@@ -6,10 +6,12 @@
 #include <vibrocontact/numerics/piecewise_polynomial.h>
 #include <vibrocontact/numerics/wide_loops.h>
 #include <vibrocontact/response/response.h>
+#include <vibrocontact/response/step_weights.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 using namespace vibrocontact;
@@ -226,11 +228,71 @@ TEST(Response, MemoryOfTheOnePercentRule)
   DenseMatrix trace(1, 1);
   trace(0, 0) = 1;
   PoleModel model = pole_model({std::sqrt(4e5)}, {0.02}, trace, {}, DenseMatrix(), {});
-  EXPECT_NEAR(steps_of_memory(model, 1e-4, 0.01), 3655, 1);
+  EXPECT_NEAR(steps_of_memory(model, 1e-4, 0.01, 100000), 3655, 1);
+  EXPECT_EQ(steps_of_memory(model, 1e-4, 0.01, 1000), 1000);
   // what answers at once is not remembered
   model.residual.reinit(1, 1);
   model.residual(0, 0) = 1e-3;
-  EXPECT_NEAR(steps_of_memory(model, 1e-4, 0.01), 3655, 1);
+  EXPECT_NEAR(steps_of_memory(model, 1e-4, 0.01, 100000), 3655, 1);
+  // without damping nothing is ever forgotten: the whole run, up to the last quarter of a period
+  EXPECT_NEAR(
+      steps_of_memory(pole_model({std::sqrt(4e5)}, {0.}, trace, {}, DenseMatrix(), {}), 1e-4, 0.01, 5000),
+      5000, 25);
+}
+
+namespace
+{
+  /// Two masses behind springs S of their own, held closed from a disturbance on: the forces' growth over n steps.
+  double growth(const ForceShape shape, const double step, const PoleModel &model, const unsigned int n_steps)
+  {
+    ResponseSettings settings;
+    settings.time_step = step;
+    settings.shape = shape;
+    const auto response = create_response("modal recursion", model, state_at_rest(model), settings);
+    DenseMatrix inverse = response->compliance();
+    inverse.invert();
+    double first = 0, last = 0;
+    for (unsigned int k = 0; k < n_steps; ++k)
+    {
+      double q[2], size = 0;
+      for (unsigned int i = 0; i < 2; ++i)
+      {
+        q[i] = 0;
+        for (unsigned int j = 0; j < 2; ++j)
+          q[i] += inverse(i, j) * ((k == 0 ? 1e-6 * (j + 1.) : 0.) - response->free_displacement()[j]);
+        size = std::max(size, std::abs(q[i]));
+      }
+      response->advance(q);
+      first = k == 0 ? size : first;
+      last = size;
+    }
+    return last / first;
+  }
+} // namespace
+
+TEST(Response, LongestStep)
+{
+  // a rigid translation and a rotation of two points; the softer combination of both decides, no point by itself
+  DenseMatrix trace(2, 2), S(2, 2);
+  trace(0, 0) = trace(1, 0) = 1;
+  trace(0, 1) = 0.5;
+  trace(1, 1) = -0.5;
+  S(0, 0) = S(1, 1) = 1e-6;
+  const PoleModel model = pole_model({100., 150.}, {0.02, 0.02}, trace, {}, S, {}),
+                  rigid = pole_model({100., 150.}, {0.02, 0.02}, trace, {}, DenseMatrix(2, 2), {});
+  const DenseMatrix slope = initial_derivative(model, 1);
+  EXPECT_EQ(longest_step(S, slope, ForceShape::impulse), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(longest_step(S, slope, ForceShape::constant), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(longest_step(DenseMatrix(2, 2), slope, ForceShape::constant), 0);
+  EXPECT_EQ(longest_step(DenseMatrix(2, 2), slope, ForceShape::linear), 0);
+  // both together: g'(0) of the translation is (1, 1; 1, 1), eigenvalue 2
+  const double longest = longest_step(S, slope, ForceShape::linear);
+  EXPECT_NEAR(longest / (2.7 * std::sqrt(1e-6 / 2)), 1, 1e-12);
+  // the motion itself: bounded below, growing above sqrt(12) sqrt(S / g'(0))
+  EXPECT_LT(growth(ForceShape::linear, longest, model, 400), 1);
+  EXPECT_GT(growth(ForceShape::linear, 1.35 * longest, model, 400), 1e3);
+  EXPECT_LT(growth(ForceShape::constant, 10 * longest, model, 400), 1);
+  EXPECT_GT(growth(ForceShape::linear, 1e-4, rigid, 40), 1e3);
 }
 
 TEST(UnilateralContact, AgreesWithTheCommonSolver)
@@ -258,6 +320,7 @@ TEST(UnilateralContact, AgreesWithTheCommonSolver)
     parameters.tolerance = 1e-13;
     NewtonSolver common(parameters);
     ContactSolution solution;
+    double residual = 0;
     for (unsigned int step = 0; step < 200; ++step)
     {
       std::vector<double> gap(n), q(n);
@@ -265,6 +328,7 @@ TEST(UnilateralContact, AgreesWithTheCommonSolver)
       for (unsigned int i = 0; i < n; ++i)
         problem.b[i] = gap[i] = 1e-4 * std::sin(0.1 * step + 0.7 * i) + 3e-5 * std::cos(2.3 * step * i);
       fast.solve(gap.data(), q.data());
+      residual = std::max(residual, fast.residual());
       solution = common.solve(problem, solution);
       double size = 0;
       for (unsigned int i = 0; i < n; ++i)
@@ -276,6 +340,15 @@ TEST(UnilateralContact, AgreesWithTheCommonSolver)
         EXPECT_EQ(gap[i] * q[i], 0);
       }
     }
+    // that of one point is no number to speak of; the closed set of the step before is right in most steps
+    EXPECT_LT(residual, 1e-12) << n;
+    if (n > 1)
+    {
+      EXPECT_GT(residual, 0) << n;
+      EXPECT_GT(fast.corrections(), 0) << n;
+    }
+    if (n == 3)
+      EXPECT_LT(fast.corrections(), 200);
   }
 }
 

@@ -50,7 +50,9 @@ namespace vibrocontact
     std::vector<double> errors, errors_before_repair;
     IdentifiedModel identified;
     ContactReadiness readiness;
-    bool checked = false, repaired = false;
+    bool checked = false, repaired = false, repair_failed = false;
+    /// whether E is within Target error, if there is one
+    bool target_reached = true;
     double seconds = 0;
 
     double worst() const;
@@ -73,7 +75,8 @@ namespace vibrocontact
   /// A model whose one-step compliance is not positive definite at the contact step, its half and tenth and in the limit is
   /// repaired if wanted: the fit is made again without direct term and with g(0+) = 0; if that is not
   /// enough, the residues again with g'(0+) as well, whose eigenvalues are raised to 1e-3 of the largest at least.
-  /// What it costs in E is shown. If that fails, too, readiness says so and contact refuses the model.
+  /// What it costs in E is shown. If that fails, too, the fit before it is kept with repair_failed, readiness says why
+  /// and contact refuses the model. A Target error that no number of pairs reaches leaves the best fit, marked.
   std::vector<Identification> identify(const IdentificationParameters &parameters, const FrequencyData &data,
                                        const std::function<void(const Identification &)> &finished);
 

@@ -48,16 +48,17 @@ namespace vibrocontact
     double time_step;
     unsigned long n_steps, memory;
     /// against the reference: largest of the displacement [m]; rms of the force without the neighbourhood of events
-    /// (three steps), where a stepped force is an impulse over h [N]; relative, of the impulse of the whole run.
-    /// Not finite: the method broke down.
+    /// (three steps), where a stepped force is an impulse over h [N]; of the impulses of the whole run at the worst point,
+    /// relative to the largest. Not finite: the method broke down.
     double error_displacement, error_force, error_impulse;
     /// median, the profile tabulated, histories stored [s]
     double seconds_per_step;
   };
 
   /// The paper's Table 2 redone: every method on one body and road, its error against its cost in one run. The reference
-  /// is the event-located motion where the contact is rigid and has at most four points, otherwise the modal recursion with
-  /// continuous linear forces in an eighth of the step.
+  /// is the event-located motion where the contact is rigid and has at most four points, otherwise the modal recursion in an
+  /// eighth of the step, with continuous linear forces, or impulses if the contact is rigid. Rigid contact always has
+  /// impulses.
   ///
   /// One point also has the paper's own forms (response/paper_methods.h).
   std::vector<ComparedMethod> compare_methods(const std::vector<ComparisonRow> &rows,

@@ -33,7 +33,6 @@ namespace vibrocontact
   ContactProblem road_contact_problem(const DenseMatrix &matrix, unsigned int n_points, double mu,
                                       double time_step);
 
-  /// @throws InputError if the tangential motion of the points has no compliance, or one on which the force shape
-  /// rings: without tangential compliance S only impulses do not; linear ones need h < 2.7 sqrt(S / g'(0))
-  void check_road_friction(const PoleModel &model, unsigned int n_points, double time_step, ForceShape shape);
+  /// @throws InputError if the tangential motion of the points has no compliance
+  void check_road_friction(const PoleModel &model, double time_step, ForceShape shape);
 } // namespace vibrocontact

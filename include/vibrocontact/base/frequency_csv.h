@@ -20,6 +20,12 @@ namespace vibrocontact
   /// What stands before `end`, if the name ends so.
   std::optional<std::string> without_end(const std::string &name, const std::string &end);
 
+  /// The times of impulse responses have to go in equal steps from t = 0. @param rounding of the times in the file,
+  /// relative. @return the step [s]
+  /// @throws InputError naming the time, and the line if there are lines
+  double equal_time_step(const std::string &source, const std::vector<double> &time, double rounding,
+                         const std::vector<unsigned int> &lines);
+
   /// Receptance at multiples of 1 / duration of an impulse response sampled at equal steps from t = 0 on, by trapezoids
   /// (a jump at 0+ counts half) and FFT; up to half the sampling rate.
   void transform_to_frequency(FrequencyData &data, double step);

@@ -24,6 +24,8 @@ namespace vibrocontact
     /// ascending, not negative, common to all entries [Hz]
     std::vector<double> frequency;
     std::vector<Entry> entries;
+    /// functions of the file left aside: coherences, spectra and others that are no responses to forces
+    unsigned int n_skipped = 0;
 
     const Entry *find(unsigned int response, unsigned int reference) const;
     /// index of a label, which is added if it is new

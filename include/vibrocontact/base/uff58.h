@@ -7,8 +7,9 @@ namespace vibrocontact
   /// Universal file, dataset 58 (functions at nodal degrees of freedom; SDRC, University of Cincinnati): one
   /// dataset per entry, with response and reference entity, node and direction (1, 2, 3: x, y, z, negative: against it).
   /// Read: ASCII and binary (58b, IEEE, either byte order); real and complex, single and double, even and uneven abscissa;
-  /// frequency responses (displacement, velocity or acceleration per force) and impulse responses (real, over time).
-  /// Other datasets are skipped, units other than SI (dataset 164) refused.
+  /// frequency responses (function type 4; displacement, velocity or acceleration per force) and impulse responses
+  /// (type 1, real, over time in equal steps from 0), or either as type 0. Functions of other types (coherence,
+  /// spectra) are left aside and counted; other datasets are skipped, units other than SI (dataset 164) refused.
   ///
   /// A point is called by its entity, or by its node if the entity is NONE or empty; direction _x, _y, _z or
   /// _-x, ..., none if scalar.

@@ -36,11 +36,12 @@ namespace vibrocontact
     void exchange(CheckpointFile &file);
 
     unsigned int n_points() const { return n; }
-    /// corrections of the closed set so far
+    /// corrections of the closed set so far; up to four points: steps whose closed set was another than before
     unsigned long corrections() const { return n_corrections; }
     /// points closed by the last solve
     unsigned int n_closed() const;
-    /// Largest violation of the last solution: closed gaps over the largest gap_0 and M q [-].
+    /// Largest violation of the last solution over the largest gap_0 [-]: closed gaps; up to four points also open gaps
+    /// below zero and forces below zero times M_ii. One point is exact, 0.
     double residual() const { return last_residual; }
 
   private:
@@ -48,7 +49,7 @@ namespace vibrocontact
     void solve_few(double *gap, double *q);
     void solve_many(double *gap, double *q);
     template <unsigned int N>
-    bool try_set(unsigned int set, const double *gap_0, double *gap, double *q) const;
+    bool try_set(unsigned int set, const double *gap_0, double *gap, double *q);
     void rebuild();
     void add(unsigned int point);
     void remove(unsigned int place);

@@ -38,7 +38,6 @@ namespace vibrocontact
     double begin() const { return ends.front(); }
     double end() const { return ends.back(); }
     bool empty() const { return pieces.empty(); }
-    unsigned int n_pieces() const { return pieces.size(); }
 
   private:
     using Piece = std::array<double, n_coefficients>;

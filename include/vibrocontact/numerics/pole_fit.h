@@ -31,6 +31,8 @@ namespace vibrocontact
     std::vector<std::vector<std::complex<double>>> residues;
     /// d_i, zero without direct term [unit of the data]
     std::vector<double> direct;
+    /// whether the search for the poles came to rest (vector fitting: E within 1e-4 in three relocations)
+    bool converged = true;
 
     /// Two real poles count as a pair.
     double n_pairs() const;

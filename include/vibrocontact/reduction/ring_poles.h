@@ -49,6 +49,12 @@ namespace vibrocontact
   DenseMatrix ring_residual(const RingParameters &ring, const std::vector<RingRow> &rows, double rotation,
                             RingFrame frame);
 
+  /// What stands beside the orders up to Highest order: ring_residual() if the ring has Residual = true, and on the
+  /// diagonal the tread, 1 / Tread stiffness for inward rows and 1 / Tread tangential stiffness for those along theta
+  /// [m/N].
+  DenseMatrix ring_rest(const RingParameters &ring, const std::vector<RingRow> &rows, double rotation,
+                        RingFrame frame);
+
   /// A mass on a spring under its weight; one row, up; with friction a second one, forward.
   PoleModel oscillator_poles(const OscillatorParameters &oscillator, bool with_friction = false);
 

@@ -68,7 +68,6 @@ namespace vibrocontact
     std::vector<ContactEvent> impacts, releases;
     /// of each point so far, impacts included [N s]
     std::vector<double> impulse;
-    unsigned long n_pieces() const { return pieces; }
     void exchange(CheckpointFile &file);
 
   private:
@@ -99,7 +98,6 @@ namespace vibrocontact
     double height_scale = 1e-3, rate_scale = 1e-6;
     std::vector<unsigned int> closed;
     std::vector<char> is_closed, just_open;
-    unsigned long pieces = 0;
     /// events so far without time between them
     unsigned int stuck = 0;
     PieceSeries series;

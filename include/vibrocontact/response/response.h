@@ -95,6 +95,7 @@ namespace vibrocontact
                                             const ResponseSettings &settings);
 
   /// Number of steps after which the driving-point g(t) stay below a share of their maximum: the paper's section 2.1
-  /// with 0.01.
-  unsigned long steps_of_memory(const PoleModel &model, double time_step, double share);
+  /// with 0.01; most_steps, the run's length, if they do not (a pole without damping).
+  unsigned long steps_of_memory(const PoleModel &model, double time_step, double share,
+                                unsigned long most_steps);
 } // namespace vibrocontact

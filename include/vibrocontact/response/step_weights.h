@@ -20,6 +20,14 @@ namespace vibrocontact
   /// B + S: displacement at the end of a step per force in it; n_rows square [m/N]
   DenseMatrix one_step_compliance(const PoleModel &model, double time_step, ForceShape shape);
 
+  /// Longest step at which the forces of points that stay closed do not ring [s], from the contact's compliance S and
+  /// g'(0+) = slope (row and force):
+  ///
+  ///   impulse: infinite
+  ///   constant: infinite if S is positive definite, else 0 (error factor -1 per step: impacts become elastic)
+  ///   linear: 2.7 sqrt(min_x x^T S x / x^T slope x), 0 without S (error factor -3.73)      (doc/theory.md)
+  double longest_step(const DenseMatrix &S, const DenseMatrix &slope, ForceShape shape);
+
   /// Motion without contact forces: initial state and loads, evaluated step by step.
   ///
   ///   u(t) = u_static + 2 Re sum_k right_k e^(lambda_k t) (z_k(0) - z_static_k),     z_static = -load / lambda
