@@ -114,6 +114,8 @@ namespace vibrocontact
     pair.interface = contact_interface(body_1, body_2, grid);
     const unsigned int n = grid.n_points();
     pair.residual_flexibility = residual_flexibility(body_1, true, contact, grid);
+    for (unsigned int i = 0; i < 3 * n; ++i)
+      pair.force_residual.push_back(pair.residual_flexibility(i, 0));
     pair.residual_flexibility.add(1., residual_flexibility(body_2, false, contact, grid));
     if (!contact.coupling)
       uncouple(pair.residual_flexibility);

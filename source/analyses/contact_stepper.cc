@@ -110,12 +110,13 @@ namespace vibrocontact
   }
 
   std::vector<double> ContactStepper::gaps(const DynamicState &state, const DenseVector &residual,
-                                           const DenseVector &shapes, const double approach) const
+                                           const DenseVector &shapes, const double approach,
+                                           const double force) const
   {
     std::vector<double> gap(pair.n_points());
     for (unsigned int i = 0; i < gap.size(); ++i)
     {
-      gap[i] = constant_response[i] + residual[i] - approach;
+      gap[i] = constant_response[i] + residual[i] + pair.force_response(i) * force - approach;
       if (!state.roughness.empty())
         gap[i] += state.roughness[i];
       for (unsigned int k = 0; k < shapes.size(); ++k)
@@ -132,7 +133,7 @@ namespace vibrocontact
     std::copy(state.q.begin(), state.q.end(), q.begin());
     multiply(matrices.shapes.amplitudes, q, displacement);
     const std::vector<double> gap =
-        gaps(state, state.residual_displacement, displacement, state.contact.approach);
+        gaps(state, state.residual_displacement, displacement, state.contact.approach, state.force);
 
     std::vector<double> sorted(gap);
     std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
@@ -181,7 +182,7 @@ namespace vibrocontact
     return any_open ? motion : std::numeric_limits<double>::infinity();
   }
 
-  bool ContactStepper::closes_unwatched(DynamicState &state)
+  bool ContactStepper::closes_unwatched(DynamicState &state, const double force)
   {
     if (!solution.converged || !unwatched_within(state, state.travel + 2 * motion_of_open_points(state)))
       return false;
@@ -197,7 +198,7 @@ namespace vibrocontact
     multiply(matrices.displacement_gain, c_n, displacement);
     if (matrices.shapes.rank() > 0)
       displacement += free_displacement;
-    const std::vector<double> gap = gaps(state, residual, displacement, solution.approach);
+    const std::vector<double> gap = gaps(state, residual, displacement, solution.approach, force);
     std::vector<unsigned int> closed;
     for (unsigned int i = 0; i < n; ++i)
       if (gap[i] < 0 && !std::binary_search(points.begin(), points.end(), i))
@@ -241,10 +242,11 @@ namespace vibrocontact
       else
         solution = solver.solve(problem, solution);
       iterations += solution.iterations;
-    } while (closes_unwatched(state));
+    } while (closes_unwatched(state, drive.force));
     solution.iterations = iterations;
     take_over(state, rigid);
     state.hub_acceleration = drive.hub_acceleration;
+    state.force = drive.force;
     return state.contact;
   }
 
@@ -254,9 +256,10 @@ namespace vibrocontact
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
     {
       const ModalStep &s = steps[k];
-      const double hub = pair.hub_participation(k);
-      const double p1 = pair.modal_load[k] + hub * drive.hub_acceleration,
-                   p0 = pair.modal_load[k] + hub * state.hub_acceleration + state.modal_force[k];
+      const double hub = pair.hub_participation(k), point = pair.force_participation(k);
+      const double p1 = pair.modal_load[k] + hub * drive.hub_acceleration + point * drive.force,
+                   p0 = pair.modal_load[k] + hub * state.hub_acceleration + point * state.force +
+                        state.modal_force[k];
       q[k] = s.T[0][0] * state.q[k] + s.T[0][1] * state.v[k] + s.g0[0] * p0 + s.g1[0] * p1;
       v[k] = s.T[1][0] * state.q[k] + s.T[1][1] * state.v[k] + s.g0[1] * p0 + s.g1[1] * p1;
     }
@@ -279,9 +282,12 @@ namespace vibrocontact
         const unsigned int here = contact_row(m, c, i), there = contact_row(n, c, points[i]);
         problem.b[here] += constant_response[there] + rigid[there];
         if (c > 0)
-          problem.b[here] -= state.residual_displacement[there] / h;
-        else if (!state.roughness.empty())
-          problem.b[here] += state.roughness[points[i]];
+          problem.b[here] += (pair.force_response(there) * (drive.force - state.force) -
+                              state.residual_displacement[there]) /
+                             h;
+        else
+          problem.b[here] += pair.force_response(there) * drive.force +
+                             (state.roughness.empty() ? 0. : state.roughness[points[i]]);
         solution.R[here] = state.R[there] + state.force_change[there];
       }
     problem.normal_force = drive.normal_force;

@@ -108,8 +108,8 @@ namespace vibrocontact
       }
 
     private:
-      const std::string known = "known are time_s, longitudinal_creepage, lateral_creepage, spin_1_m and "
-                                "either normal_force_N or hub_displacement_m.";
+      const std::string known = "known are time_s, longitudinal_creepage, lateral_creepage, spin_1_m, "
+                                "exciting_force_N and either normal_force_N or hub_displacement_m.";
       const TransientParameters &parameters;
       std::optional<CsvTable> table;
       std::vector<std::string> used;
@@ -149,6 +149,13 @@ namespace vibrocontact
           "Section Transient drives both the normal force and the hub displacement: leave one of "
           "them out.");
     const auto load = sources.function(by_force ? force_source : hub_source);
+    const Source exciting{"Exciting force", "exciting_force_N", "N", transient.exciting_force, 0.};
+    const bool excited = sources.given(exciting);
+    if (excited && grid.n_points() != 1)
+      throw InputError("Transient/Exciting force acts at the only contact point, but this contact has " +
+                       std::to_string(grid.n_points()) +
+                       " points: leave it out, or move the body by a Hub displacement.");
+    const auto exciting_force = sources.function(exciting);
     sources.check_all_used();
     const double speed = constant.creepage.speed, h = transient.time_step;
     const FunctionOfTime hub_acceleration =
@@ -183,6 +190,7 @@ namespace vibrocontact
         drive.approach = load(t);
       if (hub_acceleration)
         drive.hub_acceleration = hub_acceleration(t);
+      drive.force = exciting_force(t);
       if (roughness)
         for (const double height : roughness->heights(speed * t))
         {

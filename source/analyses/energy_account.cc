@@ -16,6 +16,12 @@ namespace vibrocontact
   double stored_energy(const ContactPair &pair, const NormalLaw &law, const DynamicState &state)
   {
     double energy = modal_energy(pair, state) + 0.5 * (state.R * state.residual_displacement);
+    if (state.force != 0)
+    {
+      energy += 0.5 * pair.force_response(0) * state.force * state.force;
+      for (unsigned int i = 0; i < state.R.size(); ++i)
+        energy += state.force * pair.force_response(i) * state.R[i];
+    }
     if (!state.contact.empty())
       for (unsigned int i = 0; i < pair.n_points(); ++i)
         energy += law.potential(state.contact.y[i]);
@@ -47,21 +53,30 @@ namespace vibrocontact
   {
     const unsigned int n = pair.n_points();
     const double h = after.time - before.time;
-    double work = 0, damping = 0, loads = 0, hub = 0;
+    double work = 0, damping = 0, loads = 0, hub = 0, exciting = 0;
+    const double mean_force = (before.force + after.force) / 2;
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
     {
       const double dq = after.q[k] - before.q[k], v = (after.v[k] + before.v[k]) / 2;
       const double force = (before.modal_force[k] + after.modal_force[k]) / 2;
       work += force * dq;
       loads += pair.modal_load[k] * dq;
+      exciting += mean_force * pair.force_participation(k) * dq;
       hub += pair.hub_participation(k) * (before.hub_acceleration + after.hub_acceleration) / 2 * dq;
       damping += 2 * pair.damping_ratio[k] * pair.omega[k] * v * v * h;
     }
-    account.loads += loads;
+    account.loads += loads + exciting;
+    if (mean_force != 0)
+    {
+      double moved = pair.force_response(0) * (after.force - before.force);
+      for (unsigned int i = 0; i < 3 * n; ++i)
+        moved += pair.force_response(i) * (after.R[i] - before.R[i]);
+      account.loads += mean_force * moved;
+    }
     account.hub += hub;
     account.damping += damping;
     account.numerical_modes +=
-        work + loads + hub - damping - modal_energy(pair, after) + modal_energy(pair, before);
+        work + loads + exciting + hub - damping - modal_energy(pair, after) + modal_energy(pair, before);
     account.stored = stored_energy(pair, law, after);
 
     account.friction += h * (before.friction_power + after.friction_power) / 2;

@@ -115,8 +115,10 @@ namespace vibrocontact
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
     {
       const double w = pair.omega[k];
-      const auto force = [&](const DynamicState &state) {
-        return pair.modal_load[k] + pair.hub_participation(k) * state.hub_acceleration + state.modal_force[k];
+      const auto force = [&](const DynamicState &state)
+      {
+        return pair.modal_load[k] + pair.hub_participation(k) * state.hub_acceleration +
+               pair.force_participation(k) * state.force + state.modal_force[k];
       };
       const auto acceleration = [&](const DynamicState &state)
       { return force(state) - 2 * pair.damping_ratio[k] * w * state.v[k] - w * w * state.q[k]; };

@@ -52,6 +52,7 @@ namespace vibrocontact
     DynamicState state;
     state.contact.approach = drive.approach;
     state.hub_acceleration = drive.hub_acceleration;
+    state.force = drive.force;
     state.q.assign(n_modes, 0.);
     state.v.assign(n_modes, 0.);
     state.R.reinit(3 * n);
@@ -75,6 +76,13 @@ namespace vibrocontact
       problem.approach = drive.approach;
       for (unsigned int i = 0; i < drive.gap.size(); ++i)
         problem.b[i] += drive.gap[i];
+      for (unsigned int i = 0; i < n && drive.force != 0; ++i)
+      {
+        problem.b[i] += pair.force_response(i) * drive.force;
+        for (unsigned int k = 0; k < n_modes; ++k)
+          problem.b[i] += pair.modal_trace(i, k) * pair.force_participation(k) * drive.force /
+                          (pair.omega[k] * pair.omega[k]);
+      }
       const auto method = create_contact_solver(solver);
       state.contact =
           contact.falling.acts()
@@ -95,7 +103,8 @@ namespace vibrocontact
       if (n_modes > 0)
         pair.modal_trace.Tvmult(force, state.R);
       for (unsigned int k = 0; k < n_modes; ++k)
-        state.q[k] = (force[k] + pair.modal_load[k]) / (pair.omega[k] * pair.omega[k]);
+        state.q[k] = (force[k] + pair.modal_load[k] + pair.force_participation(k) * drive.force) /
+                     (pair.omega[k] * pair.omega[k]);
     }
     perturb(transient, pair, state);
     complete(pair, rigid_slip(pair.interface.grid, find_creep_scheme(contact.creep_scheme), drive.creepage),

@@ -67,9 +67,15 @@ namespace vibrocontact
     expression("Spin", spin, "1/m");
     expression("Normal force", normal_force, "N");
     expression("Hub displacement", hub_displacement, "m");
+    prm.add_parameter("Exciting force", exciting_force,
+                      "Expression of the time t: force on body 1 at its only contact point along z, positive "
+                      "upwards, beside "
+                      "that of the contact; empty: none. Units: N.",
+                      Anything());
     prm.add_parameter("Drive table", drive_table,
                       "CSV file with the column time_s and any of longitudinal_creepage, lateral_creepage, "
-                      "spin_1_m, normal_force_N, hub_displacement_m, which replace the constants of section "
+                      "spin_1_m, normal_force_N, hub_displacement_m, exciting_force_N, which replace the "
+                      "constants of section "
                       "Rolling; linear in between; it has to cover the run; empty: none. Units: none.",
                       FileName());
     prm.enter_subsection("Roughness");
@@ -111,14 +117,6 @@ namespace vibrocontact
       throw InputError(
           "Section Transient gives an Error tolerance, for which the Shortest time step has to be "
           "between a millionth of the Time step and the Time step: give it.");
-    if (model == "finite elements" && reaction != "end of step")
-      throw InputError("Transient/Model is finite elements, whose contact points have mass: there reactions "
-                       "weighted as other forces ring with growing amplitude; set Transient/Reaction to end "
-                       "of step.");
-    if (model == "finite elements" && error_tolerance > 0)
-      throw InputError("Section Transient gives an Error tolerance, but with Model = finite elements the "
-                       "contact points have mass, whose forces after an impact change from step to step "
-                       "however short it is: leave the tolerance out or set Model to reduced.");
     roughness.check();
     if (perturbed_mode.empty() && (perturbation != 0 || perturbation_velocity != 0))
       throw InputError("Section Transient gives a perturbation, but no Perturbed mode: name one.");

@@ -19,7 +19,8 @@ namespace vibrocontact
 
   std::unique_ptr<SecondOrderSystem> assemble_bar(const BarParameters &bar, const ElasticMaterial &material,
                                                   const std::string &name, const bool above,
-                                                  const ContactGrid *const grid, const MPI_Comm communicator)
+                                                  const ContactGrid *const grid, const MPI_Comm communicator,
+                                                  const double gravity)
   {
     // The mesh is small and stands on every rank; each assembles its share of the rows.
     Triangulation<1> mesh;
@@ -52,6 +53,10 @@ namespace vibrocontact
     for (auto *const matrix : {&system->mass, &system->stiffness})
       matrix->reinit(system->locally_owned, system->locally_owned, pattern, communicator);
 
+    system->has_load = gravity != 0;
+    if (system->has_load)
+      system->load.reinit(system->locally_owned, communicator);
+
     FEValues<1> values(element, QGauss<1>(bar.degree + 1),
                        update_values | update_gradients | update_JxW_values);
     const unsigned int n = element.n_dofs_per_cell();
@@ -71,6 +76,17 @@ namespace vibrocontact
             stiffness(a, b) += material.young_modulus * bar.section * values.shape_grad(a, q)[0] *
                                values.shape_grad(b, q)[0] * values.JxW(q);
           }
+      if (bar.consistent_mass != 1)
+        for (unsigned int a = 0; a < n; ++a)
+        {
+          double lumped = 0;
+          for (unsigned int b = 0; b < n; ++b)
+          {
+            lumped += mass(a, b);
+            mass(a, b) *= bar.consistent_mass;
+          }
+          mass(a, a) += (1 - bar.consistent_mass) * lumped;
+        }
       // vertex dofs come first: 0 is the one towards the contact end
       if (bar.massless_contact_node && dofs[0] == contact_end)
       {
@@ -89,10 +105,19 @@ namespace vibrocontact
             if (!fixed)
               system->mass.add(dofs[a], dofs[b], mass(a, b));
           }
+        if (system->has_load && !fixed)
+        {
+          double weight = 0;
+          for (unsigned int b = 0; b < n; ++b)
+            weight += gravity * mass(a, b);
+          system->load(dofs[a]) += -weight;
+        }
       }
     }
     system->mass.compress(VectorOperation::add);
     system->stiffness.compress(VectorOperation::add);
+    if (system->has_load)
+      system->load.compress(VectorOperation::add);
     if (material.loss_factor > 0)
     {
       system->loss_stiffness.reinit(system->stiffness);

@@ -43,7 +43,42 @@ namespace vibrocontact
                        " body, which has no mass that could be thrown: list the body that moves first in "
                        "Bodies, or move it by a Hub displacement.");
     }
+    /// Reactions of points with mass do not converge with the step.
+    void check_inertia_of_contact(const Parameters &parameters)
+    {
+      if (!contact_points_have_mass(parameters))
+        return;
+      const TransientParameters &transient = parameters.transient;
+      if (transient.reaction != "end of step")
+        throw InputError(
+            "Transient/Model is finite elements, whose contact points have mass: there reactions "
+            "weighted as other forces ring with growing amplitude; set Transient/Reaction to end "
+            "of step.");
+      if (transient.error_tolerance > 0)
+        throw InputError("Section Transient gives an Error tolerance, but with Model = finite elements the "
+                         "contact points have mass, whose forces after an impact change from step to step "
+                         "however short it is: leave the tolerance out or set Model to reduced.");
+    }
+
+    /// An exciting force moves a body with modes.
+    void check_excited_body(const TransientParameters &transient, const BodyParameters &body_1)
+    {
+      if (!transient.exciting_force.empty() && !body_1.is_meshed())
+        throw InputError("Transient/Exciting force acts on body 1, but " + body_1.name + " is a " +
+                         body_1.type +
+                         " body, which it cannot move: list the body that moves first in Bodies.");
+    }
   } // namespace
+
+  bool contact_points_have_mass(const Parameters &parameters)
+  {
+    if (parameters.transient.model != "finite elements")
+      return false;
+    for (const BodyParameters &body : parameters.scene.bodies)
+      if (body.is_meshed() && !(body.type == "bar" && body.bar.massless_contact_node))
+        return true;
+    return false;
+  }
 
   void check_transient(const Parameters &parameters)
   {
@@ -56,7 +91,9 @@ namespace vibrocontact
     for (const auto &[name, modes] : parameters.modes)
       bodies.push_back(name);
     check_perturbed_body(transient, bodies);
+    check_inertia_of_contact(parameters);
     check_thrown_body(transient, parameters.scene.bodies[0]);
+    check_excited_body(transient, parameters.scene.bodies[0]);
     parameters.signals.check(bodies, transient);
   }
 

@@ -17,7 +17,7 @@ namespace vibrocontact
   namespace
   {
     /// changes whenever what is exchanged or what it means does
-    constexpr int format = 3;
+    constexpr int format = 4;
 
     std::string checkpoint_name(const std::string &folder)
     {
@@ -35,6 +35,7 @@ namespace vibrocontact
       file("state/residual_change", state.residual_change);
       file("state/modal_force", state.modal_force);
       file("state/hub_acceleration", state.hub_acceleration);
+      file("state/force", state.force);
       file("state/friction_power", state.friction_power);
       file("state/creepage_power", state.creepage_power);
       file("state/transport_power", state.transport_power);

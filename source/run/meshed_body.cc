@@ -96,7 +96,8 @@ namespace vibrocontact
   {
     const ContactGrid *const pointer = grid ? &*grid : nullptr;
     if (parameters.type == "bar")
-      return assemble_bar(parameters.bar, parameters.material, parameters.name, above, pointer, communicator);
+      return assemble_bar(parameters.bar, parameters.material, parameters.name, above, pointer, communicator,
+                          parameters.loads.gravity);
     if (parameters.type == "beam rail")
     {
       if (grid && above)

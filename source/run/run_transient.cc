@@ -6,6 +6,7 @@
 #include <vibrocontact/output/patch_recorder.h>
 #include <vibrocontact/output/signal_recorder.h>
 #include <vibrocontact/output/transient_output.h>
+#include <vibrocontact/run/check_transient.h>
 #include <vibrocontact/run/checkpoint.h>
 #include <vibrocontact/run/run_transient.h>
 #include <vibrocontact/run/transient_probes.h>
@@ -159,15 +160,17 @@ namespace vibrocontact
         write_history_table(probes, folder);
     }
 
-    void warn_of_ringing(const TransientParameters &parameters, const ContactPair &pair, Results &results)
+    void warn_of_ringing(const Parameters &all, const ContactPair &pair, Results &results)
     {
-      if (parameters.model == "finite elements" && parameters.initial_state == "undeformed" &&
+      const TransientParameters &parameters = all.transient;
+      const bool massive = contact_points_have_mass(all);
+      if (massive && parameters.initial_state == "undeformed" &&
           (parameters.integrator == "exact propagator" || parameters.theta < 0.55))
         warn("The contact points have mass (Transient/Model = finite elements): after an impact "
              "velocities and forces there ring from step to step; the theta method with Theta = "
              "1 damps that, and every mode with it.",
              results);
-      if (parameters.model == "finite elements")
+      if (massive)
         return;
       const double quiet = longest_quiet_step(pair);
       if (parameters.integrator != "exact propagator" || parameters.time_step <= quiet)
@@ -215,7 +218,7 @@ namespace vibrocontact
     run_log().value("contact points", pair.n_points());
     const DriveFunction drive = drive_function(
         own, rolling_cases(parameters.rolling, parameters.contact).front(), parameters.contact_grid());
-    warn_of_ringing(own, pair, results);
+    warn_of_ringing(parameters, pair, results);
     warn_of_spectrum(parameters, results);
 
     const auto law = parameters.contact.law();

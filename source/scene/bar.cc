@@ -13,6 +13,11 @@ namespace vibrocontact
                       Integer(1, 10));
     prm.add_parameter("Far end", far_end, "The end away from the contact. Units: none.",
                       Selection("held|free"));
+    prm.add_parameter("Consistent mass", consistent_mass,
+                      "Share s of the consistent mass, the rest is lumped. Fronts of waves stay sharp with s "
+                      "= 1/2 + (c Time "
+                      "step / element length)^2 for two-node elements and the theta method. Units: none.",
+                      Double(0, 1.5));
     prm.add_parameter(
         "Massless contact node", massless_contact_node,
         "Give the mass of the contact element to its inner node: rigid contact of a node with mass needs "

@@ -85,6 +85,14 @@ namespace vibrocontact
       declare("Mesh", mesh);
     if (is_solid())
       declare("Loads", loads);
+    if (type == "bar")
+    {
+      prm.enter_subsection("Loads");
+      prm.add_parameter("Gravity", loads.gravity,
+                        "Acceleration of gravity along -z; 9.81 on earth. Units: m/s^2.",
+                        dealii::Patterns::Double(-1e4, 1e4));
+      prm.leave_subsection();
+    }
   }
 
   void BodyParameters::check(const std::string &section) const

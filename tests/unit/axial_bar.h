@@ -77,4 +77,24 @@ namespace vibrocontact
     body.gap = {c.gap};
     return body;
   }
+
+  /// The lowest modes of a body. @param residual whether the static answers of the others join the residual
+  inline PeriodicBody with_modes(const PeriodicBody &all, const unsigned int n_modes, const bool residual)
+  {
+    PeriodicBody body = all;
+    for (unsigned int k = n_modes; k < all.n_modes() && residual; ++k)
+    {
+      const double w2 = all.omega[k] * all.omega[k];
+      body.residual(0, 0) += all.trace(0, k) * all.trace(0, k) / w2;
+      body.residual_force[0] += all.trace(0, k) * all.modal_force[k] / w2;
+    }
+    body.omega.resize(n_modes);
+    body.damping_ratio.resize(n_modes);
+    body.modal_force.resize(n_modes);
+    body.modal_load.resize(n_modes);
+    body.trace.reinit(1, n_modes);
+    for (unsigned int k = 0; k < n_modes; ++k)
+      body.trace(0, k) = all.trace(0, k);
+    return body;
+  }
 } // namespace vibrocontact

@@ -15,7 +15,8 @@ namespace vibrocontact
   ///
   ///   du = Psi q + W~ R + load_jump,      q'' + 2 zeta w q' + w^2 q = Psi^T R + load
   ///
-  /// R: forces on body 1. The opposite force on body 2 and its share of the jump are in the sign of its
+  /// R: forces on body 1; a given force on body 1 at its contact point along z adds its force_participation and
+  /// force_response. The opposite force on body 2 and its share of the jump are in the sign of its
   /// columns of Psi, so that nothing after this distinguishes the bodies (Lai et al. 2018, Eqs 8-14).
   struct ContactPair
   {
@@ -31,6 +32,8 @@ namespace vibrocontact
     std::vector<double> modal_load;
     /// phi^T M e of unit translations of the mode's body along x, y, z; n_modes x 3 [sqrt(kg)]
     DenseMatrix participation;
+    /// residual displacements of the contact per force on body 1 at its first contact point along z [m/N]; 3 n, empty: none
+    std::vector<double> force_residual;
     /// W~ of both bodies: residual flexibilities (or what Contact/Local flexibility puts in their place), the
     /// whole compliance of half-spaces, nothing of rigid bodies; 3 n square [m/N]
     DenseMatrix residual_flexibility;
@@ -39,6 +42,16 @@ namespace vibrocontact
     double hub_participation(const unsigned int mode) const
     {
       return body[mode] == 1 && mode < participation.m() ? participation(mode, 2) : 0.;
+    }
+
+    /// of a mode [1/sqrt(kg)] and of a row of the contact's residual displacements [m/N] per given force on body 1
+    double force_participation(const unsigned int mode) const
+    {
+      return body[mode] == 1 ? modal_trace(0, mode) : 0.;
+    }
+    double force_response(const unsigned int row) const
+    {
+      return force_residual.empty() ? 0. : force_residual[row];
     }
 
     unsigned int n_points() const { return interface.grid.n_points(); }

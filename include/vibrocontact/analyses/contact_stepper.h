@@ -27,8 +27,8 @@ namespace vibrocontact
     /// powers of the tangential forces [W]: dissipated by friction (>= 0), given to the bodies by the
     /// creepage and by the transport -V R . du/dx
     double friction_power = 0, creepage_power = 0, transport_power = 0;
-    /// Drive::hub_acceleration at this instant
-    double hub_acceleration = 0;
+    /// Drive::hub_acceleration and Drive::force at this instant
+    double hub_acceleration = 0, force = 0;
     /// how the contact was solved at this instant: status, gap and slip, approach. At points that are not
     /// watched, the gap is that of the last look at all points (roughness kept up to date), the slip is zero.
     ContactSolution contact;
@@ -59,6 +59,8 @@ namespace vibrocontact
     /// of a given approach [m/s^2]; acts on the modes of body 1, which are those of the held structure: its hub
     /// moves by -approach along z, the modes are relative to that, p += Gamma_z d2(approach)/dt2
     double hub_acceleration = 0;
+    /// given force on body 1 at its only contact point along z [N]
+    double force = 0;
     /// added to the undeformed gap [m]; n, empty: none (roughness)
     std::vector<double> gap;
   };
@@ -97,15 +99,15 @@ namespace vibrocontact
   private:
     /// Whether a point that is not watched had, at the last look, a gap of at most the distance [m].
     bool unwatched_within(const DynamicState &state, double distance) const;
-    /// Gaps of all points [m]; n. @param residual W~ R, 3 n [m]; @param shapes amplitudes of the shapes
+    /// Gaps of all points [m]; n. @param force Drive::force; @param residual W~ R, 3 n [m]; @param shapes amplitudes of the shapes
     std::vector<double> gaps(const DynamicState &state, const DenseVector &residual,
-                             const DenseVector &shapes, double approach) const;
+                             const DenseVector &shapes, double approach, double force) const;
     /// Gaps of all points at the beginning of the step, and from them the points to watch.
     void look(DynamicState &state);
     /// How far open watched points move in the step [m]; infinite if there is none.
     double motion_of_open_points(const DynamicState &state) const;
     /// Whether the solution closes points that are not watched; then they are watched as well.
-    bool closes_unwatched(DynamicState &state);
+    bool closes_unwatched(DynamicState &state, double force);
     /// Operator and friction of the watched points into the problem.
     void watch(const std::vector<unsigned int> &points);
     /// q, v at the end of the step without the forces there.

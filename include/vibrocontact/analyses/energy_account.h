@@ -15,7 +15,7 @@ namespace vibrocontact
   {
     double initial = 0, stored = 0;
     /// work done on the bodies by the creepage, by the transport -V R . du/dx (of W~ R by central
-    /// differences), by hub and roughness, by constant loads. The hub moves the frame in which modes move:
+    /// differences), by hub and roughness, by constant loads and the given force. The hub moves the frame in which modes move:
     /// its acceleration works on them there
     double creepage = 0, transport = 0, hub = 0, loads = 0;
     double friction = 0, damping = 0;

@@ -35,8 +35,10 @@ namespace vibrocontact
     double perturbation = 0, perturbation_velocity = 0;
     /// expressions of the time t that replace the constants of section Rolling; empty: constant
     std::string longitudinal_creepage, lateral_creepage, spin, normal_force, hub_displacement;
+    /// force on body 1 at its only contact point along z, upwards [N], an expression of the time t; empty: none
+    std::string exciting_force;
     /// CSV file that does the same, columns time_s and any of longitudinal_creepage, lateral_creepage,
-    /// spin_1_m, normal_force_N, hub_displacement_m
+    /// spin_1_m, normal_force_N, hub_displacement_m, exciting_force_N
     std::string drive_table;
     RoughnessParameters roughness;
     /// distance of the lines of the histories [s], 0: every step

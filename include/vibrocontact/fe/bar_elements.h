@@ -13,8 +13,9 @@ namespace vibrocontact
   /// row and nothing in the tangential ones.
   ///
   /// @param above whether the bar stands above the plane z = 0 (body 1) or below it (body 2)
-  /// @param grid one contact point, or null without contact
+  /// @param grid one contact point, or null without contact; @param gravity acceleration along -z [m/s^2]
   std::unique_ptr<SecondOrderSystem> assemble_bar(const BarParameters &bar, const ElasticMaterial &material,
                                                   const std::string &name, bool above,
-                                                  const ContactGrid *grid, MPI_Comm communicator);
+                                                  const ContactGrid *grid, MPI_Comm communicator,
+                                                  double gravity = 0);
 } // namespace vibrocontact
