@@ -150,10 +150,11 @@ namespace vibrocontact
         "on the surface that can come into contact, or \"name: x, y, z, direction\" at the node next to a "
         "place; direction x, y or z; coordinates of the contact. Units: m.",
         Anything());
-    prm.add_parameter("Bodies", bodies,
-                      "Bodies to be analysed, separated by commas: bodies with modes, analytic rings, oscillators, "
-                      "identified bodies; empty: all of them. Units: none.",
-                      Anything());
+    prm.add_parameter(
+        "Bodies", bodies,
+        "Bodies to be analysed, separated by commas: bodies with modes, analytic rings, oscillators, "
+        "identified bodies; empty: all of them. Units: none.",
+        Anything());
     prm.add_parameter("First frequency", first, "Lowest frequency; 0 if the spacing is linear. Units: Hz.",
                       Double(0, 1e9));
     prm.add_parameter("Last frequency", last, "Highest frequency. Units: Hz.", Double(1e-6, 1e9));
