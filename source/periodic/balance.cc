@@ -12,7 +12,8 @@ namespace vibrocontact
     using Complex = std::complex<double>;
     using Quantity = TimeSampling::Quantity;
 
-    constexpr double shortest_line_step = 1. / 256, shortest_gap_step = 1e-3;
+    constexpr double shortest_line_step = 1. / 256, shortest_gap_step = 1e-3, gentler_projection = 1. / 3;
+    constexpr unsigned int n_gentler = 2;
 
     double norm(const std::vector<double> &x)
     {
@@ -481,6 +482,16 @@ namespace vibrocontact
     if (c.empty())
       c.assign(n_unknowns(), 0.);
     solution.converged = newton(c, solution);
+    // forces that spread farther over the samples are found where those of the usual parameter are not
+    const double rho = normal_rho;
+    for (unsigned int k = 0; k < n_gentler && !solution.converged && !spring && !(fixed_rho > 0); ++k)
+    {
+      normal_rho *= gentler_projection;
+      c = start.empty() ? std::vector<double>(n_unknowns(), 0.) : start;
+      solution.converged = newton(c, solution);
+    }
+    if (!solution.converged)
+      normal_rho = rho;
     if (!solution.converged)
     {
       // no contact at the gap that the linear motion just reaches: from there to the gap asked for
