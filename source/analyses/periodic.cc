@@ -1,15 +1,20 @@
 #include <vibrocontact/analyses/periodic.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace vibrocontact
 {
   namespace
   {
+    /// of sampled functions and Newton's matrix
+    constexpr double most_bytes = 4e9;
+
     std::vector<double> numbers_of(const std::string &text, const unsigned int count,
                                    const std::string &entry)
     {
@@ -47,7 +52,7 @@ namespace vibrocontact
                       Selection(basis_pattern()));
     prm.add_parameter("Number of functions", n_functions,
                       "Functions in each basis; odd numbers leave no undamped last function. Units: none.",
-                      Integer(1, 100000));
+                      Integer(1, 5000));
     prm.add_parameter("Form", form, "Who carries the derivatives of the inertia term. Units: none.",
                       Selection("strong|weak|distributional"));
     prm.add_parameter(
@@ -83,13 +88,14 @@ namespace vibrocontact
     prm.add_parameter(
         "Reference", reference,
         "Whether the distance of each solution to the motion found by shooting is computed. Units: none.");
-    prm.add_parameter("Output samples", n_output, "Lines of the tables. Units: none.", Integer(4, 1 << 24));
+    prm.add_parameter("Output samples", n_output, "Lines of the tables. Units: none.",
+                      Integer(4096, 1 << 20));
     prm.enter_subsection("Comparison");
     prm.add_parameter(
         "Pairs", pairs,
         "Solutions beside the first one: pairs of bases \"trial:weighting, ...\". Units: none.");
     prm.add_parameter("Numbers", numbers, "Numbers of functions of these solutions. Units: none.",
-                      List(Integer(1, 100000), 0, 1000));
+                      List(Integer(1, 5000), 0, 1000));
     prm.add_parameter(
         "Force phases", n_phases,
         "Errors are medians over so many positions of the force within one cell of the basis. Units: none.",
@@ -118,7 +124,22 @@ namespace vibrocontact
                  weighting_basis = create_time_basis(asked.weighting, asked.n_functions);
       pair_time_bases(*trial_basis, *weighting_basis, asked.form, asked.quadrature_points);
       check_samples(asked.n_functions, asked.n_samples);
+      const auto is_power_of_two = [](const unsigned int number) { return (number & (number - 1)) == 0; };
+      const bool dyadic = trial_basis->is_dyadic() || weighting_basis->is_dyadic();
+      if (dyadic && !(is_power_of_two(n_output) && is_power_of_two(n_phases)))
+        throw InputError(
+            "Periodic/Output samples and Periodic/Comparison/Force phases have to be powers of two for " +
+            asked.trial + ":" + asked.weighting + ", whose functions are sampled at dyadic points.");
+      const double bytes = 8. * asked.n_functions *
+                           (3. * std::max({n_output, asked.n_samples, 4096u}) + 3. * asked.n_functions);
+      if (bytes > most_bytes)
+        throw InputError("Periodic/Number of functions = " + std::to_string(asked.n_functions) +
+                         " with so many samples needs " + number_text(bytes / 1e9) +
+                         " GB: lower it, Periodic/Samples or Periodic/Output samples.");
     }
+    if (reference && parsed_contact_points().size() > 1)
+      throw InputError(
+          "Periodic/Reference knows one contact point: leave it out or list one in Periodic/Contact points.");
   }
 
   std::vector<PeriodicParameters::Place> PeriodicParameters::parsed_contact_points() const

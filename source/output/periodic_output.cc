@@ -16,6 +16,8 @@ namespace vibrocontact
                                    {"newton_iterations", solved.solution.iterations},
                                    {"gap_steps", solved.solution.homotopy_steps},
                                    {"residual", solved.solution.residual},
+                                   {"phases", solved.n_phases},
+                                   {"failed_phases", solved.failed_phases},
                                    {"seconds", solved.seconds}};
     if (!solved.solution.converged)
       return json;

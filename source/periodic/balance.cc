@@ -49,6 +49,15 @@ namespace vibrocontact
         pairing(pair_time_bases(*trial_basis, *weighting_basis, settings.form, settings.quadrature_points)),
         samples(std::make_unique<TimeSampling>(*trial_basis, *weighting_basis, pairing, settings.n_samples))
   {
+    for (unsigned int m = 0; m < pairing.a0.size(); ++m)
+      if (std::abs(pairing.a0[m]) < 1e-10)
+      {
+        const bool residual_singular = body.residual(0, 0) > 0 && body.relaxation == 0;
+        if (residual_singular || *std::min_element(body.damping_ratio.begin(), body.damping_ratio.end()) <= 0)
+          throw ConvergenceError("The last order of " + std::to_string(settings.n_functions) + " functions " +
+                                 settings.trial + ":" + settings.weighting +
+                                 " has neither stiffness nor damping: take an odd number of functions.");
+      }
     if (settings.friction > 0 && body.rows_per_point != 3)
       throw InputError("Friction needs the tangential motion of the contact points; this body has none: set "
                        "Contact/Friction coefficient = 0.");

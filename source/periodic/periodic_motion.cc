@@ -28,6 +28,42 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    /// r^T S^-1 r / 2 of the rows that have a residual, r their motion less the modes' part of it
+    void add_residual_energy(const PeriodicBody &body, const DenseMatrix &values, const DenseMatrix &q,
+                             const std::vector<double> &displacement, std::vector<double> &energy)
+    {
+      std::vector<unsigned int> rows;
+      for (unsigned int i = 0; i < body.n_rows(); ++i)
+        if (body.residual(i, i) > 0)
+          rows.push_back(i);
+      DenseMatrix S(rows.size());
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        for (unsigned int j = 0; j < rows.size(); ++j)
+          S(i, j) = body.residual(rows[i], rows[j]);
+      if (rows.empty() || !factorise_cholesky(S))
+        return;
+      std::vector<std::vector<double>> r;
+      for (const unsigned int row : rows)
+      {
+        r.push_back(times(values, &displacement[row * values.n()]));
+        for (unsigned int k = 0; k < body.n_modes(); ++k)
+          for (unsigned int i = 0; i < energy.size(); ++i)
+            r.back()[i] -= body.trace(row, k) * q(i, k);
+      }
+      DenseVector force(rows.size());
+      for (unsigned int i = 0; i < energy.size(); ++i)
+      {
+        for (unsigned int a = 0; a < rows.size(); ++a)
+          force(a) = r[a][i];
+        S.solve(force);
+        for (unsigned int a = 0; a < rows.size(); ++a)
+          energy[i] += 0.5 * force(a) * r[a][i];
+      }
+    }
+  } // namespace
+
   double relative(const double difference, const double size)
   {
     return difference == 0 ? 0. : size == 0 ? 1. : std::abs(difference / size);
@@ -107,18 +143,11 @@ namespace vibrocontact
     const DenseMatrix q = modal_coefficients(body, balance.integrals(), solution.excitation,
                                              balance.body_forces(solution.force)),
                       x = product(values, q), v = product(slopes, q);
-    std::vector<double> modal_motion(n_samples, 0.);
     for (unsigned int k = 0; k < body.n_modes(); ++k)
       for (unsigned int i = 0; i < n_samples; ++i)
-      {
         motion.energy[i] +=
             0.5 * (f * f * v(i, k) * v(i, k) + body.omega[k] * body.omega[k] * x(i, k) * x(i, k));
-        modal_motion[i] += body.trace(0, k) * x(i, k);
-      }
-    if (body.residual(0, 0) > 0)
-      for (unsigned int i = 0; i < n_samples; ++i)
-        motion.energy[i] +=
-            std::pow(motion.points[0].displacement[i] - modal_motion[i], 2) / (2 * body.residual(0, 0));
+    add_residual_energy(body, values, x, solution.displacement, motion.energy);
     motion.energy_norm = std::sqrt(mean_square(motion.energy));
     return motion;
   }

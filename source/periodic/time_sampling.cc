@@ -14,13 +14,16 @@ namespace vibrocontact
     std::vector<double> sample_phases(const TimeBasis &trial, const TimeBasis &weighting,
                                       const unsigned int least)
     {
+      const bool cells = trial.n_derivatives() == 0 || weighting.n_derivatives() == 0,
+                 dyadic = trial.is_dyadic() || weighting.is_dyadic();
+      const unsigned int n = trial.n_functions();
       unsigned int count = least;
-      if (trial.is_dyadic() || weighting.is_dyadic())
-        for (count = 1; count < least;)
+      if (dyadic)
+        for (count = cells ? n : 1; count < least;)
           count *= 2;
-      else if (trial.n_derivatives() == 0)
-        count = (least + trial.n_functions() - 1) / trial.n_functions() * trial.n_functions();
-      const double shift = trial.n_derivatives() == 0 ? 0.5 : 0.;
+      else if (cells)
+        count = (least + n - 1) / n * n;
+      const double shift = cells ? 0.5 : 0.;
       std::vector<double> phases(count);
       for (unsigned int i = 0; i < count; ++i)
         phases[i] = (i + shift) / count;

@@ -44,6 +44,11 @@ namespace vibrocontact
         for (unsigned int a = 0; a < rows_per_point; ++a)
           rows.push_back(times(nearest_dof(system, place, directions[a], "Periodic/Contact points: " + name),
                                a == 0 ? sign : 1.));
+      for (unsigned int i = 0; i < rows.size(); i += rows_per_point)
+        for (unsigned int j = 0; j < i; j += rows_per_point)
+          if (rows[i][0].first == rows[j][0].first)
+            throw InputError("Periodic/Contact points: two of them have the same nearest node of " +
+                             system.body + "; move them apart or refine the mesh.");
       if (!rows.empty())
         return rows;
       if (axis != 2)

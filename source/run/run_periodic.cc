@@ -1,3 +1,4 @@
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/output/periodic_output.h>
 #include <vibrocontact/run/periodic_body.h>
@@ -90,9 +91,16 @@ namespace vibrocontact
     std::optional<PeriodicReference> reference;
     if (periodic.reference)
     {
-      reference = periodic_reference(body, *law, {periodic.force, periodic.frequency}, periodic.n_output);
-      run_log().value("reference by shooting", reference->solution.seconds * 1e3, "ms");
-      run_log().value("its periodicity", reference->solution.periodicity);
+      try
+      {
+        reference = periodic_reference(body, *law, {periodic.force, periodic.frequency}, periodic.n_output);
+        run_log().value("reference by shooting", reference->solution.seconds * 1e3, "ms");
+        run_log().value("its periodicity", reference->solution.periodicity);
+      }
+      catch (const ConvergenceError &error)
+      {
+        results.failures.push_back({"periodic", std::string("The reference in time: ") + error.what()});
+      }
     }
 
     if (writes && reference)
@@ -111,14 +119,27 @@ namespace vibrocontact
     Progress progress("periodic motions", asked.size());
     for (const BalanceSettings &settings : asked)
     {
-      const PeriodicCase solved =
-          solve(periodic, body, law, settings, json.empty() ? 1 : periodic.n_phases, reference);
+      PeriodicCase solved;
+      std::string reason = "choose another number of functions or another pair.";
+      try
+      {
+        solved = solve(periodic, body, law, settings, json.empty() || !reference ? 1 : periodic.n_phases,
+                       reference);
+      }
+      catch (const ConvergenceError &error)
+      {
+        solved.settings = settings;
+        solved.law = periodic.law;
+        solved.solution.excitation = {periodic.force, periodic.frequency};
+        solved.failed_phases = solved.n_phases;
+        reason = error.what();
+      }
       if (!solved.solution.converged && json.empty())
       {
         std::ostringstream text;
         text << "The periodic motion by " << settings.n_functions << " functions " << settings.trial << ":"
              << settings.weighting << " did not converge, its residual is " << solved.solution.residual
-             << ": choose another number of functions or another pair.";
+             << ": " << reason;
         results.failures.push_back({"periodic", text.str()});
       }
       tell(solved);

@@ -105,7 +105,15 @@ namespace vibrocontact
         BranchSettings back = ways[0];
         back.start = response.last;
         back.direction = -back.direction;
-        solved.curve = from_both_ends(solved.curve, follow(back));
+        ResponseCurve rest = follow(back);
+        if (rest.complete)
+        {
+          reverse(rest);
+          rest.seconds += solved.curve.seconds;
+          solved.curve = rest;
+        }
+        else
+          solved.curve = from_both_ends(solved.curve, rest);
       }
       tell(solved, unit);
       if (!solved.curve.complete && k == 0)

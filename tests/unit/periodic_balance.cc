@@ -3,11 +3,13 @@
 
 #include "axial_bar.h"
 
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/periodic/periodic_motion.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <random>
 
 using namespace vibrocontact;
@@ -294,4 +296,36 @@ TEST(PeriodicBalance, EveryPairFindsTheSameMotion)
                 solution.iterations, solution.homotopy_steps);
     EXPECT_LT(error, limit) << trial << ":" << weighting;
   }
+}
+
+TEST(PeriodicBalance, MomentsOfAConstantAreThoseOfTheExactIntegrals)
+{
+  for (const char *trial : {"fourier", "bspline", "daubechies6", "haar"})
+    for (const char *weighting : {"fourier", "bspline", "haar", "daubechies10"})
+      for (const unsigned int n : {63u, 64u, 48u})
+      {
+        SCOPED_TRACE(std::string(trial) + ":" + weighting + " " + std::to_string(n));
+        const auto a = create_time_basis(trial, n), b = create_time_basis(weighting, n);
+        std::optional<TimePairing> pairing;
+        for (const TimeForm form : {TimeForm::distributional, TimeForm::weak, TimeForm::strong})
+          try
+          {
+            pairing = pair_time_bases(*a, *b, form);
+            break;
+          }
+          catch (const InputError &)
+          {
+          }
+        if (!pairing)
+          continue;
+        const TimeSampling sampling(*a, *b, *pairing, 4096);
+        const std::vector<double> one(sampling.n_samples(), 1.);
+        std::vector<double> moments(n);
+        // a rule through functions that are no polynomials, where the shifts do not fall on samples
+        const double limit = b->is_dyadic() && n != 64 ? 1e-5 : 1e-9;
+        sampling.moments(one.data(), moments.data());
+        EXPECT_NEAR(moments[0], pairing->a0[0].real(), limit);
+        for (unsigned int k = 1; k < n; ++k)
+          EXPECT_NEAR(moments[k], 0, limit) << k;
+      }
 }

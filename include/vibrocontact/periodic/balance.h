@@ -68,6 +68,7 @@ namespace vibrocontact
   {
   public:
     /// @throws InputError for an inadmissible pair, a body or settings that do not fit the law
+    /// @throws ConvergenceError if the last order of even N has neither stiffness nor damping (Haar against splines)
     PeriodicBalance(const PeriodicBody &body, std::shared_ptr<const NormalLaw> law,
                     const BalanceSettings &settings);
 

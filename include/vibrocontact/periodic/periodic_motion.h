@@ -33,8 +33,9 @@ namespace vibrocontact
     double energy_norm = 0;
   };
 
-  /// Samples a solution of the balance. Energy: sum over modes (q'^2 + w^2 q^2) / 2, of the first point's residual r^2 / (2
-  /// S), and the contact law's own. Velocity of Haar functions as sampled_velocity().
+  /// Samples a solution of the balance. Energy: sum over modes (q'^2 + w^2 q^2) / 2, r^T S^-1 r / 2 of what the contact rows
+  /// move by residual flexibility S (complete if the force acts on a contact point), and the contact law's own. Velocity of
+  /// Haar functions as sampled_velocity().
   /// @param n_samples phases i / n_samples; a power of two for Daubechies' functions
   PeriodicMotion sample_motion(const PeriodicBalance &balance, const PeriodicSolution &solution,
                                unsigned int n_samples);

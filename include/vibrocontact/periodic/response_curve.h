@@ -50,7 +50,7 @@ namespace vibrocontact
     double active = 0;
     /// multiplier of the largest modulus; 0 if stability was not asked for
     std::complex<double> multiplier = 0;
-    bool is_stable() const { return std::abs(multiplier) <= 1; }
+    bool is_stable() const { return std::abs(multiplier) <= 1 + 1e-6; }
     /// moments of the contact forces, for PeriodicBalance::solve()
     std::vector<double> force;
   };

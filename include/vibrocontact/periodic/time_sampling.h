@@ -17,8 +17,8 @@ namespace vibrocontact
   class TimeSampling
   {
   public:
-    /// @param n_samples at least; more where the bases ask for it: a multiple of N with samples in the middle of equal
-    /// parts of a cell for Haar, a power of two for Daubechies' functions
+    /// @param n_samples at least; more where the bases ask for it: a multiple of N with samples in the middle of equal parts of
+    /// a cell if one of them is Haar's, a power of two (N times one with Haar) for Daubechies' functions
     /// @throws InputError if n_samples < 2 N
     TimeSampling(const TimeBasis &trial, const TimeBasis &weighting, const TimePairing &pairing,
                  unsigned int n_samples);
