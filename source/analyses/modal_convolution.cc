@@ -308,6 +308,7 @@ namespace vibrocontact
 
   void ModalConvolution::advance_steps(const unsigned int n_steps, const Observer &observe)
   {
+    stepper->contact.renew();
     // one line more than steps: lines join displacements and forces of different steps
     for (auto *array : {&heights, &displacements, &forces})
       array->resize((n_steps + 1) * n_points);

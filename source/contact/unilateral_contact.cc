@@ -221,7 +221,12 @@ namespace vibrocontact
     file("contact/last_set", last_set);
     file("contact/closed", closed);
     file("contact/corrections", n_corrections);
-    // both the run that goes on and the one that resumes begin with a fresh inverse
+    if (file.reading())
+      renew();
+  }
+
+  void UnilateralContact::renew()
+  {
     if (n > few)
       rebuild();
   }

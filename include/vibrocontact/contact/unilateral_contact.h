@@ -32,8 +32,11 @@ namespace vibrocontact
     /// @throws ConvergenceError if gap_0 is not finite
     void solve(double *gap, double *q);
 
-    /// The closed points; their inverse is made anew.
+    /// The closed points; when read their inverse is made anew.
     void exchange(CheckpointFile &file);
+    /// Makes the inverse over the closed points anew, so that it does not depend on how they came to be closed: called at
+    /// fixed steps, it makes a resumed run equal to an uninterrupted one bit for bit.
+    void renew();
 
     unsigned int n_points() const { return n; }
     /// corrections of the closed set so far; up to four points: steps whose closed set was another than before
