@@ -73,6 +73,19 @@ namespace vibrocontact
     by_u.resize(body.n_points() * blocks);
     by_v.resize(by_u.size());
     by_c.resize(by_u.size());
+    bool is_massless = settings.friction > 0 && !spring && body.relaxation == 0;
+    for (unsigned int i = 0; i < body.n_rows(); ++i)
+      is_massless = is_massless && body.residual(i, i) > 0;
+    if (!is_massless)
+      return;
+    massless = std::make_unique<MasslessContact>(body.residual, settings.friction);
+    trial_values = sampled(*trial_basis, samples->phases(), 0);
+    moment_weights = sampled(*weighting_basis, samples->phases(), 0);
+    const unsigned int N = settings.n_functions;
+    for (unsigned int k = 0; k < N; ++k)
+      for (unsigned int i = 0; i < samples->n_samples(); ++i)
+        moment_weights(i, k) *= (k == 0 || (N % 2 == 0 && k + 1 == N) ? 1. : 0.5) / samples->n_samples();
+    modal_samples.resize(size);
   }
 
   void PeriodicBalance::set_condensation(std::function<CondensedBody(const HarmonicForce &)> given)
@@ -187,6 +200,11 @@ namespace vibrocontact
     const unsigned int N = settings.n_functions, count = samples->n_samples(), rows = body.rows_per_point;
     const bool friction = settings.friction > 0;
     displacement_from(c, linear.linear, linear.compliance, u);
+    if (massless)
+    {
+      apply_massless(c);
+      return;
+    }
     for (unsigned int i = 0; i < body.n_rows(); ++i)
     {
       if (is_normal(i))
@@ -245,6 +263,38 @@ namespace vibrocontact
     }
   }
 
+  void PeriodicBalance::apply_massless(const std::vector<double> &c)
+  {
+    const unsigned int N = settings.n_functions, count = samples->n_samples(), rows = body.rows_per_point,
+                       n = body.n_rows();
+    std::vector<double> w = u;
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      samples->samples(Quantity::displacement, &u[i * N], &u_samples[i * count]);
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int m = 0; 2 * m <= N; ++m)
+        {
+          const bool is_real = m == 0 || 2 * m == N;
+          const unsigned int at = m == 0 ? 0 : 2 * m - 1;
+          const Complex r = body.residual(i, j) * sign(j) / pairing.a0[m] *
+                            Complex(c[j * N + at], is_real ? 0. : c[j * N + at + 1]);
+          w[i * N + at] -= r.real();
+          if (!is_real)
+            w[i * N + at + 1] -= r.imag();
+        }
+      samples->samples(Quantity::displacement, &w[i * N], &modal_samples[i * count]);
+    }
+    if (!massless->march(modal_samples, body.gap, law_samples))
+      law_samples[0] = std::numeric_limits<double>::quiet_NaN(); // Newton's method turns back
+    std::fill(by_u.begin(), by_u.end(), 0.);
+    for (unsigned int i = 0; i < n; i += rows)
+      for (unsigned int k = 0; k < count; ++k)
+      {
+        law_samples[i * count + k] *= -1;
+        by_u[i * rows * count + k] = law_samples[i * count + k] > 0 ? 1. : 0.;
+      }
+  }
+
   std::array<double, 3> PeriodicBalance::contact_force(const std::array<double, 3> &given, const double gap,
                                                        const std::array<double, 3> &velocity) const
   {
@@ -279,7 +329,15 @@ namespace vibrocontact
     const bool friction = settings.friction > 0;
     jacobian.reinit(n * N, n * N);
     by_displacement.reinit(n * N, n * N);
-    for (unsigned int p = 0; p < body.n_points(); ++p)
+    if (massless)
+    {
+      massless->add_rates(trial_values, moment_weights, by_displacement);
+      for (unsigned int i = 0; i < n * N; ++i)
+        if (is_normal(i / N))
+          for (unsigned int j = 0; j < n * N; ++j)
+            by_displacement(i, j) *= -1;
+    }
+    for (unsigned int p = 0; p < (massless ? 0 : body.n_points()); ++p)
       for (unsigned int a = 0; a < rows; ++a)
         for (unsigned int b = 0; b < rows; ++b)
         {
@@ -312,7 +370,10 @@ namespace vibrocontact
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)
         {
-          const Complex h = -sign(j) * linear.compliance[(m * n + i) * n + j];
+          Complex h = linear.compliance[(m * n + i) * n + j];
+          if (massless)
+            h -= body.residual(i, j) / pairing.a0[m];
+          h *= -sign(j);
           axpy(h.real(), i * N + at, j * N + at);
           if (is_real)
             continue;
@@ -359,6 +420,15 @@ namespace vibrocontact
     const unsigned int N = settings.n_functions, count = samples->n_samples(), rows = body.rows_per_point;
     std::vector<double> row_u(count), law_slope(count);
     by_parameter.assign(slope.size(), 0.);
+    if (massless)
+    {
+      DenseMatrix unused;
+      assemble(unused);
+      for (unsigned int j = 0; j < slope.size(); ++j)
+        for (unsigned int i = 0; i < slope.size(); ++i)
+          by_parameter[i] -= by_displacement(i, j) * slope[j];
+      return;
+    }
     for (unsigned int p = 0; p < body.n_points(); ++p)
       for (unsigned int a = 0; a < rows; ++a)
       {

@@ -124,8 +124,13 @@ TEST(PeriodicBalance, DerivativesAreThoseOfTheResidual)
         BalanceSettings settings = pair(basis, basis, n);
         settings.n_samples = 1024;
         settings.friction = 0.3;
-        PeriodicBalance balance(three_directions(2), create_normal_law(law, 3., 2.), settings);
-        expect_right_derivatives(balance, {1., 0.4});
+        for (const double relaxation : {1e-3, 0.})
+        {
+          PeriodicBody body = three_directions(2);
+          body.relaxation = relaxation;
+          PeriodicBalance balance(body, create_normal_law(law, 3., 2.), settings);
+          expect_right_derivatives(balance, {1., 0.4});
+        }
       }
 }
 

@@ -138,7 +138,7 @@ namespace vibrocontact
       };
       double change = 1, size = 1;
       unsigned int sweep = 0;
-      for (; change > 1e-10 * size && sweep < 20000; ++sweep)
+      for (; change > 1e-8 * size && sweep < 20000; ++sweep)
       {
         change = 0;
         size = 1e-3 * force.amplitude;

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/contact/laws.h>
 #include <vibrocontact/periodic/condensation.h>
+#include <vibrocontact/periodic/massless_contact.h>
 #include <vibrocontact/periodic/time_sampling.h>
 
 #include <array>
@@ -131,6 +132,7 @@ namespace vibrocontact
                            const std::vector<std::complex<double>> &compliance, std::vector<double> &u) const;
     /// Samples of the law at c and of its derivatives; what the next three work with.
     void apply_law(const std::vector<double> &c);
+    void apply_massless(const std::vector<double> &c);
     void residual_of(const std::vector<double> &c, std::vector<double> &residual) const;
     void assemble(DenseMatrix &jacobian);
     void slope_of(const std::vector<double> &slope, bool in_frequency, std::vector<double> &by_parameter);
@@ -158,5 +160,10 @@ namespace vibrocontact
     // work space: coefficients and samples of the rows; derivatives of the law by point and pair of its rows
     std::vector<double> u, u_samples, v_samples, c_samples, law_samples, by_u, by_v, by_c;
     DenseMatrix by_displacement;
+    /// with friction before a rigid stop and residual flexibility without relaxation: forces follow from the motion of
+    /// the modes alone; values of the trial functions and weights of the moments at the samples
+    std::unique_ptr<MasslessContact> massless;
+    DenseMatrix trial_values, moment_weights;
+    std::vector<double> modal_samples;
   };
 } // namespace vibrocontact
