@@ -68,7 +68,10 @@ namespace vibrocontact
     if (parameter == "force" && std::min(first, last) < 0)
       throw InputError("Periodic/Continuation: amplitudes of the force must not be negative: change First "
                        "value or Last value.");
-    parsed_pairs();
+    if (parsed_pairs().empty() && !numbers.empty())
+      throw InputError(
+          "Periodic/Continuation/Numbers is given without Periodic/Continuation/Pairs: give the pairs, or "
+          "Periodic/Number of functions for the first curve.");
     settings();
   }
 

@@ -81,6 +81,10 @@ namespace vibrocontact
       throw InputError("Modal convolution/End time is before the first Time step: give a later one.");
     if (end_time / time_step > 1e12)
       throw InputError("Modal convolution/Time step asks for more than 1e12 steps: enlarge it.");
+    if (memory > 0 && memory < time_step)
+      throw InputError(
+          "Modal convolution/Memory is shorter than Modal convolution/Time step: give the time that "
+          "forces are kept, or 0 for all of them.");
     if (memory > 0 && method == "modal recursion")
       throw InputError(
           "Modal convolution/Memory is given, but the modal recursion forgets nothing: leave it out or "

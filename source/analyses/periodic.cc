@@ -60,8 +60,9 @@ namespace vibrocontact
         "Stop: exponential spring, one-sided linear spring (both by Contact/Penalty amplitude and "
         "exponent), or rigid. Units: none.",
         Selection("penalty|linear|signorini"));
-    prm.add_parameter("Frequency", frequency, "Frequency of the exciting force. Units: Hz.", Double(1e-9));
-    prm.add_parameter("Force", force, "Amplitude of the exciting force. Units: N.", Double(0));
+    prm.add_parameter("Frequency", frequency, "Frequency of the exciting force. Units: Hz.",
+                      Double(1e-9, 1e12));
+    prm.add_parameter("Force", force, "Amplitude of the exciting force. Units: N.", Double(0, 1e15));
     prm.add_parameter(
         "Force point", force_point,
         "Place and direction of the force, \"x, y, z, direction\" with direction x, y or z, or \"x, y, z, "

@@ -94,6 +94,28 @@ namespace vibrocontact
         }
     }
 
+    /// A force on a body at rest puts energy in: Im u / F <= 0 for e^{j omega t}.
+    void check_passive(const FrequencyData &data, const FrequencyData::Entry &entry)
+    {
+      double sum = 0, size = 0;
+      for (const auto &value : entry.values)
+      {
+        sum += value.imag();
+        size += std::abs(value);
+      }
+      const std::string where =
+          "of " + data.labels[entry.response] + " under a force at " + data.labels[entry.reference];
+      if (size == 0)
+        throw InputError("The data \"" + data.file_name + "\" are zero at all frequencies for the response " +
+                         where + ": leave the entry out.");
+      if (entry.response == entry.reference && sum > 1e-3 * size)
+        throw InputError(
+            "The data \"" + data.file_name +
+            "\" have a positive imaginary part on average for the response " + where +
+            ", as if the body gave energy to the force: they may be for e^{-j omega t} (take their "
+            "conjugates) or have the wrong sign.");
+    }
+
     void check_matrix(FrequencyData &data, const bool rolling)
     {
       const unsigned int n = data.labels.size();
@@ -117,6 +139,8 @@ namespace vibrocontact
                              number_text(data.frequency[l]) + " Hz for " + data.labels[entry.response] +
                              " under a force at " + data.labels[entry.reference] +
                              ": leave that frequency out of all entries or fill it.");
+        if (!rolling)
+          check_passive(data, entry);
       }
       if (!rolling)
         check_reciprocity(data);

@@ -27,6 +27,9 @@ namespace vibrocontact
     size = dealii::Utilities::MPI::max(size, system.communicator);
     const bool is_here = distance < smallest * (1 + 1e-9) + 1e-12;
     dof = dealii::Utilities::MPI::min(is_here ? dof : system.stiffness.m(), system.communicator);
+    if (smallest > 1e299)
+      throw InputError(what + ": no node of " + system.body + " moves along " + "xyz"[direction] +
+                       "; give another direction.");
     if (smallest > 0.05 * size)
       throw InputError(what + " is " + number_text(smallest) + " m away from the nearest node of " +
                        system.body + " that moves in its direction; give a place on the body.");

@@ -1,5 +1,7 @@
 #include <vibrocontact/output/periodic_output.h>
 
+#include <cmath>
+
 namespace vibrocontact
 {
   nlohmann::ordered_json periodic_json(const PeriodicCase &solved)
@@ -15,10 +17,11 @@ namespace vibrocontact
                                    {"converged", solved.solution.converged},
                                    {"newton_iterations", solved.solution.iterations},
                                    {"gap_steps", solved.solution.homotopy_steps},
-                                   {"residual", solved.solution.residual},
                                    {"phases", solved.n_phases},
                                    {"failed_phases", solved.failed_phases},
                                    {"seconds", solved.seconds}};
+    if (std::isfinite(solved.solution.residual))
+      json["residual"] = solved.solution.residual;
     if (!solved.solution.converged)
       return json;
     json["tip_max_m"] = motion.tip_max;

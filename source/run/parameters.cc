@@ -420,6 +420,10 @@ namespace vibrocontact
         throw InputError("Periodic/Reference with the rigid law needs a contact node without mass: set " +
                          scene.bodies[0].name +
                          "/Bar/Massless contact node to true or Periodic/Law to penalty.");
+      if (scene.bodies[0].type == "bar" && contact.friction > 0)
+        throw InputError(
+            scene.bodies[0].name +
+            " is a bar, which moves in one direction only: set Contact/Friction coefficient to 0.");
     }
     if (has_dynamics() || scene.runs("periodic"))
       for (const BodyParameters &body : scene.bodies)

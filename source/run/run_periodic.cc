@@ -100,6 +100,7 @@ namespace vibrocontact
       catch (const ConvergenceError &error)
       {
         results.failures.push_back({"periodic", std::string("The reference in time: ") + error.what()});
+        run_log().warning(results.failures.back().message);
       }
     }
 

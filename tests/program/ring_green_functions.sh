@@ -1,4 +1,4 @@
-# The shipped Green's functions of a ring against the printed values of the tyre paper's errata and against sums over the
+# The shipped Green's functions of a ring against the values that another program printed and against sums over the
 # 2 x 2 systems made here; at rest reciprocal, rolling not.
 program=$1 file=$3/examples/ring_green_functions.prm
 $program $file --quiet --output rest --set Output/Figures=false

@@ -69,7 +69,7 @@ namespace
     return run(model, road, own, mu);
   }
 
-  /// Errata of the tyre paper, section 6, at rest.
+  /// The ring of doc/theory.md, at rest, on three points.
   struct Tyre
   {
     Tyre()

@@ -129,7 +129,7 @@ TEST(TimeBasis, FigureFunctions)
   EXPECT_EQ(fourier->function(0, 0.2, 0), 1.);
   EXPECT_NEAR(fourier->function(3, 0.2, 0), std::cos(4 * pi * 0.2), 1e-14);
   EXPECT_NEAR(fourier->function(4, 0.2, 0), std::sin(4 * pi * 0.2), 1e-14);
-  // the orthogonal cubic spline: c_0 = 1.96976, c_1 = -0.67243 of the errata, integral one, orthogonal shifts
+  // the orthogonal cubic spline: c_0 = 1.96976, c_1 = -0.67243 (the paper's Eq. 30), integral one, orthogonal shifts
   const unsigned int n = 64, n_points = 32 * n;
   const auto spline = create_time_basis("bspline", n);
   EXPECT_NEAR(spline->function(0, 2. / n, 0) / n, 1.96976 * 2 / 3 - 0.67243 / 3, 1e-5);
