@@ -75,18 +75,23 @@ namespace vibrocontact
     settings();
   }
 
-  std::vector<std::pair<std::string, std::string>> BranchParameters::parsed_pairs() const
+  std::vector<std::pair<std::string, std::string>> basis_pairs(const std::string &text,
+                                                               const std::string &entry)
   {
     std::vector<std::pair<std::string, std::string>> result;
-    for (const std::string &member : split_list(pairs))
+    for (const std::string &member : split_list(text))
     {
       const std::size_t colon = member.find(':');
       if (colon == std::string::npos)
-        throw InputError("Periodic/Continuation/Pairs: \"" + member +
-                         "\" is no pair; write it as trial:weighting.");
+        throw InputError(entry + ": \"" + member + "\" is no pair; write it as trial:weighting.");
       result.emplace_back(trimmed(member.substr(0, colon)), trimmed(member.substr(colon + 1)));
     }
     return result;
+  }
+
+  std::vector<std::pair<std::string, std::string>> BranchParameters::parsed_pairs() const
+  {
+    return basis_pairs(pairs, "Periodic/Continuation/Pairs");
   }
 
   std::vector<BranchSettings> BranchParameters::settings() const

@@ -191,14 +191,8 @@ namespace vibrocontact
   std::vector<std::pair<std::string, std::string>> PeriodicParameters::parsed_pairs() const
   {
     std::vector<std::pair<std::string, std::string>> result = {{trial, weighting}};
-    for (const std::string &member : split_list(pairs))
-    {
-      const std::size_t colon = member.find(':');
-      if (colon == std::string::npos)
-        throw InputError("Periodic/Comparison/Pairs: \"" + member +
-                         "\" is no pair; write it as trial:weighting.");
-      result.emplace_back(trimmed(member.substr(0, colon)), trimmed(member.substr(colon + 1)));
-    }
+    for (const auto &pair : basis_pairs(pairs, "Periodic/Comparison/Pairs"))
+      result.push_back(pair);
     return result;
   }
 

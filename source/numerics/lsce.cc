@@ -10,17 +10,26 @@ namespace vibrocontact
 {
   using Complex = std::complex<double>;
 
-  ImpulseResponses impulse_responses(const Spectra &data, const unsigned int n_samples)
+  std::optional<double> line_spacing(const Spectra &data)
   {
-    const unsigned int n_lines = data.omega.size(), n = std::max(2 * (n_lines - 1), n_samples);
+    const unsigned int n_lines = data.omega.size();
     const double spacing = data.omega.back() / (n_lines - 1);
     for (unsigned int l = 0; l < n_lines; ++l)
       if (std::abs(data.omega[l] - l * spacing) > 1e-6 * spacing)
-        throw InputError(
-            "Identification/Method lsce needs frequencies equally spaced from 0 Hz on for its inverse "
-            "Fourier transform: give such data or choose vector fitting.");
+        return {};
+    return spacing;
+  }
+
+  ImpulseResponses impulse_responses(const Spectra &data, const unsigned int n_samples)
+  {
+    const unsigned int n = std::max<unsigned int>(2 * (data.omega.size() - 1), n_samples);
+    const std::optional<double> spacing = line_spacing(data);
+    if (!spacing)
+      throw InputError(
+          "Identification/Method lsce needs frequencies equally spaced from 0 Hz on for its inverse "
+          "Fourier transform: give such data or choose vector fitting.");
     ImpulseResponses result;
-    const double frequency_step = spacing / (2 * M_PI);
+    const double frequency_step = *spacing / (2 * M_PI);
     result.step = 1 / (n * frequency_step);
     std::vector<Complex> lines(n / 2 + 1);
     std::vector<double> samples(n);

@@ -1,6 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/numerics/least_squares.h>
 #include <vibrocontact/periodic/floquet.h>
+#include <vibrocontact/periodic/shooting.h>
 
 #include <deal.II/lac/lapack_templates.h>
 
@@ -25,41 +25,6 @@ namespace vibrocontact
       return {{c + decay * sine, sine, -omega * omega * sine, c - decay * sine}};
     }
 
-    std::vector<Complex> largest_first(std::vector<Complex> values)
-    {
-      std::sort(values.begin(), values.end(),
-                [](const Complex &a, const Complex &b) { return std::abs(a) > std::abs(b); });
-      return values;
-    }
-
-    /// solves A x = b of a few points in place, by elimination with pivots
-    void solve_small(std::vector<double> &A, std::vector<double> &b, const unsigned int n)
-    {
-      for (unsigned int k = 0; k < n; ++k)
-      {
-        unsigned int pivot = k;
-        for (unsigned int i = k + 1; i < n; ++i)
-          if (std::abs(A[i * n + k]) > std::abs(A[pivot * n + k]))
-            pivot = i;
-        for (unsigned int j = 0; j < n; ++j)
-          std::swap(A[k * n + j], A[pivot * n + j]);
-        std::swap(b[k], b[pivot]);
-        for (unsigned int i = k + 1; i < n; ++i)
-        {
-          const double factor = A[i * n + k] / A[k * n + k];
-          for (unsigned int j = k; j < n; ++j)
-            A[i * n + j] -= factor * A[k * n + j];
-          b[i] -= factor * b[k];
-        }
-      }
-      for (unsigned int k = n; k-- > 0;)
-      {
-        for (unsigned int j = k + 1; j < n; ++j)
-          b[k] -= A[k * n + j] * b[j];
-        b[k] /= A[k * n + k];
-      }
-    }
-
     /// Variation of the state [q, q', (r)] over a period, column by column of the monodromy matrix.
     class Variation
     {
@@ -79,7 +44,7 @@ namespace vibrocontact
           X(i, i) = 1;
         z.resize(points);
         r.resize(points);
-        small.resize(points * points);
+        given.resize(points);
       }
 
       /// modes over a time; residual over another one
@@ -110,6 +75,18 @@ namespace vibrocontact
       /// @param stiffness by point [N/m]
       void kick(const std::vector<double> &stiffness)
       {
+        // (beta + dt + S k dt) r = beta r - S k dt z, the same for all columns
+        DenseMatrix coupling(points), inverse(points);
+        if (has_residual)
+        {
+          for (unsigned int p = 0; p < points; ++p)
+            for (unsigned int l = 0; l < points; ++l)
+            {
+              coupling(p, l) = body.residual(p * rows, l * rows) * stiffness[l] * dt;
+              inverse(p, l) = coupling(p, l) + (p == l ? beta + dt : 0.);
+            }
+          inverse.invert();
+        }
         for (unsigned int j = 0; j < n_states; ++j)
         {
           double *const x = &X(0, j);
@@ -119,18 +96,18 @@ namespace vibrocontact
               z[p] += body.trace(p * rows, i) * x[i];
           if (has_residual)
           {
-            // (beta + dt + S k dt) r = beta r - S k dt z
             for (unsigned int p = 0; p < points; ++p)
             {
-              r[p] = has_state ? beta * x[2 * n + p] : 0.;
+              given[p] = has_state ? beta * x[2 * n + p] : 0.;
               for (unsigned int l = 0; l < points; ++l)
-              {
-                const double coupling = body.residual(p * rows, l * rows) * stiffness[l] * dt;
-                small[p * points + l] = coupling + (p == l ? beta + dt : 0.);
-                r[p] -= coupling * z[l];
-              }
+                given[p] -= coupling(p, l) * z[l];
             }
-            solve_small(small, r, points);
+            for (unsigned int p = 0; p < points; ++p)
+            {
+              r[p] = 0;
+              for (unsigned int l = 0; l < points; ++l)
+                r[p] += inverse(p, l) * given[l];
+            }
             for (unsigned int p = 0; p < points; ++p)
             {
               z[p] += r[p];
@@ -152,7 +129,7 @@ namespace vibrocontact
       const double dt, beta;
       bool has_residual = false, has_state = false;
       unsigned int n_states = 0;
-      std::vector<double> z, r, small;
+      std::vector<double> z, r, given;
       double kept_t = -1;
       std::vector<std::array<double, 4>> kept;
     };
@@ -214,7 +191,7 @@ namespace vibrocontact
       modes_behind += i + 1 < count ? 1. : 0.5;
     }
     variation.fly(modes_behind * dt, residual_behind * dt);
-    return largest_first(general_eigenvalues(variation.X));
+    return floquet_multipliers(variation.X);
   }
 
   namespace

@@ -92,11 +92,8 @@ namespace vibrocontact
       basis_phase.push_back(t - std::floor(t));
     }
     const DenseMatrix values = sampled(balance.trial(), basis_phase, 0),
-                      slopes = sampled_velocity(balance.trial(), basis_phase);
-    DenseMatrix forces = sampled(balance.weighting(), basis_phase, 0);
-    for (unsigned int k = 0; k < N; ++k)
-      for (unsigned int i = 0; i < n_samples; ++i)
-        forces(i, k) /= balance.integrals().norm[(k + 1) / 2];
+                      slopes = sampled_velocity(balance.trial(), basis_phase),
+                      forces = over_norms(sampled(balance.weighting(), basis_phase, 0), balance.integrals());
 
     motion.energy.assign(n_samples, 0.);
     const double period = 1 / f;

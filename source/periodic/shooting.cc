@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/numerics/least_squares.h>
 #include <vibrocontact/periodic/shooting.h>
 
 #include <algorithm>
@@ -233,11 +234,7 @@ namespace vibrocontact
 
   std::vector<std::complex<double>> floquet_multipliers(const DenseMatrix &monodromy)
   {
-    DenseMatrix M = monodromy;
-    M.compute_eigenvalues();
-    std::vector<std::complex<double>> multipliers;
-    for (unsigned int k = 0; k < M.m(); ++k)
-      multipliers.push_back(M.eigenvalue(k));
+    std::vector<std::complex<double>> multipliers = general_eigenvalues(monodromy);
     std::sort(multipliers.begin(), multipliers.end(),
               [](const auto &a, const auto &b) { return std::abs(a) > std::abs(b); });
     return multipliers;

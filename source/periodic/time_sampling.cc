@@ -155,17 +155,14 @@ namespace vibrocontact
     displacement = sampled(trial, phase, 0);
     if (trial.n_derivatives() > 0)
       velocity = sampled(trial, phase, 1);
-    force = sampled(weighting_basis, phase, 0);
-    weighting.reinit(phase.size(), n);
+    weighting = sampled(weighting_basis, phase, 0);
+    force = over_norms(weighting, pairing);
     for (unsigned int k = 0; k < n; ++k)
     {
       const unsigned int m = (k + 1) / 2;
       const bool is_pair = m > 0 && 2 * m < n;
       for (unsigned int i = 0; i < phase.size(); ++i)
-      {
-        weighting(i, k) = force(i, k) / (phase.size() * (is_pair ? 2. : 1.));
-        force(i, k) /= pairing.norm[m];
-      }
+        weighting(i, k) /= phase.size() * (is_pair ? 2. : 1.);
     }
   }
 
@@ -231,6 +228,14 @@ namespace vibrocontact
     if (n_samples < 2 * n_functions)
       throw InputError("Periodic/Samples = " + std::to_string(n_samples) + " is too few for " +
                        std::to_string(n_functions) + " functions: give at least twice as many.");
+  }
+
+  DenseMatrix over_norms(DenseMatrix values, const TimePairing &pairing)
+  {
+    for (unsigned int k = 0; k < values.n(); ++k)
+      for (unsigned int i = 0; i < values.m(); ++i)
+        values(i, k) /= pairing.norm[(k + 1) / 2];
+    return values;
   }
 
   DenseMatrix sampled_velocity(const TimeBasis &basis, const std::vector<double> &phases)

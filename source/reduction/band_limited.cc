@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/numerics/lsce.h>
 #include <vibrocontact/reduction/band_limited.h>
 
 #include <cmath>
@@ -8,19 +9,17 @@ namespace vibrocontact
   PoleModel band_limited_model(const Spectra &data, const EntryMap &map)
   {
     const unsigned int n = map.n_rows, n_lines = data.omega.size();
-    const double spacing = data.omega.back() / (n_lines - 1);
-    for (unsigned int l = 0; l < n_lines; ++l)
-      if (std::abs(data.omega[l] - l * spacing) > 1e-6 * spacing)
-        throw InputError(
-            "Inverse transform needs frequencies equally spaced from 0 Hz on: give such data or leave "
-            "it out.");
+    const std::optional<double> spacing = line_spacing(data);
+    if (!spacing)
+      throw InputError(
+          "Inverse transform needs frequencies equally spaced from 0 Hz on: give such data or leave it out.");
     PoleModel model;
     model.right.reinit(n, n * n_lines);
     model.left.reinit(n, n * n_lines);
     model.residual.reinit(n, n);
     for (unsigned int l = 0; l < n_lines; ++l)
     {
-      const double weight = (l == 0 || l + 1 == n_lines ? 0.5 : 1.) * 2 * spacing / (2 * M_PI);
+      const double weight = (l == 0 || l + 1 == n_lines ? 0.5 : 1.) * 2 * *spacing / (2 * M_PI);
       for (unsigned int i = 0; i < n; ++i)
       {
         model.right(i, model.poles.size()) = 1;

@@ -73,9 +73,8 @@ namespace vibrocontact
     if (system.n_rigid_modes > 0)
       throw InputError(system.body +
                        " is free, but a periodic motion needs a body that is held: it would drift.");
-    PeriodicBody body;
-    body.rows_per_point = parameters.contact.friction > 0 ? 3 : 1;
-    Rows rows = contact_rows(parameters, system, body.rows_per_point);
+    const unsigned int rows_per_point = parameters.contact.friction > 0 ? 3 : 1;
+    Rows rows = contact_rows(parameters, system, rows_per_point);
     const unsigned int n = rows.size();
     const auto force = periodic.parsed_force();
     if (force)
@@ -93,30 +92,15 @@ namespace vibrocontact
       damping_ratio = strain_energy_damping(system, modes);
     }
     const PointReduction points = reduce_to_points(system, reduction.flexibility(), modes, rows);
-    body.omega = modes.omega;
-    body.damping_ratio = reduction.request().modes.scaled(damping_ratio, body.omega);
-    body.relaxation = reduction.request().modes.stiffness_damping;
-    const unsigned int m = body.omega.size(), exciting = force ? n : 0;
-    body.trace.reinit(n, m);
-    body.residual.reinit(n, n);
-    body.modal_load = points.load;
-    body.residual_load.assign(points.residual_load.begin(), points.residual_load.begin() + n);
-    for (unsigned int k = 0; k < m; ++k)
-    {
-      body.modal_force.push_back(points.trace(exciting, k));
-      for (unsigned int i = 0; i < n; ++i)
-        body.trace(i, k) = points.trace(i, k);
-    }
-    for (unsigned int j = 0; j < n; ++j)
-    {
-      body.residual_force.push_back(points.residual(j, exciting));
-      for (unsigned int i = 0; i < n; ++i)
-        body.residual(i, j) = points.residual(i, j);
-    }
+    const ModeParameters &damping = reduction.request().modes;
+    PeriodicBody body = vibrocontact::periodic_body(
+        points, modes.omega, damping.scaled(damping_ratio, modes.omega), n, force ? n : 0);
+    body.rows_per_point = rows_per_point;
+    body.relaxation = damping.stiffness_damping;
     body.gap.assign(n / body.rows_per_point, periodic.gap);
 
     Log &log = run_log();
-    log.value("modes", m);
+    log.value("modes", body.n_modes());
     log.value("first frequency", body.omega[0] / (2 * dealii::numbers::PI), "Hz");
     log.value("contact points", body.n_points());
     log.value("residual flexibility of the first point", body.residual(0, 0), "m/N");

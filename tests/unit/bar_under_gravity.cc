@@ -49,26 +49,13 @@ namespace
 
   std::unique_ptr<ElementScene> dropped_bar(const Scheme &scheme)
   {
-    auto scene = std::make_unique<ElementScene>();
-    scene->body.name = scene->body.type = "bar";
-    BarParameters &bar = scene->body.bar;
-    bar.length = length;
-    bar.section = 1;
+    BarParameters bar;
     bar.divisions = scheme.elements;
     bar.degree = 1;
-    bar.far_end = "free";
     bar.massless_contact_node = scheme.massless;
     bar.consistent_mass =
         scheme.consistent_mass > 0 ? scheme.consistent_mass : 0.5 + scheme.courant * scheme.courant;
-    ElasticMaterial material;
-    material.young_modulus = 900;
-    material.poisson_ratio = 0;
-    material.density = 1;
-    ContactGrid grid;
-    grid.n_x = grid.n_y = 1;
-    grid.spacing_x = grid.spacing_y = 1;
-    scene->system = assemble_bar(bar, material, "bar", true, &grid, MPI_COMM_WORLD, gravity);
-    return element_scene(std::move(scene), grid, 4);
+    return bar_scene(bar, 4, gravity);
   }
 
   Drop drop(const Scheme &scheme, const double end = 3 * period)

@@ -82,26 +82,8 @@ namespace
       rows.push_back(force);
       const PointReduction points = reduce_to_points(*system, *flexibility, modes, rows);
       const unsigned int n = rows.size() - 1, m = modes.omega.size();
-      PeriodicBody body;
+      PeriodicBody body = periodic_body(points, modes.omega, std::vector<double>(m, damping), n, n);
       body.rows_per_point = friction ? 3 : 1;
-      body.omega = modes.omega;
-      body.damping_ratio.assign(m, damping);
-      body.modal_load.assign(m, 0.);
-      body.residual_load.assign(n, 0.);
-      body.trace.reinit(n, m);
-      body.residual.reinit(n, n);
-      for (unsigned int k = 0; k < m; ++k)
-      {
-        body.modal_force.push_back(points.trace(n, k));
-        for (unsigned int i = 0; i < n; ++i)
-          body.trace(i, k) = points.trace(i, k);
-      }
-      for (unsigned int j = 0; j < n; ++j)
-      {
-        body.residual_force.push_back(points.residual(j, n));
-        for (unsigned int i = 0; i < n; ++i)
-          body.residual(i, j) = points.residual(i, j);
-      }
       body.gap.assign(n_corners, 0.);
       return body;
     }

@@ -61,18 +61,16 @@ namespace vibrocontact
     return material;
   }
 
-  /// The bar of the bouncing-bar example: 10 m, E 900, rho 1, section 1, free.
-  inline std::unique_ptr<ElementScene> bar_scene(const unsigned int divisions, const unsigned int degree,
-                                                 const unsigned int n_modes)
+  /// A free bar of the bouncing-bar example's size and material: 10 m, E 900, rho 1, section 1. @param bar its elements
+  inline std::unique_ptr<ElementScene> bar_scene(BarParameters bar, const unsigned int n_modes,
+                                                 const double gravity = 0)
   {
     auto scene = std::make_unique<ElementScene>();
     scene->body.name = scene->body.type = "bar";
-    BarParameters &bar = scene->body.bar;
     bar.length = 10;
     bar.section = 1;
-    bar.divisions = divisions;
-    bar.degree = degree;
     bar.far_end = "free";
+    scene->body.bar = bar;
     ElasticMaterial material;
     material.young_modulus = 900;
     material.poisson_ratio = 0;
@@ -80,7 +78,16 @@ namespace vibrocontact
     ContactGrid grid;
     grid.n_x = grid.n_y = 1;
     grid.spacing_x = grid.spacing_y = 1;
-    scene->system = assemble_bar(bar, material, "bar", true, &grid, MPI_COMM_WORLD);
+    scene->system = assemble_bar(bar, material, "bar", true, &grid, MPI_COMM_WORLD, gravity);
     return element_scene(std::move(scene), grid, n_modes);
+  }
+
+  inline std::unique_ptr<ElementScene> bar_scene(const unsigned int divisions, const unsigned int degree,
+                                                 const unsigned int n_modes)
+  {
+    BarParameters bar;
+    bar.divisions = divisions;
+    bar.degree = degree;
+    return bar_scene(bar, n_modes);
   }
 } // namespace vibrocontact

@@ -76,7 +76,8 @@ TEST(BandLimited, InverseTransformOfAnOscillator)
   for (unsigned int l = 0; l <= 8000; ++l)
   {
     data.omega.push_back(M_PI * l);
-    data.values[0].push_back(1. / Complex(w * w - data.omega[l] * data.omega[l], 2 * zeta * w * data.omega[l]));
+    data.values[0].push_back(1. /
+                             Complex(w * w - data.omega[l] * data.omega[l], 2 * zeta * w * data.omega[l]));
   }
   EntryMap map;
   map.n_rows = 1;
@@ -84,5 +85,6 @@ TEST(BandLimited, InverseTransformOfAnOscillator)
   const PoleModel model = band_limited_model(data, map);
   EXPECT_NEAR(band_limited_memory(data), 1, 1e-12);
   for (double t = 0.001; t < 0.5; t += 0.0137)
-    EXPECT_NEAR(impulse_response(model, t)(0, 0), std::exp(-zeta * w * t) * std::sin(root * t) / root, 2e-3 / root);
+    EXPECT_NEAR(impulse_response(model, t)(0, 0), std::exp(-zeta * w * t) * std::sin(root * t) / root,
+                2e-3 / root);
 }

@@ -10,6 +10,11 @@
 
 namespace vibrocontact
 {
+  /// "trial:weighting, ..." as pairs of bases in time. @param entry named in messages
+  /// @throws InputError for a member without colon
+  std::vector<std::pair<std::string, std::string>> basis_pairs(const std::string &text,
+                                                               const std::string &entry);
+
   /// `subsection Periodic / subsection Continuation`: the branch of periodic motions over one parameter of the scene
   /// (doc/periodic.md, "Response curves").
   struct BranchParameters

@@ -2,6 +2,8 @@
 
 #include <vibrocontact/numerics/pole_fit.h>
 
+#include <optional>
+
 namespace vibrocontact
 {
   /// Impulse responses of Spectra whose lines are equally spaced from zero on, g(t) = 2 Re of the integral of
@@ -13,6 +15,9 @@ namespace vibrocontact
     /// one list per entry
     std::vector<std::vector<double>> values;
   };
+
+  /// Distance of the lines [rad/s] if they are equally spaced from zero on, otherwise nothing.
+  std::optional<double> line_spacing(const Spectra &data);
 
   /// @param n_samples more of them lie closer, at 1 / (n_samples * spacing of the lines): nothing is taken to be above
   /// the band; 0: 2 (n_lines - 1)

@@ -6,6 +6,8 @@
 
 namespace vibrocontact
 {
+  struct PointReduction;
+
   /// A linear body under a harmonic force against stops, as the periodic analyses see it (Jones & Legrand 2014, section 1;
   /// doc/theory.md, "Periodic motion"): modes, and for each contact point one row (its motion into the stop) or three
   /// (that and the two tangential ones).
@@ -39,6 +41,13 @@ namespace vibrocontact
     unsigned int n_rows() const { return trace.m(); }
     unsigned int n_points() const { return gap.size(); }
   };
+
+  /// The body between some points: rows 0 .. n_rows - 1 are its contact rows, `exciting` the row of the force (one of them or
+  /// another). Without gaps, rows per point and relaxation.
+  /// @param omega [rad/s], @param damping_ratio of the modes of `points`
+  PeriodicBody periodic_body(const PointReduction &points, const std::vector<double> &omega,
+                             const std::vector<double> &damping_ratio, unsigned int n_rows,
+                             unsigned int exciting);
 
   /// s(t) = F sin(2 pi f t + phase) [N], [Hz], [rad]. Results are read from where the force rises through zero; the phase
   /// only moves the force against the functions of time.

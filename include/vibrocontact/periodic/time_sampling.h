@@ -57,6 +57,9 @@ namespace vibrocontact
   /// @throws InputError if n_samples < 2 n_functions
   void check_samples(unsigned int n_functions, unsigned int n_samples);
 
+  /// Weighting functions in samples (n_phases x N), each over its norm: a force from its moments.
+  DenseMatrix over_norms(DenseMatrix values, const TimePairing &pairing);
+
   /// Samples of the velocity, derivative with respect to the phase: of the functions where it exists; for Haar N (a_k -
   /// a_(k-1)) held over one cell around the jump (doc/theory.md, "Periodic motion").
   DenseMatrix sampled_velocity(const TimeBasis &basis, const std::vector<double> &phases);
