@@ -1,6 +1,8 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/periodic/time_pairing.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <cmath>
 
 namespace vibrocontact
@@ -8,7 +10,7 @@ namespace vibrocontact
   namespace
   {
     using Complex = std::complex<double>;
-    const double pi = std::acos(-1.);
+    using dealii::numbers::PI;
 
     constexpr TimeForm forms[] = {TimeForm::strong, TimeForm::weak, TimeForm::distributional};
 
@@ -91,7 +93,7 @@ namespace vibrocontact
                          ": give a multiple of that number, or 0 for exact integrals.");
     }
 
-    /// A_d(m) = N^d sum_k e^(2 pi j m k / N) G_k
+    /// A_d(m) = N^d sum_k e^(2 PI j m k / N) G_k
     std::vector<Complex> by_recursion(const TimeBasis &trial, const TimeBasis &weighting,
                                       const unsigned int d)
     {
@@ -104,7 +106,7 @@ namespace vibrocontact
       for (int k = 0; k < n; ++k)
         if (wrapped[k] != 0)
           for (unsigned int m = 0; m < result.size(); ++m)
-            result[m] += wrapped[k] * std::polar(1., 2 * pi * (static_cast<long>(m) * k % n) / n);
+            result[m] += wrapped[k] * std::polar(1., 2 * PI * (static_cast<long>(m) * k % n) / n);
       return result;
     }
 
@@ -121,7 +123,7 @@ namespace vibrocontact
             continue;
           Complex term = std::conj(weighting.fourier_coefficient(m, l)) * trial.fourier_coefficient(m, l);
           for (unsigned int i = 0; i < d; ++i)
-            term *= Complex(0, 2 * pi * (m + l * n));
+            term *= Complex(0, 2 * PI * (m + l * n));
           result[m] += term;
         }
       return result;
@@ -141,7 +143,7 @@ namespace vibrocontact
       return result;
     }
 
-    /// int conj(Psi_m) e^(2 pi j h t) dt, h = 1 or -1
+    /// int conj(Psi_m) e^(2 PI j h t) dt, h = 1 or -1
     void exact_moments(const TimeBasis &weighting, TimePairing &pairing)
     {
       const int n = weighting.n_functions();
@@ -192,7 +194,7 @@ namespace vibrocontact
       for (unsigned int i = 0; i < n_points; ++i)
         for (unsigned int m = 0; m < pairing.sine.size(); ++m)
         {
-          const double t = 2 * pi * i / n_points;
+          const double t = 2 * PI * i / n_points;
           pairing.sine[m] += std::conj(psi[i][m]) * (std::sin(t) / n_points);
           pairing.cosine[m] += std::conj(psi[i][m]) * (std::cos(t) / n_points);
         }
