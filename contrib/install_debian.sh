@@ -9,7 +9,7 @@ packages="
   nlohmann-json3-dev libboost-program-options-dev libfftw3-dev libsndfile1-dev
   gmsh
   libgtest-dev
-  python3 python3-numpy python3-matplotlib python3-h5py
+  python3 python3-numpy python3-matplotlib python3-h5py python3-pandas python3-meshio
 "
 missing=$(for p in $packages; do
   [ "$(dpkg-query -W -f '${db:Status-Status}' "$p" 2>/dev/null)" = installed ] || echo "$p"

@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
 """plot_results.py FOLDER: figures of a run, from results.json and the tables in its output folder.
+plot_results.py FOLDER --contact-table TABLE: the same, with tractions of the program CONTACT on top of the centre line.
+plot_results.py --compare FOLDER FOLDER ... [--picture compare.png]: what several runs have in common, in one picture.
 
 figures/contact_patch_<k>.png   pressure, traction and status over the patch
 figures/centre_line_<k>.png     tractions along y = 0, as in Fig. 7 of Lai et al. (2018)
@@ -18,6 +20,7 @@ figures/divergence_rates.png    divergence rates of the roots, as in Fig. 8
 figures/transient_force.png     tangential force with stick and slip counts, as in Fig. 13
 figures/transient_status.png    status of the contact points through a period, as in Fig. 14 (needs Patch interval)
 figures/transient_<signal>.png  velocity of a probe and its spectrogram, as in Fig. 15
+figures/spectrum_<signal>.png    its amplitudes over frequency, peaks named by roots, modes and harmonics
 figures/modal_convolution_*.png displacements, forces and 1/3-octave bands of the force, as in Figs 2, 3, 6, 7 of Meftah & Duhamel
 figures/method_comparison.png   error against cost of the response methods
 figures/periodic_motion.png     displacement, velocity and contact force over a period, as in Figs 6 to 9 of Jones & Legrand
@@ -25,21 +28,32 @@ figures/periodic_errors.png     their errors over the number of functions and ov
 figures/time_bases.png          functions of the bases in time, as in Figs 2 to 5
 Needs matplotlib, after a transient also h5py; exit code 4 without. Tractions act on body 1; the contact travels towards -x.
 """
+import argparse
 import json
 import os
 import sys
 
 # nothing is written beside the sources
 sys.dont_write_bytecode = True
-HISTORIES = os.path.join(sys.argv[1], "histories.h5")
+arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+arguments.add_argument("folder", nargs="?")
+arguments.add_argument("--contact-table")
+arguments.add_argument("--compare", nargs="+", default=[], metavar="FOLDER")
+arguments.add_argument("--picture", default="compare.png")
+options = arguments.parse_args()
+FOLDERS = options.compare or [options.folder]
+for one in FOLDERS:
+    if one is None or not os.path.exists(os.path.join(one, "results.json")):
+        arguments.error(f"{one} is no output folder of a run: it has no results.json")
 try:
     import numpy  # noqa: F401
     import matplotlib  # noqa: F401
-    if os.path.exists(HISTORIES):
+    if any(os.path.exists(os.path.join(one, "histories.h5")) for one in FOLDERS):
         import h5py  # noqa: F401
 except ImportError:
     sys.exit(4)
 
+from plots.compare import plot_comparison_of_runs
 from plots.contact import plot_centre_line, plot_curves, plot_patch
 from plots.periodic import plot_periodic
 from plots.response import plot_frequency_response, plot_identification
@@ -50,8 +64,17 @@ from plots.stability import plot_divergence, plot_sweep
 MAX_PATCHES = 4
 
 
+def compare():
+    if len(options.compare) < 2:
+        arguments.error("--compare needs at least two output folders")
+    found = plot_comparison_of_runs(options.compare, options.picture)
+    if not found:
+        sys.exit("the runs have no quantity in common: nothing is drawn")
+    print(f"{options.picture}: {', '.join(found)}")
+
+
 def main():
-    folder = sys.argv[1]
+    folder = options.folder
     with open(os.path.join(folder, "results.json")) as file:
         results = json.load(file)
     analyses = results["analyses"]
@@ -60,7 +83,7 @@ def main():
     patches = [k for k in range(len(cases)) if os.path.exists(os.path.join(folder, f"contact_patch_{k}.csv"))]
     for k in patches if len(patches) <= MAX_PATCHES else patches[:1] + patches[-1:]:
         plot_patch(folder, k, cases[k])
-        plot_centre_line(folder, k, cases[k])
+        plot_centre_line(folder, k, cases[k], options.contact_table)
     plot_curves(folder, cases)
     if "frequency_response" in analyses:
         plot_frequency_response(folder, analyses["frequency_response"])
@@ -78,20 +101,19 @@ def main():
         plot_unstable(folder, analyses["stability"])
     if analyses.get("periodic"):
         plot_periodic(folder, analyses["periodic"])
-    if not os.path.exists(HISTORIES):
+    if not os.path.exists(os.path.join(folder, "histories.h5")):
         return
     # they need h5py
     from plots.convolution import plot_comparison, plot_modal_convolution
-    from plots.transient import plot_transient
+    from plots.transient import known_frequencies, plot_transient
     convolution = analyses.get("modal_convolution", {})
     if not convolution:
-        plot_transient(folder, analyses.get("transient", {}), results.get("title", ""))
+        plot_transient(folder, analyses.get("transient", {}), results.get("title", ""), known_frequencies(analyses))
         return
     plot_modal_convolution(folder)
     if "method_comparison" in convolution:
         plot_comparison(folder, convolution["method_comparison"])
 
 
-
 if __name__ == "__main__":
-    main()
+    compare() if options.compare else main()

@@ -15,16 +15,23 @@ warnings.filterwarnings("ignore")
 plt.rcParams.update({"font.size": 9, "figure.dpi": 110, "axes.grid": False, "savefig.bbox": "tight"})
 
 
+# columns that name a mode
+LABELS = ("label", "root", "nearest", "unstable", "mode")
+
+
 def read_table(name):
-    """Columns of a table by name; numbers where all cells are numbers."""
+    """Columns of a table by name; numbers where all cells are numbers. Modes get their own names back, in tables
+    axial(0;2)/2 stands for axial(0,2)#2."""
     with open(name, newline="") as lines:
         rows = list(csv.reader(line for line in lines if not line.startswith("#")))
     columns = {}
     for i, column in enumerate(rows[0]):
         cells = [row[i] for row in rows[1:]]
         try:
-            columns[column] = np.array([float(cell) for cell in cells])
+            columns[column] = np.array([float(cell) if cell else np.nan for cell in cells])
         except ValueError:
+            if column in LABELS:
+                cells = [cell.replace(";", ",").replace("/", "#") for cell in cells]
             columns[column] = np.array(cells)
     return columns
 
@@ -60,12 +67,43 @@ def short(label):
     return label.split(":", 1)[-1]
 
 
-def plot_line(axis, time, values, **style):
-    """A long signal by the least and the largest value of each of 2000 pieces."""
-    pieces = len(values) // 4000
-    if pieces >= 5:
-        n = len(values) // (2 * pieces) * 2 * pieces
-        parts = values[:n].reshape(-1, 2 * pieces)
-        values = np.column_stack([parts.min(axis=1), parts.max(axis=1)]).ravel()
-        time = time[:n:pieces][:len(values)]
-    axis.plot(time, values, **style)
+def read_entries(folder):
+    """Values used in a run, texts by their paths such as Contact/Friction coefficient."""
+    entries, sections = {}, []
+    with open(os.path.join(folder, "used.prm"), encoding="utf-8") as lines:
+        for line in lines:
+            words = line.split("#")[0].split(None, 1)
+            if words[:1] == ["subsection"]:
+                sections.append(words[1].strip())
+            elif words[:1] == ["end"]:
+                sections.pop()
+            elif words[:1] == ["set"]:
+                name, value = words[1].split("=", 1)
+                entries["/".join(sections + [name.strip()])] = value.strip()
+    return entries
+
+
+def friction_factor(folder, speed):
+    """mu over the Friction coefficient at these slip speeds [m/s]; 1 without a law that depends on them."""
+    name = os.path.join(folder, "used.prm")
+    entries = read_entries(folder) if os.path.exists(name) else {}
+    ratio = float(entries.get("Contact/Static friction ratio", 1))
+    velocity = float(entries.get("Contact/Stribeck velocity", 1))
+    return 1 + (ratio - 1) * np.exp(-np.asarray(speed, dtype=float) / velocity)
+
+
+# longer signals are drawn by their envelope
+LONG = 4000
+
+
+def plot_line(axis, time, values, color=None, label=None, lw=0.9):
+    """A signal; a long one by the band between the least and the largest value of each of 1000 pieces, with its mean."""
+    pieces = len(values) // (LONG // 4)
+    if len(values) <= LONG:
+        return axis.plot(time, values, color=color, label=label, lw=lw)
+    n = len(values) // pieces * pieces
+    parts = np.asarray(values)[:n].reshape(-1, pieces)
+    middle = np.asarray(time)[:n:pieces]
+    line, = axis.plot(middle, parts.mean(axis=1), color=color, label=label, lw=lw)
+    axis.fill_between(middle, parts.min(axis=1), parts.max(axis=1), color=line.get_color(), alpha=0.25, lw=0)
+    return [line]

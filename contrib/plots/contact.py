@@ -4,7 +4,7 @@ import os
 import numpy as np
 from matplotlib.colors import ListedColormap
 
-from plots.common import case_title, OPEN, read_table, save, SLIP, STICK, plt
+from plots.common import case_title, friction_factor, OPEN, read_table, save, SLIP, STICK, plt
 
 
 def on_grid(patch, values):
@@ -56,15 +56,28 @@ def plot_patch(folder, k, case):
     save(figure, folder, f"contact_patch_{k}")
 
 
-def plot_centre_line(folder, k, case):
+def plot_contact_table(axis, name):
+    """Tractions along y = 0 of the program CONTACT from a table with x_mm, y_mm, px_MPa and py_MPa. It rolls towards +x: x and
+    px are mirrored."""
+    table = read_table(name)
+    line = np.abs(table["y_mm"]) < 1e-9
+    for values, marker, colour, label in ((-table["px_MPa"], "o", "#6a3d9a", "$r_x$"), (table["py_MPa"], "s", "#27ae60", "$r_y$")):
+        axis.plot(-table["x_mm"][line], values[line], marker, ms=7, mfc="none", mec=colour, ls="none", label=label + ", CONTACT")
+
+
+def plot_centre_line(folder, k, case, contact_table=None):
     patch = read_table(os.path.join(folder, f"contact_patch_{k}.csv"))
     line = np.abs(patch["y_m"] - patch["y_m"][np.argmin(np.abs(patch["y_m"]))]) < 1e-12
     if not (patch["pressure_Pa"][line] > 0).any():
         return
     x = 1e3 * patch["x_m"][line]
     figure, axis = plt.subplots(figsize=(6, 3.8))
-    axis.plot(x, case["friction"] * patch["pressure_Pa"][line] / 1e6, "k--", lw=1, label=r"$\mu\, p$")
-    axis.plot(x, -case["friction"] * patch["pressure_Pa"][line] / 1e6, "k--", lw=1)
+    slip = np.hypot(patch["slip_x_m_s"], patch["slip_y_m_s"])[line]
+    limit = case["friction"] * friction_factor(folder, slip) * patch["pressure_Pa"][line] / 1e6
+    axis.plot(x, limit, "k--", lw=1, label=r"$\mu\, p$")
+    axis.plot(x, -limit, "k--", lw=1)
+    if contact_table:
+        plot_contact_table(axis, contact_table)
     axis.plot(x, patch["traction_x_Pa"][line] / 1e6, "o-", ms=3, color="#6a3d9a", label=r"$r_x$")
     axis.plot(x, patch["traction_y_Pa"][line] / 1e6, "s-", ms=3, color="#27ae60", label=r"$r_y$")
     stick = patch["status"][line] == 1

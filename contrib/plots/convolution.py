@@ -4,7 +4,7 @@ import os
 import numpy as np
 import h5py
 
-from plots.common import plot_line, read_table, save, plt
+from plots.common import LONG, plot_line, read_table, save, plt
 
 
 def plot_modal_convolution(folder):
@@ -25,16 +25,21 @@ def plot_modal_convolution(folder):
     if len(time) < 2:
         return
     for values, name, label, factor in pictures:
-        figure, axis = plt.subplots(figsize=(8, 3.5))
-        for i in shown:
-            plot_line(axis, time, values[i] * factor, lw=0.8, label=f"point {i}")
-        axis.set_xlabel("time [s]")
-        axis.set_ylabel(label)
+        zooms = len(time) > LONG
+        figure, axes = plt.subplots(1, 1 + zooms, figsize=(11 if zooms else 8, 3.5), sharey=True, squeeze=False)
+        for axis, chosen in zip(axes[0], (slice(None), slice(-LONG // 8, None))):
+            for i in shown:
+                plot_line(axis, time[chosen], values[i][chosen] * factor, lw=0.8, label=f"point {i}")
+            axis.set_xlabel("time [s]")
+        axes[0, 0].set_ylabel(label)
+        if zooms:
+            axes[0, 0].set_title("mean and envelope", fontsize=9)
+            axes[0, 1].set_title("the end of it", fontsize=9)
         if len(shown) > 1:
-            axis.legend(fontsize=8)
+            axes[0, 0].legend(fontsize=8)
         if name == "force":
             top = np.percentile(np.concatenate(list(values.values())), 99.8)
-            axis.set_ylim(min(0, min(v.min() for v in values.values())), 1.2 * top if top > 0 else None)
+            axes[0, 0].set_ylim(min(0, min(v.min() for v in values.values())), 1.2 * top if top > 0 else None)
         save(figure, folder, f"modal_convolution_{name}")
     name = os.path.join(folder, "third_octaves.csv")
     bands = read_table(name) if os.path.exists(name) else {"level_dB": []}

@@ -61,11 +61,8 @@ def plot_periodic(folder, entries):
 
 
 def plot_errors(folder, table):
-    found = table["error_displacement"] != "none" if table["error_displacement"].dtype.kind == "U" else slice(None)
+    found = np.isfinite(table["error_displacement"])
     table = {key: column[found] for key, column in table.items()}
-    for key in table:
-        if key.startswith("error_"):
-            table[key] = table[key].astype(float)
     pairs = [f"{SHORT.get(a, a)}:{SHORT.get(b, b)}" for a, b in zip(table["basis"], table["weighting"])]
     if len(pairs) < 2:
         return

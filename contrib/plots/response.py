@@ -93,10 +93,19 @@ def receptances(folder, table):
                                      for name in columns if name.endswith("_real_m_N")}
 
 
+def different_entries(data):
+    """Names of the columns without those that repeat another, by symmetry or reciprocity."""
+    names = []
+    for name, values in data.items():
+        if not any(np.abs(values - data[other]).max() <= 1e-6 * np.abs(values).max() for other in names):
+            names.append(name)
+    return names
+
+
 def plot_identification(folder, fits):
-    """Data and fits, one panel per entry of the first row (at most four), with the distance of each fit from the data."""
+    """Data and fits, one panel per entry (at most four, none twice), with the distance of each fit from the data."""
     frequency, data = receptances(folder, fits[0]["data"])
-    names = list(data)[:4]
+    names = different_entries(data)[:4]
     figure, axes = plt.subplots(len(names), 1, figsize=(8, 2.6 * len(names)), squeeze=False, sharex=True)
     fitted = [receptances(folder, fit["fit"])[1] for fit in fits]
     for axis, name in zip(axes[:, 0], names):

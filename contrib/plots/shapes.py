@@ -83,12 +83,13 @@ def plot_plane_shape(axis, title, points, quads, values):
 
 
 def plot_shapes(folder, name, panels, columns):
-    """Deformed surfaces coloured by their displacement: title, points, quadrilaterals and displacement of each panel."""
+    """Deformed surfaces coloured by their displacement over its largest: title, points, quadrilaterals and displacement of each
+    panel, then the surfaces of the other body, if any."""
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
     rows = (len(panels) + columns - 1) // columns
     plane = (np.ptp(panels[0][1], axis=0) == 0).any()
     figure = plt.figure(figsize=(4 * columns, (2.6 if plane else 4) * rows))
-    for position, (title, points, quads, values) in enumerate(panels):
+    for position, (title, points, quads, values, *others) in enumerate(panels):
         flat = np.ptp(points, axis=0) == 0
         if flat.any():
             plot_plane_shape(figure.add_subplot(rows, columns, position + 1), title, points[:, ~flat], quads, values[:, ~flat])
@@ -101,6 +102,10 @@ def plot_shapes(folder, name, panels, columns):
         moved, points = moved[:, [1, 0, 2]], points[:, [1, 0, 2]]
         colour = plt.cm.turbo(amplitude[quads].mean(axis=1) / max(amplitude.max(), 1e-300))
         axis.add_collection3d(Poly3DCollection(moved[quads], facecolors=colour, edgecolors=colour, linewidths=0.2))
+        for other_points, other_quads in others:
+            near = np.abs(other_points[other_quads].mean(axis=1) - [points[:, 1].mean(), points[:, 0].mean(), 0]).max(axis=1) < size
+            axis.add_collection3d(Poly3DCollection(other_points[other_quads[near]][:, :, [1, 0, 2]], facecolors="0.85",
+                                                   edgecolors="0.75", linewidths=0.2))
         centre = (points.max(axis=0) + points.min(axis=0)) / 2
         for set_limit, c in zip((axis.set_xlim, axis.set_ylim, axis.set_zlim), centre):
             set_limit(c - size / 2, c + size / 2)
@@ -108,6 +113,8 @@ def plot_shapes(folder, name, panels, columns):
         axis.view_init(elev=18, azim=-35)
         axis.set_axis_off()
         axis.set_title(title)
+    figure.colorbar(plt.cm.ScalarMappable(plt.Normalize(0, 1), plt.cm.turbo), ax=figure.axes, shrink=0.5, pad=0.02,
+                    label="displacement over its largest")
     save(figure, folder, name)
 
 
@@ -131,20 +138,23 @@ def plot_modes(folder, body, modes):
 
 
 def plot_unstable(folder, analysis):
-    """The first six unstable roots from unstable_<root>_<body>.pvd: the body that moves most, when it moves most."""
+    """The first six unstable roots from unstable_<root>_<body>.pvd: the body that moves most, when it moves most, and the other
+    at rest."""
     cases = analysis.get("cases") or [analysis]
     panels = []
     for number, root in enumerate(cases[0].get("unstable", [])[:6]):
-        most = None
+        most, bodies = None, {}
         for index in glob.glob(os.path.join(folder, f"unstable_{number}_*.pvd")):
             frames = [node.get("file") for node in ElementTree.parse(index).getroot().iter("DataSet")]
             for frame in frames[:len(frames) // 2]:  # the other half of the period is the opposite
                 points, quads, data = read_vtu(os.path.join(folder, frame))
                 values = data["displacement_m"]
+                bodies[index] = points, quads
                 largest = np.linalg.norm(values, axis=1).max()
                 if most is None or largest > most[0]:
-                    most = largest, points, quads, values
+                    most = largest, index, points, quads, values
         if most:
-            panels.append((f"{root['label']}, {root['frequency_Hz']:.1f} Hz, {root['growth_1_s']:+.2f} 1/s",) + most[1:])
+            others = [body for index, body in bodies.items() if index != most[1]]
+            panels.append((f"{root['label']}, {root['frequency_Hz']:.1f} Hz, {root['growth_1_s']:+.2f} 1/s", *most[2:], *others))
     if panels:
         plot_shapes(folder, "unstable_shapes", panels, 2 if len(panels) in (2, 4) else min(3, len(panels)))

@@ -105,6 +105,8 @@ def plot_sweep(folder, columns, entries):
     if not unstable:
         panels = [("stable in all cases;\nlargest divergence rate: " + ", ".join(short(n) for n in dict.fromkeys(cases["nearest"])),
                    i, j, cases["divergence_rate"])]
+    # one scale for all roots
+    scale = max((np.nanmax(values) for title, _, _, values in panels if not title.startswith("number")), default=1)
     n = min(3, len(panels))
     rows = (len(panels) + n - 1) // n
     figure, axes = plt.subplots(rows, n, figsize=(4.4 * n, 3.1 * rows), squeeze=False)
@@ -118,11 +120,10 @@ def plot_sweep(folder, columns, entries):
             image = axis.pcolormesh(edges(x), edges(y), field, cmap=ListedColormap(colours), vmin=-0.5, vmax=most + 0.5)
             figure.colorbar(image, ax=axis, ticks=range(0, most + 1, 1 + most // 10), label="roots")
         elif unstable:
-            limit = np.nanmax(field)
-            image = axis.pcolormesh(edges(x), edges(y), field, cmap="RdBu_r", vmin=-limit, vmax=limit)
+            image = axis.pcolormesh(edges(x), edges(y), field, cmap="RdBu_r", vmin=-scale, vmax=scale)
             if min(field.shape) > 3:
                 axis.contour(x, y, field, [0], colors="k", linewidths=0.8)
-            figure.colorbar(image, ax=axis, label="> 0: unstable", extend="min" if np.nanmin(field) < -limit else "neither")
+            figure.colorbar(image, ax=axis, label="> 0: unstable", extend="min" if np.nanmin(field) < -scale else "neither")
         else:
             image = axis.pcolormesh(edges(x), edges(y), field, cmap="Blues_r", vmin=1.5 * np.nanmin(field), vmax=0)
             figure.colorbar(image, ax=axis, label="0: limit of stability")
@@ -135,6 +136,7 @@ def plot_sweep(folder, columns, entries):
             axis.set_yticks(y, y_words)
     for axis in axes.ravel()[len(panels):]:
         axis.set_axis_off()
+    figure.suptitle(f"Stability over {labels[0]} and {labels[1]}, {len(cases['case'])} cases", fontsize=10)
     figure.tight_layout()
     save(figure, folder, "stability_map")
 

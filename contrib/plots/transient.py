@@ -8,7 +8,7 @@ import matplotlib
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import ListedColormap
 
-from plots.common import case_title, legend_above, LIMIT, LINE, OPEN, plot_line, save, SLIP, STICK, plt
+from plots.common import case_title, friction_factor, legend_above, LIMIT, LINE, OPEN, plot_line, save, short, SLIP, STICK, plt
 from plots.contact import status_legend
 from plots.shapes import read_vtu
 
@@ -22,7 +22,7 @@ def last_period(transient, history):
     return end - 1 / frequencies[0], end
 
 
-def force_panels(history, friction):
+def force_panels(history, friction, largest_factor=1):
     """What is not zero, a panel each: axis label and lines (values, style)."""
     normal = history["normal_force_N"] / 1e3
     forces = {c: history[f"tangential_force_{c}_N"] / 1e3 for c in "xy"}
@@ -32,7 +32,11 @@ def force_panels(history, friction):
     if np.abs(force).max() > 1e-9 * np.abs(normal).max():
         lines = [(force, {"color": LINE, "lw": 0.9, "label": f"$F_{component}$ on body 1"})]
         if friction:
-            lines.insert(0, ((-1 if force.mean() < 0 else 1) * friction * normal, {"color": LIMIT, "lw": 1.5, "label": r"$\mu N$"}))
+            sign = -1 if force.mean() < 0 else 1
+            lines.insert(0, (sign * friction * normal, {"color": LIMIT, "lw": 1.5, "label": r"$\mu N$"}))
+            if largest_factor != 1:  # friction depends on the slip speed
+                lines[0][1]["label"] = r"$\mu N$ at high slip speed"
+                lines.insert(0, (sign * largest_factor * friction * normal, {"color": LIMIT, "lw": 0.8, "label": r"$\mu N$ at rest"}))
         panels.append(("force [kN]", lines))
     if not panels or normal.min() <= 0:
         panels.append(("force [kN]", [(normal, {"color": LINE, "lw": 0.9, "label": "normal force $N$"})]))
@@ -49,7 +53,7 @@ def force_panels(history, friction):
 def plot_force(folder, transient, history, frames, title):
     """Forces and counts over the run, then over the last three periods with the frames' numbers."""
     period = last_period(transient, history)
-    panels = force_panels(history, transient.get("friction"))
+    panels = force_panels(history, transient.get("friction"), float(friction_factor(folder, 0.)))
     figure, axes = plt.subplots(len(panels), 2 if period else 1, figsize=(11 if period else 7, 1 + 2.2 * len(panels)), sharex="col",
                                 squeeze=False)
     time = history["time_s"]
@@ -149,7 +153,63 @@ def plot_signal(folder, name, time, values, title):
     save(figure, folder, f"transient_{name}")
 
 
-def plot_transient(folder, transient, title):
+def spectrum(time, values):
+    """Frequencies [Hz] and amplitudes of the second half of a signal, of a sine its own amplitude (Hann window)."""
+    values = np.asarray(values)[len(values) // 2:]
+    step = (time[-1] - time[0]) / (len(time) - 1)
+    window = np.hanning(len(values))
+    amplitude = 2 * np.abs(np.fft.rfft((values - values.mean()) * window)) / window.sum()
+    return np.fft.rfftfreq(len(values), step), amplitude
+
+
+def name_of_peak(frequency, known, fundamental):
+    """The root or mode within 1 % of a frequency, or the multiple of the fundamental that it is."""
+    near = [(abs(f - frequency), label) for f, label in known if abs(f - frequency) < 0.01 * frequency]
+    if near:
+        return short(min(near)[1])
+    multiple = frequency / fundamental
+    return f"{round(multiple)} x {fundamental:.0f} Hz" if round(multiple) > 1 and abs(multiple - round(multiple)) < 0.02 else ""
+
+
+def plot_spectrum(folder, name, time, values, known, title):
+    """Amplitudes over frequency with the largest peaks named by roots, modes and harmonics."""
+    if len(values) < 512:
+        return
+    frequency, amplitude = spectrum(time, values)
+    shown = (frequency > 0) & (frequency < 8000)
+    frequency, amplitude = frequency[shown], amplitude[shown]
+    if len(amplitude) < 3 or not amplitude.max() > 0:
+        return
+    inner = amplitude[1:-1]
+    peaks = 1 + np.flatnonzero((inner >= amplitude[:-2]) & (inner > amplitude[2:]) & (inner > 1e-3 * amplitude.max()))
+    chosen = []
+    for peak in peaks[np.argsort(-amplitude[peaks])]:
+        if all(abs(frequency[peak] - frequency[other]) > 0.02 * frequency[peak] for other in chosen):
+            chosen.append(peak)
+    figure, axis = plt.subplots(figsize=(8, 4))
+    axis.semilogy(frequency, np.maximum(amplitude, 1e-6 * amplitude.max()), color=LINE, lw=0.8)
+    for peak in chosen[:8]:
+        words = name_of_peak(frequency[peak], known, frequency[chosen[0]])
+        axis.annotate(f"{frequency[peak]:.1f} Hz\n{words}".strip(), (frequency[peak], amplitude[peak]), textcoords="offset points",
+                      xytext=(3, 3), fontsize=7)
+    axis.set_ylim(top=6 * amplitude.max())
+    axis.set_xlabel("frequency [Hz]")
+    axis.set_ylabel("amplitude [m/s]")
+    axis.set_title(f"{name.replace('_', ' ')}, second half of the run\n{title}", fontsize=9)
+    axis.grid(alpha=0.3)
+    save(figure, folder, f"spectrum_{name}")
+
+
+def known_frequencies(analyses):
+    """Frequencies with names: unstable roots, then modes of the bodies."""
+    known = [(root["frequency_Hz"], root["label"]) for root in analyses.get("stability", {}).get("unstable", [])]
+    for body, modes in analyses.get("modes", {}).items():
+        if isinstance(modes, dict):
+            known += [(f, f"{body}:{label}") for f, label in zip(modes.get("frequencies_Hz", []), modes.get("labels", []))]
+    return known
+
+
+def plot_transient(folder, transient, title, known=()):
     with h5py.File(os.path.join(folder, "histories.h5")) as file:
         history = {name: np.asarray(file[name]) for name in file if file[name].ndim == 1 and name != "key"}
     if len(history["time_s"]) < 2:
@@ -171,3 +231,4 @@ def plot_transient(folder, transient, title):
             for column in file:
                 if column != "time_s":
                     plot_signal(folder, column[:-len("_m_s")], time, np.asarray(file[column]), title)
+                    plot_spectrum(folder, column[:-len("_m_s")], time, np.asarray(file[column]), known, title)

@@ -10,6 +10,17 @@
 #include <cmath>
 #include <sstream>
 
+namespace boost::serialization
+{
+  /// What deal.II leaves out: a patch on its way to another rank.
+  template <typename Archive, int dim, int spacedim>
+  void serialize(Archive &archive, dealii::DataOutBase::Patch<dim, spacedim> &patch, const unsigned int)
+  {
+    archive &patch.vertices &patch.neighbors &patch.patch_index &patch.n_subdivisions &patch.data &patch
+        .points_are_available &patch.reference_cell;
+  }
+} // namespace boost::serialization
+
 namespace vibrocontact
 {
   using namespace dealii;
@@ -76,8 +87,8 @@ namespace vibrocontact
       return result;
     }
 
-    /// Output whose ranks give their pieces to rank 0, which writes the file whole or not at all: with MPI
-    /// input-output a full disk may meet some ranks only.
+    /// Output whose ranks give their patches to rank 0, which writes them as one piece, whole or not at all: with
+    /// MPI input-output a full disk may meet some ranks only, and many readers take the first piece for all.
     template <typename Output>
     class Gathered : public Output
     {
@@ -86,18 +97,16 @@ namespace vibrocontact
 
       void write(const std::string &file, const MPI_Comm communicator) const
       {
-        std::ostringstream piece;
-        DataOutBase::write_vtu_main(this->get_patches(), this->get_dataset_names(),
-                                    this->get_nonscalar_data_ranges(), flags(), piece);
-        const std::vector<std::string> pieces = Utilities::MPI::gather(communicator, piece.str());
+        const auto gathered = Utilities::MPI::gather(communicator, this->get_patches());
         on_first_rank(
             [&]
             {
+              auto patches = gathered.front();
+              for (std::size_t rank = 1; rank < gathered.size(); ++rank)
+                patches.insert(patches.end(), gathered[rank].begin(), gathered[rank].end());
               std::ostringstream text;
-              DataOutBase::write_vtu_header(text, flags());
-              for (const std::string &one : pieces)
-                text << one;
-              DataOutBase::write_vtu_footer(text);
+              DataOutBase::write_vtu(patches, this->get_dataset_names(), this->get_nonscalar_data_ranges(),
+                                     flags(), text);
               write_file(file, text.str());
             },
             communicator);

@@ -25,6 +25,11 @@ namespace vibrocontact
         "factorised them anyway, always (a run that found its reductions then factorises again), or never. "
         "Units: none.",
         Selection("when factorised|always|never"));
+    prm.add_parameter("Contact patches", contact_patches,
+                      "Table and field of the contact patch of quasi-static rolling: automatic (of every "
+                      "case up to 20, of a "
+                      "longer sweep of the first and the last), of every case always, or never. Units: none.",
+                      Selection("automatic|always|never"));
     prm.add_parameter(
         "Contact problems", contact_problems,
         "Write the discrete contact problem and solution of every case to contact_problems/*.h5 (FCLIB). "
@@ -32,6 +37,14 @@ namespace vibrocontact
         Bool());
     prm.add_parameter("Figures", figures,
                       "Draw figures at the end if Python's matplotlib is there. Units: none.", Bool());
+  }
+
+  bool OutputParameters::writes_patch(const unsigned int k, const unsigned int n_cases) const
+  {
+    constexpr unsigned int most_cases = 20;
+    if (contact_patches == "automatic")
+      return n_cases <= most_cases || k == 0 || k + 1 == n_cases;
+    return contact_patches == "always";
   }
 
   std::string OutputParameters::folder(const std::string &option, const std::string &parameter_file) const

@@ -96,7 +96,7 @@ namespace vibrocontact
     for (double PeriodicErrors::*entry :
          {&PeriodicErrors::displacement, &PeriodicErrors::velocity, &PeriodicErrors::contact_force,
           &PeriodicErrors::impulse, &PeriodicErrors::energy_norm, &PeriodicErrors::midpoints})
-      row.push_back(solved.errors ? Table::Cell((*solved.errors).*entry) : Table::Cell("none"));
+      row.push_back(solved.errors ? Table::Cell((*solved.errors).*entry) : Table::Cell(""));
     row.insert(row.end(), {double(solved.n_phases), double(solved.failed_phases),
                            double(solved.solution.iterations), solved.seconds});
     table.add_row(row);

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -36,9 +37,11 @@ namespace vibrocontact
       }
       else
       {
-        // A label such as axial(0,2) contains the separator.
-        const std::string &label = std::get<std::string>(cells[i]);
-        content += label.find(',') == std::string::npos ? label : '"' + label + '"';
+        // readers take the comma of axial(0,2)#2 for the separator and its # for a comment
+        std::string label = std::get<std::string>(cells[i]);
+        std::replace(label.begin(), label.end(), ',', ';');
+        std::replace(label.begin(), label.end(), '#', '/');
+        content += label;
       }
     }
     content += "\n";

@@ -17,15 +17,18 @@ namespace vibrocontact
     /// contacts of fewer points than this are reported as coarse
     constexpr unsigned int coarse_below = 12;
 
-    void write_case(const std::string &folder, const unsigned int k, const RollingResult &result,
-                    const ContactProblem &problem, const ContactInterface &interface,
-                    const OutputParameters &output)
+    void write_case(const std::string &folder, const unsigned int k, const unsigned int n_cases,
+                    const RollingResult &result, const ContactProblem &problem,
+                    const ContactInterface &interface, const OutputParameters &output)
     {
       const std::string number = std::to_string(k);
-      contact_patch_table(result, interface).write(folder + "/contact_patch_" + number + ".csv");
-      if (output.fields)
-        write_contact_patch(result.solution, interface.grid, false,
-                            folder + "/fields/contact_patch_" + number + ".vtu");
+      if (output.writes_patch(k, n_cases))
+      {
+        contact_patch_table(result, interface).write(folder + "/contact_patch_" + number + ".csv");
+        if (output.fields)
+          write_contact_patch(result.solution, interface.grid, false,
+                              folder + "/fields/contact_patch_" + number + ".vtu");
+      }
       if (output.contact_problems)
       {
         const std::string problems = folder + "/contact_problems";
@@ -108,7 +111,7 @@ namespace vibrocontact
     const auto finished = [&](const RollingResult &result, const ContactProblem &problem)
     {
       const unsigned int k = cases.size();
-      on_first_rank([&] { write_case(folder, k, result, problem, interface, parameters.output); });
+      on_first_rank([&] { write_case(folder, k, n_cases, result, problem, interface, parameters.output); });
       cases.push_back(rolling_case_json(result));
       judge(result, k, cases.back(), results);
       save();
@@ -124,11 +127,16 @@ namespace vibrocontact
           rolling_table(cases).write(folder + "/rolling.csv");
           std::vector<std::pair<double, std::string>> patches;
           for (unsigned int k = 0; k < n_cases; ++k)
-            patches.emplace_back(k, "fields/contact_patch_" + std::to_string(k) + ".vtu");
-          if (parameters.output.fields)
+            if (parameters.output.writes_patch(k, n_cases))
+              patches.emplace_back(k, "fields/contact_patch_" + std::to_string(k) + ".vtu");
+          if (parameters.output.fields && !patches.empty())
             write_pvd(patches, folder + "/contact_patch.pvd");
         });
     print(last, n_cases);
+    if (n_cases > 2 && !parameters.output.writes_patch(1, n_cases) &&
+        parameters.output.contact_patches != "never")
+      run_log().line("Of so many cases the first and the last contact patch are written; Output/Contact "
+                     "patches = always writes all.");
     return last;
   }
 

@@ -18,10 +18,15 @@ namespace vibrocontact
     /// deformation of the bodies: "when factorised" (only if this run has factorised them anyway), "always",
     /// "never"
     std::string deformation = "when factorised";
+    /// tables and fields of the contact patch: "automatic" (of every case up to 20, of a longer sweep the
+    /// first and the last), "always", "never"
+    std::string contact_patches = "automatic";
     /// the discrete contact problem of every case as FCLIB file
     bool contact_problems = false;
 
     void declare_parameters(dealii::ParameterHandler &prm);
+    /// Whether case k of n cases writes its contact patch.
+    bool writes_patch(unsigned int k, unsigned int n_cases) const;
     /// Directory, the option --output, or the default for this parameter file.
     std::string folder(const std::string &option, const std::string &parameter_file) const;
   };

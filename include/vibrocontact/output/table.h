@@ -7,7 +7,8 @@
 namespace vibrocontact
 {
   /// A table written as CSV: lines that begin with # (what it is, sign conventions), one line of column names
-  /// with units such as pressure_Pa, then the rows. Numbers carry 17 digits; whole numbers have no point.
+  /// with units such as pressure_Pa, then the rows. Numbers carry 17 digits; whole numbers have no point. In
+  /// texts a semicolon stands for a comma and a slash for #: axial(0;2)/2 is the mode axial(0,2)#2.
   ///
   ///     Table table({"x_m", "pressure_Pa", "label"}, {"Centre line, y = 0", "pressure > 0 is compression"});
   ///     table.add_row({0.001, 1.06e9, "axial(0,2)"});

@@ -54,7 +54,7 @@ def roots(folder):
     table = list(csv.DictReader(lines))
     found = []
     for mode in MODES:
-        own = [(float(r["growth_1_s"]), float(r["frequency_Hz"])) for r in table if r["label"].startswith("wheel:" + mode)]
+        own = [(float(r["growth_1_s"]), float(r["frequency_Hz"])) for r in table if r["label"].startswith("wheel:" + mode.replace(",", ";"))]
         growth, frequency = max(own)
         found += [frequency, growth]
     return found
