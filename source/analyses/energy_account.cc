@@ -98,5 +98,6 @@ namespace vibrocontact
                                (drive_before.gap.empty() ? 0 : drive_before.gap[i]);
       account.hub += (before.R[i] + after.R[i]) / 2 * (approach - roughness);
     }
+    account.available = std::max(account.available, account.initial + account.input());
   }
 } // namespace vibrocontact

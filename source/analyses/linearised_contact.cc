@@ -204,19 +204,20 @@ namespace vibrocontact
     return A;
   }
 
-  Eigenvalues eigenvalues(DenseMatrix matrix)
+  Eigenvalues eigenvalues(DenseMatrix matrix, const bool with_left_vectors)
   {
     const dealii::types::blas_int size = matrix.m();
     Eigenvalues result;
     result.vectors.reinit(size);
+    result.left.reinit(with_left_vectors ? size : 1);
     std::vector<double> real(size), imaginary(size), work(1);
     dealii::types::blas_int info = 0, n_work = -1;
-    double none = 0;
-    const dealii::types::blas_int one = 1;
+    const dealii::types::blas_int n_left = result.left.m();
     for (unsigned int pass = 0; pass < 2; ++pass)
     {
-      dealii::geev("N", "V", &size, &matrix(0, 0), &size, real.data(), imaginary.data(), &none, &one,
-                   &result.vectors(0, 0), &size, work.data(), &n_work, &info);
+      dealii::geev(with_left_vectors ? "V" : "N", "V", &size, &matrix(0, 0), &size, real.data(),
+                   imaginary.data(), &result.left(0, 0), &n_left, &result.vectors(0, 0), &size, work.data(),
+                   &n_work, &info);
       if (pass == 0)
       {
         n_work = static_cast<dealii::types::blas_int>(work[0]);

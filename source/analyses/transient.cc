@@ -2,10 +2,13 @@
 #include <vibrocontact/analyses/transient.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/numerics/doubled_step.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <sstream>
 
 namespace vibrocontact
@@ -118,71 +121,151 @@ namespace vibrocontact
     {
       return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     }
+
+    /// A run step by step, with its sums.
+    class March
+    {
+    public:
+      March(const TransientParameters &parameters, const ContactParameters &contact,
+            const ContactSolverParameters &solver, const ContactPair &pair, const DriveFunction &drive,
+            DynamicState &state, TransientResult &result)
+          : pair(pair), law(contact.law()), scheme(find_creep_scheme(contact.creep_scheme)), drive(drive),
+            state(state), result(result), now(drive(state.time)),
+            ladder(parameters, contact, solver, pair, now.creepage.speed), next(state),
+            // never beyond the end, where tables may stop
+            last(std::floor(parameters.end_time / ladder.shortest() + 1e-6))
+      {
+        if (result.steps > 0)
+          return;
+        result.energy.initial = result.energy.stored = result.energy.available =
+            stored_energy(pair, *law, state);
+        result.rung = ladder.n_rungs() - 1;
+      }
+
+      bool is_over() const { return ladder.tick(state) >= last; }
+      void start_afresh() { ladder.start_afresh(); }
+
+      /// result.converged = false, and the state as it was, if it does not converge
+      void step()
+      {
+        const unsigned int n = pair.n_points();
+        try
+        {
+          ladder.advance(state, drive, last, next, then, result);
+          if (n > 1)
+            check_contact_in_grid(pair.interface.grid, next.contact.status);
+        }
+        // what was computed so far is kept, whoever gives up
+        catch (const InputError &error)
+        {
+          result.converged = false;
+          result.message = error.what();
+        }
+        catch (const ConvergenceError &error)
+        {
+          result.converged = false;
+          result.message = error.what();
+        }
+        if (!result.converged)
+          return;
+        ++result.steps;
+        result.time = next.time;
+        const double h = next.time - state.time;
+        double before = 0, after = 0;
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          before += state.R[i];
+          after += next.R[i];
+          result.smallest_gap = std::min(result.smallest_gap, next.contact.y[i]);
+        }
+        result.impulse += h * (before + after) / 2;
+        result.force_square += h * (before * before + after * after) / 2;
+        add_step(result.energy, pair, *law, scheme, state, now, next, then);
+        state = next;
+        now = then;
+      }
+
+    private:
+      const ContactPair &pair;
+      const std::shared_ptr<const NormalLaw> law;
+      const CreepScheme &scheme;
+      const DriveFunction &drive;
+      DynamicState &state;
+      TransientResult &result;
+      Drive now, then;
+      StepLadder ladder;
+      DynamicState next;
+      const long long last;
+    };
+
+    /// The coarse run up to the time of the other, and what both differ by when they are at the same time.
+    void follow(March &march, CoarseRun &coarse, const TransientResult &other)
+    {
+      const auto begin = std::chrono::steady_clock::now();
+      while (coarse.sums.converged && !march.is_over() && coarse.state.time < other.time * (1 - 1e-12))
+        march.step();
+      coarse.sums.seconds += seconds_since(begin);
+      if (std::abs(coarse.sums.time - other.time) <= 1e-12 * other.time)
+        coarse.errors = {other.time, doubled_step_error(other.impulse, coarse.sums.impulse),
+                         doubled_step_error(other.rms_force(), coarse.sums.rms_force())};
+    }
   } // namespace
+
+  double TransientResult::rms_force() const
+  {
+    return time > 0 ? std::sqrt(force_square / time) : 0;
+  }
+
+  TransientParameters with_doubled_step(TransientParameters parameters)
+  {
+    parameters.time_step *= 2;
+    parameters.shortest_step *= 2;
+    parameters.error_tolerance *= 8;
+    return parameters;
+  }
 
   TransientResult transient(const TransientParameters &parameters, const ContactParameters &contact,
                             const ContactSolverParameters &solver, const ContactPair &pair,
                             const DriveFunction &drive, DynamicState &state,
                             const std::function<bool(const DynamicState &, const TransientResult &)> &observe,
-                            const TransientResult &before)
+                            const TransientResult &before, Companion *const companion)
   {
     const auto begin = std::chrono::steady_clock::now();
-    const unsigned int n = pair.n_points();
-    const auto law = contact.law();
-    const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
-    Drive now = drive(state.time);
-    StepLadder ladder(parameters, contact, solver, pair, now.creepage.speed);
-
     TransientResult result = before;
-    if (result.steps == 0)
+    March march(parameters, contact, solver, pair, drive, state, result);
+    const TransientParameters doubled = with_doubled_step(parameters);
+    std::optional<March> coarse;
+    double estimate_before = 0;
+    if (companion)
     {
-      result.energy.initial = result.energy.stored = stored_energy(pair, *law, state);
-      result.rung = ladder.n_rungs() - 1;
+      coarse.emplace(doubled, contact, solver, pair, companion->drive, companion->run.state,
+                     companion->run.sums);
+      estimate_before = companion->run.sums.seconds;
     }
-    // never beyond the end, where tables may stop
-    const long long last = std::floor(parameters.end_time / ladder.shortest() + 1e-6);
-    DynamicState next = state;
-    Drive then;
-    while (ladder.tick(state) < last)
+    const auto count_seconds = [&]
+    {
+      result.seconds = before.seconds + seconds_since(begin) -
+                       (companion ? companion->run.sums.seconds - estimate_before : 0.);
+    };
+    while (!march.is_over())
     {
       if (result.steps % steps_between_fresh_starts == 0)
-        ladder.start_afresh();
-      try
       {
-        ladder.advance(state, drive, last, next, then, result);
-        if (n > 1)
-          check_contact_in_grid(pair.interface.grid, next.contact.status);
+        march.start_afresh();
+        if (coarse)
+          coarse->start_afresh();
       }
-      // what was computed so far is kept, whoever gives up
-      catch (const InputError &error)
-      {
-        result.converged = false;
-        result.message = error.what();
-      }
-      catch (const ConvergenceError &error)
-      {
-        result.converged = false;
-        result.message = error.what();
-      }
+      march.step();
       if (!result.converged)
         break;
-      ++result.steps;
-      result.time = next.time;
-      const double h = next.time - state.time;
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        result.impulse += h * (state.R[i] + next.R[i]) / 2;
-        result.smallest_gap = std::min(result.smallest_gap, next.contact.y[i]);
-      }
-      add_step(result.energy, pair, *law, scheme, state, now, next, then);
-      state = next;
-      now = then;
+      if (coarse)
+        follow(*coarse, companion->run, result);
       if (result.steps % steps_between_fresh_starts == 0)
-        result.seconds = before.seconds + seconds_since(begin);
+        count_seconds();
       if (!observe(state, result))
         break;
     }
-    result.seconds = before.seconds + seconds_since(begin);
+    count_seconds();
     return result;
   }
 } // namespace vibrocontact

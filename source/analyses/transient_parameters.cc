@@ -22,6 +22,11 @@ namespace vibrocontact
         Double(0, 1));
     prm.add_parameter("Shortest time step", shortest_step, "With an Error tolerance. Units: s.",
                       Double(0, 1e3));
+    prm.add_parameter(
+        "Error estimate", error_estimate,
+        "March with twice the step beside the run, half as many steps again: what both differ by estimates "
+        "the error of the impulse and of the rms normal force; false: no estimate. Units: none.",
+        Bool());
     prm.add_parameter("End time", end_time, "The run goes from 0 to this time. Units: s.", Double(0, 1e9));
     prm.add_parameter("Integrator", integrator,
                       "Of the modes: Jean's theta-method, or their exact solution over a step. Units: none.",

@@ -1,6 +1,8 @@
 #include <vibrocontact/output/response_output.h>
 #include <vibrocontact/output/table.h>
 
+#include <algorithm>
+
 namespace vibrocontact
 {
   namespace
@@ -42,6 +44,14 @@ namespace vibrocontact
                                    {"grazing" + unit, curve.grazing},
                                    {"seconds", curve.seconds},
                                    {"stability_seconds", curve.stability_seconds}};
+    const auto highest = std::max_element(curve.points.begin(), curve.points.end(),
+                                          [](const BranchPoint &a, const BranchPoint &b)
+                                          { return a.amplitude < b.amplitude; });
+    if (highest != curve.points.end())
+    {
+      json["largest_amplitude_m"] = highest->amplitude;
+      json["largest_at_Hz"] = highest->excitation.frequency;
+    }
     return json;
   }
 

@@ -50,6 +50,8 @@ namespace vibrocontact
     }
     for (const std::string &warning : results.warnings)
       top["messages"].push_back(warning);
+    if (!results.answers.empty())
+      top["answers"] = results.answers;
     top["analyses"] = results.analyses;
     if (!results.reductions.empty())
       top["reductions"] = results.reductions;

@@ -39,6 +39,28 @@ namespace vibrocontact
       return signal.time(i);
     }
 
+    /// Rms about the mean.
+    double rms(const Signal &signal)
+    {
+      const double mean =
+          std::accumulate(signal.values.begin(), signal.values.end(), 0.) / double(signal.size());
+      double square = 0;
+      for (const double value : signal.values)
+        square += (value - mean) * (value - mean);
+      return std::sqrt(square / double(signal.size()));
+    }
+
+    nlohmann::ordered_json growth_json(const GrowthFit &fit)
+    {
+      nlohmann::ordered_json json = {{"frequency_Hz", fit.frequency},
+                                     {"growth_1_s", fit.growth},
+                                     {"amplitude", fit.amplitude},
+                                     {"residual", fit.residual}};
+      if (!fit.is_exponential())
+        json["growth_1_s"] = nullptr;
+      return json;
+    }
+
     nlohmann::ordered_json cycle_json(const Signal &signal, const double frequency)
     {
       const CycleMeasure cycle = measure_cycle(signal, frequency);
@@ -80,6 +102,11 @@ namespace vibrocontact
         }
         if (!peaks.empty())
           json["cycle"] = cycle_json(late, peaks.front().frequency);
+        if (one.unit == "m/s")
+        {
+          json["level_dB"] = 20 * std::log10(rms(late) / velocity_reference);
+          json["level_reference_m_s"] = velocity_reference;
+        }
       }
       json["growth_window_s"] = {early.begin, early.end()};
       json["growth"] = Json::array();
@@ -87,10 +114,7 @@ namespace vibrocontact
       if (varies(early))
       {
         for (const GrowthFit &fit : fit_growths(early))
-          json["growth"].push_back({{"frequency_Hz", fit.frequency},
-                                    {"growth_1_s", fit.growth},
-                                    {"amplitude", fit.amplitude},
-                                    {"residual", fit.residual}});
+          json["growth"].push_back(growth_json(fit));
         for (const SpectralPeak &peak : peaks_too_short_for_growth(early))
           json["growth_left_out"].push_back({{"frequency_Hz", peak.frequency},
                                              {"amplitude", peak.amplitude},

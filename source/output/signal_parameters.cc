@@ -37,6 +37,13 @@ namespace vibrocontact
                       "End of the window of the growth rates; 0: when the number of sticking points first "
                       "changes, or the end. Units: s.",
                       Double(0, 1e9));
+    prm.add_parameter("Mode amplitudes", n_modes,
+                      "So many modes of the contact, linearised about the equilibrium that the run starts "
+                      "from, are followed "
+                      "by their amplitudes in mode_amplitudes.csv: those of the largest growth rates, and "
+                      "the perturbed one; "
+                      "0: none. Units: none.",
+                      Integer(0, 1000));
     prm.add_parameter("Sound", sound, "Write the velocity of each probe as WAV file. Units: none.", Bool());
   }
 

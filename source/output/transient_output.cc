@@ -86,6 +86,30 @@ namespace vibrocontact
     table.write(folder + "/histories.csv");
   }
 
+  nlohmann::ordered_json contact_states_json(const std::string &folder, const double begin)
+  {
+    Hdf5Reader file(folder + "/histories.h5");
+    const std::vector<double> time = file.numbers("time_s"), touching = file.numbers("contact_points"),
+                              sticking = file.numbers("stick_points");
+    double n = 0, open = 0, stick = 0, most_touching = 0, most_sticking = 0;
+    for (std::size_t i = 0; i < time.size(); ++i)
+      if (time[i] >= begin)
+      {
+        ++n;
+        open += touching[i] == 0;
+        stick += sticking[i] > 0;
+        most_touching = std::max(most_touching, touching[i]);
+        most_sticking = std::max(most_sticking, sticking[i]);
+      }
+    if (n == 0)
+      return nlohmann::ordered_json::object();
+    return {{"window_s", {begin, time.back()}},
+            {"stick_part", stick / n},
+            {"open_part", open / n},
+            {"most_stick_points", most_sticking},
+            {"most_contact_points", most_touching}};
+  }
+
   nlohmann::ordered_json transient_json(const TransientResult &result, const DynamicState &last)
   {
     const unsigned int n = last.R.size() / 3;
@@ -102,6 +126,7 @@ namespace vibrocontact
             {"rejected_steps", result.rejected},
             {"steps_above_tolerance", result.above_tolerance},
             {"impulse_Ns", result.impulse},
+            {"rms_normal_force_N", result.rms_force()},
             {"smallest_gap_m", result.smallest_gap},
             {"energy",
              {{"initial_J", energy.initial},
@@ -111,6 +136,7 @@ namespace vibrocontact
               {"damping_J", energy.damping},
               {"numerical_J", energy.numerical()},
               {"imbalance_J", energy.imbalance()},
+              {"available_J", energy.available},
               {"numerical_modes_J", energy.numerical_modes},
               {"numerical_upwind_J", energy.numerical_upwind},
               {"numerical_rate_J", energy.numerical_rate},

@@ -17,66 +17,79 @@ namespace vibrocontact
   namespace
   {
     /// changes whenever what is exchanged or what it means does
-    constexpr int format = 4;
+    constexpr int format = 5;
 
     std::string checkpoint_name(const std::string &folder)
     {
       return folder + "/checkpoint.h5";
     }
 
-    void exchange(CheckpointFile &file, DynamicState &state)
+    void exchange(CheckpointFile &file, DynamicState &state, const std::string &run = "")
     {
-      file("state/time", state.time);
-      file("state/q", state.q);
-      file("state/v", state.v);
-      file("state/R", state.R);
-      file("state/residual_displacement", state.residual_displacement);
-      file("state/force_change", state.force_change);
-      file("state/residual_change", state.residual_change);
-      file("state/modal_force", state.modal_force);
-      file("state/hub_acceleration", state.hub_acceleration);
-      file("state/force", state.force);
-      file("state/friction_power", state.friction_power);
-      file("state/creepage_power", state.creepage_power);
-      file("state/transport_power", state.transport_power);
-      file("state/roughness", state.roughness);
-      file("state/watched", state.watched);
-      file("state/travel", state.travel);
-      file("state/steps_since_look", state.steps_since_look);
+      file(run + "state/time", state.time);
+      file(run + "state/q", state.q);
+      file(run + "state/v", state.v);
+      file(run + "state/R", state.R);
+      file(run + "state/residual_displacement", state.residual_displacement);
+      file(run + "state/force_change", state.force_change);
+      file(run + "state/residual_change", state.residual_change);
+      file(run + "state/modal_force", state.modal_force);
+      file(run + "state/hub_acceleration", state.hub_acceleration);
+      file(run + "state/force", state.force);
+      file(run + "state/friction_power", state.friction_power);
+      file(run + "state/creepage_power", state.creepage_power);
+      file(run + "state/transport_power", state.transport_power);
+      file(run + "state/roughness", state.roughness);
+      file(run + "state/watched", state.watched);
+      file(run + "state/travel", state.travel);
+      file(run + "state/steps_since_look", state.steps_since_look);
       ContactSolution &contact = state.contact;
-      file("contact/R", contact.R);
-      file("contact/y", contact.y);
-      file("contact/status", contact.status);
-      file("contact/approach", contact.approach);
-      file("contact/converged", contact.converged);
-      file("contact/residual", contact.residual);
+      file(run + "contact/R", contact.R);
+      file(run + "contact/y", contact.y);
+      file(run + "contact/status", contact.status);
+      file(run + "contact/approach", contact.approach);
+      file(run + "contact/converged", contact.converged);
+      file(run + "contact/residual", contact.residual);
     }
 
-    void exchange(CheckpointFile &file, TransientResult &result)
+    void exchange(CheckpointFile &file, TransientResult &result, const std::string &run = "")
     {
-      file("result/steps", result.steps);
-      file("result/iterations", result.iterations);
-      file("result/factorisations", result.factorisations);
-      file("result/fallbacks", result.fallbacks);
-      file("result/rejected", result.rejected);
-      file("result/above_tolerance", result.above_tolerance);
-      file("result/rung", result.rung);
-      file("result/time", result.time);
-      file("result/seconds", result.seconds);
-      file("result/impulse", result.impulse);
-      file("result/smallest_gap", result.smallest_gap);
+      file(run + "result/steps", result.steps);
+      file(run + "result/iterations", result.iterations);
+      file(run + "result/factorisations", result.factorisations);
+      file(run + "result/fallbacks", result.fallbacks);
+      file(run + "result/rejected", result.rejected);
+      file(run + "result/above_tolerance", result.above_tolerance);
+      file(run + "result/rung", result.rung);
+      file(run + "result/time", result.time);
+      file(run + "result/seconds", result.seconds);
+      file(run + "result/impulse", result.impulse);
+      file(run + "result/force_square", result.force_square);
+      file(run + "result/smallest_gap", result.smallest_gap);
       EnergyAccount &energy = result.energy;
-      file("energy/initial", energy.initial);
-      file("energy/stored", energy.stored);
-      file("energy/creepage", energy.creepage);
-      file("energy/transport", energy.transport);
-      file("energy/hub", energy.hub);
-      file("energy/loads", energy.loads);
-      file("energy/friction", energy.friction);
-      file("energy/damping", energy.damping);
-      file("energy/numerical_modes", energy.numerical_modes);
-      file("energy/numerical_upwind", energy.numerical_upwind);
-      file("energy/numerical_rate", energy.numerical_rate);
+      file(run + "energy/initial", energy.initial);
+      file(run + "energy/stored", energy.stored);
+      file(run + "energy/available", energy.available);
+      file(run + "energy/creepage", energy.creepage);
+      file(run + "energy/transport", energy.transport);
+      file(run + "energy/hub", energy.hub);
+      file(run + "energy/loads", energy.loads);
+      file(run + "energy/friction", energy.friction);
+      file(run + "energy/damping", energy.damping);
+      file(run + "energy/numerical_modes", energy.numerical_modes);
+      file(run + "energy/numerical_upwind", energy.numerical_upwind);
+      file(run + "energy/numerical_rate", energy.numerical_rate);
+    }
+
+    void exchange(CheckpointFile &file, CoarseRun &coarse)
+    {
+      exchange(file, coarse.state, "coarse/");
+      exchange(file, coarse.sums, "coarse/");
+      file("coarse/result/converged", coarse.sums.converged);
+      file("coarse/result/message", coarse.sums.message);
+      file("coarse/errors/time", coarse.errors.time);
+      file("coarse/errors/impulse", coarse.errors.impulse);
+      file("coarse/errors/rms_force", coarse.errors.rms_force);
     }
 
     double weight(const unsigned int row)
@@ -140,7 +153,7 @@ namespace vibrocontact
   } // namespace
 
   void write_checkpoint(const std::string &folder, const ContactPair &pair, DynamicState &state,
-                        TransientResult &result, const Recorders &recorders)
+                        TransientResult &result, const Recorders &recorders, CoarseRun *const coarse)
   {
     Hdf5Writer writer(checkpoint_name(folder));
     writer.write("format", format);
@@ -150,6 +163,8 @@ namespace vibrocontact
     CheckpointFile file(writer);
     exchange(file, state);
     exchange(file, result);
+    if (coarse)
+      exchange(file, *coarse);
     for (const auto &recorder : recorders)
       recorder->exchange(file);
     writer.finish();
@@ -171,7 +186,7 @@ namespace vibrocontact
   }
 
   bool read_checkpoint(const std::string &folder, const ContactPair &pair, DynamicState &state,
-                       TransientResult &result, const Recorders &recorders)
+                       TransientResult &result, const Recorders &recorders, CoarseRun *const coarse)
   {
     const std::string name = checkpoint_name(folder);
     if (!std::filesystem::exists(name))
@@ -205,6 +220,8 @@ namespace vibrocontact
           {
             exchange(file, state);
             exchange(file, result);
+            if (coarse)
+              exchange(file, *coarse);
           });
     for (const auto &recorder : recorders)
       recorder->exchange(file);

@@ -4,6 +4,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/version.h>
+#include <vibrocontact/output/answers.h>
 #include <vibrocontact/output/figures.h>
 #include <vibrocontact/output/run_record.h>
 #include <vibrocontact/run/check_transient.h>
@@ -142,7 +143,8 @@ namespace vibrocontact
       }
     }
 
-    /// The end of the record: final results, then the figures, which read them, then the time with these.
+    /// The end of the record: final results, then the figures, which read them, then the time with these and the
+    /// answers, last of all.
     void finish(const bool figures, RunRecord &record, Results &results, const Clock &clock)
     {
       results.complete = results.stopped_by == 0;
@@ -160,6 +162,14 @@ namespace vibrocontact
                                 : results.converged()   ? "converged"
                                                         : "not converged");
       run_log().value("wall time", time_text(clock.seconds()));
+      const std::vector<Answer> said = answers(results.analyses, record.folder);
+      for (const Answer &answer : said)
+      {
+        run_log().block("Answer of " + answer.analysis);
+        for (const std::string &line : answer.lines)
+          run_log().line(line);
+      }
+      results.answers = answers_json(said);
       record.save(results, clock.seconds());
     }
   } // namespace

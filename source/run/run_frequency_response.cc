@@ -161,13 +161,41 @@ namespace vibrocontact
       Rows rows;
     };
 
+    /// The largest maxima and the smallest minima; all of them are in a table.
     void print_extrema(const nlohmann::ordered_json &extrema)
     {
+      constexpr std::size_t most_said = 5;
+      for (const char *kind : {"maxima", "minima"})
+      {
+        const bool maxima = kind[1] == 'a';
+        auto all = extrema[kind].get<std::vector<nlohmann::ordered_json>>();
+        const std::size_t said = std::min(all.size(), most_said);
+        std::stable_sort(all.begin(), all.end(),
+                         [sign = maxima ? 1. : -1.](const auto &a, const auto &b) {
+                           return sign * a["magnitude"].template get<double>() >
+                                  sign * b["magnitude"].template get<double>();
+                         });
+        for (std::size_t k = 0; k < said; ++k)
+          run_log().line(all[k]["point"].get<std::string>() + (maxima ? ": maximum " : ": minimum ") +
+                         number_text(all[k]["magnitude"].get<double>()) + " at " +
+                         number_text(all[k]["frequency_Hz"].get<double>()) + " Hz");
+        if (said < all.size())
+          run_log().line("... and " + std::to_string(all.size() - said) + " more " + kind +
+                         " in the table of extrema");
+      }
+    }
+
+    Table extrema_table(const nlohmann::ordered_json &extrema, const std::string &quantity,
+                        const std::string &body)
+    {
+      Table table(
+          {"point", "kind", "frequency_Hz", quantity == "mobility" ? "mobility_m_Ns" : "receptance_m_N"},
+          {"Maxima and minima of the driving points of " + body + " over frequency"});
       for (const char *kind : {"maxima", "minima"})
         for (const auto &one : extrema[kind])
-          run_log().line(one["point"].get<std::string>() + ": " + (kind[1] == 'a' ? "maximum " : "minimum ") +
-                         number_text(one["magnitude"].get<double>()) + " at " +
-                         number_text(one["frequency_Hz"].get<double>()) + " Hz");
+          table.add_row({one["point"].get<std::string>(), std::string(kind[1] == 'a' ? "maximum" : "minimum"),
+                         one["frequency_Hz"].get<double>(), one["magnitude"].get<double>()});
+      return table;
     }
 
     void print_checks(const nlohmann::ordered_json &checks)
@@ -204,6 +232,7 @@ namespace vibrocontact
                                        {"table", write(response_table(parameters, main, name), "")}};
       const auto extrema = extrema_json(parameters, main);
       result.update(extrema);
+      result["extrema_table"] = write(extrema_table(extrema, parameters.quantity, name), "_extrema");
       print_extrema(extrema);
       const bool has_modes = body.reduction.request().modes.any();
       if (has_modes)

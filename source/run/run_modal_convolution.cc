@@ -8,6 +8,7 @@
 #include <vibrocontact/run/run_identification.h>
 #include <vibrocontact/run/run_method_comparison.h>
 #include <vibrocontact/run/run_modal_convolution.h>
+#include <vibrocontact/run/say_residual_damping.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -259,6 +260,12 @@ namespace vibrocontact
     const ModalConvolutionResult &result = motion.result();
     nlohmann::ordered_json &json = results.analyses["modal_convolution"];
     json = modal_convolution_json(own, result);
+    if (bodies[0] && parameters.scene.bodies[0].is_meshed())
+    {
+      ReducedBody reduced = bodies[0]->reduction.reduced(true);
+      scale_damping(reduced, parameters.modes.at(parameters.scene.bodies[0].name));
+      say_residual_damping(parameters, {&reduced}, 0., {}, "modal_convolution", results);
+    }
     on_first_rank(
         [&]
         {

@@ -5,6 +5,7 @@
 #include <vibrocontact/output/stability_output.h>
 #include <vibrocontact/reduction/attachment_inertia.h>
 #include <vibrocontact/run/run_stability.h>
+#include <vibrocontact/run/say_residual_damping.h>
 #include <vibrocontact/run/unstable_shapes.h>
 
 #include <cstdio>
@@ -77,6 +78,16 @@ namespace vibrocontact
     }
   } // namespace
 
+  std::vector<double> frequencies_that_matter(const StabilityResult &result)
+  {
+    std::vector<double> frequencies;
+    for (const StabilityRoot *const root : result.unstable())
+      frequencies.push_back(root->frequency);
+    if (frequencies.empty())
+      frequencies.push_back(result.nearest().frequency);
+    return frequencies;
+  }
+
   void run_stability(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
                      Results &results)
   {
@@ -99,6 +110,9 @@ namespace vibrocontact
     outcome.results = all;
     on_first_rank([&] { stability_table(outcome).write(folder + "/stability.csv"); });
     results.analyses["stability"] = stability_json(outcome);
+    if (parameters.stability.model == "reduced")
+      say_residual_damping(parameters, *prepared, pair, frequencies_that_matter(all.front()), "stability",
+                           results);
     if (parameters.output.fields)
       write_unstable_shapes(all.front(), pair, bodies, folder);
   }

@@ -5,6 +5,7 @@
 #include <vibrocontact/output/stability_output.h>
 #include <vibrocontact/reduction/window.h>
 #include <vibrocontact/run/run_stability.h>
+#include <vibrocontact/run/say_residual_damping.h>
 
 #include <cstdio>
 #include <map>
@@ -199,6 +200,9 @@ namespace vibrocontact
     }
     if (outcome.results.empty())
       throw InputError("Stability/Sweep/Entry: none of the cases has a result. " + failure);
+    const Parameters &first = sweep.cases.front().parameters;
+    say_residual_damping(first, {reduced.find(sweep.cases.front(), 0), reduced.find(sweep.cases.front(), 1)},
+                         0., frequencies_that_matter(outcome.results.front()), "stability", results);
     on_first_rank(
         [&]
         {

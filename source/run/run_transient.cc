@@ -8,7 +8,10 @@
 #include <vibrocontact/output/transient_output.h>
 #include <vibrocontact/run/check_transient.h>
 #include <vibrocontact/run/checkpoint.h>
+#include <vibrocontact/run/judge_transient.h>
+#include <vibrocontact/run/make_mode_recorder.h>
 #include <vibrocontact/run/run_transient.h>
+#include <vibrocontact/run/say_residual_damping.h>
 #include <vibrocontact/run/transient_probes.h>
 #include <vibrocontact/run/unreduced_pair.h>
 
@@ -19,6 +22,7 @@
 #include <cmath>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -43,49 +47,21 @@ namespace vibrocontact
     }
 
     ContactPair transient_pair(const Parameters &parameters, const MeshedBodies &bodies,
-                               std::vector<Probe> &probes)
+                               std::vector<Probe> &probes, std::unique_ptr<const PreparedPair> &prepared)
     {
       UnreducedPair unreduced;
       if (parameters.transient.model == "finite elements")
         unreduced = prepare_unreduced_pair(parameters, bodies);
       probes = transient_probes(parameters, bodies, unreduced.surfaces);
-      const auto prepared =
-          unreduced.prepared ? std::move(unreduced.prepared) : prepare_pair(parameters, bodies, true);
+      prepared = unreduced.prepared ? std::move(unreduced.prepared) : prepare_pair(parameters, bodies, true);
       return contact_pair(prepared->bodies[0], prepared->bodies[1], parameters.contact,
                           parameters.contact_grid());
     }
-
-    /// beyond this share of the energies of a run, what its account does not explain, or what differences add,
-    /// is no small error
-    constexpr double doubtful_imbalance = 0.05;
 
     void warn(const std::string &text, Results &results)
     {
       run_log().warning(text);
       results.warnings.push_back(text);
-    }
-
-    void judge(const TransientResult &result, Results &results)
-    {
-      if (result.above_tolerance > 0)
-        warn(std::to_string(result.above_tolerance) +
-                 " steps of the Shortest time step are above the Error tolerance: make it shorter, or the "
-                 "tolerance larger.",
-             results);
-      const EnergyAccount &energy = result.energy;
-      const double limit = doubtful_imbalance * std::max({energy.initial, std::abs(energy.input()),
-                                                          energy.friction + energy.damping});
-      if (!(std::abs(energy.imbalance()) > limit || energy.numerical() < -limit))
-        return;
-      std::ostringstream text;
-      text.precision(3);
-      text << "The energy account of the transient does not close: " << energy.initial
-           << " J at the start and " << energy.input() << " J put in, but " << energy.stored
-           << " J stored at the end and " << energy.friction + energy.damping
-           << " J taken by friction and damping; differences took " << energy.numerical()
-           << " J (negative: they add energy), the imbalance is " << energy.imbalance()
-           << " J. The time step is too long: take a smaller one.";
-      warn(text.str(), results);
     }
 
     void warn_of_spectrum(const Parameters &parameters, Results &results)
@@ -131,33 +107,61 @@ namespace vibrocontact
     };
 
     /// What follows the run, on rank 0: a new recorder goes into this list.
-    /// @param signal_recorder <- the one that knows when sticking changed
-    Recorders make_recorders(const Parameters &parameters, const ContactPair &pair, const NormalLaw &law,
-                             const std::vector<Probe> &probes, const std::string &folder,
-                             const SignalRecorder *&signal_recorder)
+    struct RunRecorders
+    {
+      Recorders all;
+      /// the one that knows when sticking changed, and the one of the modes, null: there is none
+      const SignalRecorder *signals = nullptr;
+      const ModeRecorder *modes = nullptr;
+    };
+
+    RunRecorders make_recorders(const Parameters &parameters, const ContactPair &pair, const NormalLaw &law,
+                                const Drive &drive_at_zero, const std::vector<Probe> &probes,
+                                const std::string &folder)
     {
       const SignalParameters &signals = parameters.signals;
-      Recorders recorders;
+      RunRecorders result;
+      Recorders &recorders = result.all;
       auto first = std::make_unique<SignalRecorder>(probes, folder);
-      signal_recorder = first.get();
+      result.signals = first.get();
       recorders.push_back(std::move(first));
+      if (auto modes = mode_recorder(parameters, pair, drive_at_zero, folder))
+      {
+        result.modes = modes.get();
+        recorders.push_back(std::move(modes));
+      }
       recorders.push_back(std::make_unique<TransientHistory>(pair, law, parameters.transient.history_interval,
                                                              probes, folder));
       if (signals.patch_interval > 0 && parameters.output.fields)
         recorders.push_back(std::make_unique<PatchRecorder>(pair.interface.grid, signals.patch_begin,
                                                             signals.patch_interval, folder));
-      return recorders;
+      return result;
     }
 
     /// After the recorders have finished, on rank 0: spectra, growth rates, sounds and the table.
-    void evaluate_signals(const SignalParameters &parameters, const SignalRecorder &recorder,
+    void evaluate_signals(const SignalParameters &parameters, const RunRecorders &recorders,
                           const std::vector<Probe> &probes, const std::string &folder,
                           nlohmann::ordered_json &json)
     {
-      json.update(
-          signals_json(recorded_signals(probes, folder), parameters, recorder.change_of_sticking(), folder));
+      const double end_of_growth = recorders.signals->change_of_sticking();
+      json.update(signals_json(recorded_signals(probes, folder), parameters, end_of_growth, folder));
+      if (recorders.modes)
+      {
+        json["mode_amplitudes"] = "mode_amplitudes.csv";
+        json["modes"] = recorders.modes->json(
+            parameters.growth_begin, parameters.growth_end > 0 ? parameters.growth_end : end_of_growth);
+      }
+      const auto &signals = json["signals"];
+      if (!signals.empty())
+        json["contact_states"] =
+            contact_states_json(folder, signals[0]["spectrum_window_s"][0].get<double>());
       if (parameters.table)
         write_history_table(probes, folder);
+    }
+
+    std::vector<double> dominant_frequencies(const nlohmann::ordered_json &json)
+    {
+      return json.value("dominant_frequencies_Hz", std::vector<double>());
     }
 
     void warn_of_ringing(const Parameters &all, const ContactPair &pair, Results &results)
@@ -184,11 +188,11 @@ namespace vibrocontact
     /// The state to begin with and the sums up to it: the checkpoint's, or the initial state, recorded.
     void begin(const Parameters &parameters, const ContactPair &pair, const Drive &drive_at_zero,
                const std::string &folder, const bool resume, const Recorders &recorders, DynamicState &state,
-               TransientResult &before)
+               TransientResult &before, CoarseRun *const coarse)
     {
       bool found = false;
       if (resume)
-        on_all_ranks([&] { found = read_checkpoint(folder, pair, state, before, recorders); });
+        on_all_ranks([&] { found = read_checkpoint(folder, pair, state, before, recorders, coarse); });
       if (found)
       {
         run_log().value("resumed at", before.time, "s");
@@ -198,6 +202,8 @@ namespace vibrocontact
         run_log().line("No checkpoint of the transient: it starts from its beginning.");
       state = initial_state(parameters.transient, parameters.contact, parameters.contact_solver, pair,
                             drive_at_zero);
+      if (coarse)
+        coarse->state = state;
       on_first_rank(
           [&]
           {
@@ -212,28 +218,33 @@ namespace vibrocontact
   {
     const TransientParameters &own = parameters.transient;
     std::vector<Probe> probes;
-    const ContactPair pair = transient_pair(parameters, bodies, probes);
+    std::unique_ptr<const PreparedPair> prepared;
+    const ContactPair pair = transient_pair(parameters, bodies, probes, prepared);
     run_log().block("Transient");
     run_log().value("modes", pair.n_modes());
     run_log().value("contact points", pair.n_points());
-    const DriveFunction drive = drive_function(
-        own, rolling_cases(parameters.rolling, parameters.contact).front(), parameters.contact_grid());
+    const RollingCase constants = rolling_cases(parameters.rolling, parameters.contact).front();
+    const DriveFunction drive = drive_function(own, constants, parameters.contact_grid());
+    std::optional<Companion> companion;
+    if (own.error_estimate)
+      companion = Companion{drive_function(with_doubled_step(own), constants, parameters.contact_grid()), {}};
+    CoarseRun *const coarse = companion ? &companion->run : nullptr;
     warn_of_ringing(parameters, pair, results);
     warn_of_spectrum(parameters, results);
 
     const auto law = parameters.contact.law();
-    Recorders recorders;
-    const SignalRecorder *signal_recorder = nullptr;
+    RunRecorders run_recorders;
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      recorders = make_recorders(parameters, pair, *law, probes, folder, signal_recorder);
+      run_recorders = make_recorders(parameters, pair, *law, drive(0), probes, folder);
+    const Recorders &recorders = run_recorders.all;
     DynamicState state;
     TransientResult before;
-    begin(parameters, pair, drive(0), folder, resume, recorders, state, before);
+    begin(parameters, pair, drive(0), folder, resume, recorders, state, before, coarse);
 
     Progress progress("transient", own.end_time - before.time);
     CheckpointSchedule schedule(own.checkpoint_interval);
     const auto write = [&](DynamicState now, TransientResult sums)
-    { on_first_rank([&] { write_checkpoint(folder, pair, now, sums, recorders); }); };
+    { on_first_rank([&] { write_checkpoint(folder, pair, now, sums, recorders, coarse); }); };
     double shown = before.time;
     // a recorder that cannot write is heard of where all ranks meet
     std::exception_ptr failure;
@@ -275,8 +286,8 @@ namespace vibrocontact
         write(now, sums);
       return schedule.stopped_by() == 0;
     };
-    const TransientResult result =
-        transient(own, parameters.contact, parameters.contact_solver, pair, drive, state, observe, before);
+    const TransientResult result = transient(own, parameters.contact, parameters.contact_solver, pair, drive,
+                                             state, observe, before, companion ? &*companion : nullptr);
     meet();
     const bool at_the_end = result.converged && schedule.stopped_by() == 0;
     if (at_the_end)
@@ -301,8 +312,7 @@ namespace vibrocontact
          {"sliding_velocity_m_s", {creepage.sliding_x, creepage.sliding_y}}});
     on_first_rank(
         [&] {
-          evaluate_signals(parameters.signals, *signal_recorder, probes, folder,
-                           results.analyses["transient"]);
+          evaluate_signals(parameters.signals, run_recorders, probes, folder, results.analyses["transient"]);
         });
     if (results.stopped_by != 0)
       run_log().warning("Interrupted; a checkpoint is written, --resume continues.");
@@ -315,6 +325,8 @@ namespace vibrocontact
       run_log().warning(text.str());
     }
     print(result);
-    judge(result, results);
+    say_residual_damping(parameters, *prepared, pair, dominant_frequencies(results.analyses["transient"]),
+                         "transient", results);
+    judge_transient(result, coarse, results.stopped_by != 0, results);
   }
 } // namespace vibrocontact

@@ -86,8 +86,8 @@ class Scene:
         now, before = results(self.folder(case)), results(self.folder("whole"))
         if not now["complete"] or now["status"] != "converged":
             fail(f"{self.folder(case)}: not complete")
-        for part in ("energy", "last", "steps", "impulse_Ns"):
-            if now["analyses"]["transient"][part] != before["analyses"]["transient"][part]:
+        for part in ("energy", "last", "steps", "impulse_Ns", "estimated_error", "estimated_error_rms_force", "modes"):
+            if now["analyses"]["transient"].get(part) != before["analyses"]["transient"].get(part):
                 fail(f"{self.folder(case)}: {part} differs")
         if set(now["analyses"]) != set(before["analyses"]):
             fail(f"{self.folder(case)}: an analysis is lost")

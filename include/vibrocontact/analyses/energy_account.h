@@ -2,6 +2,9 @@
 
 #include <vibrocontact/analyses/contact_stepper.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace vibrocontact
 {
   /// Where the energy of a transient goes [J]; sums over the steps.
@@ -14,6 +17,8 @@ namespace vibrocontact
   struct EnergyAccount
   {
     double initial = 0, stored = 0;
+    /// largest that initial + input() has been: what there was at the start and what was put in
+    double available = 0;
     /// work done on the bodies by the creepage, by the transport -V R . du/dx (of W~ R by central
     /// differences), by hub and roughness, by constant loads and the given force. The hub moves the frame in which modes move:
     /// its acceleration works on them there
@@ -27,6 +32,9 @@ namespace vibrocontact
 
     double input() const { return creepage + transport + hub + loads; }
     double imbalance() const { return initial + input() - stored - friction - damping - numerical(); }
+    /// What the account leaves open: the imbalance, or what the differences add (they may take: the damping
+    /// of theta > 1/2 is known) [J].
+    double open() const { return std::max(std::abs(imbalance()), -numerical()); }
   };
 
   /// Power that the creep scheme's d/dx of W~ R takes beyond a central difference, V T . (D - D_central) W~ R

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/analyses/coarse_run.h>
 #include <vibrocontact/analyses/drive.h>
 #include <vibrocontact/analyses/quasi_static_rolling.h>
 #include <vibrocontact/analyses/transient_parameters.h>
@@ -26,13 +27,23 @@ namespace vibrocontact
                              const ContactSolverParameters &solver, const ContactPair &pair,
                              const Drive &drive);
 
+  /// The run with twice the step that is marched beside another one.
+  struct Companion
+  {
+    /// as the other's, for with_doubled_step(parameters)
+    DriveFunction drive;
+    /// at the beginning of a run: the state that it begins with
+    CoarseRun run;
+  };
+
   /// Steps from `state` to the end time (Lai et al. 2018, section 5). A step whose contact does not converge
   /// ends the run, with converged = false and the states so far.
   /// @param observe called after every step; false: stop
   /// @param before sums of the run that led to `state`, if it is continued
+  /// @param companion follows the run and learns its errors; null: they are not estimated
   TransientResult transient(const TransientParameters &parameters, const ContactParameters &contact,
                             const ContactSolverParameters &solver, const ContactPair &pair,
                             const DriveFunction &drive, DynamicState &state,
                             const std::function<bool(const DynamicState &, const TransientResult &)> &observe,
-                            const TransientResult &before = {});
+                            const TransientResult &before = {}, Companion *companion = nullptr);
 } // namespace vibrocontact

@@ -19,6 +19,8 @@ namespace vibrocontact
     /// error per step over the size of the vibration, at which the step is halved, see StepLadder; 0: all
     /// steps are equal; otherwise between this and the time step [s]
     double error_tolerance = 0, shortest_step = 0;
+    /// march with twice the step beside the run, see CoarseRun
+    bool error_estimate = true;
     /// "theta method" or "exact propagator"; theta
     std::string integrator = "theta method";
     double theta = 0.5;

@@ -16,13 +16,26 @@ namespace vibrocontact
     unsigned long above_tolerance = 0;
     unsigned int rung = 0;
     double time = 0, seconds = 0;
-    /// normal impulse over the run [Ns]
-    double impulse = 0;
+    /// normal impulse over the run [Ns] and the integral of the normal force's square [N^2 s]
+    double impulse = 0, force_square = 0;
     /// least gap seen, negative: penetration [m]
     double smallest_gap = 0;
     EnergyAccount energy;
     bool converged = true;
     /// why it did not
     std::string message;
+
+    /// of the normal force over the run [N]
+    double rms_force() const;
+  };
+
+  /// Errors of a run that its steps are the reason of, relative [-], see doubled_step_error().
+  struct StepErrors
+  {
+    /// until when both runs were compared [s]; 0: not at all
+    double time = 0;
+    /// of the normal impulse and of the rms normal force until then
+    double impulse = 0, rms_force = 0;
+    double largest() const { return impulse > rms_force ? impulse : rms_force; }
   };
 } // namespace vibrocontact

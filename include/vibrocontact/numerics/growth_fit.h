@@ -15,6 +15,9 @@ namespace vibrocontact
     /// what the motions found near this frequency leave of the signal there, rms over rms [-]; large: not
     /// a sum of growing and decaying sines
     double residual = 0;
+    /// Whether the growth means anything: what grows exponentially for the whole window leaves 1e-3 and less, an
+    /// amplitude that turns, saturates or comes out of noise some tenths.
+    bool is_exponential() const { return residual <= 0.05; }
   };
 
   /// The strongest motion near a frequency.

@@ -11,7 +11,7 @@ namespace vibrocontact
   /// results.json: title (of the file, if it has one), program (version, commit, dealii, ranks), status,
   /// complete, wall_s, finished (analyses that came to their end), not_converged (by analysis) about what did
   /// not converge, messages about that and about what is doubtful, interrupted if a signal stopped the run,
-  /// analyses with one object per analysis, reductions with one per meshed body.
+  /// answers (what the terminal ends with), analyses with one object per analysis, reductions with one per meshed body.
   ///
   /// Analyses fill `analyses` ("modes", "quasi_static_rolling", ...) with plain numbers, lists and objects
   /// under the names of the interface, SI units in the names; Hz for frequencies. Filled on every rank,
@@ -20,6 +20,8 @@ namespace vibrocontact
   {
     std::string title;
     nlohmann::ordered_json analyses = nlohmann::ordered_json::object();
+    /// see answers_json(); empty until the run has come to its end
+    nlohmann::ordered_json answers = nlohmann::ordered_json::object();
     /// what the reductions of meshed bodies took, see reductions_json()
     nlohmann::ordered_json reductions = nlohmann::ordered_json::object();
     /// whether the run has come to its end; until then its status is "not converged"

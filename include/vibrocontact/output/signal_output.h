@@ -10,6 +10,9 @@
 
 namespace vibrocontact
 {
+  /// Reference of velocity levels, those of the rms value: 20 log10(v / 5e-8 m/s) [m/s].
+  constexpr double velocity_reference = 5e-8;
+
   /// A quantity of a run over time.
   struct NamedSignal
   {
@@ -24,8 +27,9 @@ namespace vibrocontact
   /// - `dominant_frequencies_Hz`: peaks of the first signal's spectrum, the largest first
   /// - `signals[]`: `name`, `unit`, `spectrum_window_s`, `peaks[]` (`frequency_Hz`, `amplitude`; at most ten
   ///   above 1 % of the largest), `cycle` (`frequency_Hz`, `amplitude`, `rms`, `drift`, `spread`, `periods`;
-  ///   see CycleMeasure), `growth_window_s`, `growth[]` (`frequency_Hz`, `growth_1_s`, `amplitude`,
-  ///   `residual`; see GrowthFit), `growth_left_out[]` (peaks of that window with too few `periods` for a
+  ///   see CycleMeasure), `level_dB` and `level_reference_m_s` of a velocity (rms in the window of the spectrum),
+  ///   `growth_window_s`, `growth[]` (`frequency_Hz`, `growth_1_s`, null where nothing grows or decays exponentially,
+  ///   `amplitude`, `residual`; see GrowthFit), `growth_left_out[]` (peaks of that window with too few `periods` for a
   ///   fit: `frequency_Hz`, `amplitude`, `periods`, `periods_needed`), `sound` (`file`, `full_scale_m_s`)
   ///
   /// and the WAV files. A signal that does not vary (1e-9 of its size) has no peaks; neither has one that is

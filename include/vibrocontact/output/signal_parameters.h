@@ -26,6 +26,8 @@ namespace vibrocontact
     double spectrum_duration = 0;
     /// window of the growth rates [s]; end 0: until the number of sticking points changes, or the end
     double growth_begin = 0, growth_end = 0;
+    /// modes of the contact whose amplitudes are followed, those of the largest growth rates; 0: none
+    unsigned int n_modes = 6;
     /// a WAV per probe velocity
     bool sound = true;
 

@@ -37,6 +37,10 @@ namespace vibrocontact
   /// histories.h5 as histories.csv. @throws OutputError
   void write_history_table(const std::vector<Probe> &probes, const std::string &folder);
 
+  /// `contact_states` of analyses.transient: how much of the time since `begin` points stick and contact is open, and
+  /// the most points that stick and touch, from histories.h5.
+  nlohmann::ordered_json contact_states_json(const std::string &folder, double begin);
+
   /// analyses.transient of results.json: sums of the run and the forces of its last state.
   nlohmann::ordered_json transient_json(const TransientResult &result, const DynamicState &last);
 } // namespace vibrocontact

@@ -1,14 +1,19 @@
 #pragma once
 
+#include <vibrocontact/analyses/stability.h>
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/run/prepare_bodies.h>
 #include <vibrocontact/run/stability_cases.h>
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace vibrocontact
 {
+  /// Of the roots that are unstable, of the nearest one if none is [Hz].
+  std::vector<double> frequencies_that_matter(const StabilityResult &result);
+
   /// The analysis `stability` of body 1 on body 2 with its output: results and stability.csv, a row per root.
   /// Every rank computes, rank 0 writes. Collective.
   void run_stability(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace vibrocontact
+{
+  /// Relative error of a number X(h) that a march in time has found with steps of h, from the same number of a
+  /// march with steps of 2 h beside it [-]:
+  ///
+  ///   X(h) - X = C h^p,   X(2h) - X = C (2h)^p   ->   |X(h) - X| = |X(2h) - X(h)| / (2^p - 1)
+  ///
+  /// The divisor is 1 for first order and 3 for second; which of them rules a march with impacts and friction
+  /// depends on the run. sqrt(3) is right within a factor of sqrt(3) for both. Relative to the larger of both
+  /// numbers, 0 if both are 0. Not finite numbers give infinity.
+  double doubled_step_error(double fine, double coarse);
+} // namespace vibrocontact

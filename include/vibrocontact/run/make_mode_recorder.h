@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vibrocontact/output/mode_recorder.h>
+#include <vibrocontact/run/parameters.h>
+
+#include <memory>
+#include <string>
+
+namespace vibrocontact
+{
+  /// Who follows the modes of the contact through a transient (Transient/Signals/Mode amplitudes): those of the
+  /// linearisation about the equilibrium that it starts from.
+  /// @return null, and the reason in the log, if none is wanted or there is no such equilibrium: a start of
+  /// undeformed bodies, contact points with mass, a penalty law, no modes, too many of them, or a contact that
+  /// cannot be linearised
+  std::unique_ptr<ModeRecorder> mode_recorder(const Parameters &parameters, const ContactPair &pair,
+                                              const Drive &drive_at_zero, const std::string &folder);
+} // namespace vibrocontact

@@ -1,0 +1,16 @@
+#include <vibrocontact/numerics/doubled_step.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vibrocontact
+{
+  double doubled_step_error(const double fine, const double coarse)
+  {
+    const double size = std::max(std::abs(fine), std::abs(coarse));
+    if (!std::isfinite(fine) || !std::isfinite(coarse))
+      return std::numeric_limits<double>::infinity();
+    return size > 0 ? std::abs(fine - coarse) / (std::sqrt(3.) * size) : 0.;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,81 @@
+#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/run/check_transient.h>
+#include <vibrocontact/run/make_mode_recorder.h>
+
+#include <algorithm>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// eigenvectors of more states take longer than most runs: some 20 s for 2,000
+    constexpr unsigned int most_states = 3000;
+
+    std::string reason_for_none(const Parameters &parameters, const ContactPair &pair)
+    {
+      if (parameters.transient.initial_state != "quasi-static")
+        return "the run does not start from an equilibrium";
+      if (contact_points_have_mass(parameters))
+        return "the contact points have mass";
+      if (parameters.contact.normal_law != "signorini")
+        return "the normal law is a penalty";
+      if (2 * pair.n_modes() > most_states)
+        return "there are more than " + std::to_string(most_states) + " states";
+      return "";
+    }
+
+    RollingEquilibrium equilibrium_of(const DynamicState &rest, const ContactParameters &contact,
+                                      const Drive &drive)
+    {
+      RollingEquilibrium result;
+      result.contact = rest.contact;
+      result.speed = drive.creepage.speed;
+      result.force_given = drive.normal_force > 0;
+      for (const double speed : slip_speed(rest.contact.y))
+      {
+        result.friction.push_back(contact.friction *
+                                  (contact.falling.acts() ? contact.falling.factor(speed) : 1.));
+        if (contact.falling.acts())
+          result.friction_slope.push_back(contact.friction * contact.falling.slope(speed));
+      }
+      return result;
+    }
+  } // namespace
+
+  std::unique_ptr<ModeRecorder> mode_recorder(const Parameters &parameters, const ContactPair &pair,
+                                              const Drive &drive_at_zero, const std::string &folder)
+  {
+    if (parameters.signals.n_modes == 0 || pair.n_modes() == 0)
+      return nullptr;
+    std::string reason = reason_for_none(parameters, pair);
+    try
+    {
+      if (reason.empty())
+      {
+        TransientParameters at_rest = parameters.transient;
+        at_rest.perturbed_mode.clear();
+        const DynamicState rest =
+            initial_state(at_rest, parameters.contact, parameters.contact_solver, pair, drive_at_zero);
+        const unsigned int perturbed = perturbed_mode(parameters.transient, pair.labels);
+        return std::make_unique<ModeRecorder>(
+            ModeProjection(pair, find_creep_scheme(parameters.contact.creep_scheme),
+                           equilibrium_of(rest, parameters.contact, drive_at_zero), rest,
+                           parameters.signals.n_modes,
+                           perturbed < pair.n_modes() ? pair.labels[perturbed] : ""),
+            folder);
+      }
+    }
+    catch (const InputError &error)
+    {
+      reason = error.what();
+    }
+    catch (const ConvergenceError &error)
+    {
+      reason = error.what();
+    }
+    run_log().line("No amplitudes of the contact's modes: " + reason + (reason.back() == '.' ? "" : "."));
+    return nullptr;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,86 @@
+#include <vibrocontact/analyses/residual_damping.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/run/say_residual_damping.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    constexpr double doubtful_change = 0.01;
+    /// less is the round-off of a residual that all modes leave nothing to
+    constexpr double least_change = 1e-9;
+
+    std::vector<double> ends_of_the_modes(const std::vector<LossyBody> &bodies)
+    {
+      double lowest = 0, highest = 0;
+      for (const LossyBody &lossy : bodies)
+        for (const double omega : lossy.body->omega)
+          if (omega > 0)
+          {
+            lowest = lowest == 0 ? omega : std::min(lowest, omega);
+            highest = std::max(highest, omega);
+          }
+      return {lowest / (2 * dealii::numbers::PI), highest / (2 * dealii::numbers::PI)};
+    }
+  } // namespace
+
+  void say_residual_damping(const Parameters &parameters, const PreparedPair &prepared,
+                            const ContactPair &pair, const std::vector<double> &frequencies,
+                            const std::string &key, Results &results)
+  {
+    const unsigned int middle = pair.n_points() / 2;
+    double further = pair.residual_flexibility(middle, middle);
+    std::vector<const ReducedBody *> reduced;
+    for (const ContactBody &body : prepared.bodies)
+    {
+      reduced.push_back(body.reduced);
+      if (body.reduced)
+        further -= body.reduced->residual_flexibility(middle, middle);
+    }
+    say_residual_damping(parameters, reduced, further, frequencies, key, results);
+  }
+
+  void say_residual_damping(const Parameters &parameters, const std::vector<const ReducedBody *> &reduced,
+                            const double further, std::vector<double> frequencies, const std::string &key,
+                            Results &results)
+  {
+    std::vector<LossyBody> bodies;
+    bool any = false;
+    for (unsigned int k = 0; k < reduced.size(); ++k)
+    {
+      if (!reduced[k])
+        continue;
+      const BodyParameters &body = parameters.scene.bodies[k];
+      // damping of wheels is given by mode
+      const double loss = body.type == "wheel" ? 0 : body.material.loss_factor,
+                   beta = parameters.modes.at(body.name).stiffness_damping;
+      bodies.push_back({reduced[k], beta, loss});
+      any = any || beta > 0 || loss > 0;
+    }
+    if (!any)
+      return;
+    if (frequencies.empty())
+      frequencies = ends_of_the_modes(bodies);
+    const DroppedDamping dropped = dropped_residual_damping(bodies, further, frequencies);
+    if (!(dropped.change > least_change))
+      return;
+    results.analyses[key]["residual_damping"] = {
+        {"taken", false}, {"relative_change", dropped.change}, {"frequency_Hz", dropped.frequency}};
+    const std::string text =
+        "The damping of what the modes leave out is not taken here, only in periodic motions: it "
+        "changes the point receptance in the contact by " +
+        number_text(dropped.change) + " of it at " + number_text(dropped.frequency) + " Hz";
+    if (dropped.change < doubtful_change)
+    {
+      run_log().line(text + ".");
+      return;
+    }
+    results.warnings.push_back(text + "; keep more modes.");
+    run_log().warning(results.warnings.back());
+  }
+} // namespace vibrocontact

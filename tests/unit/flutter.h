@@ -1,0 +1,60 @@
+#pragma once
+
+#include <vibrocontact/analyses/contact_pair.h>
+#include <vibrocontact/analyses/drive.h>
+
+#include <cmath>
+#include <string>
+
+namespace vibrocontact
+{
+  /// A mass whose normal and lateral mode couple by friction (flutter): it slides over the ground, its amplitude is bounded by
+  /// sticking.
+  struct Flutter
+  {
+    static constexpr double friction = 0.4, slip = 0.1, speed = 0.01;
+    static constexpr unsigned int n_points = 5, middle = 2, lateral = 2 * n_points + middle;
+
+    /// 1 kg on springs, K = [a c; c b] in normal and lateral direction, and 5e-8 m/N between it and the ground.
+    static ContactPair pair(const double damping)
+    {
+      const double a = 4e7, b = 6e7, c = 2e5;
+      ContactPair pair;
+      ContactGrid &grid = pair.interface.grid;
+      // one point touches, the others are the free columns around it
+      grid.n_x = n_points;
+      grid.n_y = 1;
+      grid.spacing_x = grid.spacing_y = 1e-3;
+      pair.interface.gap.assign(n_points, 1.);
+      pair.interface.gap[middle] = 0;
+      pair.modal_trace.reinit(3 * n_points, 2);
+      pair.participation.reinit(2, 3);
+      const double angle = 0.5 * std::atan2(2 * c, a - b), cosine = std::cos(angle), sine = std::sin(angle);
+      const double lambda[2] = {a * cosine * cosine + 2 * c * sine * cosine + b * sine * sine,
+                                a * sine * sine - 2 * c * sine * cosine + b * cosine * cosine};
+      for (unsigned int k = 0; k < 2; ++k)
+      {
+        pair.omega.push_back(std::sqrt(lambda[k]));
+        pair.damping_ratio.push_back(damping);
+        pair.labels.push_back("mass:" + std::to_string(k));
+        pair.body.push_back(1);
+        pair.modal_load.push_back(0);
+        pair.modal_trace(middle, k) = k == 0 ? cosine : -sine;
+        pair.modal_trace(lateral, k) = k == 0 ? sine : cosine;
+      }
+      pair.residual_flexibility.reinit(3 * n_points, 3 * n_points);
+      for (unsigned int i = 0; i < 3 * n_points; ++i)
+        pair.residual_flexibility(i, i) = 5e-8;
+      return pair;
+    }
+
+    static Drive drive(double)
+    {
+      Drive d;
+      d.creepage.speed = speed;
+      d.creepage.lateral = slip / speed;
+      d.approach = 2e-4;
+      return d;
+    }
+  };
+} // namespace vibrocontact
