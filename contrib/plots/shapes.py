@@ -138,11 +138,11 @@ def plot_modes(folder, body, modes):
 
 
 def plot_unstable(folder, analysis):
-    """The first six unstable roots from unstable_<root>_<body>.pvd: the body that moves most, when it moves most, and the other
+    """Up to six unstable roots from unstable_<root>_<body>.pvd: the body that moves most, when it moves most, and the other
     at rest."""
     cases = analysis.get("cases") or [analysis]
     panels = []
-    for number, root in enumerate(cases[0].get("unstable", [])[:6]):
+    for number, root in enumerate(cases[0].get("unstable", [])):
         most, bodies = None, {}
         for index in glob.glob(os.path.join(folder, f"unstable_{number}_*.pvd")):
             frames = [node.get("file") for node in ElementTree.parse(index).getroot().iter("DataSet")]
@@ -156,5 +156,6 @@ def plot_unstable(folder, analysis):
         if most:
             others = [body for index, body in bodies.items() if index != most[1]]
             panels.append((f"{root['label']}, {root['frequency_Hz']:.1f} Hz, {root['growth_1_s']:+.2f} 1/s", *most[2:], *others))
+    panels = panels[:6]
     if panels:
         plot_shapes(folder, "unstable_shapes", panels, 2 if len(panels) in (2, 4) else min(3, len(panels)))

@@ -15,6 +15,8 @@ namespace vibrocontact
   namespace
   {
     constexpr unsigned int n_frames = 12;
+    /// shapes are written of so many roots, those that grow fastest
+    constexpr unsigned int most_shapes = 8;
     constexpr double largest_amplitude = 1e-3;
 
     /// real and imaginary part of a complex field on a body's surface
@@ -47,9 +49,23 @@ namespace vibrocontact
   void write_unstable_shapes(const StabilityResult &result, const ContactPair &pair,
                              const MeshedBodies &bodies, const std::string &folder)
   {
+    std::vector<const StabilityRoot *> fastest = result.unstable();
+    if (fastest.size() > most_shapes)
+    {
+      run_log().line("shapes are written of the " + std::to_string(most_shapes) + " of " +
+                     std::to_string(fastest.size()) + " unstable roots that grow fastest");
+      std::partial_sort(fastest.begin(), fastest.begin() + most_shapes, fastest.end(),
+                        [](const auto *a, const auto *b) { return a->growth > b->growth; });
+      fastest.resize(most_shapes);
+    }
     unsigned int number = 0;
     for (const StabilityRoot *const root : result.unstable())
     {
+      if (std::find(fastest.begin(), fastest.end(), root) == fastest.end())
+      {
+        ++number;
+        continue;
+      }
       std::vector<SurfaceShape> shapes;
       double largest = 0;
       for (unsigned int k = 0; k < bodies.size(); ++k)
