@@ -26,11 +26,11 @@ namespace vibrocontact
 
   namespace
   {
-    using Matrix = std::array<std::array<long double, 4>, 4>;
+    using LongMatrix = std::array<std::array<long double, 4>, 4>;
 
-    Matrix product(const Matrix &a, const Matrix &b)
+    LongMatrix long_product(const LongMatrix &a, const LongMatrix &b)
     {
-      Matrix c{};
+      LongMatrix c{};
       for (unsigned int i = 0; i < 4; ++i)
         for (unsigned int j = 0; j < 4; ++j)
           for (unsigned int k = 0; k < 4; ++k)
@@ -39,7 +39,7 @@ namespace vibrocontact
     }
 
     // exp(a) by its series on a / 2^k and k squarings
-    Matrix exponential(Matrix a)
+    LongMatrix exponential(LongMatrix a)
     {
       long double norm = 0;
       for (const auto &row : a)
@@ -49,18 +49,18 @@ namespace vibrocontact
       for (auto &row : a)
         for (long double &value : row)
           value = std::ldexp(value, -squarings);
-      Matrix sum{}, term{};
+      LongMatrix sum{}, term{};
       for (unsigned int i = 0; i < 4; ++i)
         sum[i][i] = term[i][i] = 1;
       for (unsigned int k = 1; k < 16; ++k)
       {
-        term = product(term, a);
+        term = long_product(term, a);
         for (unsigned int i = 0; i < 4; ++i)
           for (unsigned int j = 0; j < 4; ++j)
             sum[i][j] += (term[i][j] /= k);
       }
       for (int k = 0; k < squarings; ++k)
-        sum = product(sum, sum);
+        sum = long_product(sum, sum);
       return sum;
     }
   } // namespace
@@ -70,13 +70,13 @@ namespace vibrocontact
   {
     // State (q, h v, h^2 p, h^2 (p1 - p0)) over the step scaled to one: all entries are of order one.
     const long double wh = static_cast<long double>(omega) * step;
-    Matrix a{};
+    LongMatrix a{};
     a[0][1] = 1;
     a[1][0] = -wh * wh;
     a[1][1] = -2 * zeta * wh;
     a[1][2] = 1;
     a[2][3] = 1;
-    const Matrix e = exponential(a);
+    const LongMatrix e = exponential(a);
     const long double h = step;
     ModalStep s;
     for (unsigned int i = 0; i < 2; ++i)

@@ -24,15 +24,15 @@ namespace vibrocontact
 
     /// F(s) = A_0 + s A_1 + (L_0 + s L_1) S diag(d(s)) S^T P,  d_i = 1 / (s^2 + 2 zeta_i w_i s + w_i^2),
     /// where Psi = B S, see PatchShapes
-    struct Receptance
+    struct ReducedReceptance
     {
       DenseMatrix A_0, A_1, L_0, L_1, S, P;
       unsigned int n_states = 0;
     };
 
     /// rows of normal gaps, then of slip along the directions
-    Receptance receptance(const ContactPair &pair, const CreepScheme &scheme,
-                          const RollingEquilibrium &equilibrium)
+    ReducedReceptance receptance(const ContactPair &pair, const CreepScheme &scheme,
+                                 const RollingEquilibrium &equilibrium)
     {
       const unsigned int n = pair.n_points();
       const SlidingFrame frame = sliding_frame(equilibrium);
@@ -55,7 +55,7 @@ namespace vibrocontact
         add_block(rows_0, rows_along(moved, frame.across, n), c, 0);
         add_block(rows_1, rows_along(response, frame.across, n), c, 0);
       };
-      Receptance F;
+      ReducedReceptance F;
       split(product(pair.residual_flexibility, E), F.A_0, F.A_1);
       const PatchShapes shapes = patch_shapes(pair.modal_trace, shape_tolerance);
       F.S = shapes.amplitudes;
@@ -73,7 +73,7 @@ namespace vibrocontact
     }
 
     /// arg det F(i w) - n_z arg(i w + a), between -pi and pi
-    double argument(const Receptance &F, const ContactPair &pair, const double w, const double a)
+    double argument(const ReducedReceptance &F, const ContactPair &pair, const double w, const double a)
     {
       const unsigned int size = F.A_0.m(), rank = F.S.m(), m = F.S.n();
       // K = S diag(d) S^T, then K P: real and imaginary parts
@@ -178,7 +178,7 @@ namespace vibrocontact
     constexpr double longest_turn = 0.5, a = 1e4;
     const auto begin = std::chrono::steady_clock::now();
     RootCount result;
-    const Receptance F = receptance(pair, scheme, equilibrium);
+    const ReducedReceptance F = receptance(pair, scheme, equilibrium);
     const auto evaluate = [&](const double w)
     {
       ++result.evaluations;
