@@ -6,7 +6,6 @@ import numpy as np
 from plots.common import LINE, STICK, plt, read_table, save
 
 SHORT = {"daubechies6": "DB6", "bspline": "B-spline", "fourier": "Fourier", "haar": "Haar"}
-MOST_SHOWN = 6
 
 
 def pair_of(entry):
@@ -16,13 +15,13 @@ def pair_of(entry):
 def shown_solutions(entries):
     """The first solution and one of every other pair: that with the number of functions nearest to 64."""
     shown = {0: entries[0]}
-    for pair in dict.fromkeys(pair_of(entry) for entry in entries[1:]):
+    for pair in dict.fromkeys(pair_of(entry) for entry in entries if pair_of(entry) != pair_of(entries[0])):
         numbered = [(abs(e["n_functions"] - 64), k) for k, e in enumerate(entries)
                     if k > 0 and e["converged"] and pair_of(e) == pair]
         if numbered:
             k = min(numbered)[1]
             shown[k] = entries[k]
-    return dict(list(shown.items())[:MOST_SHOWN])
+    return shown
 
 
 def plot_periodic(folder, entries):

@@ -33,6 +33,30 @@ namespace vibrocontact
       return result;
     }
 
+    TimePairing pairing_of(const BalanceSettings &asked)
+    {
+      return pair_time_bases(*create_time_basis(asked.trial, asked.n_functions),
+                             *create_time_basis(asked.weighting, asked.n_functions), asked.form,
+                             asked.quadrature_points);
+    }
+
+    /// @param entry that gives the number of functions
+    void check_holds_force(const BalanceSettings &asked, const std::string &entry)
+    {
+      if (pairing_of(asked).holds_harmonic())
+        return;
+      BalanceSettings enough = asked;
+      enough.quadrature_points = 0;
+      do
+        ++enough.n_functions;
+      while (!pairing_of(enough).holds_harmonic());
+      throw InputError(entry + " is " + std::to_string(asked.n_functions) + ", but so few functions " +
+                       asked.trial + ":" + asked.weighting +
+                       " do not follow the exciting force, which would move nothing or meet no damping: "
+                       "give at least " +
+                       std::to_string(enough.n_functions) + ".");
+    }
+
     std::string basis_pattern()
     {
       std::string names;
@@ -116,14 +140,18 @@ namespace vibrocontact
     if (numbers.empty() && pairs_asked.size() > 1)
       throw InputError(
           "Periodic/Comparison/Pairs needs Periodic/Comparison/Numbers: give the numbers of functions.");
-    std::vector<BalanceSettings> all = solutions(0);
+    std::vector<std::pair<BalanceSettings, std::string>> all;
+    for (const BalanceSettings &solution : solutions(0))
+      all.emplace_back(solution,
+                       all.empty() ? "Periodic/Number of functions" : "Periodic/Comparison/Numbers");
     for (const BalanceSettings &curve : curves(0))
-      all.push_back(curve);
-    for (const BalanceSettings &asked : all)
+      all.emplace_back(curve, continuation.numbers.empty() ? "Periodic/Number of functions"
+                                                           : "Periodic/Continuation/Numbers");
+    for (const auto &[asked, entry] : all)
     {
       const auto trial_basis = create_time_basis(asked.trial, asked.n_functions),
                  weighting_basis = create_time_basis(asked.weighting, asked.n_functions);
-      pair_time_bases(*trial_basis, *weighting_basis, asked.form, asked.quadrature_points);
+      check_holds_force(asked, entry);
       check_samples(asked.n_functions, asked.n_samples);
       const auto is_power_of_two = [](const unsigned int number) { return (number & (number - 1)) == 0; };
       const bool dyadic = trial_basis->is_dyadic() || weighting_basis->is_dyadic();

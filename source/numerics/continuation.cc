@@ -21,6 +21,14 @@ namespace vibrocontact
       return sum;
     }
 
+    double distance(const Vector &a, const Vector &b)
+    {
+      double sum = 0;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        sum += (a[i] - b[i]) * (a[i] - b[i]);
+      return std::sqrt(sum);
+    }
+
     bool is_finite(const Vector &x)
     {
       return std::all_of(x.begin(), x.end(), [](const double value) { return std::isfinite(value); });
@@ -98,6 +106,8 @@ namespace vibrocontact
       std::optional<CurvePoint> ahead(const CurvePoint &base, const Vector &along, double length);
       void orient(CurvePoint &point, const CurvePoint &base, const Vector &along);
       bool kink_direction(const CurvePoint &base, double length, Vector &along);
+      std::optional<double> passed_begin(const CurvePoint &begin, const CurvePoint &base, const Vector &along,
+                                         const CurvePoint &next);
       std::optional<CurvePoint> located(const CurvePoint &base, const Vector &along, double length,
                                         const CurvePoint &end,
                                         const std::function<double(const CurvePoint &)> &value);
@@ -211,13 +221,17 @@ namespace vibrocontact
       point->step = length;
       // a point far off the line belongs to another part of the curve
       const Vector y = packed(*point);
-      double distance = 0;
-      for (std::size_t i = 0; i < y.size(); ++i)
-        distance += (y[i] - from[i]) * (y[i] - from[i]);
-      if (std::sqrt(distance) > 1.5 * length)
+      if (distance(y, from) > 1.5 * length)
         return {};
       orient(*point, base, along);
       return point;
+    }
+
+    /// whether a step goes back on the smooth piece it came along
+    bool goes_back(const CurvePoint &base, const CurvePoint &next)
+    {
+      return next.piece == base.piece && next.orientation != base.orientation &&
+             dot(next.tangent, base.tangent) < 0;
     }
 
     /// at(), but on a limit of the parameter if that comes first
@@ -241,6 +255,8 @@ namespace vibrocontact
       point->step = 0;
       for (std::size_t i = 0; i < y.size(); ++i)
         point->step += along[i] * (y[i] - from[i]);
+      if (distance(y, from) > 1.5 * length)
+        return {};
       orient(*point, base, along);
       return point;
     }
@@ -358,6 +374,26 @@ namespace vibrocontact
       return true;
     }
 
+    /// Arc length from the base to the curve's begin if a step passes it, in either direction.
+    std::optional<double> Tracer::passed_begin(const CurvePoint &begin, const CurvePoint &base,
+                                               const Vector &along, const CurvePoint &next)
+    {
+      const Vector origin = packed(begin), y = packed(base);
+      double length = 0;
+      for (std::size_t i = 0; i < y.size(); ++i)
+        length += along[i] * (origin[i] - y[i]);
+      const double near = 0.1 * next.step;
+      if (!(length > 0 && length <= next.step * (1 + 1e-9)) ||
+          std::sqrt(std::max(std::pow(distance(origin, y), 2) - length * length, 0.)) > near)
+        return {};
+      // the curve itself in the plane through the begin: another part of it may pass close by
+      const std::optional<CurvePoint> there =
+          between(base, along, 0, next.step, base, next, length / next.step);
+      if (!there || distance(packed(*there), origin) > 1e-3 * near)
+        return {};
+      return length;
+    }
+
     Curve Tracer::run(const CurvePoint &start)
     {
       Curve curve;
@@ -373,13 +409,14 @@ namespace vibrocontact
         base.p = start.p;
       }
       curve.points.push_back(base);
-      const Vector origin = packed(base);
+      const CurvePoint begin = base;
       const auto outside = [&](const CurvePoint &point)
       {
         return (point.p >= s.p_max && point.tangent.back() > 0) ||
                (point.p <= s.p_min && point.tangent.back() < 0);
       };
       double step = s.first_step;
+      bool went_back = false;
       while (true)
       {
         if (outside(base))
@@ -397,8 +434,11 @@ namespace vibrocontact
         const bool may_turn = step <= s.kink_step;
         const auto refused = [&]
         {
-          return !next || (!may_turn && (dot(next->tangent, base.tangent) < std::cos(s.max_angle) ||
-                                         next->kind == CurvePoint::Kind::branch_point));
+          if (!next)
+            return true;
+          went_back = goes_back(base, *next);
+          return went_back || (!may_turn && (dot(next->tangent, base.tangent) < std::cos(s.max_angle) ||
+                                             next->kind == CurvePoint::Kind::branch_point));
         };
         if (!next && may_turn && kink_direction(base, step, along))
           next = ahead(base, along, step);
@@ -409,26 +449,23 @@ namespace vibrocontact
           step /= next ? 2 : 3;
           if (step < s.min_step)
           {
-            curve.end = Curve::End::step_too_small;
+            curve.end = went_back ? Curve::End::turned_back : Curve::End::step_too_small;
             return curve;
           }
           continue;
         }
-        curve.points.insert(curve.points.end(), found.begin(), found.end());
-        // past the start again?
-        const Vector y = packed(base);
-        double to_origin = 0, off = 0;
-        for (std::size_t i = 0; i < y.size(); ++i)
-          to_origin += along[i] * (origin[i] - y[i]);
-        for (std::size_t i = 0; i < y.size(); ++i)
-          off += std::pow(origin[i] - y[i] - to_origin * along[i], 2);
-        if (curve.points.size() > 4 && to_origin > 0 && to_origin <= next->step &&
-            std::sqrt(off) < 0.1 * next->step)
+        if (const std::optional<double> length =
+                curve.points.size() > 4 ? passed_begin(begin, base, along, *next) : std::nullopt)
         {
-          curve.points.push_back(curve.points.front());
-          curve.end = Curve::End::closed;
+          // what lies behind the begin stands at the curve's begin already
+          for (const CurvePoint &point : found)
+            if (point.step < *length)
+              curve.points.push_back(point);
+          curve.points.push_back(begin);
+          curve.end = dot(next->tangent, begin.tangent) > 0 ? Curve::End::closed : Curve::End::turned_back;
           return curve;
         }
+        curve.points.insert(curve.points.end(), found.begin(), found.end());
         curve.points.push_back(*next);
         const double turned = std::acos(std::clamp(dot(next->tangent, base.tangent), -1., 1.));
         double factor = std::pow(2., (4. - next->iterations) / 2.);
@@ -448,6 +485,8 @@ namespace vibrocontact
       return "limit of the parameter";
     case End::closed:
       return "the curve is closed";
+    case End::turned_back:
+      return "turned back: nothing was found ahead but the way the curve came";
     case End::most_points:
       return "largest number of points";
     case End::step_too_small:

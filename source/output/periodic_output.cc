@@ -17,6 +17,7 @@ namespace vibrocontact
                                    {"converged", solved.solution.converged},
                                    {"newton_iterations", solved.solution.iterations},
                                    {"gap_steps", solved.solution.homotopy_steps},
+                                   {"stiffness_steps", solved.solution.stiffness_steps},
                                    {"phases", solved.n_phases},
                                    {"failed_phases", solved.failed_phases},
                                    {"seconds", solved.seconds}};

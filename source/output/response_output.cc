@@ -7,12 +7,12 @@ namespace vibrocontact
 {
   namespace
   {
-    std::string name_of(const CurvePoint::Kind kind)
+    std::string kind_of(const BranchPoint &point)
     {
-      switch (kind)
+      switch (point.kind)
       {
       case CurvePoint::Kind::fold:
-        return "fold";
+        return point.is_spurious ? "spurious fold" : "fold";
       case CurvePoint::Kind::event:
         return "grazing";
       case CurvePoint::Kind::branch_point:
@@ -42,6 +42,7 @@ namespace vibrocontact
                                    {"end", curve.reason},
                                    {"folds" + unit, curve.folds},
                                    {"grazing" + unit, curve.grazing},
+                                   {"spurious_folds", curve.n_spurious},
                                    {"seconds", curve.seconds},
                                    {"stability_seconds", curve.stability_seconds}};
     const auto highest = std::max_element(curve.points.begin(), curve.points.end(),
@@ -72,7 +73,7 @@ namespace vibrocontact
       table.add_row({point.excitation.frequency, point.amplitude, known ? double(point.is_stable()) : -1.,
                      known ? std::abs(point.multiplier) : -1., point.multiplier.real(),
                      point.multiplier.imag(), point.excitation.amplitude, point.gap, point.active,
-                     name_of(point.kind)});
+                     kind_of(point)});
     }
     table.write(file_name);
   }

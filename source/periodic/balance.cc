@@ -12,32 +12,12 @@ namespace vibrocontact
     using Complex = std::complex<double>;
     using Quantity = TimeSampling::Quantity;
 
-    constexpr double shortest_line_step = 1. / 256, shortest_gap_step = 1e-3, gentler_projection = 1. / 3;
-    constexpr unsigned int n_gentler = 2;
-
     double norm(const std::vector<double> &x)
     {
       double sum = 0;
       for (const double value : x)
         sum += value * value;
       return std::sqrt(sum);
-    }
-
-    /// x of matrix x = rhs; false if the matrix is singular or not finite
-    bool solve_dense(DenseMatrix &matrix, const std::vector<double> &rhs, std::vector<double> &x)
-    {
-      DenseVector b(rhs.begin(), rhs.end());
-      try
-      {
-        matrix.compute_lu_factorization();
-        matrix.solve(b);
-      }
-      catch (const dealii::ExceptionBase &)
-      {
-        return false;
-      }
-      x.assign(b.begin(), b.end());
-      return std::all_of(x.begin(), x.end(), [](const double value) { return std::isfinite(value); });
     }
   } // namespace
 
@@ -224,8 +204,8 @@ namespace vibrocontact
         const double gap = body.gap[p] - u_samples[normal + k];
         if (spring)
         {
-          law_samples[normal + k] = spring->force(gap);
-          du[k] = spring->stiffness(gap);
+          law_samples[normal + k] = law_factor * spring->force(gap);
+          du[k] = law_factor * spring->stiffness(gap);
         }
         else
         {
@@ -518,93 +498,5 @@ namespace vibrocontact
       }
     }
     return result;
-  }
-
-  bool PeriodicBalance::newton(std::vector<double> &c, PeriodicSolution &solution)
-  {
-    std::vector<double> residual, step, trial(c.size());
-    DenseMatrix jacobian;
-    evaluate(c, residual, nullptr, nullptr);
-    for (unsigned int iteration = 0; iteration < settings.max_iterations; ++iteration)
-    {
-      const double size = norm(residual);
-      solution.residual = size / force_scale(c);
-      if (!std::isfinite(size))
-        return false;
-      if (solution.residual <= settings.tolerance)
-        return true;
-      ++solution.iterations;
-      assemble(jacobian);
-      if (!solve_dense(jacobian, residual, step))
-        return false;
-      double length = 1;
-      for (;; length /= 2)
-      {
-        for (unsigned int k = 0; k < c.size(); ++k)
-          trial[k] = c[k] - length * step[k];
-        evaluate(trial, residual, nullptr, nullptr);
-        if (norm(residual) <= (1 - 1e-4 * length) * size)
-          break;
-        if (length < shortest_line_step)
-          return false;
-      }
-      c = trial;
-    }
-    return false;
-  }
-
-  PeriodicSolution PeriodicBalance::solve(const std::vector<double> &start)
-  {
-    PeriodicSolution solution;
-    solution.excitation = force;
-    std::vector<double> c = start;
-    if (c.empty())
-      c.assign(n_unknowns(), 0.);
-    solution.converged = newton(c, solution);
-    // forces that spread farther over the samples are found where those of the usual parameter are not
-    const double rho = normal_rho;
-    for (unsigned int k = 0; k < n_gentler && !solution.converged && !spring && !(fixed_rho > 0); ++k)
-    {
-      normal_rho *= gentler_projection;
-      c = start.empty() ? std::vector<double>(n_unknowns(), 0.) : start;
-      solution.converged = newton(c, solution);
-    }
-    if (!solution.converged)
-      normal_rho = rho;
-    if (!solution.converged)
-    {
-      // no contact at the gap that the linear motion just reaches: from there to the gap asked for
-      const std::vector<double> gap = body.gap, none(n_unknowns(), 0.);
-      std::vector<double> excess(gap.size()), u = displacement(none), values(samples->n_samples());
-      for (unsigned int p = 0; p < gap.size(); ++p)
-      {
-        samples->samples(Quantity::displacement, &u[p * body.rows_per_point * settings.n_functions],
-                         values.data());
-        excess[p] = std::max(*std::max_element(values.begin(), values.end()) - gap[p], 0.);
-      }
-      c = none;
-      double reached = 0, step = 0.25;
-      while (reached < 1 && step >= shortest_gap_step)
-      {
-        const double next = std::min(reached + step, 1.);
-        for (unsigned int p = 0; p < gap.size(); ++p)
-          body.gap[p] = gap[p] + (1 - next) * excess[p];
-        std::vector<double> trial = c;
-        ++solution.homotopy_steps;
-        if (newton(trial, solution))
-        {
-          c = trial;
-          reached = next;
-          step *= 2;
-        }
-        else
-          step /= 2;
-      }
-      body.gap = gap;
-      solution.converged = reached >= 1;
-    }
-    solution.force = c;
-    solution.displacement = displacement(c);
-    return solution;
   }
 } // namespace vibrocontact

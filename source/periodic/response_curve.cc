@@ -40,6 +40,12 @@ namespace vibrocontact
         return {approach()};
       }
 
+      bool is_grazing(const CurvePoint &point)
+      {
+        const double gap = balance.linear_body().gap[0];
+        return std::abs(events(point.x, point.p)[0]) <= 1e-4 * std::max(std::abs(gap), gap + approach());
+      }
+
       /// largest displacement beyond the gap [m]; between samples by the parabola through three of them
       double approach() const
       {
@@ -68,6 +74,16 @@ namespace vibrocontact
       const SceneParameter parameter;
       double value = std::nan("");
     };
+
+    /// relative difference of amplitudes, difference of parts of the period, that are no change
+    constexpr double same_amplitude = 5e-4, same_part = 1e-3;
+    constexpr unsigned int most_spurious = 2;
+
+    bool is_same_turn(const BranchPoint &a, const BranchPoint &b)
+    {
+      return std::abs(a.amplitude - b.amplitude) <= same_amplitude * a.amplitude &&
+             std::abs(a.active - b.active) <= same_part;
+    }
 
     /// force that closes the gap at rest
     double force_scale(const PeriodicBalance &balance)
@@ -99,6 +115,56 @@ namespace vibrocontact
     const std::complex<double> found =
         monodromy_multipliers(slow_part(body, 2 * M_PI * contact.frequency * mode_limit), contact)[0];
     return method == StabilityMethod::hill ? hill_multiplier(body, contact, hill_harmonics, found) : found;
+  }
+
+  void merge_folds(ResponseCurve &curve)
+  {
+    std::vector<BranchPoint *> folds;
+    for (BranchPoint &point : curve.points)
+      if (point.kind == CurvePoint::Kind::fold)
+        folds.push_back(&point);
+    curve.folds.clear();
+    curve.n_spurious = 0;
+    unsigned int longest = 0;
+    for (std::size_t first = 0, end; first < folds.size(); first = end)
+    {
+      for (end = first + 1; end < folds.size() && is_same_turn(*folds[end - 1], *folds[end]);)
+        ++end;
+      const bool turns = (end - first) % 2 == 1;
+      std::size_t outermost = first;
+      // members of even distance turn the same way as the first, those between back
+      const double sense =
+          end - first > 1 && folds[first + 1]->value(curve.parameter) > folds[first]->value(curve.parameter)
+              ? -1.
+              : 1.;
+      for (std::size_t k = first; k < end; ++k)
+      {
+        folds[k]->is_spurious = true;
+        if (sense * folds[k]->value(curve.parameter) > sense * folds[outermost]->value(curve.parameter))
+          outermost = k;
+      }
+      const unsigned int n_spurious = end - first - turns;
+      curve.n_spurious += n_spurious;
+      longest = std::max(longest, n_spurious);
+      if (!turns)
+        continue;
+      folds[outermost]->is_spurious = false;
+      curve.folds.push_back(folds[outermost]->value(curve.parameter));
+    }
+    if (longest > most_spurious)
+    {
+      curve.complete = false;
+      curve.reason += ", but it turns " + std::to_string(longest) +
+                      " times in a row without its amplitude or its contact changing: take a softer or the "
+                      "exact law, more functions or more samples";
+    }
+  }
+
+  double BranchPoint::value(const SceneParameter parameter) const
+  {
+    return parameter == SceneParameter::frequency ? excitation.frequency
+           : parameter == SceneParameter::force   ? excitation.amplitude
+                                                  : gap;
   }
 
   ResponseCurve follow_response(PeriodicBalance &balance, const BranchSettings &settings)
@@ -141,8 +207,11 @@ namespace vibrocontact
     start.x = first.force;
     start.p = settings.start;
     const Curve curve = continue_curve(equations, start, continuation);
-    result.complete = curve.end == Curve::End::parameter_limit || curve.end == Curve::End::closed;
+    result.end = curve.end;
+    result.complete = result.is_whole();
     result.reason = curve.reason();
+    if (curve.end == Curve::End::turned_back && equations.is_grazing(curve.points.back()))
+      result.reason = "turned back at grazing";
 
     const unsigned int count = balance.sampling().n_samples();
     std::vector<double> residual;
@@ -163,12 +232,11 @@ namespace vibrocontact
       if (wants_stability)
         response.multiplier =
             largest_multiplier(balance, settings.stability, settings.mode_limit, settings.hill_harmonics);
-      if (point.kind == CurvePoint::Kind::fold)
-        result.folds.push_back(point.p);
       if (point.kind == CurvePoint::Kind::event)
         result.grazing.push_back(point.p);
       result.points.push_back(std::move(response));
     }
+    merge_folds(result);
     result.stability_seconds = timer.wall_time() - stability_begin;
     result.seconds = timer.wall_time();
     return result;

@@ -201,6 +201,14 @@ namespace vibrocontact
     }
   } // namespace
 
+  bool TimePairing::holds_harmonic() const
+  {
+    for (unsigned int m = 1; 2 * m < n_functions; ++m)
+      if (std::abs(sine[m]) > 1e-10 * std::sqrt(norm[m]) && std::abs(a0[m]) > 0)
+        return true;
+    return false;
+  }
+
   TimeForm time_form(const std::string &name)
   {
     for (const TimeForm form : forms)

@@ -132,13 +132,6 @@ namespace vibrocontact
       return is_real || pole.lambda.imag() > 0;
     }
 
-    // [m/N]
-    double tread_compliance(const RingParameters &ring, const bool tangential)
-    {
-      const double stiffness = tangential ? ring.tread_tangential_stiffness : ring.tread_stiffness;
-      return stiffness > 0 ? 1 / stiffness : 0.;
-    }
-
     void check_held(const RingParameters &ring, const unsigned int n)
     {
       const RingParameters::Order L = ring.order(n);
@@ -253,6 +246,12 @@ namespace vibrocontact
         result(a, b) = sign(rows[a]) * sign(rows[b]) * sum / (2 * dealii::numbers::PI * ring.radius);
       }
     return result;
+  }
+
+  double tread_compliance(const RingParameters &ring, const bool tangential)
+  {
+    const double stiffness = tangential ? ring.tread_tangential_stiffness : ring.tread_stiffness;
+    return stiffness > 0 ? 1 / stiffness : 0.;
   }
 
   PoleModel oscillator_poles(const OscillatorParameters &oscillator, const bool with_friction)

@@ -4,6 +4,7 @@
 #include <vibrocontact/fe/nearest_dof.h>
 #include <vibrocontact/reduction/all_modes.h>
 #include <vibrocontact/reduction/point_reduction.h>
+#include <vibrocontact/reduction/ring_poles.h>
 #include <vibrocontact/run/periodic_body.h>
 
 #include <deal.II/base/numbers.h>
@@ -98,6 +99,10 @@ namespace vibrocontact
     body.rows_per_point = rows_per_point;
     body.relaxation = damping.stiffness_damping;
     body.gap.assign(n / body.rows_per_point, periodic.gap);
+    const BodyParameters &described = parameters.scene.bodies[0];
+    if (described.type == "ring")
+      for (unsigned int i = 0; i < n; ++i)
+        body.residual(i, i) += tread_compliance(described.ring, i % rows_per_point > 0);
 
     Log &log = run_log();
     log.value("modes", body.n_modes());

@@ -61,6 +61,8 @@ namespace vibrocontact
       log.value("Newton iterations", solved.solution.iterations);
       if (solved.solution.homotopy_steps > 0)
         log.value("steps of the gap", solved.solution.homotopy_steps);
+      if (solved.solution.stiffness_steps > 0)
+        log.value("steps of the law's stiffness", solved.solution.stiffness_steps);
       if (solved.solution.converged)
       {
         log.value("largest displacement", solved.motion.tip_max, "m");

@@ -25,6 +25,7 @@ namespace vibrocontact
       curve.points.insert(curve.points.end(), rest.points.begin(), rest.points.end());
       curve.folds.insert(curve.folds.end(), rest.folds.begin(), rest.folds.end());
       curve.grazing.insert(curve.grazing.end(), rest.grazing.begin(), rest.grazing.end());
+      curve.n_spurious += rest.n_spurious;
       curve.seconds += rest.seconds;
       curve.stability_seconds += rest.stability_seconds;
     }
@@ -39,7 +40,7 @@ namespace vibrocontact
       return curve;
     }
 
-    /// Both ways from a start inside of the range become one curve.
+    /// Both ways from a start inside of the range become one curve; a closed one is whole after the first.
     ResponseCurve joined(ResponseCurve back, const ResponseCurve &forth)
     {
       reverse(back);
@@ -69,6 +70,8 @@ namespace vibrocontact
         log.value("fold", precise(value, unit));
       for (const double value : solved.curve.grazing)
         log.value("grazing", precise(value, unit));
+      if (solved.curve.n_spurious > 0)
+        log.value("turns without amplitude or contact changing", solved.curve.n_spurious);
       log.value("end", solved.curve.reason);
       log.value("time", solved.curve.seconds, "s");
     }
@@ -97,16 +100,17 @@ namespace vibrocontact
       };
       const std::vector<BranchSettings> ways = response.settings();
       solved.curve = follow(ways[0]);
-      if (ways.size() > 1)
+      if (ways.size() > 1 && solved.curve.end != Curve::End::closed)
         solved.curve = joined(solved.curve, follow(ways[1]));
-      else if (!solved.curve.complete)
+      else if (ways.size() == 1 && !solved.curve.is_whole())
       {
         // what lies behind a tongue of an undamped last function, or behind a kink that is not passed
         BranchSettings back = ways[0];
         back.start = response.last;
         back.direction = -back.direction;
         ResponseCurve rest = follow(back);
-        if (rest.complete)
+        if (rest.end == Curve::End::parameter_limit &&
+            rest.points.back().value(rest.parameter) == response.first)
         {
           reverse(rest);
           rest.seconds += solved.curve.seconds;
@@ -117,7 +121,7 @@ namespace vibrocontact
       }
       tell(solved, unit);
       if (!solved.curve.complete && k == 0)
-        results.failures.push_back({"response", "The response curve ends before its last value after " +
+        results.failures.push_back({"response", "The response curve is not complete after " +
                                                     std::to_string(solved.curve.points.size()) +
                                                     " points: " + solved.curve.reason + "."});
       const std::string table = k == 0 ? "response.csv" : "response_" + std::to_string(k) + ".csv";

@@ -1,10 +1,11 @@
 /// What a periodic motion of the axial bar (tests/unit/axial_bar.h) costs, and how exact it is against shooting.
 ///
-///   periodic_benchmark cost | modes | samples | rigid
+///   periodic_benchmark cost | modes | samples | rigid | found [PAIR]
 ///
 /// cost: one solution of case 2 from the motion without contact to a residual of 1e-10, set-up apart: median of 100 in processor
 /// time, against pair, number of functions and number of contact points. modes: against the modes kept, with and without the
-/// static answers of the others. samples: against the samples of the law. rigid: exact law, all pairs.
+/// static answers of the others. samples: against the samples of the law. rigid: exact law, all pairs. found:
+/// in how many of 16 positions of the force within a cell a motion is found, and which way.
 
 #include "../unit/axial_bar.h"
 
@@ -183,6 +184,59 @@ namespace
         }
     }
   }
+
+  /// @param only pairs whose names hold that
+  void found(const std::string &only)
+  {
+    constexpr unsigned int n_phases = 16;
+    std::printf(
+        "| case | pair | functions | directly | by the gap | by the stiffness | not | error | of those by "
+        "the stiffness | most iterations |\n|---|---|---|---|---|---|---|---|---|---|\n");
+    for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
+    {
+      const PeriodicBody body = axial_bar(c);
+      const PeriodicReference reference = periodic_reference(body, *penalty(c), c.excitation(), 4096);
+      for (const std::string &pair : pairs)
+        for (const unsigned int n : {8u, 9u, 16u, 17u, 32u, 33u, 63u, 64u, 127u, 128u})
+        {
+          if (pair.find(only) == std::string::npos)
+            continue;
+          PeriodicBalance balance(body, penalty(c), settings(pair, n));
+          unsigned int count[4] = {}, most = 0;
+          std::vector<double> errors[2];
+          for (unsigned int k = 0; k < n_phases; ++k)
+          {
+            HarmonicForce force = c.excitation();
+            force.phase = 2 * M_PI * k / (n_phases * double(n));
+            balance.set_force(force);
+            const PeriodicSolution solution = balance.solve();
+            const unsigned int way = !solution.converged            ? 3
+                                     : solution.stiffness_steps > 0 ? 2
+                                     : solution.homotopy_steps > 0  ? 1
+                                                                    : 0;
+            ++count[way];
+            most = std::max(most, solution.iterations);
+            if (way < 3)
+              errors[way == 2].push_back(
+                  errors_of(balance, solution,
+                            sample_motion(balance, solution, reference.displacement.size()), reference)
+                      .displacement);
+          }
+          std::printf("| %.0f Hz | %s | %u | %u | %u | %u | %u |", c.frequency, pair.c_str(), n, count[0],
+                      count[1], count[2], count[3]);
+          for (std::vector<double> &values : errors)
+          {
+            std::sort(values.begin(), values.end());
+            if (values.empty())
+              std::printf(" |");
+            else
+              std::printf(" %.1e |", values[values.size() / 2]);
+          }
+          std::printf(" %u |\n", most);
+          std::fflush(stdout);
+        }
+    }
+  }
 } // namespace
 
 int main(const int argc, char **const argv)
@@ -194,6 +248,8 @@ int main(const int argc, char **const argv)
     modes();
   else if (what == "samples")
     samples();
-  else
+  else if (what == "rigid")
     rigid();
+  else
+    found(argc > 2 ? argv[2] : "");
 }

@@ -82,6 +82,69 @@ TEST(Continuation, CircleIsClosedWithTwoFolds)
   }
 }
 
+// What comes back through its begin the other way, or passes close by, is not closed.
+TEST(Continuation, OnlyALoopIsClosed)
+{
+  // x = 0 up to p = 1 and nothing beyond, where the derivatives promise that the way back goes on
+  Plane dead_end;
+  dead_end.which = [](double, double p) -> std::size_t { return p < 1 ? 0 : 1; };
+  dead_end.by_unknown = [](double, double p) { return p < 1 ? 1. : -1.; };
+  dead_end.by_parameter = [](double, double) { return 0.; };
+  dead_end.value = [](double x, double p) { return p < 1 ? x : 1 + x * x; };
+  for (const double p_min : {-1., 0., 0.5})
+  {
+    ContinuationSettings settings;
+    settings.p_min = p_min;
+    settings.p_max = 2;
+    const Curve curve = continue_curve(dead_end, start_at(0, 0.5), settings);
+    EXPECT_EQ(curve.end, Curve::End::turned_back) << curve.reason();
+    EXPECT_NEAR(curve.points.back().p, 1, 1e-6);
+    for (std::size_t k = 1; k < curve.points.size(); ++k)
+      EXPECT_GT(curve.points[k].p, curve.points[k - 1].p);
+  }
+
+  // a spiral r = 1 + phi / 1000 passes its begin at 1 % of the radius, a circle with the same kinks is closed
+  for (const double pitch : {1e-3, 0.})
+  {
+    Plane spiral;
+    const auto angle = [](double x, double p) { return std::atan2(x, p); };
+    double last = 0;
+    const auto unwound = [&](double x, double p)
+    {
+      const double now = angle(x, p);
+      return now + 2 * M_PI * std::round((last - now) / (2 * M_PI));
+    };
+    spiral.value = [&](double x, double p) { return std::hypot(x, p) - 1 - pitch * (last = unwound(x, p)); };
+    spiral.by_unknown = [&](double x, double p)
+    { return x / std::hypot(x, p) - pitch * p / (x * x + p * p); };
+    spiral.by_parameter = [&](double x, double p)
+    { return p / std::hypot(x, p) + pitch * x / (x * x + p * p); };
+    ContinuationSettings settings;
+    settings.max_points = 200;
+    const Curve curve = continue_curve(spiral, start_at(0.9, 0.3), settings);
+    EXPECT_EQ(curve.end, pitch > 0 ? Curve::End::most_points : Curve::End::closed) << curve.reason();
+  }
+}
+
+// A begin next to a fold: the fold stands once, the last point is the first.
+TEST(Continuation, NothingTwiceInALoop)
+{
+  Plane circle;
+  circle.value = [](double x, double p) { return x * x + p * p - 1; };
+  circle.by_unknown = [](double x, double) { return 2 * x; };
+  circle.by_parameter = [](double, double p) { return 2 * p; };
+  circle.event = [](double x, double) { return x; };
+  for (const double ahead : {1e-3, 1e-2, 0.05})
+  {
+    ContinuationSettings settings;
+    const Curve curve = continue_curve(circle, start_at(std::sin(ahead), std::cos(ahead)), settings);
+    EXPECT_EQ(curve.end, Curve::End::closed);
+    EXPECT_EQ(special(curve, CurvePoint::Kind::fold).size(), 2u) << ahead;
+    EXPECT_EQ(special(curve, CurvePoint::Kind::event).size(), 2u) << ahead;
+    EXPECT_EQ(curve.points.front().p, curve.points.back().p);
+  }
+}
+
 TEST(Continuation, CubicFoldsInScaledUnknownsAndFromAnyPoint)
 {
   // p = 1e3 (z^3 - z), x = 1e6 z: folds at z = -+1/sqrt(3)

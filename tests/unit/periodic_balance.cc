@@ -4,7 +4,7 @@
 #include "axial_bar.h"
 
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/periodic/periodic_motion.h>
+#include <vibrocontact/periodic/periodic_error.h>
 
 #include <gtest/gtest.h>
 
@@ -132,6 +132,31 @@ TEST(PeriodicBalance, DerivativesAreThoseOfTheResidual)
           expect_right_derivatives(balance, {1., 0.4});
         }
       }
+}
+
+// Pairs that Newton's method finds neither from rest nor over the gap: solutions to rounding, as near to shooting as N cells are.
+TEST(PeriodicBalance, HaarIsFoundThroughSofterLaws)
+{
+  const AxialBarCase c = axial_bar_1275();
+  const PeriodicReference reference = periodic_reference(axial_bar(c), *penalty(c), c.excitation(), 4096);
+  for (const auto &[n, error] : {std::pair(8u, 0.5), std::pair(9u, 0.5)})
+  {
+    BalanceSettings settings = pair("haar", "fourier", n);
+    PeriodicBalance balance(axial_bar(c), penalty(c), settings);
+    balance.set_force(c.excitation());
+    const PeriodicSolution solution = balance.solve();
+    ASSERT_TRUE(solution.converged) << n;
+    EXPECT_GT(solution.stiffness_steps, 0u);
+    // the law asked for, not the softened one
+    std::vector<double> residual;
+    balance.evaluate(solution.force, residual, nullptr, nullptr);
+    double size = 0;
+    for (const double value : residual)
+      size += value * value;
+    EXPECT_LT(std::sqrt(size), 1e-10 * balance.force_scale(solution.force));
+    EXPECT_LT(errors_of(balance, solution, sample_motion(balance, solution, 4096), reference).displacement,
+              error);
+  }
 }
 
 // Den Hartog (1931): mass on a spring, dry friction R, force P cos(w t + phase); two sticks-free turning points per period. With

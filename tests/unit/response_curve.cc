@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace vibrocontact;
@@ -423,6 +424,53 @@ TEST(ResponseCurve, GapThroughZeroIntoPreload)
   EXPECT_NEAR(end.force[0] / mean, 1, 2e-3);
   for (const BranchPoint &point : curve.points)
     EXPECT_TRUE(std::isfinite(point.amplitude) && std::isfinite(std::abs(point.multiplier)));
+}
+
+// Turns one after the other without amplitude or contact changing are one fold, or none.
+TEST(ResponseCurve, TurnsOfRoundingAreNoFolds)
+{
+  const auto with_folds =
+      [](const std::vector<std::array<double, 3>> &frequency_amplitude_part, const unsigned int n_spurious)
+  {
+    ResponseCurve curve;
+    curve.parameter = SceneParameter::frequency;
+    curve.complete = true;
+    for (const auto &[frequency, amplitude, part] : frequency_amplitude_part)
+    {
+      BranchPoint point;
+      point.kind = CurvePoint::Kind::fold;
+      point.excitation.frequency = frequency;
+      point.amplitude = amplitude;
+      point.active = part;
+      curve.points.push_back(point);
+    }
+    merge_folds(curve);
+    EXPECT_EQ(curve.n_spurious, n_spurious);
+    unsigned int marked = 0;
+    for (const BranchPoint &point : curve.points)
+      marked += point.is_spurious;
+    EXPECT_EQ(marked, n_spurious);
+    return curve;
+  };
+  // an upper and a lower fold; the upper one three times; a pair on the way down
+  EXPECT_EQ(with_folds({{110, 2, 0.3}, {100, 1, 0.1}}, 0).folds, (std::vector<double>{110, 100}));
+  const ResponseCurve three =
+      with_folds({{110, 2, 0.3}, {109.9, 1.9995, 0.3}, {110.1, 1.999, 0.2995}, {100, 1, 0.1}}, 2);
+  EXPECT_EQ(three.folds, (std::vector<double>{110.1, 100}));
+  EXPECT_TRUE(three.complete);
+  EXPECT_EQ(with_folds({{110, 2, 0.3}, {105, 1.5, 0.2}, {105.1, 1.4999, 0.2}, {100, 1, 0.1}}, 2).folds,
+            (std::vector<double>{110, 100}));
+  // a lower fold three times; the same amplitudes with other contacts, and the reverse, are folds
+  EXPECT_EQ(with_folds({{110, 2, 0.3}, {100, 1, 0.1}, {100.1, 1, 0.1}, {99.9, 1, 0.1}}, 2).folds,
+            (std::vector<double>{110, 99.9}));
+  EXPECT_EQ(with_folds({{110, 2, 0.3}, {109, 2, 0.31}}, 0).folds.size(), 2u);
+  EXPECT_EQ(with_folds({{110, 2, 0.3}, {109, 1.99, 0.3}}, 0).folds.size(), 2u);
+  std::vector<std::array<double, 3>> many;
+  for (unsigned int k = 0; k < 55; ++k)
+    many.push_back({110 - 0.01 * k + 0.005 * (k % 2), 2 - 1e-4 * k, 0.3});
+  const ResponseCurve rough = with_folds(many, 54);
+  EXPECT_FALSE(rough.complete);
+  EXPECT_NE(rough.reason.find("54 times in a row"), std::string::npos) << rough.reason;
 }
 
 TEST(ResponseCurve, RefusesStabilityItCannotTell)

@@ -73,6 +73,8 @@ namespace vibrocontact
     {
       parameter_limit,
       closed,
+      /// it goes back on itself: where nothing was found ahead but the way it came, or through its begin
+      turned_back,
       most_points,
       step_too_small,
       no_start
@@ -94,6 +96,10 @@ namespace vibrocontact
   /// than a right angle; there no point lies ahead, the step shrinks to kink_step, and the tangent of the smooth piece
   /// ahead is tried instead, oriented so that the sign of det[R_x, R_p; t] stays (the degree of a piecewise
   /// smooth map, ibid. chapter 15). A smooth change of that sign is a branch point and is passed straight on.
+  ///
+  /// A curve is closed if it comes through its begin in the direction in which it left. One that would pass a point in the
+  /// direction it came from (the same smooth piece, where det[R_x, R_p; t] changes its sign with t) is no other part of the curve:
+  /// steps that do so are refused, and what ends with them ends as turned_back, without the points of the way back.
   ///
   /// Folds (dp/ds = 0) and zeros of events() between two points are located by bisection and secants on ds. Never throws for
   /// want of convergence: see Curve::end.

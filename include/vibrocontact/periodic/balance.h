@@ -41,6 +41,8 @@ namespace vibrocontact
     unsigned int iterations = 0;
     /// steps of the gap that the motion was followed over; 0: found directly
     unsigned int homotopy_steps = 0;
+    /// steps of the law's stiffness, likewise
+    unsigned int stiffness_steps = 0;
     double residual = 0;
   };
 
@@ -100,7 +102,8 @@ namespace vibrocontact
     std::vector<double> contact_stiffness(unsigned int point, double rigid) const;
 
     /// From c, or from the motion without contact if c is empty. If Newton's method fails from there, the motion is followed
-    /// from a gap that it just does not touch. Never throws for want of convergence: see `converged`.
+    /// from a gap that it just does not touch; if that fails too, for laws that are functions of the gap, from a soft one. Never
+    /// throws for want of convergence: see `converged`.
     PeriodicSolution solve(const std::vector<double> &start = {});
 
     unsigned int n_unknowns() const { return body.n_rows() * settings.n_functions; }
@@ -140,6 +143,9 @@ namespace vibrocontact
     std::vector<double> motion_slope(const std::vector<double> &c, SceneParameter parameter) const;
     CondensedBody condensed_at(const HarmonicForce &at) const;
     bool newton(std::vector<double> &c, PeriodicSolution &solution);
+    std::vector<double> linear_excess() const;
+    bool follow_gap(std::vector<double> &c, PeriodicSolution &solution);
+    bool follow_stiffness(std::vector<double> &c, PeriodicSolution &solution);
     bool is_normal(const unsigned int row) const { return row % body.rows_per_point == 0; }
     double sign(const unsigned int row) const { return is_normal(row) ? -1. : 1.; }
 
@@ -155,6 +161,8 @@ namespace vibrocontact
     CondensedBody linear;
     /// of the projections [N/m], [N s/m]
     double normal_rho = 0, tangential_rho = 0, fixed_rho = 0;
+    /// of the forces of a law that is a function of the gap: its stiffness grows with it [-]
+    double law_factor = 1;
     /// tangential rows that no force moves: they carry none
     std::vector<char> is_inert;
     // work space: coefficients and samples of the rows; derivatives of the law by point and pair of its rows

@@ -32,6 +32,9 @@ namespace vibrocontact
     std::vector<double> norm;
     /// int conj(Psi_m) sin(2 pi t) dt, m = 1 the only one unless N <= 2 or the quadrature aliases; n_orders
     std::vector<std::complex<double>> sine, cosine;
+
+    /// whether the functions follow a harmonic force in any phase; where not, at N <= 2, it is lost or meets no damping
+    bool holds_harmonic() const;
   };
 
   /// Exact integrals (connection coefficients between wavelets by their refinement equations, Fourier transforms against

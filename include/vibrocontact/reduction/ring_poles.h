@@ -55,6 +55,9 @@ namespace vibrocontact
   DenseMatrix ring_rest(const RingParameters &ring, const std::vector<RingRow> &rows, double rotation,
                         RingFrame frame);
 
+  /// Of the tread under a contact point, radially or along the circle [m/N].
+  double tread_compliance(const RingParameters &ring, bool tangential);
+
   /// A mass on a spring under its weight; one row, up; with friction a second one, forward.
   PoleModel oscillator_poles(const OscillatorParameters &oscillator, bool with_friction = false);
 

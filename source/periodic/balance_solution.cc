@@ -1,0 +1,185 @@
+#include <vibrocontact/periodic/balance.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    constexpr double shortest_line_step = 1. / 256, shortest_gap_step = 1e-3, gentler_projection = 1. / 3;
+    constexpr unsigned int n_gentler = 2;
+    /// of the law's stiffness: where it begins over the body's own, steps in the logarithm of its range. Long ones that double and
+    /// are halved leave the solution where it folds; even short ones find others.
+    constexpr double softest_law = 1e-3, long_stiffness_step = 1. / 16, short_stiffness_step = 1. / 200,
+                     shortest_stiffness_step = 1. / 3200;
+
+    double euclidean(const std::vector<double> &x)
+    {
+      double sum = 0;
+      for (const double value : x)
+        sum += value * value;
+      return std::sqrt(sum);
+    }
+
+    /// x of matrix x = rhs; false if the matrix is singular or not finite
+    bool solve_dense(DenseMatrix &matrix, const std::vector<double> &rhs, std::vector<double> &x)
+    {
+      DenseVector b(rhs.begin(), rhs.end());
+      try
+      {
+        matrix.compute_lu_factorization();
+        matrix.solve(b);
+      }
+      catch (const dealii::ExceptionBase &)
+      {
+        return false;
+      }
+      x.assign(b.begin(), b.end());
+      return std::all_of(x.begin(), x.end(), [](const double value) { return std::isfinite(value); });
+    }
+  } // namespace
+
+  bool PeriodicBalance::newton(std::vector<double> &c, PeriodicSolution &solution)
+  {
+    std::vector<double> residual, step, trial(c.size());
+    DenseMatrix jacobian;
+    evaluate(c, residual, nullptr, nullptr);
+    for (unsigned int iteration = 0; iteration < settings.max_iterations; ++iteration)
+    {
+      const double size = euclidean(residual);
+      solution.residual = size / force_scale(c);
+      if (!std::isfinite(size))
+        return false;
+      if (solution.residual <= settings.tolerance)
+        return true;
+      ++solution.iterations;
+      assemble(jacobian);
+      if (!solve_dense(jacobian, residual, step))
+        return false;
+      double length = 1;
+      for (;; length /= 2)
+      {
+        for (unsigned int k = 0; k < c.size(); ++k)
+          trial[k] = c[k] - length * step[k];
+        evaluate(trial, residual, nullptr, nullptr);
+        if (euclidean(residual) <= (1 - 1e-4 * length) * size)
+          break;
+        if (length < shortest_line_step)
+          return false;
+      }
+      c = trial;
+    }
+    return false;
+  }
+
+  PeriodicSolution PeriodicBalance::solve(const std::vector<double> &start)
+  {
+    PeriodicSolution solution;
+    solution.excitation = force;
+    std::vector<double> c = start;
+    if (c.empty())
+      c.assign(n_unknowns(), 0.);
+    solution.converged = newton(c, solution);
+    // forces that spread farther over the samples are found where those of the usual parameter are not
+    const double rho = normal_rho;
+    for (unsigned int k = 0; k < n_gentler && !solution.converged && !spring && !(fixed_rho > 0); ++k)
+    {
+      normal_rho *= gentler_projection;
+      c = start.empty() ? std::vector<double>(n_unknowns(), 0.) : start;
+      solution.converged = newton(c, solution);
+    }
+    if (!solution.converged)
+      normal_rho = rho;
+    solution.converged = solution.converged || follow_gap(c, solution) || follow_stiffness(c, solution);
+    solution.force = c;
+    solution.displacement = displacement(c);
+    return solution;
+  }
+
+  /// From no contact at the gap that the linear motion just reaches to the gap asked for.
+  bool PeriodicBalance::follow_gap(std::vector<double> &c, PeriodicSolution &solution)
+  {
+    const std::vector<double> gap = body.gap, none(n_unknowns(), 0.), excess = linear_excess();
+    c = none;
+    double reached = 0, step = 0.25;
+    while (reached < 1 && step >= shortest_gap_step)
+    {
+      const double next = std::min(reached + step, 1.);
+      for (unsigned int p = 0; p < gap.size(); ++p)
+        body.gap[p] = gap[p] + (1 - next) * excess[p];
+      std::vector<double> trial = c;
+      ++solution.homotopy_steps;
+      if (newton(trial, solution))
+      {
+        c = trial;
+        reached = next;
+        step *= 2;
+      }
+      else
+        step /= 2;
+    }
+    body.gap = gap;
+    return reached >= 1;
+  }
+
+  /// From a law that hardly moves the body to the one asked for, in growing ratios of its stiffness.
+  bool PeriodicBalance::follow_stiffness(std::vector<double> &c, PeriodicSolution &solution)
+  {
+    if (!spring)
+      return false;
+    const std::vector<double> excess = linear_excess();
+    double stiffness = 0, compliance = 0;
+    for (unsigned int p = 0; p < body.n_points(); ++p)
+    {
+      const unsigned int n = body.n_rows(), row = p * body.rows_per_point;
+      stiffness = std::max(stiffness, spring->stiffness(-excess[p]));
+      for (unsigned int m = 0; m < pairing.a0.size(); ++m)
+        compliance = std::max(compliance, std::abs(linear.compliance[(m * n + row) * n + row]));
+    }
+    const double range = std::log(stiffness * compliance / softest_law);
+    if (!(range > 0))
+      return false;
+    double left = 1;
+    for (const double longest : {1., short_stiffness_step})
+    {
+      c.assign(n_unknowns(), 0.);
+      left = 1;
+      double step = 0;
+      while (left > 0 && (step == 0 || step >= shortest_stiffness_step))
+      {
+        const double next = std::max(left - step, 0.);
+        law_factor = std::exp(-range * next);
+        std::vector<double> trial = c;
+        ++solution.stiffness_steps;
+        const bool found = newton(trial, solution);
+        if (!found && step == 0)
+          break;
+        if (found)
+        {
+          c = trial;
+          left = next;
+        }
+        step = !found ? step / 2 : std::min(step == 0 ? long_stiffness_step : 2 * step, longest);
+      }
+      if (left == 0)
+        break;
+    }
+    law_factor = 1;
+    return left == 0;
+  }
+
+  /// Of the motion without contact beyond the gaps; n_points [m].
+  std::vector<double> PeriodicBalance::linear_excess() const
+  {
+    const std::vector<double> u = displacement(std::vector<double>(n_unknowns(), 0.));
+    std::vector<double> excess(body.n_points()), values(samples->n_samples());
+    for (unsigned int p = 0; p < excess.size(); ++p)
+    {
+      samples->samples(TimeSampling::Quantity::displacement,
+                       &u[p * body.rows_per_point * settings.n_functions], values.data());
+      excess[p] = std::max(*std::max_element(values.begin(), values.end()) - body.gap[p], 0.);
+    }
+    return excess;
+  }
+} // namespace vibrocontact
