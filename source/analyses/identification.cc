@@ -32,6 +32,23 @@ namespace vibrocontact
     prm.add_parameter(
         "Rolling data", rolling,
         "The body turns: the response of i to a force at j is not that of j to i. Units: none.");
+    prm.add_parameter("Lower frequency", lower_frequency, "Lines of the data below are left out. Units: Hz.",
+                      Double(0, 1e9));
+    prm.add_parameter("Upper frequency", upper_frequency,
+                      "Lines of the data above are left out; 0: none. Units: Hz.", Double(0, 1e9));
+    prm.add_parameter("Delay", delay,
+                      "By which the responses of the data lag behind the forces (of the measuring chain): "
+                      "taken out of them. "
+                      "Units: s.",
+                      Double(-10, 10));
+    prm.add_parameter("Passive data", passive_data,
+                      "Data that give energy to a force are refused, with what is likely wrong: a delay, "
+                      "another quantity, a "
+                      "sign; false: a warning only. Units: none.");
+    prm.add_parameter(
+        "Enforce passivity", enforce_passivity,
+        "The model of a body at rest takes energy from every force at every frequency: its residues are "
+        "changed by the least that is needed, by 5 % of the rms receptance at most. Units: none.");
     prm.add_parameter(
         "Method", methods,
         "vector fitting, lsce, lsce with real amplitudes (as in the paper), or several, separated by "
@@ -84,11 +101,20 @@ namespace vibrocontact
       if (std::find(method_names.begin(), method_names.end(), method) == method_names.end())
         throw InputError("Identification/Method: there is no method \"" + method + "\"; " +
                          name_suggestion(method, method_names) + ".");
+    if (upper_frequency > 0 && upper_frequency <= lower_frequency)
+      throw InputError("Identification/Upper frequency = " + number_text(upper_frequency) +
+                       " Hz is not above Lower frequency = " + number_text(lower_frequency) +
+                       " Hz: exchange them, or set it to 0 for all lines.");
   }
 
   double Identification::worst() const
   {
     return *std::max_element(errors.begin(), errors.end());
+  }
+
+  bool Identification::passivity_refused() const
+  {
+    return passivity_looked_at && (passivity.change > 0.05 || !passivity.is_passive());
   }
 
   Spectra spectra(const FrequencyData &data)
@@ -163,9 +189,16 @@ namespace vibrocontact
       rules.direct = parameters.direct;
       rules.zero_initial_value = parameters.zero_initial_value;
       rules.real_amplitudes = method == "lsce with real amplitudes";
+      result.passivity_looked_at = parameters.enforce_passivity && !parameters.rolling;
       const auto take = [&](const PoleFit &fit)
       {
         result.fit = fit;
+        if (result.passivity_looked_at)
+        {
+          result.passivity = nearest_passive_fit(data, fit, map, rules);
+          if (!result.passivity_refused())
+            result.fit = result.passivity.fit;
+        }
         result.errors = fit_errors(data, fit);
         result.identified = identified_model(fit, map, parameters.tolerance);
         result.checked = parameters.contact_step > 0;
@@ -259,9 +292,12 @@ namespace vibrocontact
         ChartPole one{n_pairs, std::abs(pole) / (2 * M_PI), -pole.real() / std::abs(pole), 0};
         for (const ChartPole &other : before)
           if (std::abs(other.frequency - one.frequency) < 0.01 * one.frequency)
-            one.status = std::max(
-                one.status,
-                std::abs(other.damping_ratio - one.damping_ratio) < 0.05 * one.damping_ratio ? 2u : 1u);
+          {
+            // without damping there is nothing but round-off to compare
+            const double tolerance = std::max(0.05 * one.damping_ratio, 1e-6);
+            const bool damped_alike = std::abs(other.damping_ratio - one.damping_ratio) < tolerance;
+            one.status = std::max(one.status, damped_alike ? 2u : 1u);
+          }
         now.push_back(one);
       }
       chart.insert(chart.end(), now.begin(), now.end());

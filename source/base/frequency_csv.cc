@@ -142,8 +142,8 @@ namespace vibrocontact
                                 &imaginary = table.column(pairs[k] + "_imag" + unit_of_pair[k].end);
       for (std::size_t l = 0; l < real.size(); ++l)
         entry.values.emplace_back(real[l], imaginary[l]);
+      entry.derivative = unit_of_pair[k].power;
       data.entries.push_back(entry);
-      integrate_in_frequency(data, k, unit_of_pair[k].power);
     }
     return data;
   }
@@ -156,7 +156,7 @@ namespace vibrocontact
       throw InputError(
           "The data \"" + data.file_name +
           "\" give a velocity or acceleration per force at 0 Hz, which does not tell the displacement "
-          "there: leave that frequency out.");
+          "there: leave that frequency out, or set Identification/Lower frequency above 0.");
     for (std::size_t l = 0; l < data.frequency.size(); ++l)
       data.entries[entry].values[l] /= std::pow(Complex(0, 2 * M_PI * data.frequency[l]), power);
   }

@@ -63,6 +63,61 @@ namespace vibrocontact
              (row < lines.size() ? ", line " + std::to_string(lines[row]) + "," : "");
     }
 
+    /// Labels without a sign: displacement and force against an axis count along it.
+    void turn_to_axes(FrequencyData &data)
+    {
+      FrequencyData turned = data;
+      turned.labels.clear();
+      std::vector<unsigned int> place;
+      std::vector<double> sign;
+      for (std::string label : data.labels)
+      {
+        const std::size_t end = label.size() < 3 ? 0 : label.size() - 3;
+        const bool against = end > 0 && label.compare(end, 2, "_-") == 0 &&
+                             std::string("xyz").find(label.back()) != std::string::npos;
+        if (against)
+          label.erase(end + 1, 1);
+        place.push_back(turned.label_index(label));
+        sign.push_back(against ? -1 : 1);
+      }
+      for (FrequencyData::Entry &entry : turned.entries)
+      {
+        const double factor = sign[entry.response] * sign[entry.reference];
+        for (Complex &value : entry.values)
+          value *= factor;
+        entry.response = place[entry.response];
+        entry.reference = place[entry.reference];
+      }
+      data = turned;
+    }
+
+    /// Leaves out the lines below `lower` and above `upper` (0: none).
+    void cut(FrequencyData &data, const double lower, const double upper)
+    {
+      std::vector<std::size_t> kept;
+      for (std::size_t l = 0; l < data.frequency.size(); ++l)
+        if (data.frequency[l] >= lower && (upper == 0 || data.frequency[l] <= upper))
+          kept.push_back(l);
+      if (kept.size() == data.frequency.size())
+        return;
+      if (kept.size() < 3)
+        throw InputError("Identification/Lower frequency = " + number_text(lower) +
+                         " Hz and Upper frequency = " + number_text(upper) + " Hz leave " +
+                         std::to_string(kept.size()) + " lines of the data \"" + data.file_name +
+                         "\", which reach from " + number_text(data.frequency.front()) + " to " +
+                         number_text(data.frequency.back()) + " Hz: give a band with at least 3.");
+      const auto keep = [&](auto &values)
+      {
+        auto all = values;
+        values.clear();
+        for (const std::size_t l : kept)
+          values.push_back(all[l]);
+      };
+      keep(data.frequency);
+      for (FrequencyData::Entry &entry : data.entries)
+        keep(entry.values);
+    }
+
     void check_reciprocity(FrequencyData &data)
     {
       const unsigned int n = data.labels.size();
@@ -75,8 +130,11 @@ namespace vibrocontact
           double difference = 0, size = 0;
           for (std::size_t l = 0; l < data.frequency.size(); ++l)
           {
-            difference += std::norm(lower->values[l] - upper->values[l]);
-            size += std::norm(lower->values[l]) + std::norm(upper->values[l]);
+            // in the quantity of the file
+            const double weight =
+                std::pow(data.frequency[l], 2. * std::min(lower->derivative, upper->derivative));
+            difference += weight * std::norm(lower->values[l] - upper->values[l]);
+            size += weight * (std::norm(lower->values[l]) + std::norm(upper->values[l]));
           }
           const double share = std::sqrt(2 * difference / std::max(size, 1e-300));
           if (share > 0.05)
@@ -92,28 +150,6 @@ namespace vibrocontact
             const_cast<FrequencyData::Entry *>(upper)->values[l] = mean;
           }
         }
-    }
-
-    /// A force on a body at rest puts energy in: Im u / F <= 0 for e^{j omega t}.
-    void check_passive(const FrequencyData &data, const FrequencyData::Entry &entry)
-    {
-      double sum = 0, size = 0;
-      for (const auto &value : entry.values)
-      {
-        sum += value.imag();
-        size += std::abs(value);
-      }
-      const std::string where =
-          "of " + data.labels[entry.response] + " under a force at " + data.labels[entry.reference];
-      if (size == 0)
-        throw InputError("The data \"" + data.file_name + "\" are zero at all frequencies for the response " +
-                         where + ": leave the entry out.");
-      if (entry.response == entry.reference && sum > 1e-3 * size)
-        throw InputError(
-            "The data \"" + data.file_name +
-            "\" have a positive imaginary part on average for the response " + where +
-            ", as if the body gave energy to the force: they may be for e^{-j omega t} (take their "
-            "conjugates) or have the wrong sign.");
     }
 
     void check_matrix(FrequencyData &data, const bool rolling)
@@ -139,8 +175,12 @@ namespace vibrocontact
                              number_text(data.frequency[l]) + " Hz for " + data.labels[entry.response] +
                              " under a force at " + data.labels[entry.reference] +
                              ": leave that frequency out of all entries or fill it.");
-        if (!rolling)
-          check_passive(data, entry);
+        if (std::all_of(entry.values.begin(), entry.values.end(),
+                        [](const Complex &value) { return value == 0.; }))
+          throw InputError("The data \"" + data.file_name +
+                           "\" are zero at all frequencies for the response of " +
+                           data.labels[entry.response] + " under a force at " + data.labels[entry.reference] +
+                           ": leave the entry out.");
       }
       if (!rolling)
         check_reciprocity(data);
@@ -182,14 +222,21 @@ namespace vibrocontact
   }
 
   FrequencyData read_frequency_data(const std::string &file_name, const std::string &bytes,
-                                    const bool rolling)
+                                    const DataRules &rules)
   {
     const auto ends_with = [&](const std::string &end)
     { return file_name.size() >= end.size() && file_name.substr(file_name.size() - end.size()) == end; };
     FrequencyData data = ends_with(".uff") || ends_with(".unv")
                              ? read_uff58(file_name, bytes)
                              : read_frequency_csv(read_csv(file_name, bytes));
-    check_matrix(data, rolling);
+    cut(data, rules.lower, rules.upper);
+    turn_to_axes(data);
+    for (unsigned int k = 0; k < data.entries.size(); ++k)
+      integrate_in_frequency(data, k, data.entries[k].derivative);
+    check_matrix(data, rules.rolling);
+    for (FrequencyData::Entry &entry : data.entries)
+      for (std::size_t l = 0; rules.delay != 0 && l < entry.values.size(); ++l)
+        entry.values[l] *= std::polar(1., 2 * M_PI * data.frequency[l] * rules.delay);
     return data;
   }
 } // namespace vibrocontact

@@ -292,7 +292,6 @@ namespace vibrocontact
     PointNames names;
     int abscissa_type = 0;
     double rounding = 0;
-    std::vector<unsigned int> powers;
     while (!cursor.at_end())
     {
       if (trimmed(cursor.next_line()) != "-1" || cursor.at_end())
@@ -347,8 +346,8 @@ namespace vibrocontact
       entry.reference = data.label_index(names(function.reference_entity, function.reference_node) +
                                          direction_suffix(cursor, function.reference_direction));
       entry.values = function.values;
+      entry.derivative = power_of(cursor, function);
       data.entries.push_back(entry);
-      powers.push_back(power_of(cursor, function));
     }
     if (data.entries.empty())
       throw InputError("The universal file \"" + file_name +
@@ -362,8 +361,6 @@ namespace vibrocontact
       transform_to_frequency(
           data, equal_time_step("The universal file \"" + file_name + "\"", data.frequency, rounding, {}));
     }
-    for (unsigned int k = 0; k < powers.size(); ++k)
-      integrate_in_frequency(data, k, powers[k]);
     return data;
   }
 } // namespace vibrocontact

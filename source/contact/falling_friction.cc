@@ -10,11 +10,11 @@ namespace vibrocontact
     using namespace dealii::Patterns;
     prm.add_parameter(
         "Static friction ratio", ratio,
-        "Friction at rest over Friction coefficient; above 1 friction falls with the slip speed. "
-        "Units: none.",
-        Double(1, 10));
+        "Friction at rest over Friction coefficient; above 1 friction falls with the slip speed, below 1 it "
+        "rises (friction modifiers). Units: none.",
+        Double(1e-3, 10));
     prm.add_parameter("Stribeck velocity", velocity,
-                      "Slip speed over which friction falls by 63 %. Units: m/s.", Double(1e-9, 1e3));
+                      "Slip speed over which friction goes 63 % of its way. Units: m/s.", Double(1e-9, 1e3));
   }
 
   double FallingFriction::factor(const double speed) const
@@ -44,6 +44,9 @@ namespace vibrocontact
     constexpr unsigned int max_rounds = 100;
     ContactSolution solution = start;
     unsigned int iterations = 0, factorisations = 0, fallbacks = 0;
+    // one solution however steep it is, about which the loop would jump: each point goes by secants instead
+    const bool rises = falling.ratio < 1;
+    std::vector<double> share(problem.mu.size(), 1.), missing(problem.mu.size(), 0.), step(missing);
     for (unsigned int round = 0; round < max_rounds; ++round)
     {
       // the response does not depend on mu
@@ -62,7 +65,12 @@ namespace vibrocontact
         // what an open point would have matters to nobody
         if (solution.status[i] != ContactStatus::open)
           change = std::max(change, std::abs(mu - problem.mu[i]));
-        problem.mu[i] = mu;
+        const double before = missing[i];
+        missing[i] = mu - problem.mu[i];
+        if (rises && round > 0 && missing[i] != before)
+          share[i] = std::clamp(step[i] / (before - missing[i]), 1e-3, 1.);
+        step[i] = share[i] * missing[i];
+        problem.mu[i] = rises ? problem.mu[i] + step[i] : mu;
       }
       if (change <= 1e-9 * mu_k)
         return solution;

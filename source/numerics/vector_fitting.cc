@@ -23,6 +23,9 @@ namespace vibrocontact
 
   namespace
   {
+    /// E of fits that are exact, poles on the lines of undamped resonances included
+    constexpr double round_off = 1e-6;
+
     /// Sum of c_k over the poles as a row: what a numerator that falls like 1/s^2 has to keep at zero.
     std::vector<double> sum_row(const std::vector<Complex> &poles)
     {
@@ -165,7 +168,8 @@ namespace vibrocontact
       poles = relocate_poles(data, poles, options.rules);
       const PoleFit fit = fit_residues(data, poles, options.rules);
       const double error = worst_error(data, fit);
-      n_still = std::abs(error - before) < 1e-4 * error ? n_still + 1 : 0;
+      // an exact fit is left with the noise of its round-off
+      n_still = std::abs(error - before) < 1e-4 * error || error < round_off ? n_still + 1 : 0;
       before = error;
       if (error < least)
       {

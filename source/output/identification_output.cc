@@ -85,6 +85,14 @@ namespace vibrocontact
                    {"truncation", one.identified.truncation},
                    {"direct_term_m_N", one.fit.direct},
                    {"seconds", one.seconds}};
+    if (one.passivity_looked_at)
+      result["passivity"] = {
+          {"passive", one.passivity.is_passive() && !one.passivity_refused()},
+          {"refused", one.passivity_refused()},
+          {"gain_before", one.passivity.gain_before},
+          {"gain", one.passivity_refused() ? one.passivity.gain_before : one.passivity.gain},
+          {"change", one.passivity.change},
+          {"rounds", one.passivity.n_rounds}};
     if (!one.checked)
       return result;
     const ContactReadiness &readiness = one.readiness;

@@ -262,6 +262,11 @@ namespace vibrocontact
       run_log().line(text + ": the others are sought beside them");
       n_missing = expected - found;
     }
+    if (n_kept > n_rigid + n_below)
+      run_log().line(std::to_string(n_kept - n_rigid - n_below) + " more than the " +
+                     std::to_string(n_below) + " asked for: equal frequencies (to " +
+                     number_text(pair_tolerance) + "), at " + number_text(modes.omega[n_kept - 1] / two_pi) +
+                     " Hz, stay together");
     modes.omega.resize(n_kept);
     modes.shapes.resize(n_kept);
     verify(system, mass.get(), modes);

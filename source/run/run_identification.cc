@@ -1,3 +1,4 @@
+#include <vibrocontact/analyses/data_passivity.h>
 #include <vibrocontact/analyses/pole_file.h>
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/collective.h>
@@ -16,7 +17,8 @@ namespace vibrocontact
   FrequencyData identification_data(const IdentificationParameters &parameters)
   {
     return read_frequency_data(parameters.data_file,
-                               read_file_on_all_ranks(parameters.data_file, "data file"), parameters.rolling);
+                               read_file_on_all_ranks(parameters.data_file, "data file"),
+                               parameters.data_rules());
   }
 
   namespace
@@ -41,6 +43,18 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    /// @throws InputError for data that create energy, unless they are to be taken so
+    DataJudgement judge(const IdentificationParameters &own, const FrequencyData &data)
+    {
+      const DataJudgement judgement = judge_data(data, own.rolling, own.delay);
+      if (!judgement.complaint.empty() && own.passive_data)
+        throw InputError("The data \"" + data.file_name + "\" " + judgement.complaint + ".");
+      return judgement;
+    }
+  } // namespace
+
   void check_identification(const Parameters &parameters)
   {
     for (const BodyParameters &body : parameters.scene.bodies)
@@ -48,7 +62,9 @@ namespace vibrocontact
         check_positions(body, pole_file(body).names.labels.size(), body.identified.poles_file);
     if (!parameters.has_identification())
       return;
-    const unsigned int n_points = identification_data(parameters.identification).labels.size();
+    const FrequencyData data = identification_data(parameters.identification);
+    judge(parameters.identification, data);
+    const unsigned int n_points = data.labels.size();
     for (const BodyParameters &body : parameters.scene.bodies)
       if (body.type == "identified" && body.identified.poles_file.empty())
         check_positions(body, n_points, parameters.identification.data_file);
@@ -72,6 +88,19 @@ namespace vibrocontact
         run_log().warning(std::to_string(one.fit.n_unstable()) + " poles are unstable.");
       if (!one.fit.converged)
         run_log().warning("The poles still move after the last relocation: E may fall with more Iterations.");
+      const auto percent = [](const double share)
+      { return number_text(std::round(1e4 * share) / 100) + " %"; };
+      if (one.passivity_refused())
+        run_log().warning("This model gives energy to a force (up to " + percent(one.passivity.gain_before) +
+                          " of |G|), and a passive one would " +
+                          (one.passivity.is_passive() ? "differ from it by " + percent(one.passivity.change) +
+                                                            " of the rms receptance"
+                                                      : "not be found") +
+                          ": contact refuses it; ask for more pole pairs or a narrower band.");
+      else if (one.passivity.n_rounds > 0)
+        run_log().line("  made passive: changed by " + percent(one.passivity.change) +
+                       " of the rms receptance, gained up to " + percent(one.passivity.gain_before) +
+                       " of |G|");
       if (!one.checked)
         return;
       if (one.repaired)
@@ -98,6 +127,10 @@ namespace vibrocontact
     run_log().value("frequencies", (unsigned int)(data.frequency.size()));
     if (data.n_skipped > 0)
       run_log().value("functions left aside, neither frequency nor impulse responses", data.n_skipped);
+    const DataJudgement judgement = judge(own, data);
+    run_log().value("lines on which forces gain energy", 100 * judgement.gaining, "%");
+    if (!judgement.complaint.empty())
+      run_log().warning("The data " + judgement.complaint + ".");
     const std::vector<Identification> fits = identify(own, data, print);
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (unsigned int k = 0; k < fits.size(); ++k)
@@ -113,6 +146,12 @@ namespace vibrocontact
       one["fit"] = "identification_fit" + number + ".csv";
       one["fit_uff"] = "identification_fit" + number + ".uff";
       one["data"] = "identification_data.csv";
+      one["data_gaining_share"] = judgement.gaining;
+      if (judgement.delay)
+        one["data_delay"] = {{"estimate_s", judgement.delay->delay},
+                             {"error", judgement.delay->error},
+                             {"error_without", judgement.delay->error_without},
+                             {"removed_s", own.delay}};
       if (k == 0 && own.chart)
         one["chart"] = "identification_chart.csv";
       list.push_back(one);
@@ -169,6 +208,16 @@ namespace vibrocontact
     const Identification one = identify(first, data, print).front();
     if (!one.target_reached)
       run_log().warning(missed_target(one, first));
+    if (one.passivity_refused())
+      throw InputError("The body " + body.name + " cannot be used: the model fitted by " + one.method +
+                       " with " + std::to_string(one.n_asked) + " pole pairs gives energy to forces and " +
+                       (one.passivity.is_passive()
+                            ? "would have to change by " +
+                                  number_text(std::round(1e3 * one.passivity.change) / 10) +
+                                  " % of the rms receptance not to"
+                            : "no passive one was found near it") +
+                       ": ask for more in Identification/Numbers of pole pairs, choose a band or set Enforce "
+                       "passivity = false.");
     return {data.labels, first.rolling, one.identified.model};
   }
 

@@ -17,7 +17,7 @@ namespace
   FrequencyData sample(const double step = 0.5)
   {
     FrequencyData data;
-    data.labels = {"left_z", "right_-x"};
+    data.labels = {"left_z", "right_x"};
     for (unsigned int l = 0; l < 5; ++l)
       data.frequency.push_back(2 + l * step);
     for (const auto &[i, j] : {std::make_pair(0u, 0u), std::make_pair(0u, 1u), std::make_pair(1u, 1u)})
@@ -60,7 +60,7 @@ namespace
 
   std::string refused(const std::string &name, const std::string &bytes, const bool rolling = false)
   {
-    return message([&] { read_frequency_data(name, bytes, rolling); });
+    return message([&] { read_frequency_data(name, bytes, {rolling}); });
   }
 
   void expect_words(const std::string &text, const std::vector<std::string> &words)
@@ -74,7 +74,7 @@ TEST(FrequencyData, TableComesBackBitByBit)
 {
   const FrequencyData data = sample(1 / 3.);
   const std::string text = frequency_csv(data, {"a comment"});
-  const FrequencyData back = read_frequency_data("x.csv", text, false);
+  const FrequencyData back = read_frequency_data("x.csv", text, {});
   expect_equal(data, back);
   EXPECT_EQ(text, frequency_csv(back, {"a comment"}));
 }
@@ -82,7 +82,7 @@ TEST(FrequencyData, TableComesBackBitByBit)
 TEST(FrequencyData, UniversalFileComesBackBitByBit)
 {
   const FrequencyData data = sample();
-  expect_equal(data, read_frequency_data("x.uff", uff58_text(data, "title", true), false));
+  expect_equal(data, read_frequency_data("x.uff", uff58_text(data, "title", true), {}));
   for (const double step : {0.5, 1 / 3.})
     for (const bool binary : {false, true})
     {
@@ -137,13 +137,12 @@ namespace
 
 TEST(FrequencyData, ForeignUniversalFile)
 {
-  const FrequencyData data = read_uff58("hammer.unv", foreign);
-  ASSERT_EQ(data.labels.size(), 2);
-  EXPECT_EQ(data.labels[0], "12_z");
-  EXPECT_EQ(data.labels[1], "12_-z");
+  // struck downwards, measured upwards: a driving point with its sign turned
+  const FrequencyData data = read_frequency_data("hammer.unv", foreign, {});
+  EXPECT_EQ(data.labels, std::vector<std::string>{"12_z"});
   ASSERT_EQ(data.frequency, (std::vector<double>{1, 2, 5}));
   // receptance = accelerance / (j omega)^2
-  EXPECT_NEAR(std::abs(data.entries[0].values[1] * 16. * M_PI * M_PI - Complex(0, 4)), 0, 1e-12);
+  EXPECT_NEAR(std::abs(data.entries[0].values[1] * 16. * M_PI * M_PI + Complex(0, 4)), 0, 1e-12);
 }
 
 namespace
@@ -187,7 +186,7 @@ TEST(FrequencyData, UniversalFileOfOtherFunctions)
       read_frequency_data("h.uff",
                           uneven_function(6, 18, frequencies) + response + uneven_function(2, 18, even) +
                               uneven_function(1, 18, frequencies),
-                          false);
+                          {});
   EXPECT_EQ(data.entries.size(), 1);
   EXPECT_EQ(data.n_skipped, 3);
   expect_equal(data, read_uff58("h.uff", response));
@@ -207,7 +206,7 @@ TEST(FrequencyData, ImpulseResponse)
     std::snprintf(line, sizeof line, "%.17g,%.17g\n", t, std::exp(-20 * t) * std::sin(100 * t) / 100);
     text += line;
   }
-  const FrequencyData data = read_frequency_data("g.csv", text, false);
+  const FrequencyData data = read_frequency_data("g.csv", text, {});
   EXPECT_NEAR(data.frequency[1], 0.5, 1e-12);
   for (const unsigned int l : {0u, 20u, 60u})
   {
@@ -243,7 +242,7 @@ TEST(FrequencyData, WrongDataAreRefused)
   std::swap(data.entries.back().response, data.entries.back().reference);
   data.entries.back().values[2] *= 3;
   const std::string text = frequency_csv(data, {});
-  expect_words(refused("d.csv", text), {"not reciprocal", "right_-x", "left_z", "Rolling data"});
+  expect_words(refused("d.csv", text), {"not reciprocal", "right_x", "left_z", "Rolling data"});
   EXPECT_EQ(refused("d.csv", text, true), "nothing was refused");
   expect_words(refused("d.csv", frequency_csv(sample(), {}), true), {"lack", "both ways"});
 
@@ -257,4 +256,71 @@ TEST(FrequencyData, WrongDataAreRefused)
   std::string hole = foreign;
   hole.replace(hole.find(" -1.00000E+00"), 13, "          NaN");
   expect_words(refused("d.unv", hole), {"line 20", "NaN"});
+}
+
+TEST(FrequencyData, DirectionsAgainstAxes)
+{
+  // a downward hammer at A, an accelerometer downwards at B: A_z, B_z with signs
+  std::string text = "frequency_Hz,A_-z_A_-z_real_m_N,A_-z_A_-z_imag_m_N,A_-z_B_z_real_m_N,A_-z_B_z_imag_m_N,"
+                     "B_z_B_z_real_m_N,B_z_B_z_imag_m_N\n";
+  for (const char *frequency : {"1", "2", "3"})
+    text += std::string(frequency) + ",5,-1,3,-0.5,4,-2\n";
+  const FrequencyData data = read_frequency_data("a.csv", text, {});
+  EXPECT_EQ(data.labels, (std::vector<std::string>{"A_z", "B_z"}));
+  EXPECT_EQ(data.find(0, 0)->values[1], Complex(5, -1));
+  EXPECT_EQ(data.find(0, 1)->values[1], Complex(-3, 0.5));
+  EXPECT_EQ(data.find(1, 1)->values[1], Complex(4, -2));
+  // the same point twice under two names
+  text.replace(text.find("B_z_B_z"), 7, "A_z_A_z");
+  EXPECT_NE(refused("a.csv", text), "nothing was refused");
+}
+
+TEST(FrequencyData, BandAndDelay)
+{
+  std::string text = "frequency_Hz,a_z_a_z_real_m_Ns2,a_z_a_z_imag_m_Ns2\n";
+  for (unsigned int f = 0; f <= 10; ++f)
+    text += std::to_string(f) + ",1,0.1\n";
+  expect_words(refused("b.csv", text), {"0 Hz", "Lower frequency"});
+  DataRules rules;
+  rules.lower = 2;
+  rules.upper = 6;
+  rules.delay = 1e-3;
+  const FrequencyData data = read_frequency_data("b.csv", text, rules);
+  EXPECT_EQ(data.frequency, (std::vector<double>{2, 3, 4, 5, 6}));
+  const double omega = 2 * M_PI * 3;
+  EXPECT_LT(
+      std::abs(data.entries[0].values[1] + Complex(1, 0.1) / (omega * omega) * std::polar(1., omega * 1e-3)),
+      1e-15);
+  rules.upper = 3.5;
+  expect_words(message([&] { read_frequency_data("b.csv", text, rules); }), {"Upper frequency", "2 lines"});
+}
+
+// Noise that is even in accelerances: 1 % of their rms, but more than all of the receptance on the lowest lines.
+TEST(FrequencyData, ReciprocityIsJudgedInTheQuantityOfTheFile)
+{
+  std::string text = "frequency_Hz";
+  for (const char *pair : {"a_z_a_z", "a_z_b_z", "b_z_a_z", "b_z_b_z"})
+    text += std::string(",") + pair + "_real_m_Ns2," + pair + "_imag_m_Ns2";
+  text += "\n";
+  unsigned int state = 1;
+  const auto noise = [&]
+  {
+    state = 1664525 * state + 1013904223;
+    return 0.02 * (state / 4294967296. - 0.5);
+  };
+  for (unsigned int f = 1; f <= 400; ++f)
+  {
+    text += std::to_string(f);
+    const double omega = 2 * M_PI * f;
+    const Complex accelerance = -omega * omega / Complex(800. * 800 - omega * omega, 0.05 * 800 * omega);
+    for (const double share : {1., 0.6, 0.6, 0.8})
+      text += "," + std::to_string(share * accelerance.real() + noise()) + "," +
+              std::to_string(share * accelerance.imag() + noise());
+    text += "\n";
+  }
+  EXPECT_EQ(refused("c.csv", text), "nothing was refused");
+  // the same difference on all lines is one
+  text.replace(text.find("b_z_a_z_real"), 12, "x_z_x_z_real");
+  text.replace(text.find("b_z_a_z_imag"), 12, "x_z_x_z_imag");
+  EXPECT_NE(refused("c.csv", text), "nothing was refused");
 }

@@ -242,19 +242,25 @@ namespace
   }
 } // namespace
 
-TEST(FallingFriction, GrowthOfASlidingMass)
+/// Of a root and in time, about the equilibrium of steady sliding; rising friction damps.
+class SlidingMass : public testing::TestWithParam<double>
 {
+};
+
+TEST_P(SlidingMass, GrowthUnderFrictionOfTheSlipSpeed)
+{
+  const double ratio = GetParam();
   const double omega = 2 * pi * 50, zeta = 0.002, slip = 0.2;
   const ContactPair pair = sliding_mass(omega, zeta);
   ContactParameters contact;
   contact.friction = 0.3;
-  contact.falling.ratio = 1.5;
+  contact.falling.ratio = ratio;
   contact.falling.velocity = 0.3;
   RollingParameters rolling;
   rolling.creepage.speed = 0;
   rolling.creepage.sliding_x = slip;
   rolling.normal_force = {100};
-  const double tangent = -0.3 * 0.5 / 0.3 * std::exp(-slip / 0.3),
+  const double tangent = -0.3 * (ratio - 1) / 0.3 * std::exp(-slip / 0.3),
                expected = -tangent * 100 / (2 * 2.) - zeta * omega;
   ContactSolverParameters solver;
   for (const std::string linearisation : {"consistent", "paper"})
@@ -276,7 +282,7 @@ TEST(FallingFriction, GrowthOfASlidingMass)
       drive_function(parameters, rolling_cases(rolling, contact).front(), pair.interface.grid);
   DynamicState state = initial_state(parameters, contact, solver, pair, drive(0));
   const double rest = state.q[0];
-  const double mu = 0.3 * (1 + 0.5 * std::exp(-slip / 0.3));
+  const double mu = 0.3 * (1 + (ratio - 1) * std::exp(-slip / 0.3));
   EXPECT_NEAR(rest * omega * omega * std::sqrt(2.) / (-mu * 100), 1, 1e-8);
   const auto energy = [&] { return std::pow(state.v[0], 2) + std::pow(omega * (state.q[0] - rest), 2); };
   const double before = energy();
@@ -285,7 +291,58 @@ TEST(FallingFriction, GrowthOfASlidingMass)
                 [](const DynamicState &, const TransientResult &) { return true; });
   EXPECT_TRUE(result.converged);
   const double growth = std::log(energy() / before) / (2 * parameters.end_time);
-  std::printf("sliding mass under falling friction: growth in time %.5f, closed form %.5f 1/s\n", growth,
-              expected);
+  std::printf("sliding mass, friction at rest %g times: growth in time %.5f, closed form %.5f 1/s\n", ratio,
+              growth, expected);
   EXPECT_NEAR(growth / expected, 1, 2e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(FallingAndRising, SlidingMass, testing::Values(1.5, 0.5));
+
+namespace
+{
+  /// Share of the steps in stick over the last fifth of a second; the belt goes at 20 mm/s, the mass starts at ten times
+  /// that.
+  double sticking(const double ratio, const double velocity)
+  {
+    const ContactPair pair = sliding_mass(2 * pi * 50, 0.002);
+    ContactParameters contact;
+    contact.friction = 0.3;
+    contact.falling.ratio = ratio;
+    contact.falling.velocity = velocity;
+    RollingParameters rolling;
+    rolling.creepage.speed = 0;
+    rolling.creepage.sliding_x = 0.02;
+    rolling.normal_force = {100};
+    TransientParameters parameters;
+    parameters.time_step = 2e-5;
+    parameters.end_time = 1;
+    parameters.perturbed_mode = pair.labels[0];
+    parameters.perturbation_velocity = 0.2;
+    const DriveFunction drive =
+        drive_function(parameters, rolling_cases(rolling, contact).front(), pair.interface.grid);
+    const ContactSolverParameters solver;
+    const DynamicState start = initial_state(parameters, contact, solver, pair, drive(0));
+    unsigned int stick = 0, n = 0;
+    const TransientResult result = transient(parameters, contact, solver, pair, drive, start,
+                                             [&](const DynamicState &state, const TransientResult &)
+                                             {
+                                               if (state.time > 0.8)
+                                               {
+                                                 ++n;
+                                                 stick += state.contact.status[0] == ContactStatus::stick;
+                                               }
+                                               return true;
+                                             });
+    EXPECT_TRUE(result.converged);
+    return double(stick) / n;
+  }
+} // namespace
+
+// Falling friction sticks and slips on a slow belt, rising friction comes to steady sliding, however steep it is: over
+// 1 mm/s, N dmu/ds h / m is 0.15, and N dmu/ds times the point's flexibility is the 1e-9 of the pair.
+TEST(FallingFriction, RisingFrictionEndsStickSlip)
+{
+  EXPECT_GT(sticking(1.5, 0.02), 0.2);
+  EXPECT_EQ(sticking(0.5, 0.02), 0);
+  EXPECT_EQ(sticking(0.5, 1e-3), 0);
 }

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/base/frequency_data.h>
 #include <vibrocontact/reduction/identified_model.h>
+#include <vibrocontact/reduction/passive_fit.h>
 #include <vibrocontact/response/contact_readiness.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -18,6 +19,14 @@ namespace vibrocontact
     std::string data_file;
     /// the body turns: G_ij and G_ji differ
     bool rolling = false;
+    /// of the data, upper 0: all above [Hz]
+    double lower_frequency = 0, upper_frequency = 0;
+    /// by which the responses of the data lag behind their forces, taken out [s]
+    double delay = 0;
+    /// data that create energy are refused
+    bool passive_data = true;
+    /// the model of a body at rest becomes passive
+    bool enforce_passivity = true;
     /// separated by commas: "vector fitting", "lsce", "lsce with real amplitudes" (the paper's A_k)
     std::string methods = "vector fitting";
     /// one fit for each, unless a target is set: then the smallest number that reaches it, up to `largest`
@@ -37,6 +46,7 @@ namespace vibrocontact
     /// @throws InputError
     void check() const;
     std::vector<std::string> method_list() const;
+    DataRules data_rules() const { return {rolling, lower_frequency, upper_frequency, delay}; }
   };
 
   /// One fit.
@@ -51,11 +61,17 @@ namespace vibrocontact
     IdentifiedModel identified;
     ContactReadiness readiness;
     bool checked = false, repaired = false, repair_failed = false;
+    /// of a body at rest: whether the model takes energy at every frequency, what it took, as seen by the last fit;
+    /// `fit` is the passive one unless that is refused
+    PassiveFit passivity;
+    bool passivity_looked_at = false;
     /// whether E is within Target error, if there is one
     bool target_reached = true;
     double seconds = 0;
 
     double worst() const;
+    /// The passive model would differ by more than 5 % (rms receptance), or there is none.
+    bool passivity_refused() const;
   };
 
   /// A pole of the stabilisation chart.
@@ -72,6 +88,7 @@ namespace vibrocontact
 
   /// All fits that are asked for, in the order of methods and numbers.
   ///
+  /// The model of a body at rest is made passive (reduction/passive_fit.h) if wanted, whenever it is fitted.
   /// A model whose one-step compliance is not positive definite at the contact step, its half and tenth and in the limit is
   /// repaired if wanted: the fit is made again without direct term and with g(0+) = 0; if that is not
   /// enough, the residues again with g'(0+) as well, whose eigenvalues are raised to 1e-3 of the largest at least.

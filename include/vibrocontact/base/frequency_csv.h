@@ -10,7 +10,8 @@ namespace vibrocontact
 {
   /// Columns frequency_Hz and <response>_<reference>_real_<unit>, ..._imag_<unit> as the analysis `frequency response`
   /// writes them, unit m_N (receptance), m_Ns (mobility) or m_Ns2 (accelerance); or time_s and
-  /// <response>_<reference>_m_Ns, impulse responses. Reads only, see read_frequency_data().
+  /// <response>_<reference>_m_Ns, impulse responses. Reads only, values as they stand there, see
+  /// read_frequency_data().
   FrequencyData read_frequency_csv(const CsvTable &table);
 
   /// Splits <response>_<reference>, what names of columns say before their units: points are those for which

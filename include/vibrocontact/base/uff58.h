@@ -12,7 +12,7 @@ namespace vibrocontact
   /// spectra) are left aside and counted; other datasets are skipped, units other than SI (dataset 164) refused.
   ///
   /// A point is called by its entity, or by its node if the entity is NONE or empty; direction _x, _y, _z or
-  /// _-x, ..., none if scalar.
+  /// _-x, ..., none if scalar. Values as they stand there, see read_frequency_data().
   /// @throws InputError with file and line
   FrequencyData read_uff58(const std::string &file_name, const std::string &bytes);
 

@@ -32,7 +32,7 @@ namespace vibrocontact
                                                    const std::vector<std::complex<double>> &poles,
                                                    const ResidueRules &rules);
 
-  /// Relocates until the worst E stands still (1e-4 in three relocations) and returns the best fit on the way: E is no
+  /// Relocates until the worst E stands still (1e-4 in three relocations) or is round-off in three, and returns the best fit on the way: E is no
   /// monotonic function of the relocations. If it moves to the last relocation, the fit is marked as not converged.
   PoleFit vector_fit(const Spectra &data, unsigned int n_pairs, const VectorFittingOptions &options = {});
 } // namespace vibrocontact
