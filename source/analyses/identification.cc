@@ -199,8 +199,8 @@ namespace vibrocontact
           if (!result.passivity_refused())
             result.fit = result.passivity.fit;
         }
-        result.errors = fit_errors(data, fit);
-        result.identified = identified_model(fit, map, parameters.tolerance);
+        result.errors = fit_errors(data, result.fit);
+        result.identified = identified_model(result.fit, map, parameters.tolerance);
         result.checked = parameters.contact_step > 0;
         if (result.checked)
           result.readiness = contact_readiness(result.identified.model, parameters.contact_step);

@@ -147,7 +147,7 @@ namespace vibrocontact
     const double d = std::copysign(std::max(std::abs(x(n, 0)), 1e-10), x(n, 0));
 
     std::vector<Complex> result;
-    const double smallest = 1e-9 * data.omega.back();
+    const double smallest = 1e-12 * data.omega.back();
     for (const Complex &zero_of_bracket : zeros(poles, c, d))
       if (zero_of_bracket.imag() >= 0)
         result.emplace_back(-std::max(std::abs(zero_of_bracket.real()), smallest), zero_of_bracket.imag());

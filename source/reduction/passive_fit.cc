@@ -53,6 +53,7 @@ namespace vibrocontact
     std::vector<double> gain_grid(const std::vector<double> &omega, const std::vector<Complex> &poles)
     {
       std::vector<double> grid;
+      const double spacing = omega.back() / omega.size();
       double highest = omega.back();
       for (const double value : omega)
         if (value > 0)
@@ -62,6 +63,10 @@ namespace vibrocontact
         highest = std::max(highest, std::abs(pole));
         for (const double offset : {-3., -1.5, -0.7, -0.3, 0., 0.3, 0.7, 1.5, 3.})
           grid.push_back(pole.imag() + offset * pole.real());
+        // of a pole with hardly any damping, up to the next lines
+        for (double width = 10 * std::abs(pole.real()); width < spacing; width *= 3)
+          for (const double side : {-1., 1.})
+            grid.push_back(pole.imag() + side * width);
       }
       const double lowest = grid.front();
       for (unsigned int k = 1; k <= 40; ++k)

@@ -317,6 +317,10 @@ TEST(DataPassivity, ModelsOfDataThatArePassiveAreToo)
   EXPECT_FALSE(one.passivity_refused());
   EXPECT_LT(one.passivity.change, 0.02);
   EXPECT_LT(largest_gain(one.fit, entry_map(data)), 1e-6);
+  // it is the model that contact gets
+  const ComplexMatrix used = receptance(one.identified.model, 3e3);
+  EXPECT_LT(std::abs(used(0, 2) - one.fit.value(2, 3e3)), 1e-9 * std::abs(used(0, 0)));
+  EXPECT_EQ(one.errors, fit_errors(spectra(data), one.fit));
   // far from passive: refused, and left as fitted
   data = changed(data, [](const Complex value, const double omega)
                  { return value * std::polar(1., omega * 5e-4); });
