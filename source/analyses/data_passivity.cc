@@ -18,7 +18,7 @@ namespace vibrocontact
                                                     "mobilities (velocity per force)",
                                                     "accelerances (acceleration per force)"}};
 
-    double median(std::vector<double> values)
+    double middle_value(std::vector<double> values)
     {
       std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
       return values[values.size() / 2];
@@ -39,8 +39,8 @@ namespace vibrocontact
         const int begin = std::clamp(l - reach, 1, std::max(1, n - 2 * reach - 2)),
                   end = std::min(n - 1, begin + 2 * reach + 1);
         // the differences have six times the variance, and a median of sqrt(ln 2) of their rms
-        const double deviation =
-            median({difference.begin() + begin, difference.begin() + end}) / std::sqrt(6 * std::log(2.));
+        const double deviation = middle_value({difference.begin() + begin, difference.begin() + end}) /
+                                 std::sqrt(6 * std::log(2.));
         const double size = std::pow(data.frequency[l], int(entry.derivative));
         noise[l] = size > 0 ? deviation / size : 0;
       }
@@ -48,10 +48,10 @@ namespace vibrocontact
     }
 
     /// The lines above 0 Hz as the test needs them.
-    class Lines
+    class TestedLines
     {
     public:
-      Lines(const FrequencyData &data, const bool rolling) : data(data), rolling(rolling)
+      TestedLines(const FrequencyData &data, const bool rolling) : data(data), rolling(rolling)
       {
         const unsigned int n = data.labels.size();
         std::vector<std::vector<double>> noises;
@@ -155,7 +155,7 @@ namespace vibrocontact
 
     /// What else the values may be; empty if nothing puts the lines in order. A spring or a free mass at the low end of
     /// the band tells quantities apart that turn the phase equally.
-    std::string other_quantity(const Lines &lines, const FrequencyData &data)
+    std::string other_quantity(const TestedLines &lines, const FrequencyData &data)
     {
       const int labelled = data.entries.front().derivative;
       for (const FrequencyData::Entry &entry : data.entries)
@@ -182,7 +182,7 @@ namespace vibrocontact
     }
 
     /// The delay whose removal leaves the fewest gains: the middle of what does; 0 if none does.
-    double delay_by_sign(const Lines &lines, const double highest)
+    double delay_by_sign(const TestedLines &lines, const double highest)
     {
       const std::size_t stride = (lines.n_lines() + 199) / 200;
       std::vector<double> delays, shares;
@@ -223,7 +223,7 @@ namespace vibrocontact
 
   DataJudgement judge_data(const FrequencyData &data, const bool rolling, const double removed)
   {
-    const Lines lines(data, rolling);
+    const TestedLines lines(data, rolling);
     const double highest = data.frequency.back();
     const auto without = [&](const double delay)
     { return lines.judge([&](const double omega) { return std::polar(1., omega * delay); }).gaining; };
