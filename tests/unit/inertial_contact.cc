@@ -321,15 +321,15 @@ namespace
     const DriveFunction drive =
         drive_function(parameters, rolling_cases(rolling, contact).front(), pair.interface.grid);
     const ContactSolverParameters solver;
-    const DynamicState start = initial_state(parameters, contact, solver, pair, drive(0));
+    DynamicState state = initial_state(parameters, contact, solver, pair, drive(0));
     unsigned int stick = 0, n = 0;
-    const TransientResult result = transient(parameters, contact, solver, pair, drive, start,
-                                             [&](const DynamicState &state, const TransientResult &)
+    const TransientResult result = transient(parameters, contact, solver, pair, drive, state,
+                                             [&](const DynamicState &now, const TransientResult &)
                                              {
-                                               if (state.time > 0.8)
+                                               if (now.time > 0.8)
                                                {
                                                  ++n;
-                                                 stick += state.contact.status[0] == ContactStatus::stick;
+                                                 stick += now.contact.status[0] == ContactStatus::stick;
                                                }
                                                return true;
                                              });
