@@ -269,7 +269,7 @@ TEST(DataPassivity, FitsOfTheRingBecomePassive)
             n_pairs, zero, noise, passive.gain_before, passive.gain, passive.change, passive.n_rounds,
             worst_error(data, fit), worst_error(data, passive.fit));
         EXPECT_TRUE(passive.is_passive());
-        EXPECT_LT(largest_gain(passive.fit, toeplitz), 1e-6);
+        EXPECT_LT(largest_gain(passive.fit, toeplitz), 1e-5);
         EXPECT_LT(passive.change, 0.02);
         for (unsigned int i = 0; zero && i < 3; ++i)
           EXPECT_NEAR(passive.fit.initial(i, 0) / std::abs(fit.residues[i][0]), 0, 1e-9);
@@ -316,7 +316,7 @@ TEST(DataPassivity, ModelsOfDataThatArePassiveAreToo)
   EXPECT_TRUE(one.passivity_looked_at);
   EXPECT_FALSE(one.passivity_refused());
   EXPECT_LT(one.passivity.change, 0.02);
-  EXPECT_LT(largest_gain(one.fit, entry_map(data)), 1e-6);
+  EXPECT_LT(largest_gain(one.fit, entry_map(data)), 1e-5);
   // it is the model that contact gets
   const ComplexMatrix used = receptance(one.identified.model, 3e3);
   EXPECT_LT(std::abs(used(0, 2) - one.fit.value(2, 3e3)), 1e-9 * std::abs(used(0, 0)));

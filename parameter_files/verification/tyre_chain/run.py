@@ -32,8 +32,8 @@ def run(file, *settings):
 
 
 def fit(method, pairs, zero=False):
-    # the tread makes every fit usable, so that none is repaired
-    return (data, "Identification/Repair for contact=false", f"Identification/Method={method}", f"Identification/Numbers of pole pairs={pairs}",
+    # the tread makes every fit usable, so that none is repaired; fits as they are, not the passive models near them
+    return (data, "Identification/Repair for contact=false", "Identification/Enforce passivity=false", f"Identification/Method={method}", f"Identification/Numbers of pole pairs={pairs}",
             f"Identification/Impose zero initial value={str(zero).lower()}")
 
 
