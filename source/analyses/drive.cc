@@ -11,6 +11,7 @@
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <tuple>
 
 namespace vibrocontact
 {
@@ -201,6 +202,30 @@ namespace vibrocontact
         }
       return drive;
     };
+  }
+
+  std::vector<std::string> driven_entries(const TransientParameters &transient)
+  {
+    std::optional<CsvTable> table;
+    try
+    {
+      if (!transient.drive_table.empty())
+        table = read_csv_file(transient.drive_table, "Transient/Drive table");
+    }
+    catch (const InputError &)
+    {
+      // said where the drive is made
+    }
+    std::vector<std::string> driven;
+    for (const auto &[entry, column, expression] :
+         {std::make_tuple("Longitudinal creepage", "longitudinal_creepage", &transient.longitudinal_creepage),
+          {"Lateral creepage", "lateral_creepage", &transient.lateral_creepage},
+          {"Spin", "spin_1_m", &transient.spin},
+          {"Normal force", "normal_force_N", &transient.normal_force},
+          {"Hub displacement", "hub_displacement_m", &transient.hub_displacement}})
+      if (!expression->empty() || (table && table->find(column)))
+        driven.push_back(entry);
+    return driven;
   }
 
   void check_drive(const TransientParameters &transient, const RollingCase &constant, const ContactGrid &grid)

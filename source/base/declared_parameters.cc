@@ -67,6 +67,18 @@ namespace vibrocontact
     return std::find(sections.begin(), sections.end(), path) != sections.end();
   }
 
+  DeclaredParameters DeclaredParameters::without(const std::vector<std::string> &paths) const
+  {
+    DeclaredParameters result = *this;
+    result.entries.erase(std::remove_if(result.entries.begin(), result.entries.end(),
+                                        [&](const Entry &entry) {
+                                          return std::count(paths.begin(), paths.end(),
+                                                            joined_path(entry.section, entry.name)) > 0;
+                                        }),
+                         result.entries.end());
+    return result;
+  }
+
   std::vector<std::string> DeclaredParameters::entry_names(const std::string &section) const
   {
     std::vector<std::string> names;

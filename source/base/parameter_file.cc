@@ -2,6 +2,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/base/parameter_file.h>
+#include <vibrocontact/base/utf8.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -110,6 +111,10 @@ namespace vibrocontact
   {
     for (const auto &option : overrides)
     {
+      if (first_byte_outside_utf8(option) < option.size())
+        throw InputError(
+            "--set \"" + option.substr(0, first_byte_outside_utf8(option)) +
+            "...\" holds a letter that is not written in UTF-8; write it in a terminal of UTF-8");
       const std::size_t equals = option.find('=');
       const auto [section, name] = split_path(option.substr(0, equals));
       if (equals == std::string::npos || name.empty())

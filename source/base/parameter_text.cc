@@ -1,6 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/base/parameter_text.h>
+#include <vibrocontact/base/utf8.h>
 
 #include <algorithm>
 #include <sstream>
@@ -79,6 +80,16 @@ namespace vibrocontact
     text.file_name = file_name;
     text.bytes = bytes;
     const auto at = [&](const unsigned int line) { return file_name + ":" + std::to_string(line) + ": "; };
+
+    const std::size_t strange = first_byte_outside_utf8(bytes);
+    if (strange < bytes.size() && bytes.find('\0') == std::string::npos)
+    {
+      const std::size_t begin = strange == 0 ? 0 : bytes.rfind('\n', strange - 1) + 1;
+      throw InputError(at(1 + std::count(bytes.begin(), bytes.begin() + strange, '\n')) +
+                       "a letter after \"" + trimmed(bytes.substr(begin, strange - begin)) +
+                       "\" is not written in UTF-8 (an umlaut in Latin-1?); save the file as UTF-8, for "
+                       "instance by iconv -f latin1 -t utf-8");
+    }
 
     std::vector<OpenSection> open;
     // A subsection that begins no further right than the one around it hints at the "end" that was forgotten.

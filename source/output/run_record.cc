@@ -61,8 +61,8 @@ namespace vibrocontact
     }
   } // namespace
 
-  RunRecord::RunRecord(const std::string &folder, const ParameterFile &file,
-                       const dealii::ParameterHandler &prm, const Results *const resumed)
+  RunRecord::RunRecord(const std::string &folder, const ParameterFile &file, const DeclaredParameters &used,
+                       const Results *const resumed)
       : folder(folder), resumes(resumed)
   {
     on_first_rank(
@@ -87,8 +87,7 @@ namespace vibrocontact
               remove_earlier_results(folder, keeps_input);
             if (!keeps_input)
               write_file(folder + "/input.prm", file.bytes());
-            write_file(folder + "/used.prm",
-                       print_parameters(declared_parameters(prm), ParameterStyle::values_only));
+            write_file(folder + "/used.prm", print_parameters(used, ParameterStyle::values_only));
             write(resumed ? *resumed : Results(), 0.);
           }
           catch (const OutputError &error)

@@ -30,11 +30,10 @@ namespace vibrocontact
                                      (name == "End time" || name == "Checkpoint interval"));
     }
 
-    void check_same(const std::string &folder, const std::string &used, const dealii::ParameterHandler &prm)
+    void check_same(const std::string &folder, const std::string &earlier, const DeclaredParameters &used)
     {
-      const ParameterText before = scan_parameter_text(folder + "/used.prm", used),
-                          now = scan_parameter_text(
-                              "", print_parameters(declared_parameters(prm), ParameterStyle::values_only));
+      const ParameterText before = scan_parameter_text(folder + "/used.prm", earlier),
+                          now = scan_parameter_text("", print_parameters(used, ParameterStyle::values_only));
       const auto compare = [&](const ParameterText &a, const ParameterText &b, const bool a_is_before)
       {
         for (const auto &entry : a.entries)
@@ -57,14 +56,13 @@ namespace vibrocontact
     }
   } // namespace
 
-  Results earlier_results(const std::string &folder, const dealii::ParameterHandler &prm,
-                          const double end_time)
+  Results earlier_results(const std::string &folder, const DeclaredParameters &used, const double end_time)
   {
     Results results;
     on_all_ranks(
         [&]
         {
-          check_same(folder, content(folder, "used.prm"), prm);
+          check_same(folder, content(folder, "used.prm"), used);
           check_end_time(folder, end_time);
           results = results_of_text(content(folder, "results.json"));
         });

@@ -100,10 +100,6 @@ namespace vibrocontact
                           parameters.loads.gravity);
     if (parameters.type == "beam rail")
     {
-      if (grid && above)
-        throw InputError(parameters.name +
-                         " is a beam rail, which lies below the contact, but is body 1, above; "
-                         "list it second in Bodies.");
       auto system = assemble_beam_rail(parameters.beam_rail, parameters.material, parameters.name, pointer,
                                        communicator);
       if (grid)

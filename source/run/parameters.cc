@@ -286,6 +286,20 @@ namespace vibrocontact
       }
     }
 
+    /// A beam rail and a half-space lie below the contact, or carry tractions that are constant on each cell.
+    void check_half_space_contact(const Scene &scene, const ContactParameters &contact)
+    {
+      if (scene.bodies[0].type == "beam rail")
+        throw InputError(scene.bodies[0].name +
+                         " is a beam rail, which lies below the contact, but is body 1, above; "
+                         "list it second in Bodies.");
+      for (const BodyParameters &body : scene.bodies)
+        if (contact.quadrature == "consistent" && (body.type == "beam rail" || body.type == "half-space"))
+          throw InputError("Contact/Quadrature is consistent, but the half-space under the contact of " +
+                           body.name +
+                           " knows tractions that are constant on each cell only: set it to lumped.");
+    }
+
     /// Two bodies without a mesh touch in a point (in a line along a strip), and one of them gives way.
     void check_touch(const BodyParameters &body_1, const BodyParameters &body_2, const bool strip)
     {
@@ -329,6 +343,7 @@ namespace vibrocontact
     if (has_contact())
     {
       check_layer(scene, rolling);
+      check_half_space_contact(scene, contact);
       // a body on a road has no partner
       if (scene.bodies.size() > 1 && !scene.runs("modal convolution"))
         check_touch(scene.bodies[0], scene.bodies[1], contact.strip_length > 0);

@@ -63,6 +63,19 @@ namespace vibrocontact
           rows.push_back(times(system.trace.rows[contact_row(n, a, p)], a == 0 ? sign : 1.));
       return rows;
     }
+
+    /// Contact points, and the exciting force behind them if it has a place of its own.
+    Rows all_rows(const Parameters &parameters, const SecondOrderSystem &system,
+                  const unsigned int rows_per_point)
+    {
+      if (system.n_rigid_modes > 0)
+        throw InputError(system.body +
+                         " is free, but a periodic motion needs a body that is held: it would drift.");
+      Rows rows = contact_rows(parameters, system, rows_per_point);
+      if (const auto force = parameters.periodic.parsed_force())
+        rows.push_back(force_row(system, *force));
+      return rows;
+    }
   } // namespace
 
   PeriodicBody periodic_body(const Parameters &parameters, const MeshedBodies &bodies)
@@ -71,15 +84,10 @@ namespace vibrocontact
     BodyReduction &reduction = meshed.reduction;
     const PeriodicParameters &periodic = parameters.periodic;
     const SecondOrderSystem &system = reduction.system();
-    if (system.n_rigid_modes > 0)
-      throw InputError(system.body +
-                       " is free, but a periodic motion needs a body that is held: it would drift.");
     const unsigned int rows_per_point = parameters.contact.friction > 0 ? 3 : 1;
-    Rows rows = contact_rows(parameters, system, rows_per_point);
-    const unsigned int n = rows.size();
-    const auto force = periodic.parsed_force();
-    if (force)
-      rows.push_back(force_row(system, *force));
+    const Rows rows = all_rows(parameters, system, rows_per_point);
+    const bool force = periodic.parsed_force().has_value();
+    const unsigned int n = rows.size() - force;
 
     Modes modes = reduction.shapes();
     std::vector<double> damping_ratio = reduction.modal().damping_ratio;
@@ -110,5 +118,10 @@ namespace vibrocontact
     log.value("contact points", body.n_points());
     log.value("residual flexibility of the first point", body.residual(0, 0), "m/N");
     return body;
+  }
+
+  void check_periodic_points(const Parameters &parameters, const MeshedBodies &bodies)
+  {
+    all_rows(parameters, bodies[0]->reduction.system(), parameters.contact.friction > 0 ? 3 : 1);
   }
 } // namespace vibrocontact

@@ -3,10 +3,13 @@
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/output/answers.h>
 #include <vibrocontact/output/figures.h>
 #include <vibrocontact/output/run_record.h>
+#include <vibrocontact/run/check_before_run.h>
+#include <vibrocontact/run/check_entries.h>
 #include <vibrocontact/run/check_transient.h>
 #include <vibrocontact/run/earlier_run.h>
 #include <vibrocontact/run/prepare_bodies.h>
@@ -189,11 +192,17 @@ namespace vibrocontact
     dealii::ParameterHandler prm;
     read_parameters(file, prm, parameters);
     const StabilityCases sweep = stability_cases(parameters, file, command_line.overrides);
+    const std::vector<std::string> out_of_use =
+        entries_out_of_use(file, command_line.overrides, parameters, declared_parameters(prm), sweep);
     banner(command_line, parameters.scene);
+    if (!out_of_use.empty())
+      run_log().line("Entries that options have put out of use: " + quoted_list(out_of_use, "and") + ".");
     if (command_line.check)
       for (BodyParameters &body : parameters.scene.bodies)
         body.wheel.write_mesh.clear();
 
+    const std::string folder = parameters.output.folder(command_line.output, command_line.file);
+    const DeclaredParameters used = declared_parameters(prm).without(out_of_use);
     const ContactGrid grid = parameters.contact_grid();
     MeshedBodies bodies;
     try
@@ -204,8 +213,12 @@ namespace vibrocontact
       if (parameters.scene.runs("transient") && parameters.transient.model == "finite elements")
         check_unreduced_size(bodies);
       check_identification(parameters);
+      check_before_run(parameters, bodies);
       if (command_line.check)
       {
+        check_places(parameters, bodies, sweep);
+        if (command_line.resume)
+          earlier_results(folder, used, parameters.transient.end_time);
         print_scene(parameters, bodies, grid);
         return 0;
       }
@@ -219,12 +232,11 @@ namespace vibrocontact
       throw InputError("Write mesh: " + std::string(error.what()));
     }
 
-    const std::string folder = parameters.output.folder(command_line.output, command_line.file);
     Results results;
     if (command_line.resume)
-      results = earlier_results(folder, prm, parameters.transient.end_time);
+      results = earlier_results(folder, used, parameters.transient.end_time);
     results.title = parameters.scene.title;
-    RunRecord record(folder, file, prm, command_line.resume ? &results : nullptr);
+    RunRecord record(folder, file, used, command_line.resume ? &results : nullptr);
     try
     {
       run_analyses(parameters, bodies, sweep, record, results, command_line.resume, clock);

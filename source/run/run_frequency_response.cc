@@ -286,4 +286,12 @@ namespace vibrocontact
                                               {"tables", tables},
                                               {"bodies", all}};
   }
+
+  void check_response_points(const Parameters &parameters, const MeshedBodies &bodies)
+  {
+    const std::vector<std::string> wanted = split_list(parameters.frequency_response.bodies);
+    for (const auto &body : bodies)
+      if (body && (wanted.empty() || std::count(wanted.begin(), wanted.end(), body->parameters.name) > 0))
+        response_rows(*body, parameters.frequency_response);
+  }
 } // namespace vibrocontact

@@ -15,17 +15,6 @@ namespace vibrocontact
 {
   namespace
   {
-    std::string case_text(const StabilityCases &sweep, const StabilityCase &one)
-    {
-      std::ostringstream text;
-      for (unsigned int k = 0; k < one.values.size(); ++k)
-      {
-        text << (k == 0 ? "" : ", ") << sweep.columns[k] << " ";
-        std::visit([&](const auto &value) { text << value; }, one.values[k]);
-      }
-      return text.str();
-    }
-
     /// The reduced bodies of a sweep, each reduced once.
     class ReducedBodies
     {

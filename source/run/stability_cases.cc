@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <sstream>
 
 namespace vibrocontact
 {
@@ -102,5 +103,16 @@ namespace vibrocontact
         result.cases.push_back(std::move(one));
       }
     return result;
+  }
+
+  std::string case_text(const StabilityCases &sweep, const StabilityCase &one)
+  {
+    std::ostringstream text;
+    for (unsigned int k = 0; k < one.values.size(); ++k)
+    {
+      text << (k == 0 ? "" : ", ") << sweep.columns[k] << " ";
+      std::visit([&](const auto &value) { text << value; }, one.values[k]);
+    }
+    return text.str();
   }
 } // namespace vibrocontact

@@ -121,8 +121,7 @@ TEST(RunRecordMpi, TheFolderSaysWhatItIsFromTheBeginning)
     std::ifstream file(folder + "/results.json");
     return nlohmann::json::parse(file)["status"].get<std::string>();
   };
-  dealii::ParameterHandler prm;
-  RunRecord record(folder, ParameterFile("case.prm", "# nothing\n"), prm);
+  RunRecord record(folder, ParameterFile("case.prm", "# nothing\n"), DeclaredParameters());
   EXPECT_EQ(status(), rank > 0 ? "" : "not converged");
   Results results;
   results.complete = true;
@@ -132,7 +131,7 @@ TEST(RunRecordMpi, TheFolderSaysWhatItIsFromTheBeginning)
   EXPECT_EQ(status(), rank > 0 ? "" : "converged");
   record.discard();
   EXPECT_FALSE(std::filesystem::exists(folder));
-  EXPECT_THROW(RunRecord("/proc/nowhere", ParameterFile("case.prm", ""), prm), InputError);
+  EXPECT_THROW(RunRecord("/proc/nowhere", ParameterFile("case.prm", ""), DeclaredParameters()), InputError);
 }
 
 TEST(CommandLine, OptionsOfTheInterface)

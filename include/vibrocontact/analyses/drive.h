@@ -5,6 +5,8 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace vibrocontact
 {
@@ -26,6 +28,10 @@ namespace vibrocontact
   /// @throws InputError for what cannot be read or is not covered. Collective.
   DriveFunction drive_function(const TransientParameters &transient, const RollingCase &constant,
                                const ContactGrid &grid);
+
+  /// The entries of section Rolling that an expression of section Transient or a column of its table replaces. A
+  /// table that cannot be read replaces none. Collective.
+  std::vector<std::string> driven_entries(const TransientParameters &transient);
 
   /// Hears what is wrong with the drive before anything expensive: makes it and looks at it at the ends of
   /// the run's steps, at most 20,000 of them, with the roughness at some hundred. Says in the log which load of

@@ -24,6 +24,8 @@ namespace vibrocontact
 
     const Entry *find(const std::string &section, const std::string &name) const;
     bool has_section(const std::string &path) const;
+    /// All but the entries of these paths.
+    DeclaredParameters without(const std::vector<std::string> &paths) const;
     /// Names of the entries in a section, or of the sections one level below it.
     std::vector<std::string> entry_names(const std::string &section) const;
     std::vector<std::string> subsection_names(const std::string &section) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/base/parameter_file.h>
 #include <vibrocontact/output/results.h>
 
@@ -21,10 +22,10 @@ namespace vibrocontact
   class RunRecord
   {
   public:
-    /// @param resumed results of the earlier run in the folder that this one continues: all its files stay;
+    /// @param used what used.prm holds  @param resumed results of the earlier run in the folder that this one continues: all its files stay;
     /// null: a new run
     /// @throws InputError on every rank if the folder cannot be written to
-    RunRecord(const std::string &folder, const ParameterFile &file, const dealii::ParameterHandler &prm,
+    RunRecord(const std::string &folder, const ParameterFile &file, const DeclaredParameters &used,
               const Results *resumed = nullptr);
 
     /// Writes results.json and the list. @throws OutputError

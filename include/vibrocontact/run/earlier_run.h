@@ -1,8 +1,7 @@
 #pragma once
 
+#include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/output/results.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <string>
 
@@ -15,5 +14,5 @@ namespace vibrocontact
   /// writes: section Output, Transient/End time and Checkpoint interval.
   /// @param end_time of the transient, refused if the run is beyond [s]
   /// @throws InputError if there is no run or it had other parameters
-  Results earlier_results(const std::string &folder, const dealii::ParameterHandler &prm, double end_time);
+  Results earlier_results(const std::string &folder, const DeclaredParameters &used, double end_time);
 } // namespace vibrocontact

@@ -9,4 +9,8 @@ namespace vibrocontact
   /// of section Periodic. Collective.
   /// @throws InputError for a free body, or points that are not on it
   PeriodicBody periodic_body(const Parameters &parameters, const MeshedBodies &bodies);
+
+  /// Whether it can be made: the body is held, its points are on it. Its matrices are made, nothing is solved. Collective.
+  /// @throws InputError as periodic_body()
+  void check_periodic_points(const Parameters &parameters, const MeshedBodies &bodies);
 } // namespace vibrocontact

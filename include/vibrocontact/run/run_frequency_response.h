@@ -13,4 +13,7 @@ namespace vibrocontact
   /// Collective.
   void run_frequency_response(const Parameters &parameters, const MeshedBodies &bodies,
                               const std::string &folder, Results &results);
+
+  /// Whether the points lie on the bodies asked for, whose matrices are made for it. Collective. @throws InputError
+  void check_response_points(const Parameters &parameters, const MeshedBodies &bodies);
 } // namespace vibrocontact

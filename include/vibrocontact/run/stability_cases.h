@@ -39,4 +39,7 @@ namespace vibrocontact
   /// @throws InputError for a value that its entry does not take
   StabilityCases stability_cases(const Parameters &parameters, const ParameterFile &file,
                                  const std::vector<std::string> &overrides);
+
+  /// "lateral_position_m -0.005, friction_coefficient 0.3"
+  std::string case_text(const StabilityCases &sweep, const StabilityCase &one);
 } // namespace vibrocontact

@@ -1,0 +1,9 @@
+#pragma once
+
+#include <string>
+
+namespace vibrocontact
+{
+  /// Place of the first byte that is no UTF-8 text; the length of the text if there is none.
+  std::size_t first_byte_outside_utf8(const std::string &text);
+} // namespace vibrocontact

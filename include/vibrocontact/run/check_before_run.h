@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vibrocontact/run/stability_cases.h>
+
+namespace vibrocontact
+{
+  /// What the analyses would refuse of files and entries although each by itself is valid, found before anything is
+  /// computed: the road and the contact points of a modal convolution (bodies whose poles cost nothing are made), the
+  /// rim of a wheel, the frequencies of data. Collective.
+  /// @throws InputError
+  void check_before_run(const Parameters &parameters, const MeshedBodies &bodies);
+
+  /// The same for what needs meshes and matrices, which `--check` makes for it: places of points and probes, contact
+  /// surfaces of the cases of a sweep. Collective.
+  /// @throws InputError
+  void check_places(const Parameters &parameters, const MeshedBodies &bodies, const StabilityCases &sweep);
+} // namespace vibrocontact

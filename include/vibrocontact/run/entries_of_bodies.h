@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vibrocontact/run/entries_read.h>
+
+namespace vibrocontact
+{
+  /// What an analysis needs of a body, which decides what entries of its section matter.
+  struct BodyUse
+  {
+    /// points of its surface are in contact, its mesh is refined under them
+    bool contact = false;
+    /// forces that stand on it: gravity, tractions
+    bool loads = false;
+    /// it moves by its mass, in kept modes
+    bool motion = false;
+    /// it loses energy; by modal damping as section Modes scales it
+    bool loss = false, scaled_damping = false;
+    /// its contact points move along the road
+    bool tangential = false;
+  };
+
+  /// Whether it turns about an axle, built in or from a mesh file.
+  bool is_wheel(const BodyParameters &body);
+
+  /// Entries of the section of body @p number.
+  void add_body(EntriesRead &entries, const Parameters &parameters, unsigned int number, const BodyUse &use);
+
+  /// How many poles are fitted by what iterations, of section Identification. @param condition in words
+  void add_pole_numbers(EntriesRead &entries, const IdentificationParameters &identification, bool is_read,
+                        const std::string &condition);
+} // namespace vibrocontact

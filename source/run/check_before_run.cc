@@ -1,0 +1,192 @@
+#include <vibrocontact/analyses/identification.h>
+#include <vibrocontact/analyses/modal_convolution.h>
+#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/fe/surface_trace.h>
+#include <vibrocontact/numerics/lsce.h>
+#include <vibrocontact/output/probes.h>
+#include <vibrocontact/reduction/band_limited.h>
+#include <vibrocontact/reduction/surface_shapes.h>
+#include <vibrocontact/run/check_before_run.h>
+#include <vibrocontact/run/periodic_body.h>
+#include <vibrocontact/run/run_frequency_response.h>
+#include <vibrocontact/run/run_identification.h>
+#include <vibrocontact/run/run_modal_convolution.h>
+#include <vibrocontact/scene/wheel.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// Radii of a wheel and where its rim begins.
+    void check_rim(const Parameters &parameters)
+    {
+      for (const BodyParameters &body : parameters.scene.bodies)
+      {
+        const bool is_built_in = body.type == "wheel", is_mesh = body.type == "mesh" && body.mesh.is_wheel();
+        if (!(is_built_in || is_mesh) || !parameters.modes.at(body.name).any())
+          continue;
+        const SectionOutline outline =
+            is_built_in ? body.wheel.section.read_outline(body.wheel.scale) : wheel_outline(body.mesh);
+        double least = 1e300, most = 0;
+        for (const SectionOutline::Row &row : outline.rows)
+          for (const double radius : {row.start[1], row.end[1]})
+          {
+            least = std::min(least, radius);
+            most = std::max(most, radius);
+          }
+        const double rim = parameters.modes.at(body.name).rim_radius;
+        if (!(least < rim && rim < most))
+          throw InputError(body.name + "/Modes/Rim radius is " + number_text(rim) +
+                           " m, which is not inside the wheel (radii " + number_text(least) + " to " +
+                           number_text(most) + " m): set it to the radius where the rim begins.");
+      }
+    }
+
+    /// The inverse transforms of data, which need lines from 0 Hz on.
+    void check_data(const Parameters &parameters)
+    {
+      if (!parameters.has_identification())
+        return;
+      const IdentificationParameters &own = parameters.identification;
+      bool transformed = false;
+      for (const BodyParameters &body : parameters.scene.bodies)
+        transformed = transformed || (body.type == "identified" && body.identified.inverse_transform);
+      const std::vector<std::string> methods = own.method_list();
+      const bool by_lsce =
+          std::any_of(methods.begin(), methods.end(),
+                      [](const std::string &method) { return method.rfind("lsce", 0) == 0; });
+      if (!transformed && !by_lsce)
+        return;
+      const FrequencyData data = identification_data(own);
+      if (by_lsce && !transformed)
+        impulse_responses(spectra(data), 0);
+      if (transformed)
+        band_limited_model(spectra(data), entry_map(data));
+    }
+
+    bool has_poles_at_hand(const BodyParameters &body)
+    {
+      if (body.type == "identified")
+        return !body.identified.poles_file.empty() || body.identified.inverse_transform;
+      return body.type == "oscillator" || (body.type == "ring" && !body.is_meshed());
+    }
+
+    void check_modal_convolution(const Parameters &parameters, const MeshedBodies &bodies)
+    {
+      const BodyParameters &body = parameters.scene.bodies[0];
+      ModalConvolutionParameters own = parameters.modal_convolution;
+      if (!has_poles_at_hand(body))
+      {
+        // its points, as high as a flat road
+        std::vector<double> places = {0.};
+        if (body.type == "identified" && !body.identified.positions.empty())
+          places = body.identified.positions;
+        else if (body.is_meshed())
+        {
+          const ContactGrid grid = parameters.contact_grid();
+          places.clear();
+          for (unsigned int i = 0; i < grid.n_points(); ++i)
+            places.push_back(-grid.x(i));
+        }
+        const Road road(parameters.road, places, std::vector<double>(places.size(), 0.), own.end_time);
+        return;
+      }
+      const PoleBody made = pole_body(parameters, bodies, 0, parameters.road);
+      const Road road(parameters.road, made.places, made.shapes, own.end_time);
+      // what a convolution keeps of its Green's functions is none of the input's concern
+      if (!own.is_event_located())
+        own.method = "modal recursion";
+      own.memory = 0;
+      const ModalConvolution motion(own, parameters.contact_solver, made.poles, road,
+                                    parameters.contact.friction);
+    }
+
+    /// The modes of a body that is no wheel are numbered.
+    void check_numbered_mode(const Parameters &parameters)
+    {
+      const std::string &wanted = parameters.transient.perturbed_mode, number_begin = ":mode ";
+      const std::size_t begin = wanted.find(number_begin);
+      const auto modes = parameters.modes.find(wanted.substr(0, begin));
+      if (begin == std::string::npos || modes == parameters.modes.end() || modes->second.count == 0 ||
+          parameters.transient.model != "reduced")
+        return;
+      // a pair is not split
+      const unsigned int most = modes->second.count + 1,
+                         number = std::strtoul(wanted.c_str() + begin + number_begin.size(), nullptr, 10);
+      if (number <= most)
+        return;
+      std::vector<std::string> labels;
+      for (unsigned int k = 1; k <= modes->second.count; ++k)
+        labels.push_back(modes->first + number_begin + std::to_string(k));
+      perturbed_mode(parameters.transient, labels);
+    }
+
+    void check_probes(const Parameters &parameters, const MeshedBodies &bodies)
+    {
+      // a rim is where it is
+      const std::vector<ProbeRequest> requests = parse_probes(parameters.signals.probes);
+      for (const auto &body : bodies)
+        for (const ProbeRequest &request : requests)
+          if (body && request.body == body->parameters.name)
+            place_probe(request,
+                        surface_shapes(body->parameters.is_solid() ? make_surface_trace(body->elastic_body())
+                                                                   : body->reduction.system().surface,
+                                       Modes()),
+                        0);
+    }
+
+    void check_sweep_meshes(const MeshedBodies &bodies, const StabilityCases &sweep)
+    {
+      std::set<std::string> seen;
+      for (const auto &body : bodies)
+        seen.insert(body ? body->reduction.request().key : "");
+      for (const StabilityCase &one : sweep.cases)
+        for (unsigned int k = 0; k < one.keys.size(); ++k)
+        {
+          if (!seen.insert(one.keys[k]).second)
+            continue;
+          const auto body = meshed_body(one.parameters, one.keys[k], k);
+          if (!body->parameters.is_solid())
+            continue;
+          try
+          {
+            body->check_contact();
+          }
+          catch (const InputError &error)
+          {
+            throw InputError("Stability/Sweep, " + case_text(sweep, one) + ": " + error.what());
+          }
+        }
+    }
+  } // namespace
+
+  void check_before_run(const Parameters &parameters, const MeshedBodies &bodies)
+  {
+    const Scene &scene = parameters.scene;
+    if (scene.runs("modes") || scene.runs("frequency response") || parameters.needs_modes())
+      check_rim(parameters);
+    if (scene.runs("transient"))
+      check_numbered_mode(parameters);
+    check_data(parameters);
+    if (scene.runs("modal convolution"))
+      check_modal_convolution(parameters, bodies);
+  }
+
+  void check_places(const Parameters &parameters, const MeshedBodies &bodies, const StabilityCases &sweep)
+  {
+    const Scene &scene = parameters.scene;
+    if (scene.runs("frequency response"))
+      check_response_points(parameters, bodies);
+    if (scene.runs("periodic"))
+      check_periodic_points(parameters, bodies);
+    if (scene.runs("transient"))
+      check_probes(parameters, bodies);
+    check_sweep_meshes(bodies, sweep);
+  }
+} // namespace vibrocontact

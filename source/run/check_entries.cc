@@ -1,0 +1,232 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/base/parameter_text.h>
+#include <vibrocontact/run/check_entries.h>
+#include <vibrocontact/run/entries_read.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// An entry that the file or an option gives.
+    struct Given
+    {
+      std::string section, name;
+      /// `file.prm:12` or `--set "Contact/Friction coefficient"`
+      std::string location;
+      bool by_option = false;
+      /// the file's own value, whatever options say; null if it gives none
+      const std::string *own_value = nullptr;
+    };
+
+    /// The file's in its order, then those of options alone.
+    std::vector<Given> all_given(const ParameterFile &file, const ParameterText &text,
+                                 const std::vector<std::string> &overrides)
+    {
+      std::vector<Given> result;
+      const std::string option = "--set ";
+      for (const ParameterText::Entry &entry : text.entries)
+      {
+        // the entry itself, an option in its place, or neither: an option's alternative has replaced it
+        const std::string where = file.where(entry.section, entry.name),
+                          line = file.file_name() + ":" + std::to_string(entry.line);
+        const bool by_option = where.rfind(option, 0) == 0;
+        if (by_option || where.rfind(line, 0) == 0)
+          result.push_back({entry.section, entry.name, by_option ? where : line, by_option, &entry.value});
+      }
+      for (const std::string &one : overrides)
+      {
+        const std::string path = trimmed(one.substr(0, one.find('=')));
+        const std::size_t slash = path.rfind('/');
+        const std::string section = slash == std::string::npos ? "" : trimmed(path.substr(0, slash)),
+                          name = slash == std::string::npos ? path : trimmed(path.substr(slash + 1));
+        if (std::none_of(result.begin(), result.end(),
+                         [&](const Given &known) { return known.section == section && known.name == name; }))
+          result.push_back({section, name, file.where(section, name), true, nullptr});
+      }
+      return result;
+    }
+
+    std::string path_of(const Given &given)
+    {
+      return joined_path(given.section, given.name);
+    }
+
+    /// As texts or as numbers.
+    bool same_value(const std::string &a, const std::string &b)
+    {
+      const std::string one = trimmed(a), other = trimmed(b);
+      if (one == other)
+        return true;
+      char *end = nullptr, *other_end = nullptr;
+      const double value = std::strtod(one.c_str(), &end),
+                   other_value = std::strtod(other.c_str(), &other_end);
+      return !one.empty() && !other.empty() && *end == 0 && *other_end == 0 && value == other_value;
+    }
+
+    bool is_set(const Given &given, const DeclaredParameters::Entry &entry)
+    {
+      const bool is_default = same_value(entry.value, entry.default_value);
+      if (!given.by_option || !is_default)
+        return !is_default;
+      // an option that takes back what the file sets
+      return given.own_value == nullptr || same_value(*given.own_value, entry.default_value);
+    }
+
+    /// The listed analyses.
+    class Readers
+    {
+    public:
+      explicit Readers(const Parameters &parameters)
+      {
+        for (const std::string &analysis : parameters.scene.analyses)
+          entries.push_back(entries_read(analysis, parameters));
+      }
+
+      bool read(const std::string &path) const
+      {
+        return std::any_of(entries.begin(), entries.end(),
+                           [&](const EntriesRead &one) { return one.contains(path); });
+      }
+
+    private:
+      std::vector<EntriesRead> entries;
+    };
+
+    /// What the file reads by itself; nothing if it is not complete without the options.
+    class ReadersOfTheFile
+    {
+    public:
+      explicit ReadersOfTheFile(const ParameterFile &file) : alone(file.file_name(), file.bytes()) {}
+
+      bool read(const std::string &path)
+      {
+        if (!looked)
+        {
+          looked = true;
+          try
+          {
+            Parameters parameters;
+            dealii::ParameterHandler prm;
+            parameters.scene = read_scene_lists(alone);
+            parameters.declare(prm);
+            alone.parse(prm);
+            readers.emplace_back(parameters);
+          }
+          catch (const InputError &)
+          {
+          }
+        }
+        return !readers.empty() && readers.front().read(path);
+      }
+
+    private:
+      const ParameterFile alone;
+      bool looked = false;
+      std::vector<Readers> readers;
+    };
+
+    /// Who would read an entry, and when.
+    std::string who_reads(const std::string &path, const Parameters &parameters)
+    {
+      std::vector<std::string> others;
+      std::string conditions;
+      for (const AnalysisType &type : analysis_types())
+      {
+        if (type.n_bodies > parameters.scene.bodies.size())
+          continue;
+        const EntriesRead entries = entries_read(type.name, parameters);
+        if (entries.contains(path))
+          others.push_back(type.name);
+        else if (parameters.scene.runs(type.name) && !entries.condition(path).empty())
+          conditions += "\"" + type.name + "\" reads it where " + entries.condition(path) + "; ";
+      }
+      if (!others.empty())
+        return conditions + quoted_list(others, "and") + " would read it";
+      return conditions.empty() ? "no analysis reads it with the other entries as they are"
+                                : conditions.substr(0, conditions.size() - 2);
+    }
+
+    struct Twins
+    {
+      std::string first, second, meaning;
+    };
+
+    /// Entries of two sections that mean the same.
+    const std::vector<Twins> &twins()
+    {
+      static const std::vector<Twins> table = {
+          {"Rolling/Speed", "Road/Speed", "the speed"},
+          {"Rolling/Hub displacement", "Road/Indentation", "how far the bodies are pressed together"},
+          {"Transient/Roughness/Expression", "Road/Expression", "the height of the road"},
+          {"Transient/Roughness/Table", "Road/Table", "the height of the road"},
+          {"Transient/Roughness/Expression", "Road/Table", "the height of the road"},
+          {"Transient/Roughness/Table", "Road/Expression", "the height of the road"}};
+      return table;
+    }
+  } // namespace
+
+  std::vector<std::string> entries_out_of_use(const ParameterFile &file,
+                                              const std::vector<std::string> &overrides,
+                                              const Parameters &parameters,
+                                              const DeclaredParameters &declared, const StabilityCases &sweep)
+  {
+    std::map<std::string, Given> set;
+    std::map<std::string, std::string> values;
+    std::vector<std::string> order;
+    const ParameterText text = scan_parameter_text(file.file_name(), file.bytes());
+    for (const Given &given : all_given(file, text, overrides))
+    {
+      const DeclaredParameters::Entry &entry = *declared.find(given.section, given.name);
+      if (!is_set(given, entry))
+        continue;
+      set[path_of(given)] = given;
+      values[path_of(given)] = entry.value;
+      order.push_back(path_of(given));
+    }
+    std::map<std::string, std::string> twin;
+    for (const Twins &pair : twins())
+      if (set.count(pair.first) > 0 && set.count(pair.second) > 0)
+      {
+        if (!same_value(values[pair.first], values[pair.second]))
+          throw InputError(set[pair.first].location + ": " + pair.first + " is " + values[pair.first] +
+                           " and " + pair.second + " is " + values[pair.second] + ", but both say " +
+                           pair.meaning + ": make them equal or leave one of them out.");
+        twin[pair.first] = pair.second;
+        twin[pair.second] = pair.first;
+      }
+
+    const Readers readers(parameters);
+    const auto is_read = [&](const std::string &path)
+    {
+      return readers.read(path) ||
+             std::any_of(sweep.cases.begin(), sweep.cases.end(),
+                         [&](const StabilityCase &one) { return Readers(one.parameters).read(path); });
+    };
+    for (const std::string &entry : sweep.entries)
+      if (!is_read(entry))
+        throw InputError(file.where("Stability/Sweep", "Entry") + ": " + entry +
+                         " is swept, but it changes nothing: " + who_reads(entry, parameters) +
+                         ". Sweep another entry.");
+    ReadersOfTheFile readers_of_the_file(file);
+    std::vector<std::string> out_of_use, refused;
+    for (const std::string &path : order)
+      if (!is_read(path) && !(twin.count(path) > 0 && is_read(twin[path])))
+        (!set[path].by_option && readers_of_the_file.read(path) ? out_of_use : refused).push_back(path);
+    if (refused.empty())
+      return out_of_use;
+    std::string others;
+    for (unsigned int k = 1; k < refused.size() && k <= 5; ++k)
+      others += (k == 1 ? " The same holds for " : ", ") + refused[k];
+    if (refused.size() > 6)
+      others += " and " + std::to_string(refused.size() - 6) + " more";
+    throw InputError(set[refused[0]].location + ": " + refused[0] + " is set, but changes nothing of " +
+                     quoted_list(parameters.scene.analyses, "and") + ": " +
+                     who_reads(refused[0], parameters) + ". Leave it out." + others +
+                     (others.empty() ? "" : "."));
+  }
+} // namespace vibrocontact

@@ -1,0 +1,417 @@
+#include <vibrocontact/analyses/drive.h>
+#include <vibrocontact/base/parameter_text.h>
+#include <vibrocontact/run/entries_of_bodies.h>
+#include <vibrocontact/run/entries_read.h>
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace vibrocontact
+{
+  void EntriesRead::add(const std::string &section, const std::string &names)
+  {
+    add_if(true, "", section, names);
+  }
+
+  void EntriesRead::add_if(const bool holds, const std::string &condition, const std::string &section,
+                           const std::string &names)
+  {
+    for (const std::string &name : split_list(names))
+      rows.push_back({joined_path(section, name), holds, condition});
+  }
+
+  bool EntriesRead::contains(const std::string &path) const
+  {
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const Row &row) { return row.is_read && row.path == path; });
+  }
+
+  std::string EntriesRead::condition(const std::string &path) const
+  {
+    std::string text;
+    for (const Row &row : rows)
+      if (!row.is_read && row.path == path && text.find(row.condition) == std::string::npos)
+        text += (text.empty() ? "" : ", or ") + row.condition;
+    return text;
+  }
+
+  namespace
+  {
+    bool moves_with_the_lateral_position(const Parameters &parameters)
+    {
+      for (const BodyParameters &body : parameters.scene.bodies)
+        if (is_wheel(body) || (&body == &parameters.scene.bodies[0] && body.type == "block"))
+          return true;
+      return parameters.scene.runs("stability") &&
+             parameters.stability.sweep.sweeps(ParameterSweep::lateral_position);
+    }
+
+    void add_lateral_position(EntriesRead &entries, const Parameters &parameters)
+    {
+      entries.add_if(moves_with_the_lateral_position(parameters), "body 1 is a wheel or a block", "Contact",
+                     "Lateral position");
+    }
+
+    void add_contact_grid(EntriesRead &entries, const Parameters &parameters)
+    {
+      const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
+      const bool own = std::none_of(bodies.begin(), bodies.end(),
+                                    [](const BodyParameters &body) {
+                                      return body.is_point() || body.type == "layer" || body.type == "ring";
+                                    });
+      const std::string whose = "no body (bar, layer, ring) brings its own contact points";
+      entries.add_if(own, whose, "Contact", "Grid spacing, Half length, Strip length, Offset x, Quadrature");
+      entries.add_if(own && parameters.contact.strip_length == 0, whose + " and Strip length is 0", "Contact",
+                     "Half width, Offset y");
+      add_lateral_position(entries, parameters);
+    }
+
+    void add_contact_solver(EntriesRead &entries, const Parameters &parameters, const bool holds = true,
+                            const std::string &condition = "")
+    {
+      const std::string section = "Contact/Solver", also = condition.empty() ? "" : condition + " and ";
+      const bool newton = parameters.contact_solver.method == "semi-smooth newton";
+      entries.add_if(holds, condition, section, "Method, Tolerance, Force change");
+      entries.add_if(holds && newton, also + "Method is semi-smooth newton", section,
+                     "Max Newton iterations");
+      entries.add_if(holds && !newton, also + "Method is fixed point", section, "Max fixed point iterations");
+    }
+
+    /// Contact of two bodies with friction: grid, laws, solver. @param largest_friction of all cases
+    void add_contact(EntriesRead &entries, const Parameters &parameters, const double largest_friction)
+    {
+      const ContactParameters &contact = parameters.contact;
+      const auto any_body = [&](const auto &is)
+      { return std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(), is); };
+      add_contact_grid(entries, parameters);
+      add_contact_solver(entries, parameters);
+      entries.add("Contact", "Normal law");
+      entries.add_if(contact.normal_law != "signorini", "Contact/Normal law is no signorini", "Contact",
+                     "Penalty amplitude, Penalty exponent");
+      entries.add_if(any_body([](const BodyParameters &body) { return body.is_solid(); }),
+                     "a body is a solid of finite elements", "Contact", "Local flexibility");
+      entries.add_if(parameters.rolling.creepage.speed > 0, "Rolling/Speed is above 0", "Contact",
+                     "Creep scheme");
+      const std::string rubs = "there is friction";
+      entries.add_if(largest_friction > 0, rubs, "Contact",
+                     "Static friction ratio, Normal-tangential coupling");
+      entries.add_if(largest_friction > 0 && contact.falling.acts(), rubs + " and a Static friction ratio",
+                     "Contact", "Stribeck velocity");
+    }
+
+    /// Cases of rolling and of the equilibria of stability.
+    void add_rolling_cases(EntriesRead &entries, const RollingParameters &rolling)
+    {
+      const RollingParameters::Sweep &sweep = rolling.sweep;
+      const std::vector<std::pair<std::string, const std::vector<double> *>> curves = {
+          {"Longitudinal creepage", &sweep.longitudinal},
+          {"Lateral creepage", &sweep.lateral},
+          {"Spin", &sweep.spin},
+          {"Normal force", &sweep.normal_force},
+          {"Hub displacement", &sweep.hub_displacement}};
+      const unsigned int n_curves = std::count_if(curves.begin(), curves.end(),
+                                                  [](const auto &curve) { return !curve.second->empty(); });
+      const bool rolls = rolling.creepage.speed > 0;
+      for (const auto &[name, values] : curves)
+      {
+        const bool is_load = name == "Normal force" || name == "Hub displacement",
+                   is_single = n_curves == 0 || n_curves > 1 || values->empty();
+        entries.add_if(is_single && (rolls || is_load),
+                       std::string(is_load ? "" : "Rolling/Speed is above 0 and ") +
+                           "no sweep of its own takes its place",
+                       "Rolling", name);
+        entries.add_if(rolls || is_load, "Rolling/Speed is above 0", "Rolling/Sweep", name);
+      }
+      entries.add("Rolling", "Speed, Sliding velocity x, Sliding velocity y");
+      entries.add("Rolling/Sweep", "Friction coefficient");
+      entries.add_if(sweep.friction.empty(), "Rolling/Sweep/Friction coefficient is empty", "Contact",
+                     "Friction coefficient");
+    }
+
+    /// Two bodies in contact; none of them is known by its Green's functions.
+    void add_partners(EntriesRead &entries, const Parameters &parameters, const BodyUse &use)
+    {
+      for (unsigned int k = 0; k < parameters.scene.bodies.size(); ++k)
+        if (!parameters.scene.bodies[k].is_green())
+          add_body(entries, parameters, k, use);
+    }
+
+    double largest_friction(const Parameters &parameters)
+    {
+      const std::vector<double> &swept = parameters.rolling.sweep.friction;
+      return swept.empty() ? parameters.contact.friction : *std::max_element(swept.begin(), swept.end());
+    }
+
+    void modes_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      BodyUse use;
+      use.motion = use.loss = use.scaled_damping = true;
+      for (unsigned int k = 0; k < parameters.scene.bodies.size(); ++k)
+        if (parameters.scene.bodies[k].is_meshed())
+          add_body(entries, parameters, k, use);
+      add_lateral_position(entries, parameters);
+    }
+
+    void frequency_response_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      const FrequencyResponseParameters &own = parameters.frequency_response;
+      const std::vector<std::string> wanted = split_list(own.bodies);
+      const std::string section = "Frequency response";
+      bool meshed = false, green = false, ring = false, rolls = false, tangential = false;
+      for (unsigned int k = 0; k < parameters.scene.bodies.size(); ++k)
+      {
+        const BodyParameters &body = parameters.scene.bodies[k];
+        if (!wanted.empty() && std::count(wanted.begin(), wanted.end(), body.name) == 0)
+          continue;
+        BodyUse use;
+        use.motion = use.loss = true;
+        if (body.is_meshed())
+          meshed = true;
+        else if (body.is_green())
+        {
+          green = true;
+          ring = ring || body.type == "ring";
+          rolls = rolls || (body.type == "ring" && body.ring.rolling);
+          // the points of a ring are those of its contact
+          use.contact = body.type == "ring";
+          use.tangential = tangential = own.tangential;
+        }
+        else
+          continue;
+        add_body(entries, parameters, k, use);
+      }
+      entries.add(section, "Bodies, Quantity, Method, Frequencies");
+      entries.add_if(own.list.empty(), section + "/Frequencies is empty", section,
+                     "First frequency, Last frequency, Number of frequencies, Spacing");
+      entries.add_if(meshed, "a body has a mesh", section,
+                     "Points, Load length, Load width, Check frequencies, Cut frequencies");
+      entries.add_if(green, "a body is given by its Green's functions", section, "Impulse response time");
+      entries.add_if(green && own.impulse_time > 0, section + "/Impulse response time is above 0", section,
+                     "Impulse response step");
+      entries.add_if(ring, "a body is an analytic ring", section, "Tangential, Truncated orders");
+      entries.add_if(rolls, "a ring is Rolling", "Road", "Speed");
+      add_lateral_position(entries, parameters);
+    }
+
+    void identification_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      const std::string section = "Identification";
+      entries.add(section, "Data file, Rolling data, Method, Target error, Direct term, "
+                           "Impose zero initial value, Contact time step, Residue tolerance, "
+                           "Stabilisation chart");
+      add_pole_numbers(entries, parameters.identification, true, "poles are fitted");
+      entries.add_if(parameters.identification.contact_step > 0, section + "/Contact time step is above 0",
+                     section, "Repair for contact");
+    }
+
+    void rolling_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      BodyUse use;
+      use.contact = use.loads = true;
+      use.motion = parameters.contact.replaces_flexibility();
+      add_partners(entries, parameters, use);
+      add_contact(entries, parameters, largest_friction(parameters));
+      add_rolling_cases(entries, parameters.rolling);
+      entries.add("Output", "Deformation, Contact problems");
+    }
+
+    BodyUse moving_in_contact()
+    {
+      BodyUse use;
+      use.contact = use.loads = use.motion = use.loss = use.scaled_damping = true;
+      return use;
+    }
+
+    void stability_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      add_partners(entries, parameters, moving_in_contact());
+      add_contact(entries, parameters, largest_friction(parameters));
+      add_rolling_cases(entries, parameters.rolling);
+      const std::string section = "Stability";
+      entries.add(section, "Model, Linearisation, Linearise sticking points, Second count");
+      entries.add_if(parameters.stability.linearisation == "paper", "Stability/Linearisation is paper",
+                     section, "Lateral damping, Convective slip");
+      entries.add_if(parameters.stability.model == "finite elements", "Stability/Model is finite elements",
+                     section, "Number of roots");
+      entries.add(section + "/Sweep", "Entry, Values, Range, Second entry, Second values, Second range");
+    }
+
+    void transient_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      add_partners(entries, parameters, moving_in_contact());
+      add_contact(entries, parameters, parameters.contact.friction);
+      entries.add("Contact", "Friction coefficient");
+
+      const TransientParameters &own = parameters.transient;
+      const std::vector<std::string> driven = driven_entries(own);
+      const bool rolls = parameters.rolling.creepage.speed > 0;
+      const auto is_driven = [&](const std::string &name)
+      { return std::count(driven.begin(), driven.end(), name) > 0; };
+      for (const std::string name : {"Longitudinal creepage", "Lateral creepage", "Spin"})
+      {
+        entries.add_if(rolls && !is_driven(name),
+                       "Rolling/Speed is above 0 and section Transient drives no " + name, "Rolling", name);
+        entries.add_if(rolls, "Rolling/Speed is above 0", "Transient", name);
+      }
+      const bool loaded = is_driven("Normal force") || is_driven("Hub displacement");
+      entries.add_if(!loaded, "section Transient drives no load", "Rolling",
+                     "Normal force, Hub displacement");
+      entries.add("Rolling", "Speed, Sliding velocity x, Sliding velocity y");
+
+      const std::string section = "Transient";
+      entries.add(section,
+                  "Model, Time step, Error tolerance, End time, Integrator, Reaction, Initial state, "
+                  "Perturbed mode, Normal force, Hub displacement, Exciting force, Drive table, "
+                  "History interval, Checkpoint interval");
+      entries.add_if(own.error_tolerance > 0, "Transient/Error tolerance is above 0", section,
+                     "Shortest time step");
+      entries.add_if(own.integrator == "theta method", "Transient/Integrator is theta method", section,
+                     "Theta");
+      entries.add_if(own.initial_state == "undeformed", "Transient/Initial state is undeformed", section,
+                     "Initial gap, Initial velocity");
+      entries.add_if(!own.perturbed_mode.empty(), "there is a Transient/Perturbed mode", section,
+                     "Perturbation, Perturbation velocity");
+      entries.add(section + "/Roughness", "Expression, Table, Spectrum");
+      entries.add_if(!own.roughness.spectrum.empty(), "there is a Transient/Roughness/Spectrum",
+                     section + "/Roughness", "Seed");
+      const SignalParameters &signals = parameters.signals;
+      entries.add(section + "/Signals", "Probes, Table, Spectrum duration, Growth begin, Growth end");
+      entries.add_if(parameters.output.fields, "Output/Fields is true", section + "/Signals",
+                     "Patch interval");
+      entries.add_if(parameters.output.fields && signals.patch_interval > 0,
+                     "there is a Transient/Signals/Patch interval", section + "/Signals", "Patch begin");
+      entries.add_if(!signals.probes.empty(), "there are Transient/Signals/Probes", section + "/Signals",
+                     "Sound");
+    }
+
+    /// @param section Road of body 1 or of a further one
+    void add_road(EntriesRead &entries, const std::string &section, const RoadParameters &road,
+                  const bool rolls, const bool friction)
+    {
+      const bool flat = road.profile == "flat", waves = road.profile == "ISO 8608";
+      entries.add(section, "Profile, Expression, Table, Indentation");
+      entries.add_if(waves, section + "/Profile is ISO 8608", section,
+                     "Class, First wavenumber, Last wavenumber, Wavenumber step, Seed");
+      entries.add_if(!flat || rolls, section + "/Profile is not flat", section, "Speed");
+      entries.add_if(!flat, section + "/Profile is not flat", section, "Speed expression, Speed table");
+      entries.add_if(!flat || road.indentation != 0, "there is a profile or an Indentation", section,
+                     "Loading time");
+      entries.add_if(friction, "Modal convolution/Friction is true", section, "Sliding speed");
+    }
+
+    bool stands_under_loads(const BodyParameters &body)
+    {
+      return body.type == "oscillator" ? body.oscillator.gravity != 0
+                                       : body.loads.gravity != 0 || !body.loads.traction_boundary.empty();
+    }
+
+    bool is_rolling_ring(const BodyParameters &body)
+    {
+      return body.type == "ring" && body.ring.rolling;
+    }
+
+    void modal_convolution_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      const ModalConvolutionParameters &own = parameters.modal_convolution;
+      const std::string section = "Modal convolution";
+      const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
+      BodyUse use = moving_in_contact();
+      use.tangential = own.friction;
+      add_body(entries, parameters, 0, use);
+      if (bodies[0].is_meshed() && bodies[0].type != "ring")
+        add_contact_grid(entries, parameters);
+      add_road(entries, "Road", parameters.road, is_rolling_ring(bodies[0]), own.friction);
+
+      const bool steps = !own.is_event_located(), convolution = steps && own.method != "modal recursion";
+      entries.add(section, "Method, Time step, End time, Friction, History interval, Checkpoint interval");
+      entries.add_if(steps, section + "/Method is no event located", section, "Force shape, Contact solver");
+      entries.add_if(convolution, section + "/Method is a convolution", section, "Memory");
+      entries.add_if(stands_under_loads(bodies[0]), "body 1 stands under a load", section, "Initial state");
+      entries.add_if(own.friction, section + "/Friction is true", "Contact", "Friction coefficient");
+      add_contact_solver(entries, parameters, own.friction || own.contact_solver == "common",
+                         section + "/Contact solver is common");
+
+      const std::string comparison = section + "/Comparison";
+      entries.add(comparison, "Rows");
+      entries.add_if(parameters.comparison.any(), "there are rows of a comparison", comparison,
+                     "Repetitions");
+      for (unsigned int k = 1; k < bodies.size(); ++k)
+      {
+        const auto further = parameters.comparison.further_bodies.find(bodies[k].name);
+        if (further == parameters.comparison.further_bodies.end())
+          continue;
+        const std::string of_body = comparison + "/" + bodies[k].name;
+        entries.add(of_body, "Rows");
+        if (further->second.rows.empty())
+          continue;
+        entries.add(of_body, "Force shape");
+        add_body(entries, parameters, k, use);
+        add_road(entries, of_body + "/Road", further->second.road, is_rolling_ring(bodies[k]), own.friction);
+      }
+    }
+
+    void periodic_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      const PeriodicParameters &own = parameters.periodic;
+      const std::string section = "Periodic";
+      const bool on_grid = own.contact_points.empty();
+      BodyUse use = moving_in_contact();
+      use.contact = on_grid;
+      if (parameters.scene.bodies[0].is_meshed())
+        add_body(entries, parameters, 0, use);
+      if (on_grid)
+        add_contact_grid(entries, parameters);
+      entries.add("Contact", "Friction coefficient");
+      entries.add_if(own.law != "signorini", "Periodic/Law is no signorini", "Contact",
+                     "Penalty amplitude, Penalty exponent");
+      entries.add(section, "Trial basis, Weighting basis, Number of functions, Form, Law, Frequency, Force, "
+                           "Force point, Contact points, Stop direction, Gap, Model, Samples, "
+                           "Quadrature points, Reference, Output samples");
+      entries.add(section + "/Comparison", "Numbers");
+      entries.add_if(!own.numbers.empty(), "there are Periodic/Comparison/Numbers", section + "/Comparison",
+                     "Pairs");
+      entries.add_if(own.reference && !own.numbers.empty(),
+                     "Periodic/Reference is true and there are Periodic/Comparison/Numbers",
+                     section + "/Comparison", "Force phases");
+
+      const BranchParameters &branch = own.continuation;
+      const std::string continuation = section + "/Continuation",
+                        followed = "Periodic/Continuation/Parameter is not none";
+      const bool wanted = branch.is_wanted(), tells = wanted && branch.stability != "none";
+      entries.add(continuation, "Parameter");
+      entries.add_if(wanted, followed, continuation,
+                     "First value, Last value, Start value, Scale, Largest step, Smallest step, Most points, "
+                     "Location tolerance, Stability, Pairs");
+      entries.add_if(wanted && !branch.parsed_pairs().empty(), "there are Periodic/Continuation/Pairs",
+                     continuation, "Numbers");
+      entries.add_if(tells, "Periodic/Continuation/Stability is not none", continuation, "Mode limit");
+      entries.add_if(tells && branch.stability == "hill", "Periodic/Continuation/Stability is hill",
+                     continuation, "Hill harmonics");
+    }
+  } // namespace
+
+  EntriesRead entries_read(const std::string &analysis, const Parameters &parameters)
+  {
+    static const std::vector<std::pair<std::string, std::function<void(EntriesRead &, const Parameters &)>>>
+        readers = {{"modes", modes_read},
+                   {"frequency response", frequency_response_read},
+                   {"identification", identification_read},
+                   {"quasi-static rolling", rolling_read},
+                   {"modal convolution", modal_convolution_read},
+                   {"periodic", periodic_read},
+                   {"stability", stability_read},
+                   {"transient", transient_read}};
+    EntriesRead entries;
+    // lists and names; where results go and what is drawn of them
+    entries.add("", "Title, Bodies, Analyses");
+    entries.add("Output", "Directory, Cache directory, Fields, Figures");
+    for (const BodyParameters &body : parameters.scene.bodies)
+      entries.add(body.name, "Type");
+    const auto reader = std::find_if(readers.begin(), readers.end(),
+                                     [&](const auto &known) { return known.first == analysis; });
+    AssertThrow(reader != readers.end(), dealii::ExcMessage("unknown analysis " + analysis));
+    reader->second(entries, parameters);
+    return entries;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,307 @@
+#include <vibrocontact/base/declared_parameters.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/parameter_text.h>
+#include <vibrocontact/run/check_entries.h>
+#include <vibrocontact/run/entries_read.h>
+#include <vibrocontact/run/run.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <set>
+#include <sstream>
+
+using namespace vibrocontact;
+namespace fs = std::filesystem;
+
+namespace
+{
+  const std::string scenes = std::string(TESTS_DIRECTORY) + "/entries";
+
+  std::string read(const fs::path &file)
+  {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+  }
+
+  /// Where results go and what is drawn of them; times; limits that a solve has to meet before they count; which of
+  /// two ways is taken depends on the number of dofs.
+  const std::vector<std::string> exempt = {
+      "Output/Directory",    "Output/Cache directory",    "Output/Fields",       "Output/Figures",
+      "Output/Deformation",  "Output/Contact problems",   "Checkpoint interval", "Comparison/Repetitions",
+      "Solver/Force change", "Stability/Number of roots", "Write mesh"};
+
+  bool is_exempt(const std::string &path)
+  {
+    return std::any_of(exempt.begin(), exempt.end(),
+                       [&](const std::string &end) {
+                         return path.size() >= end.size() &&
+                                path.compare(path.size() - end.size(), end.size(), end) == 0;
+                       });
+  }
+
+  /// Values of entries that are texts.
+  const std::map<std::string, std::vector<std::string>> texts = {
+      {"Title", {"another"}},
+      {"Expression", {"2e-7*sin(2*pi*s/0.01)"}},
+      {"Speed expression", {"10+t"}},
+      {"Points", {"head: 0.2, 0.01, z"}},
+      {"Truncated orders", {"4"}},
+      {"Numbers of pole pairs", {"5"}},
+      {"Contact points", {"5", "tip: 0, 0, 0", "tip: 0, 0, 1"}},
+      {"Force point", {"0, 0, 0.2, z", "0, 0, 0.8, z"}},
+      {"Rows", {"1e-4:50:40", ""}},
+      {"Entry", {"Contact/Friction coefficient"}},
+      {"Second entry", {"Contact/Friction coefficient"}},
+      {"Values", {"0.1"}},
+      {"Second values", {"0.1"}},
+      {"Range", {"0.1, 0.2, 0.1"}},
+      {"Second range", {"0.1, 0.2, 0.1"}},
+      {"Perturbed mode", {"bar:mode 2", "upper:mode 2"}},
+      {"Exciting force", {"3*sin(20*t)"}},
+      {"Longitudinal creepage", {"0.002", "0.001*t"}},
+      {"Lateral creepage", {"0.004, 0.005", "0.004", "0.001*t"}},
+      {"Spin", {"0.2", "0.1*t"}},
+      {"Normal force", {"20", "20, 30", "20+t"}},
+      {"Hub displacement", {"6e-6", "5.5e-6", "6e-6, 7e-6", "6e-6+1e-3*t"}},
+      {"Friction coefficient", {"0.25", "0.1, 0.2"}},
+      {"Probes", {"end: bar 0 0 10 along z", "end: upper 0 0 0.01 along z"}},
+      {"Traction boundary", {"right", "top"}},
+      {"Held", {"left", "right"}},
+      {"Anechoic lengths", {"0.2"}},
+      {"Positions", {"-0.01, 0, 0.01", "0"}},
+      {"Method", {"lsce", "vector fitting"}},
+      {"Pairs", {"haar:haar", "bspline:fourier"}},
+      {"Start value", {"110"}},
+      {"Cut frequencies", {"300"}},
+      {"Check frequencies", {"250"}},
+      {"Frequencies", {"60, 90"}},
+      {"Bodies", {}},
+      {"Analyses", {}}};
+
+  std::string number(const double value)
+  {
+    std::ostringstream text;
+    text.precision(12);
+    text << value;
+    return text.str();
+  }
+
+  /// Other values that an entry may take, by its pattern.
+  std::vector<std::string> other_values(const DeclaredParameters::Entry &entry)
+  {
+    const auto is = [&](const std::string &kind) { return entry.pattern.rfind("[" + kind, 0) == 0; };
+    if (is("Selection"))
+    {
+      std::vector<std::string> names;
+      std::istringstream stream(entry.pattern.substr(11, entry.pattern.size() - 12));
+      for (std::string name; std::getline(stream, name, '|');)
+        if (trimmed(name) != entry.value)
+          names.push_back(trimmed(name));
+      return names;
+    }
+    if (is("Bool"))
+      return {entry.value == "true" ? "false" : "true"};
+    char *end = nullptr;
+    const double value = std::strtod(entry.value.c_str(), &end);
+    if (is("Integer"))
+      return {number(value + 1), number(value + 2), number(std::max(1., value - 1)), number(2 * value)};
+    if (is("Double"))
+    {
+      if (value == 0)
+        return {"1e-3", "0.1", "1", "1e-7", "-1e-3"};
+      return {number(1.1 * value), number(0.9 * value), number(2 * value), number(0.5 * value),
+              number(-1e-3)};
+    }
+    const auto text = texts.find(entry.name);
+    if (text != texts.end())
+      return text->second;
+    // a list: its first number changes
+    if (end != entry.value.c_str())
+      return {number(1.1 * value) + std::string(end), number(value + 1) + std::string(end)};
+    return {"1", "0.1"};
+  }
+
+  /// results.json without what the clock says
+  void drop_times(nlohmann::json &node)
+  {
+    if (node.is_object())
+    {
+      std::vector<std::string> times = {"reductions", "peak_memory_MB", "program", "wall_s", "figures_s"};
+      for (const auto &[key, child] : node.items())
+        if (key.find("seconds") != std::string::npos)
+          times.push_back(key);
+      for (const std::string &key : times)
+        node.erase(key);
+    }
+    for (auto &child : node)
+      if (child.is_structured())
+        drop_times(child);
+  }
+
+  std::string table_without_times(const std::string &text)
+  {
+    std::istringstream lines(text);
+    std::set<unsigned int> times;
+    bool in_table = false;
+    std::string result;
+    for (std::string line; std::getline(lines, line);)
+    {
+      if (line.empty() || line[0] == '#')
+        continue;
+      std::istringstream cells(line);
+      unsigned int column = 0;
+      for (std::string cell; std::getline(cells, cell, ','); ++column)
+      {
+        if (!in_table && cell.find("seconds") != std::string::npos)
+          times.insert(column);
+        if (times.count(column) == 0)
+          result += cell + ",";
+      }
+      result += "\n";
+      in_table = true;
+    }
+    return result;
+  }
+
+  /// What a run wrote that does not depend on the clock.
+  std::string print_of(const fs::path &folder)
+  {
+    std::vector<fs::path> files;
+    for (const auto &entry : fs::recursive_directory_iterator(folder))
+      if (entry.is_regular_file())
+        files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::string print;
+    for (const fs::path &file : files)
+    {
+      const std::string ending = file.extension().string();
+      if (ending == ".prm" || ending == ".txt" || file.filename() == ".vibrocontact_files")
+        continue;
+      print += fs::relative(file, folder).string() + "\n";
+      if (file.filename() == "results.json")
+      {
+        nlohmann::json results = nlohmann::json::parse(read(file));
+        drop_times(results);
+        print += results.dump() + "\n";
+      }
+      else if (ending == ".csv" || ending == ".vtu")
+        print += table_without_times(read(file));
+    }
+    return print;
+  }
+
+  struct Outcome
+  {
+    /// message of wrong input
+    std::string refused;
+    /// of its results
+    std::string print;
+  };
+
+  Outcome outcome(const std::string &file, const std::string &folder, const std::vector<std::string> &options)
+  {
+    CommandLine line;
+    line.file = file;
+    line.output = folder + "/results";
+    line.quiet = true;
+    line.overrides = {"Output/Figures=false", "Output/Cache directory=" + folder + "/cache"};
+    line.overrides.insert(line.overrides.end(), options.begin(), options.end());
+    fs::remove_all(line.output);
+    Outcome result;
+    try
+    {
+      const int code = run(line);
+      result.print = std::to_string(code) + "\n" + print_of(line.output);
+    }
+    catch (const InputError &error)
+    {
+      result.refused = error.what();
+    }
+    catch (const ConvergenceError &error)
+    {
+      result.print = error.what();
+    }
+    return result;
+  }
+
+  std::vector<std::string> scene_names()
+  {
+    std::vector<std::string> names;
+    for (const auto &entry : fs::directory_iterator(scenes))
+      if (entry.path().extension() == ".prm")
+        names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+} // namespace
+
+class EntriesRead_ : public testing::TestWithParam<std::string>
+{
+};
+
+TEST_P(EntriesRead_, ChangeTheResultOrAreRefused)
+{
+  const std::string file = scenes + "/" + GetParam() + ".prm", folder = "entries_" + GetParam();
+  fs::remove_all(folder);
+  ParameterFile parameter_file(file, read(file), {});
+  Parameters parameters;
+  dealii::ParameterHandler prm;
+  read_parameters(parameter_file, prm, parameters);
+  const Outcome base = outcome(file, folder, {});
+  ASSERT_EQ(base.refused, "");
+  ASSERT_EQ(base.print, outcome(file, folder, {}).print) << "two runs differ";
+
+  unsigned int n_changed = 0, n_unread = 0, n_invalid = 0, n_exempt = 0;
+  for (const DeclaredParameters::Entry &entry : declared_parameters(prm).entries)
+  {
+    const std::string path = joined_path(entry.section, entry.name);
+    if (entry.section.empty() || entry.name == "Type" || is_exempt(path))
+    {
+      ++n_exempt;
+      continue;
+    }
+    bool changed = false, unread = false, valid = false;
+    for (const std::string &value : other_values(entry))
+    {
+      const Outcome other = outcome(file, folder, {path + "=" + value});
+      unread = other.refused.find(path + " is set, but changes nothing") != std::string::npos;
+      valid = valid || other.refused.empty();
+      changed = other.refused.empty() && other.print != base.print;
+      if (changed || unread)
+        break;
+    }
+    n_changed += changed;
+    n_unread += unread;
+    n_invalid += !valid && !unread;
+    EXPECT_TRUE(changed || unread || !valid) << path << " is accepted but changes nothing";
+  }
+  std::cout << GetParam() << ": " << n_changed + n_unread + n_invalid << " entries, " << n_changed
+            << " change the results, " << n_unread << " are refused as unread, " << n_invalid
+            << " as invalid here, " << n_exempt << " exempt\n";
+  EXPECT_GT(n_changed, 5u);
+  fs::remove_all(folder);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EntriesRead_, testing::ValuesIn(scene_names()),
+                         [](const auto &scene) { return scene.param; });
+
+TEST(EntriesRead, EveryAnalysisHasAScene)
+{
+  std::set<std::string> analyses;
+  for (const std::string &scene : scene_names())
+  {
+    const std::string name = scenes + "/" + scene + ".prm";
+    for (const std::string &analysis : ParameterFile(name, read(name)).list("Analyses"))
+      analyses.insert(analysis);
+  }
+  for (const AnalysisType &type : analysis_types())
+    EXPECT_EQ(analyses.count(type.name), 1u) << type.name;
+}
