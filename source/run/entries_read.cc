@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/drive.h>
 #include <vibrocontact/base/parameter_text.h>
+#include <vibrocontact/run/check_transient.h>
 #include <vibrocontact/run/entries_of_bodies.h>
 #include <vibrocontact/run/entries_read.h>
 
@@ -213,7 +214,7 @@ namespace vibrocontact
       add_partners(entries, parameters, use);
       add_contact(entries, parameters, largest_friction(parameters));
       add_rolling_cases(entries, parameters.rolling);
-      entries.add("Output", "Deformation, Contact problems");
+      entries.add("Output", "Deformation, Contact problems, Contact patches");
     }
 
     BodyUse moving_in_contact()
@@ -263,6 +264,7 @@ namespace vibrocontact
       entries.add(section,
                   "Model, Time step, Error tolerance, End time, Integrator, Reaction, Initial state, "
                   "Perturbed mode, Normal force, Hub displacement, Exciting force, Drive table, "
+                  "Error estimate, "
                   "History interval, Checkpoint interval");
       entries.add_if(own.error_tolerance > 0, "Transient/Error tolerance is above 0", section,
                      "Shortest time step");
@@ -281,6 +283,10 @@ namespace vibrocontact
                      "Patch interval");
       entries.add_if(parameters.output.fields && signals.patch_interval > 0,
                      "there is a Transient/Signals/Patch interval", section + "/Signals", "Patch begin");
+      entries.add_if(own.initial_state == "quasi-static" && parameters.contact.normal_law == "signorini" &&
+                         !contact_points_have_mass(parameters),
+                     "the run starts from an equilibrium, with rigid contact without mass",
+                     section + "/Signals", "Mode amplitudes");
       entries.add_if(!signals.probes.empty(), "there are Transient/Signals/Probes", section + "/Signals",
                      "Sound");
     }

@@ -27,7 +27,7 @@ MODELS = [("paper (a)", "reduced", "paper"), ("consistent (d)", "reduced", "cons
 def run(file, body, model, linearisation, modes, cache):
     """Roots (frequency, growth) of a model, seconds of its eigenvalues and of everything."""
     with tempfile.TemporaryDirectory() as folder:
-        entries = {"Stability/Model": model, "Stability/Linearisation": linearisation, body + "/Modes/Count": modes,
+        entries = {"Analyses": "stability", "Stability/Model": model, "Stability/Linearisation": linearisation, body + "/Modes/Count": modes,
                    "Output/Cache directory": cache, "Output/Figures": "false", "Output/Fields": "false"}
         command = [options.program, file, "--quiet", "--output", folder]
         for entry, value in entries.items():
