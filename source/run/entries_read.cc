@@ -364,6 +364,7 @@ namespace vibrocontact
       const bool on_grid = own.contact_points.empty();
       BodyUse use = moving_in_contact();
       use.contact = on_grid;
+      use.tangential = parameters.contact.friction > 0;
       if (parameters.scene.bodies[0].is_meshed())
         add_body(entries, parameters, 0, use);
       if (on_grid)

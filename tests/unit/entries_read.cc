@@ -21,9 +21,9 @@ namespace fs = std::filesystem;
 
 namespace
 {
-  const std::string scenes = std::string(TESTS_DIRECTORY) + "/entries";
+  const std::string entry_scenes = std::string(TESTS_DIRECTORY) + "/entries";
 
-  std::string read(const fs::path &file)
+  std::string file_content(const fs::path &file)
   {
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
@@ -47,8 +47,8 @@ namespace
                        });
   }
 
-  /// Values of entries that are texts.
-  const std::map<std::string, std::vector<std::string>> texts = {
+  /// Values of entries that are text_values.
+  const std::map<std::string, std::vector<std::string>> text_values = {
       {"Title", {"another"}},
       {"Expression", {"2e-7*sin(2*pi*s/0.01)"}},
       {"Speed expression", {"10+t"}},
@@ -86,7 +86,7 @@ namespace
       {"Bodies", {}},
       {"Analyses", {}}};
 
-  std::string number(const double value)
+  std::string short_number(const double value)
   {
     std::ostringstream text;
     text.precision(12);
@@ -112,20 +112,21 @@ namespace
     char *end = nullptr;
     const double value = std::strtod(entry.value.c_str(), &end);
     if (is("Integer"))
-      return {number(value + 1), number(value + 2), number(std::max(1., value - 1)), number(2 * value)};
+      return {short_number(value + 1), short_number(value + 2), short_number(std::max(1., value - 1)),
+              short_number(2 * value)};
     if (is("Double"))
     {
       if (value == 0)
         return {"1e-3", "0.1", "1", "1e-7", "-1e-3"};
-      return {number(1.1 * value), number(0.9 * value), number(2 * value), number(0.5 * value),
-              number(-1e-3)};
+      return {short_number(1.1 * value), short_number(0.9 * value), short_number(2 * value),
+              short_number(0.5 * value), short_number(-1e-3)};
     }
-    const auto text = texts.find(entry.name);
-    if (text != texts.end())
+    const auto text = text_values.find(entry.name);
+    if (text != text_values.end())
       return text->second;
     // a list: its first number changes
     if (end != entry.value.c_str())
-      return {number(1.1 * value) + std::string(end), number(value + 1) + std::string(end)};
+      return {short_number(1.1 * value) + std::string(end), short_number(value + 1) + std::string(end)};
     return {"1", "0.1"};
   }
 
@@ -188,17 +189,17 @@ namespace
       print += fs::relative(file, folder).string() + "\n";
       if (file.filename() == "results.json")
       {
-        nlohmann::json results = nlohmann::json::parse(read(file));
+        nlohmann::json results = nlohmann::json::parse(file_content(file));
         drop_times(results);
         print += results.dump() + "\n";
       }
       else if (ending == ".csv" || ending == ".vtu")
-        print += table_without_times(read(file));
+        print += table_without_times(file_content(file));
     }
     return print;
   }
 
-  struct Outcome
+  struct EntryOutcome
   {
     /// message of wrong input
     std::string refused;
@@ -206,7 +207,8 @@ namespace
     std::string print;
   };
 
-  Outcome outcome(const std::string &file, const std::string &folder, const std::vector<std::string> &options)
+  EntryOutcome entry_outcome(const std::string &file, const std::string &folder,
+                             const std::vector<std::string> &options)
   {
     CommandLine line;
     line.file = file;
@@ -215,7 +217,7 @@ namespace
     line.overrides = {"Output/Figures=false", "Output/Cache directory=" + folder + "/cache"};
     line.overrides.insert(line.overrides.end(), options.begin(), options.end());
     fs::remove_all(line.output);
-    Outcome result;
+    EntryOutcome result;
     try
     {
       const int code = run(line);
@@ -235,7 +237,7 @@ namespace
   std::vector<std::string> scene_names()
   {
     std::vector<std::string> names;
-    for (const auto &entry : fs::directory_iterator(scenes))
+    for (const auto &entry : fs::directory_iterator(entry_scenes))
       if (entry.path().extension() == ".prm")
         names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
@@ -249,15 +251,15 @@ class EntriesRead_ : public testing::TestWithParam<std::string>
 
 TEST_P(EntriesRead_, ChangeTheResultOrAreRefused)
 {
-  const std::string file = scenes + "/" + GetParam() + ".prm", folder = "entries_" + GetParam();
+  const std::string file = entry_scenes + "/" + GetParam() + ".prm", folder = "entries_" + GetParam();
   fs::remove_all(folder);
-  ParameterFile parameter_file(file, read(file), {});
+  ParameterFile parameter_file(file, file_content(file), {});
   Parameters parameters;
   dealii::ParameterHandler prm;
   read_parameters(parameter_file, prm, parameters);
-  const Outcome base = outcome(file, folder, {});
+  const EntryOutcome base = entry_outcome(file, folder, {});
   ASSERT_EQ(base.refused, "");
-  ASSERT_EQ(base.print, outcome(file, folder, {}).print) << "two runs differ";
+  ASSERT_EQ(base.print, entry_outcome(file, folder, {}).print) << "two runs differ";
 
   unsigned int n_changed = 0, n_unread = 0, n_invalid = 0, n_exempt = 0;
   for (const DeclaredParameters::Entry &entry : declared_parameters(prm).entries)
@@ -271,7 +273,7 @@ TEST_P(EntriesRead_, ChangeTheResultOrAreRefused)
     bool changed = false, unread = false, valid = false;
     for (const std::string &value : other_values(entry))
     {
-      const Outcome other = outcome(file, folder, {path + "=" + value});
+      const EntryOutcome other = entry_outcome(file, folder, {path + "=" + value});
       unread = other.refused.find(path + " is set, but changes nothing") != std::string::npos;
       valid = valid || other.refused.empty();
       changed = other.refused.empty() && other.print != base.print;
@@ -298,8 +300,8 @@ TEST(EntriesRead, EveryAnalysisHasAScene)
   std::set<std::string> analyses;
   for (const std::string &scene : scene_names())
   {
-    const std::string name = scenes + "/" + scene + ".prm";
-    for (const std::string &analysis : ParameterFile(name, read(name)).list("Analyses"))
+    const std::string name = entry_scenes + "/" + scene + ".prm";
+    for (const std::string &analysis : ParameterFile(name, file_content(name)).list("Analyses"))
       analyses.insert(analysis);
   }
   for (const AnalysisType &type : analysis_types())
