@@ -81,10 +81,11 @@ namespace vibrocontact
       entries.add_if(use.contact && !body.positions.empty(), "there are Positions", section, "Radius");
       const bool data = body.poles_file.empty(), fit = data && !body.inverse_transform;
       const std::string no_poles = section + "/Poles file is empty", fitted = "poles are fitted to the data";
-      entries.add_if(data, no_poles, "Identification", "Data file, Rolling data");
+      entries.add_if(data, no_poles, "Identification",
+                     "Data file, Rolling data, Lower frequency, Upper frequency, Delay, Passive data");
       entries.add_if(!body.inverse_transform, fitted, "Identification", "Residue tolerance");
       entries.add_if(fit, fitted, "Identification",
-                     "Method, Target error, Direct term, Impose zero initial value");
+                     "Method, Target error, Direct term, Impose zero initial value, Enforce passivity");
       add_pole_numbers(entries, identification, fit, fitted);
       const bool judged = fit && (use.contact ? body.tread_stiffness == 0 : identification.contact_step > 0);
       entries.add_if(judged, "the model is judged for rigid contact", "Identification", "Repair for contact");

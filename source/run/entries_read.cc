@@ -198,7 +198,8 @@ namespace vibrocontact
     void identification_read(EntriesRead &entries, const Parameters &parameters)
     {
       const std::string section = "Identification";
-      entries.add(section, "Data file, Rolling data, Method, Target error, Direct term, "
+      entries.add(section, "Data file, Rolling data, Lower frequency, Upper frequency, Delay, "
+                           "Passive data, Enforce passivity, Method, Target error, Direct term, "
                            "Impose zero initial value, Contact time step, Residue tolerance, "
                            "Stabilisation chart");
       add_pole_numbers(entries, parameters.identification, true, "poles are fitted");
