@@ -59,12 +59,12 @@ namespace vibrocontact
     prm.leave_subsection();
   }
 
-  void RollingParameters::check() const
+  void RollingParameters::check(const bool frictionless) const
   {
-    if (!(creepage.speed > 0) && creepage.sliding_x == 0 && creepage.sliding_y == 0)
+    if (!frictionless && !(creepage.speed > 0) && creepage.sliding_x == 0 && creepage.sliding_y == 0)
       throw InputError(
           "Entry Rolling/Speed is 0 and there is no Sliding velocity: nothing moves; steady rolling "
-          "needs one of them.");
+          "needs one of them (pressing alone needs a friction coefficient of 0).");
     const auto name = [](const std::vector<double> &single, const std::string &entry)
     { return (single.empty() ? "Rolling/Sweep/" : "Rolling/") + entry; };
     const bool force = !normal_force.empty() || !sweep.normal_force.empty();
@@ -224,7 +224,7 @@ namespace vibrocontact
       if (solution.converged)
         try
         {
-          check_contact_in_grid(interface.grid, solution.status);
+          check_contact_in_grid(interface.grid, contact, rolling.creepage.speed, solution.status);
         }
         catch (const InputError &error)
         {

@@ -100,7 +100,7 @@ namespace vibrocontact
         throw ConvergenceError(text.str());
       }
       if (n > 1)
-        check_contact_in_grid(pair.interface.grid, state.contact.status);
+        check_contact_in_grid(pair.interface.grid, contact, drive.creepage.speed, state.contact.status);
       state.R = state.contact.R;
       DenseVector force(n_modes);
       if (n_modes > 0)
@@ -129,8 +129,8 @@ namespace vibrocontact
       March(const TransientParameters &parameters, const ContactParameters &contact,
             const ContactSolverParameters &solver, const ContactPair &pair, const DriveFunction &drive,
             DynamicState &state, TransientResult &result)
-          : pair(pair), law(contact.law()), scheme(find_creep_scheme(contact.creep_scheme)), drive(drive),
-            state(state), result(result), now(drive(state.time)),
+          : pair(pair), contact(contact), law(contact.law()), scheme(find_creep_scheme(contact.creep_scheme)),
+            drive(drive), state(state), result(result), now(drive(state.time)),
             ladder(parameters, contact, solver, pair, now.creepage.speed), next(state),
             // never beyond the end, where tables may stop
             last(std::floor(parameters.end_time / ladder.shortest() + 1e-6))
@@ -153,7 +153,7 @@ namespace vibrocontact
         {
           ladder.advance(state, drive, last, next, then, result);
           if (n > 1)
-            check_contact_in_grid(pair.interface.grid, next.contact.status);
+            check_contact_in_grid(pair.interface.grid, contact, then.creepage.speed, next.contact.status);
         }
         // what was computed so far is kept, whoever gives up
         catch (const InputError &error)
@@ -187,6 +187,7 @@ namespace vibrocontact
 
     private:
       const ContactPair &pair;
+      const ContactParameters &contact;
       const std::shared_ptr<const NormalLaw> law;
       const CreepScheme &scheme;
       const DriveFunction &drive;

@@ -83,7 +83,17 @@ namespace vibrocontact
       grid.spacing_y = strip_length;
       grid.y_first = 0;
     }
+    for (const FlatFace &face : flat_faces)
+      grid = fitted(grid, face, at_rest);
     return grid;
+  }
+
+  SurfaceEnds ContactParameters::ends(const ContactGrid &grid) const
+  {
+    SurfaceEnds result;
+    for (const FlatFace &face : flat_faces)
+      result.add(grid, face);
+    return result;
   }
 
   std::shared_ptr<const NormalLaw> ContactParameters::law() const
@@ -126,11 +136,14 @@ namespace vibrocontact
     return problem;
   }
 
-  void check_contact_in_grid(const ContactGrid &grid, const std::vector<ContactStatus> &status)
+  void check_contact_in_grid(const ContactGrid &grid, const ContactParameters &contact, const double speed,
+                             const std::vector<ContactStatus> &status)
   {
     if (grid.whole_surface)
       return;
-    constexpr unsigned int free_upstream = 2;
+    const SurfaceEnds ends = contact.ends(grid);
+    const bool rolls = speed > 0;
+    const unsigned int free_upstream = rolls ? 2 : ends.upstream ? 0 : 1;
     const std::string larger_x = "enlarge Contact/Half length", larger_y = "enlarge Contact/Half width";
     for (unsigned int point = 0; point < grid.n_points(); ++point)
     {
@@ -140,11 +153,12 @@ namespace vibrocontact
       if (i < free_upstream)
         throw InputError(
             "The contact reaches the upstream side of the contact grid (x = " + number_text(grid.x(point)) +
-            " m), where two columns must stay free: " + larger_x + " or lower the load.");
-      if (i + 1 == grid.n_x)
+            " m)" + (rolls ? ", where two columns must stay free: " : ": ") + larger_x +
+            " or lower the load.");
+      if (i + 1 == grid.n_x && !ends.downstream)
         throw InputError("The contact reaches the downstream side of the contact grid (x = " +
                          number_text(grid.x(point)) + " m): " + larger_x + " or lower the load.");
-      if (grid.n_y > 1 && (j == 0 || j + 1 == grid.n_y))
+      if (grid.n_y > 1 && ((j == 0 && !ends.low_y) || (j + 1 == grid.n_y && !ends.high_y)))
         throw InputError("The contact reaches the lateral side of the contact grid (y = " +
                          number_text(grid.y(point)) + " m): " + larger_y + " or lower the load.");
     }

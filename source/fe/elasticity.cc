@@ -19,9 +19,9 @@ namespace vibrocontact
     class CellMatrices
     {
     public:
-      CellMatrices(const FESystem<dim> &element, const ElasticMaterial &material)
-          : element(element), material(material), n_nodes(element.base_element(0).n_dofs_per_cell()),
-            dof_of(n_nodes * dim), products(n_nodes * dim, n_nodes * dim), scalar_mass(n_nodes, n_nodes),
+      explicit CellMatrices(const FESystem<dim> &element)
+          : element(element), n_nodes(element.base_element(0).n_dofs_per_cell()), dof_of(n_nodes * dim),
+            products(n_nodes * dim, n_nodes * dim), scalar_mass(n_nodes, n_nodes),
             stiffness(n_nodes * dim, n_nodes * dim), mass(n_nodes * dim, n_nodes * dim)
       {
         for (unsigned int k = 0; k < element.n_dofs_per_cell(); ++k)
@@ -32,7 +32,7 @@ namespace vibrocontact
       }
 
       /// @p values are those of the scalar element.
-      void compute(const FEValues<dim> &values)
+      void compute(const FEValues<dim> &values, const ElasticMaterial &material)
       {
         const unsigned int n = n_nodes, nd = n * dim, n_q = values.n_quadrature_points;
         gradients.resize(n_q * nd);
@@ -93,7 +93,6 @@ namespace vibrocontact
       }
 
       const FESystem<dim> &element;
-      const ElasticMaterial material;
       const unsigned int n_nodes;
       std::vector<unsigned int> dof_of;
       std::vector<double> gradients, shapes;
@@ -192,25 +191,26 @@ namespace vibrocontact
                          update_values | update_gradients | update_JxW_values);
     FEFaceValues<dim> face_values(body.mapping, element, QGauss<dim - 1>(n_gauss),
                                   update_values | update_JxW_values);
-    CellMatrices<dim> cell_matrices(element, model.material);
+    CellMatrices<dim> cell_matrices(element);
     FullMatrix<double> spring(n_dofs_per_cell, n_dofs_per_cell), loss(n_dofs_per_cell, n_dofs_per_cell);
     Vector<double> cell_load(n_dofs_per_cell);
     std::vector<types::global_dof_index> dofs(n_dofs_per_cell);
-    double volume = 0;
+    double total_mass = 0;
 
     for (const auto &cell : body.dof_handler.active_cell_iterators())
     {
       if (!cell->is_locally_owned())
         continue;
       values.reinit(typename Triangulation<dim>::active_cell_iterator(cell));
-      cell_matrices.compute(values);
-      volume += cell_matrices.volume;
+      const ElasticMaterial &material = model.material_of(cell->material_id());
+      cell_matrices.compute(values, material);
+      total_mass += material.density * cell_matrices.volume;
       cell->get_dof_indices(dofs);
 
       if (system.has_loss)
       {
         loss = cell_matrices.stiffness;
-        loss *= model.loss_factor(cell->material_id());
+        loss *= material.loss_factor;
       }
       cell_load = 0;
       if (model.gravity.norm() > 0)
@@ -218,8 +218,8 @@ namespace vibrocontact
         {
           const auto [component, node] = element.system_to_component_index(k);
           for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-            cell_load(k) += model.material.density * model.gravity[component] * values.shape_value(node, q) *
-                            values.JxW(q);
+            cell_load(k) +=
+                material.density * model.gravity[component] * values.shape_value(node, q) * values.JxW(q);
         }
 
       for (const unsigned int f : cell->face_indices())
@@ -289,7 +289,7 @@ namespace vibrocontact
     if (system.has_loss)
       system.loss_stiffness.compress(VectorOperation::insert);
 
-    system.total_mass = model.material.density * Utilities::MPI::sum(volume, communicator);
+    system.total_mass = Utilities::MPI::sum(total_mass, communicator);
     return result;
   }
 

@@ -9,17 +9,25 @@ namespace vibrocontact
   {
     ElasticModel<3> model;
     model.material = parameters.material;
+    std::vector<std::string> materials;
+    for (const auto &[group, material] : parameters.materials)
+    {
+      model.zones[materials.size()] = material;
+      materials.push_back(group);
+    }
+    if (!materials.empty())
+      model.material = model.zones.at(0);
     BodyMesh<3> mesh;
     unsigned int degree = 2;
     if (parameters.type == "wheel")
     {
-      mesh = make_wheel(parameters.wheel, lateral_position, grid, parameters.name, communicator);
+      mesh = make_wheel(parameters.wheel, lateral_position, grid, parameters.name, communicator, materials);
       model.held = {mesh.boundary_id("bore")};
       degree = parameters.wheel.section.element_degree;
     }
     else if (parameters.type == "rail")
     {
-      mesh = make_rail(parameters.rail, grid, parameters.name, communicator);
+      mesh = make_rail(parameters.rail, grid, parameters.name, communicator, materials);
       add_supports(model, parameters.rail, mesh);
       degree = parameters.rail.section.element_degree;
     }
@@ -39,7 +47,8 @@ namespace vibrocontact
     }
     else if (parameters.type == "mesh")
     {
-      mesh = make_mesh_from_file(parameters.mesh, lateral_position, grid, parameters.name, communicator);
+      mesh = make_mesh_from_file(parameters.mesh, lateral_position, grid, parameters.name, communicator,
+                                 materials);
       add_supports(model, parameters.mesh, mesh);
       degree = parameters.mesh.element_degree;
     }

@@ -32,7 +32,7 @@ namespace vibrocontact
     class Stress : public DataPostprocessor<dim>
     {
     public:
-      explicit Stress(const ElasticMaterial &material) : mu(material.mu()) {}
+      explicit Stress(const ElasticModel<dim> &model) : model(model) {}
 
       std::vector<std::string> get_names() const override
       {
@@ -56,6 +56,7 @@ namespace vibrocontact
       void evaluate_vector_field(const DataPostprocessorInputs::Vector<dim> &inputs,
                                  std::vector<Vector<double>> &computed) const override
       {
+        const double mu = model.material_of(inputs.template get_cell<dim>()->material_id()).mu();
         for (unsigned int q = 0; q < computed.size(); ++q)
         {
           double strain[3][3] = {}, trace = 0, square = 0;
@@ -77,7 +78,7 @@ namespace vibrocontact
       }
 
     private:
-      const double mu;
+      const ElasticModel<dim> &model;
     };
 
     DataOutBase::VtkFlags flags()
@@ -161,7 +162,7 @@ namespace vibrocontact
   {
     const auto write_state = [&](const PETScWrappers::MPI::Vector &displacement, const std::string &file)
     {
-      const Stress<dim> stress(body.model.material);
+      const Stress<dim> stress(body.model);
       Gathered<DataOut<dim>> output;
       output.add_data_vector(body.dof_handler, displacement, stress);
       output.build_patches(body.mapping, body.element.degree, DataOut<dim>::curved_boundary);

@@ -43,12 +43,18 @@ namespace vibrocontact
     Log &log = run_log();
     log.block("Body " + parameters.name);
     log.value("type", parameters.type + " (" + parameters.body_type().help + ")");
-    if (parameters.has_material())
+    const auto print_material = [&](const ElasticMaterial &material, const std::string &of)
     {
-      log.value("Young modulus", parameters.material.young_modulus, "Pa");
-      log.value("Poisson ratio", parameters.material.poisson_ratio);
-      log.value("density", parameters.material.density, "kg/m^3");
-    }
+      log.value("Young modulus" + of, material.young_modulus, "Pa");
+      log.value("Poisson ratio" + of, material.poisson_ratio);
+      log.value("density" + of, material.density, "kg/m^3");
+      if (material.loss_factor > 0)
+        log.value("loss factor" + of, material.loss_factor);
+    };
+    for (const auto &[group, material] : parameters.materials)
+      print_material(material, " of " + group);
+    if (parameters.has_material() && parameters.materials.empty())
+      print_material(parameters.material, "");
     if (parameters.type == "bar")
     {
       log.value("length", parameters.bar.length, "m");

@@ -111,18 +111,18 @@ namespace vibrocontact
     Modes modes = compute_modes(system, flexibility, parameters);
     ModalReduction result = modal_reduction(system, modes);
     const unsigned int n = modes.omega.size();
+    result.damping_ratio = strain_energy_damping(system, modes);
     if (wheel)
     {
       const auto labels = wheel_labels(system, modes, *wheel);
       result.labels = unique_texts(labels);
-      result.damping_ratio = wheel_damping(labels, parameters);
+      const std::vector<double> by_diameters = wheel_damping(labels, parameters);
+      for (unsigned int i = 0; i < n; ++i)
+        result.damping_ratio[i] += by_diameters[i];
     }
     else
-    {
       for (unsigned int i = 0; i < n; ++i)
         result.labels.push_back("mode " + std::to_string(i + 1 - modes.n_rigid_modes));
-      result.damping_ratio = strain_energy_damping(system, modes);
-    }
     for (unsigned int i = 0; i < modes.n_rigid_modes; ++i)
     {
       result.labels[i] = "rigid " + std::to_string(i + 1);

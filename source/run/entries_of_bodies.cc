@@ -18,7 +18,10 @@ namespace vibrocontact
         return body.ring.damping_ratio > 0;
       const auto supports = [](const RailSupports &rail)
       { return !rail.anechoic_lengths.empty() || (rail.has_pads() && rail.pad_loss_factor > 0); };
-      return body.material.loss_factor > 0 || (body.type == "rail" && supports(body.rail)) ||
+      bool lossy = body.materials.empty() && body.material.loss_factor > 0;
+      for (const auto &group : body.materials)
+        lossy = lossy || group.second.loss_factor > 0;
+      return lossy || (body.type == "rail" && supports(body.rail)) ||
              (body.type == "beam rail" && supports(body.beam_rail)) ||
              (body.type == "mesh" && body.mesh.foundation_loss_factor > 0);
     }
@@ -94,13 +97,23 @@ namespace vibrocontact
 
     void add_material(EntriesRead &entries, const BodyParameters &body, const BodyUse &use)
     {
-      const std::string section = body.name + "/Material";
-      entries.add(section, "Young modulus");
-      entries.add_if(body.type != "bar", "the body is no bar", section, "Poisson ratio");
+      if (body.has_groups())
+        entries.add(body.name, "Materials");
+      std::vector<std::string> sections;
+      for (const auto &group : body.materials)
+        sections.push_back(body.name + "/Material/" + group.first);
+      if (sections.empty())
+        sections.push_back(body.name + "/Material");
       const bool heavy = use.loads && body.loads.gravity != 0;
-      entries.add_if(body.is_meshed() && (use.motion || heavy), "the body moves or has a Gravity", section,
-                     "Density");
-      entries.add_if(body.is_meshed() && use.loss, "the body moves", section, "Loss factor");
+      for (const std::string &section : sections)
+      {
+        entries.add(section, "Young modulus");
+        entries.add_if(body.type != "bar", "the body is no bar", section, "Poisson ratio");
+        // of several materials each has to name its density
+        entries.add_if(!body.materials.empty() || (body.is_meshed() && (use.motion || heavy)),
+                       "the body moves or has a Gravity", section, "Density");
+        entries.add_if(body.is_meshed() && use.loss, "the body moves", section, "Loss factor");
+      }
     }
 
     void add_modes(EntriesRead &entries, const BodyParameters &body, const ModeParameters &modes,

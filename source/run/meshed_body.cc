@@ -42,7 +42,7 @@ namespace vibrocontact
     for (const DeclaredParameters::Entry &entry : parameters.entries)
     {
       const bool own = entry.section == body || entry.section.rfind(body + "/", 0) == 0;
-      if (!own || entry.section == body + "/Modes")
+      if (!own || entry.section == body + "/Modes" || (entry.name == "Materials" && entry.value.empty()))
         continue;
       // a file that is written changes nothing of the body
       const std::string value = entry.name == "Write mesh" ? "" : entry.value;

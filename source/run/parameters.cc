@@ -279,6 +279,10 @@ namespace vibrocontact
         if (contact.half_space_flexibility() && (body.type == "bar" || body.type == "layer"))
           throw InputError(entry + ", but the surface of the " + body.type + " " + body.name +
                            " is no half-space: set it to finite elements.");
+        if (contact.half_space_flexibility() && body.materials.size() > 1)
+          throw InputError(entry + ", but " + body.name +
+                           "/Materials lists several, and which of them would fill the half-space is not "
+                           "known: set it to finite elements.");
         if (body.is_meshed() && !parameters.modes.at(body.name).any())
           throw InputError(body.name + "/Modes asks for no modes, but " + entry +
                            ", so that the modes have to carry the rest of the body's flexibility; give Upper "
@@ -363,7 +367,7 @@ namespace vibrocontact
     }
     if (scene.runs("quasi-static rolling") || scene.runs("stability"))
     {
-      rolling.check();
+      rolling.check(contact.friction == 0 && rolling.sweep.friction.empty() && !scene.runs("stability"));
       check_supports(scene);
       // a single value left at its default is not given; used.prm of a sweep has to be valid
       if (!rolling.sweep.friction.empty() && contact.friction != ContactParameters().friction)
@@ -495,6 +499,7 @@ namespace vibrocontact
       }
       file.parse(prm);
       parameters.check();
+      parameters.find_flat_faces();
     }
     catch (const InputError &error)
     {

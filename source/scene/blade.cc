@@ -1,6 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/scene/blade.h>
+#include <vibrocontact/scene/mesh_quality.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/grid/grid_generator.h>
@@ -82,6 +83,9 @@ namespace vibrocontact
   BodyMesh<3> make_blade(const BladeParameters &parameters, const std::string &name,
                          const MPI_Comm communicator)
   {
+    check_number_of_cells<3>(double(parameters.chord_divisions) * parameters.thickness_divisions *
+                                 parameters.length_divisions,
+                             parameters.element_degree, name, "choose fewer divisions");
     const double half_chord = parameters.chord / 2, half_thickness = parameters.thickness / 2;
     Triangulation<3> straight;
     GridGenerator::subdivided_hyper_rectangle(

@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/scene/block.h>
+#include <vibrocontact/scene/mesh_quality.h>
 
 #include <deal.II/grid/grid_generator.h>
 
@@ -46,10 +47,19 @@ namespace vibrocontact
                        "': a held face cannot deform in contact; hold another one.");
   }
 
+  FlatFace BlockParameters::contact_rectangle(const double lateral_position) const
+  {
+    return {offset_x - length / 2, offset_x + length / 2, offset_y - lateral_position - width / 2,
+            offset_y - lateral_position + width / 2};
+  }
+
   template <int dim>
   BodyMesh<dim> make_block(const BlockParameters &parameters, const std::string &name,
                            const MPI_Comm communicator)
   {
+    check_number_of_cells<dim>(double(parameters.divisions_x) * (dim == 3 ? parameters.divisions_y : 1) *
+                                   parameters.divisions_z,
+                               2, name, "choose fewer Divisions");
     BodyMesh<dim> mesh;
     mesh.name = name;
     mesh.triangulation = std::make_unique<parallel::distributed::Triangulation<dim>>(

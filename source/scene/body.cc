@@ -55,8 +55,26 @@ namespace vibrocontact
       group.declare_parameters(prm);
       prm.leave_subsection();
     };
-    if (has_material())
+    if (has_groups())
+    {
+      materials_entry.clear();
+      for (const auto &group : materials)
+        materials_entry += (materials_entry.empty() ? "" : ", ") + group.first;
+      prm.add_parameter("Materials", materials_entry,
+                        "Physical groups of the mesh's cells that have a material each, separated by commas: "
+                        "steel, rubber. Section Material then holds a subsection of each name with its "
+                        "entries. Empty: one material for the whole body. Units: none.",
+                        dealii::Patterns::Anything());
+    }
+    if (has_material() && materials.empty())
       declare("Material", material);
+    if (!materials.empty())
+    {
+      prm.enter_subsection("Material");
+      for (auto &[group, own] : materials)
+        declare(group, own);
+      prm.leave_subsection();
+    }
     if (type == "half-space")
       declare("Half-space", half_space);
     if (type == "rigid")
@@ -97,7 +115,9 @@ namespace vibrocontact
 
   void BodyParameters::check(const std::string &section) const
   {
-    if (has_material())
+    for (const auto &[group, own] : materials)
+      own.check(section + "/Material/" + group);
+    if (has_material() && materials.empty())
       material.check(section + "/Material");
     if (type == "half-space" || type == "rigid")
       half_space.check(section + "/" + body_type().section);
@@ -131,6 +151,15 @@ namespace vibrocontact
       return tread_radius(wheel.section.read_outline(wheel.scale), lateral_position);
     if (type == "mesh" && mesh.is_wheel())
       return tread_radius(wheel_outline(mesh), lateral_position);
+    return {};
+  }
+
+  std::optional<FlatFace> BodyParameters::flat_face(const double lateral_position) const
+  {
+    if (type == "block")
+      return block.contact_rectangle(lateral_position);
+    if (type == "mesh" && !mesh.is_wheel())
+      return flat_contact_group(mesh);
     return {};
   }
 

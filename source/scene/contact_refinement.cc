@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/scene/contact_refinement.h>
+#include <vibrocontact/scene/mesh_quality.h>
 
 #include <deal.II/base/bounding_box.h>
 
@@ -40,7 +41,8 @@ namespace vibrocontact
   }
 
   template <int dim>
-  void refine_at_contact(BodyMesh<dim> &mesh, const ContactGrid &grid, const ContactRefinement &parameters)
+  void refine_at_contact(BodyMesh<dim> &mesh, const ContactGrid &grid, const ContactRefinement &parameters,
+                         const unsigned int degree)
   {
     if (parameters.cell_size <= 0)
       return;
@@ -111,6 +113,14 @@ namespace vibrocontact
         if (active->is_locally_owned() && active->level() == level && is_long(active) &&
             overlaps(active, parameters.margin + reach, parameters.depth + reach))
           active->set_refine_flag();
+      unsigned int n_refined = 0;
+      for (const auto &active : triangulation.active_cell_iterators())
+        n_refined += active->is_locally_owned() && active->refine_flag_set();
+      check_number_of_cells<dim>(
+          double(triangulation.n_global_active_cells()) +
+              (std::pow(2., dim) - 1) *
+                  Utilities::MPI::sum(double(n_refined), triangulation.get_communicator()),
+          degree, mesh.name, "make its Contact cell size larger or Refinement margin and depth smaller");
       triangulation.execute_coarsening_and_refinement();
     }
   }
@@ -138,6 +148,8 @@ namespace vibrocontact
     return divisions;
   }
 
-  template void refine_at_contact(BodyMesh<2> &, const ContactGrid &, const ContactRefinement &);
-  template void refine_at_contact(BodyMesh<3> &, const ContactGrid &, const ContactRefinement &);
+  template void refine_at_contact(BodyMesh<2> &, const ContactGrid &, const ContactRefinement &,
+                                  unsigned int);
+  template void refine_at_contact(BodyMesh<3> &, const ContactGrid &, const ContactRefinement &,
+                                  unsigned int);
 } // namespace vibrocontact

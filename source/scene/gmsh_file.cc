@@ -18,10 +18,38 @@ namespace vibrocontact
     /// no count or tag of a file that could be read is larger
     constexpr long long largest_count = 2000000000;
 
+    /// The elements that gmsh writes: number of nodes, dimension, plural of the name.
+    struct ElementType
+    {
+      unsigned int n_nodes, dim;
+      const char *name;
+    };
+    const std::map<unsigned int, ElementType> element_types = {{1, {2, 1, "lines"}},
+                                                               {2, {3, 2, "triangles"}},
+                                                               {3, {4, 2, "quadrilaterals"}},
+                                                               {4, {4, 3, "tetrahedra"}},
+                                                               {5, {8, 3, "hexahedra"}},
+                                                               {6, {6, 3, "prisms"}},
+                                                               {7, {5, 3, "pyramids"}},
+                                                               {8, {3, 1, "second-order lines"}},
+                                                               {9, {6, 2, "second-order triangles"}},
+                                                               {10, {9, 2, "second-order quadrilaterals"}},
+                                                               {11, {10, 3, "second-order tetrahedra"}},
+                                                               {12, {27, 3, "second-order hexahedra"}},
+                                                               {13, {18, 3, "second-order prisms"}},
+                                                               {14, {14, 3, "second-order pyramids"}},
+                                                               {15, {1, 0, "points"}},
+                                                               {16, {8, 2, "second-order quadrilaterals"}},
+                                                               {17, {20, 3, "second-order hexahedra"}},
+                                                               {18, {15, 3, "second-order prisms"}},
+                                                               {19, {13, 3, "second-order pyramids"}}};
+    constexpr unsigned int quadrilateral_type = 3, hexahedron_type = 5;
+
     class Reader
     {
     public:
-      explicit Reader(const std::string &name) : name(name), stream(name)
+      /// @param dim dimension of the cells: 3 hexahedra, 2 the quadrilaterals of a section
+      Reader(const std::string &name, const unsigned int dim) : name(name), dim(dim), stream(name)
       {
         if (!stream)
           throw InputError("Cannot read the mesh file " + name + "; give the path of an existing gmsh file.");
@@ -47,9 +75,12 @@ namespace vibrocontact
         }
         if (version == 0)
           damaged("has no $MeshFormat: it is no gmsh file; give one that gmsh saved as text, format 4.1");
-        if (result.hexahedra.empty())
+        check_strays();
+        if (result.hexahedra.empty() && dim == 3)
           damaged("holds no hexahedra: in gmsh recombine the surfaces and extrude, or set "
                   "Mesh.SubdivisionAlgorithm = 2");
+        if (result.quadrilaterals.empty() && dim == 2)
+          damaged("holds no quadrilaterals: in gmsh recombine the surfaces of the section");
         return std::move(result);
       }
 
@@ -57,6 +88,33 @@ namespace vibrocontact
       [[noreturn]] void damaged(const std::string &what) const
       {
         throw InputError("The mesh file " + name + " " + what + ".");
+      }
+
+      /// Elements of which no body is made, with their number and groups.
+      void check_strays() const
+      {
+        if (strays.empty())
+          return;
+        std::string text;
+        for (const auto &[type, groups] : strays)
+        {
+          std::string where;
+          unsigned int n = 0;
+          for (const auto &[group, count] : groups)
+          {
+            n += count;
+            where += (where.empty() ? "" : ", ") + std::to_string(count) + " in " + group;
+          }
+          text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + element_types.at(type).name + " (" +
+                  where + ")";
+        }
+        const std::size_t n_cells = dim == 3 ? result.hexahedra.size() : result.quadrilaterals.size();
+        damaged("holds " + text + " beside " + std::to_string(n_cells) + " first-order " +
+                (dim == 3
+                     ? "hexahedra, of which alone bodies are made: in gmsh recombine and extrude, or set "
+                       "Mesh.SubdivisionAlgorithm = 2, and Mesh.ElementOrder = 1"
+                     : "quadrilaterals, of which alone sections are made: in gmsh recombine all "
+                       "surfaces or set Mesh.SubdivisionAlgorithm = 1, and Mesh.ElementOrder = 1"));
       }
 
       template <typename T>
@@ -97,14 +155,18 @@ namespace vibrocontact
       {
         for (unsigned int n = next<unsigned int>(); n > 0; --n)
         {
-          const unsigned int dim = next<unsigned int>(), tag = next<unsigned int>();
+          const unsigned int group_dim = next<unsigned int>(), tag = next<unsigned int>();
           std::string text;
           std::getline(stream, text);
           const auto open = text.find('"'), close = text.rfind('"');
-          if (open == close)
+          if (open == std::string::npos || close == open)
             damaged("has a physical name without quotes; save it again with gmsh");
-          if (dim == 2)
-            result.names[tag] = text.substr(open + 1, close - open - 1);
+          const std::string group = text.substr(open + 1, close - open - 1);
+          names[{group_dim, tag}] = group;
+          if (group_dim == 2)
+            result.names[tag] = group;
+          if (group_dim == dim)
+            result.cells.names[tag] = group;
         }
       }
 
@@ -112,18 +174,15 @@ namespace vibrocontact
       {
         const unsigned int n[4] = {next<unsigned int>(), next<unsigned int>(), next<unsigned int>(),
                                    next<unsigned int>()};
-        for (unsigned int d = 0; d < 3; ++d)
+        for (unsigned int d = 0; d < 4; ++d)
           for (unsigned int k = 0; k < n[d]; ++k)
           {
             const int entity = next<int>();
             for (unsigned int c = 0; c < (d == 0 ? 3 : 6); ++c)
               next<double>();
-            for (unsigned int t = 0, n_tags = next<unsigned int>(); t < n_tags; ++t)
-            {
-              const int tag = std::abs(next<int>());
-              if (d == 2 && t == 0)
-                group_of_surface[entity] = tag;
-            }
+            auto &groups = groups_of[{d, entity}];
+            for (unsigned int t = next<unsigned int>(); t > 0; --t)
+              groups.push_back(std::abs(next<int>()));
             if (d > 0)
               for (unsigned int b = next<unsigned int>(); b > 0; --b)
                 next<int>();
@@ -175,51 +234,56 @@ namespace vibrocontact
         }
       }
 
-      void add_element(const unsigned int type, const unsigned int group, const unsigned int n_nodes)
+      /// @param groups physical groups of the element's entity, of its own dimension
+      void add_element(const unsigned int type, std::vector<unsigned int> groups)
       {
+        const bool is_cell = type == (dim == 3 ? hexahedron_type : quadrilateral_type);
+        const ElementType &kind = element_types.at(type);
+        // lines and points carry nothing
+        if (!is_cell && kind.dim > 1 && !(dim == 3 && type == quadrilateral_type))
+        {
+          ++strays[type][groups.empty() ? "no group" : "\"" + group_name(kind.dim, groups[0]) + "\""];
+          std::string rest_of_line;
+          std::getline(stream, rest_of_line);
+          return;
+        }
         unsigned int nodes[8];
-        for (unsigned int v = 0; v < n_nodes; ++v)
+        for (unsigned int v = 0; v < kind.n_nodes; ++v)
         {
           const auto found = index.find(next<unsigned long>());
           if (found == index.end())
             damaged("has an element with a node that does not exist; save it again with gmsh");
           nodes[v] = found->second;
         }
-        if (type == 5)
+        if (type == hexahedron_type && is_cell)
         {
           result.hexahedra.emplace_back();
           std::copy(nodes, nodes + 8, result.hexahedra.back().begin());
         }
-        else if (type == 3)
+        if (type == quadrilateral_type)
         {
           result.quadrilaterals.push_back({{nodes[0], nodes[1], nodes[2], nodes[3]}});
-          result.groups.push_back(group);
+          result.groups.push_back(groups.empty() ? 0 : groups[0]);
+        }
+        if (is_cell)
+        {
+          std::sort(groups.begin(), groups.end());
+          result.cells.groups.push_back(std::move(groups));
         }
       }
 
-      unsigned int nodes_of(const unsigned int type) const
+      std::string group_name(const unsigned int group_dim, const unsigned int group) const
       {
-        switch (type)
-        {
-        case 15:
-          return 1;
-        case 1:
-          return 2;
-        case 3:
-          return 4;
-        case 5:
-          return 8;
-        case 2:
-        case 4:
-        case 6:
-        case 7:
-          damaged("holds triangles, tetrahedra, prisms or pyramids; bodies are made of hexahedra only (in "
-                  "gmsh recombine "
-                  "and extrude, or set Mesh.SubdivisionAlgorithm = 2)");
-        default:
-          damaged("holds elements of type " + std::to_string(type) +
-                  ", second-order ones perhaps; save it with Mesh.ElementOrder = 1");
-        }
+        const auto found = names.find({group_dim, group});
+        return found == names.end() ? std::to_string(group) : found->second;
+      }
+
+      unsigned int known_type(const unsigned int type) const
+      {
+        if (element_types.count(type) == 0)
+          damaged("holds elements of gmsh's type " + std::to_string(type) +
+                  ", of an order above two perhaps; save it with Mesh.ElementOrder = 1");
+        return type;
       }
 
       void read_elements()
@@ -229,7 +293,7 @@ namespace vibrocontact
           for (unsigned int n = next<unsigned int>(); n > 0; --n)
           {
             next<unsigned long>();
-            const unsigned int type = next<unsigned int>();
+            const unsigned int type = known_type(next<unsigned int>());
             unsigned int group = 0;
             for (unsigned int t = 0, n_tags = next<unsigned int>(); t < n_tags; ++t)
             {
@@ -237,7 +301,7 @@ namespace vibrocontact
               if (t == 0)
                 group = std::abs(tag);
             }
-            add_element(type, group, nodes_of(type));
+            add_element(type, group == 0 ? std::vector<unsigned int>() : std::vector<unsigned int>{group});
           }
           return;
         }
@@ -246,30 +310,45 @@ namespace vibrocontact
           next<unsigned long>();
         for (unsigned int block = 0; block < n_blocks; ++block)
         {
-          const unsigned int dim = next<unsigned int>();
+          const unsigned int entity_dim = next<unsigned int>();
           const int entity = next<int>();
-          const unsigned int type = next<unsigned int>(), n = next<unsigned int>(), n_nodes = nodes_of(type);
-          const auto group = group_of_surface.find(entity);
-          for (unsigned int k = 0; k < n; ++k)
+          const unsigned int type = known_type(next<unsigned int>());
+          if (element_types.at(type).dim != entity_dim)
+            damaged("says that an entity of dimension " + std::to_string(entity_dim) + " holds " +
+                    element_types.at(type).name + "; save it again with gmsh");
+          const auto found = groups_of.find({entity_dim, entity});
+          const std::vector<unsigned int> groups =
+              found == groups_of.end() ? std::vector<unsigned int>() : found->second;
+          for (unsigned int n = next<unsigned int>(); n > 0; --n)
           {
             next<unsigned long>();
-            add_element(type, dim == 2 && group != group_of_surface.end() ? group->second : 0, n_nodes);
+            add_element(type, groups);
           }
         }
       }
 
       const std::string name;
+      const unsigned int dim;
       std::ifstream stream;
       double version = 0;
       std::unordered_map<unsigned long, unsigned int> index;
-      std::map<int, unsigned int> group_of_surface;
+      /// names of the physical groups by dimension and number; groups by dimension and number of the entity
+      std::map<std::pair<unsigned int, unsigned int>, std::string> names;
+      std::map<std::pair<unsigned int, int>, std::vector<unsigned int>> groups_of;
+      /// number of elements that do not belong here, by type and group
+      std::map<unsigned int, std::map<std::string, unsigned int>> strays;
       GmshFile result;
     };
   } // namespace
 
   GmshFile GmshFile::read(const std::string &file)
   {
-    return Reader(file).read();
+    return Reader(file, 3).read();
+  }
+
+  GmshFile GmshFile::read_section(const std::string &file)
+  {
+    return Reader(file, 2).read();
   }
 
   std::map<std::string, unsigned int> GmshFile::face_counts() const
@@ -288,14 +367,20 @@ namespace vibrocontact
     const auto &triangulation = *mesh.triangulation;
     const std::vector<Point<3>> &vertices = triangulation.get_vertices();
     std::vector<unsigned int> number(vertices.size(), 0);
-    unsigned int n_nodes = 0, n_cells = 0;
+    unsigned int n_nodes = 0;
+    const std::vector<std::string> groups =
+        mesh.cell_groups.empty() ? std::vector<std::string>{"body"} : mesh.cell_groups;
+    std::vector<std::vector<std::array<unsigned int, 8>>> cells(groups.size());
     std::map<types::boundary_id, std::vector<std::array<unsigned int, 4>>> faces;
     for (const auto &cell : triangulation.cell_iterators_on_level(0))
     {
-      ++n_cells;
       for (const unsigned int v : cell->vertex_indices())
         if (number[cell->vertex_index(v)] == 0)
           number[cell->vertex_index(v)] = ++n_nodes;
+      std::array<unsigned int, 8> nodes;
+      for (const unsigned int v : {0, 1, 2, 3, 4, 5, 6, 7})
+        nodes[v] = number[cell->vertex_index(v)];
+      cells[cell->material_id() % groups.size()].push_back(nodes);
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary())
         {
@@ -306,15 +391,19 @@ namespace vibrocontact
     }
     std::ostringstream text;
     text.precision(17);
-    // Physical tags are boundary ids plus one: gmsh has no tag 0.
-    text << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n" << mesh.boundaries.size() + 1 << "\n";
+    // Physical tags are boundary ids or numbers of groups plus one: gmsh has no tag 0.
+    text << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n"
+         << mesh.boundaries.size() + groups.size() << "\n";
     for (const auto &[name, id] : mesh.boundaries)
       text << "2 " << id + 1 << " \"" << name << "\"\n";
-    text << "3 1 \"body\"\n$EndPhysicalNames\n$Entities\n0 0 " << faces.size() << " 1\n";
+    for (unsigned int g = 0; g < groups.size(); ++g)
+      text << "3 " << g + 1 << " \"" << groups[g] << "\"\n";
+    text << "$EndPhysicalNames\n$Entities\n0 0 " << faces.size() << " " << groups.size() << "\n";
     for (const auto &entry : faces)
       text << entry.first + 1 << " 0 0 0 0 0 0 1 " << entry.first + 1 << " 0\n";
-    text << "1 0 0 0 0 0 0 1 1 0\n$EndEntities\n$Nodes\n1 " << n_nodes << " 1 " << n_nodes << "\n3 1 0 "
-         << n_nodes << "\n";
+    for (unsigned int g = 1; g <= groups.size(); ++g)
+      text << g << " 0 0 0 0 0 0 1 " << g << " 0\n";
+    text << "$EndEntities\n$Nodes\n1 " << n_nodes << " 1 " << n_nodes << "\n3 1 0 " << n_nodes << "\n";
     std::vector<unsigned int> vertex_of(n_nodes);
     for (unsigned int v = 0; v < number.size(); ++v)
       if (number[v] > 0)
@@ -323,10 +412,13 @@ namespace vibrocontact
       text << k << "\n";
     for (const unsigned int v : vertex_of)
       text << vertices[v][0] << " " << vertices[v][1] + shift_y << " " << vertices[v][2] << "\n";
-    unsigned int n_elements = n_cells, element = 0;
+    unsigned int n_elements = 0, element = 0;
     for (const auto &entry : faces)
       n_elements += entry.second.size();
-    text << "$EndNodes\n$Elements\n" << faces.size() + 1 << " " << n_elements << " 1 " << n_elements << "\n";
+    for (const auto &list : cells)
+      n_elements += list.size();
+    text << "$EndNodes\n$Elements\n"
+         << faces.size() + groups.size() << " " << n_elements << " 1 " << n_elements << "\n";
     for (const auto &[id, list] : faces)
     {
       text << "2 " << id + 1 << " 3 " << list.size() << "\n";
@@ -338,13 +430,16 @@ namespace vibrocontact
         text << "\n";
       }
     }
-    text << "3 1 5 " << n_cells << "\n";
-    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+    for (unsigned int g = 0; g < groups.size(); ++g)
     {
-      text << ++element;
-      for (const unsigned int v : {0, 1, 3, 2, 4, 5, 7, 6})
-        text << " " << number[cell->vertex_index(v)];
-      text << "\n";
+      text << "3 " << g + 1 << " 5 " << cells[g].size() << "\n";
+      for (const auto &cell : cells[g])
+      {
+        text << ++element;
+        for (const unsigned int v : {0, 1, 3, 2, 4, 5, 7, 6})
+          text << " " << cell[v];
+        text << "\n";
+      }
     }
     text << "$EndElements\n";
     write_file(file, text.str());

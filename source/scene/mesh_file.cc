@@ -1,6 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/scene/gmsh_file.h>
 #include <vibrocontact/scene/mesh_file.h>
+#include <vibrocontact/scene/mesh_quality.h>
 #include <vibrocontact/scene/wheel.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -106,51 +107,17 @@ namespace vibrocontact
            << " m; is it in other units? Set Unit (0.001 for a file in mm).";
       throw InputError(text.str());
     }
-
-    /// Every corner of a cell has to be right-handed.
-    void check_cells(const std::vector<Point<3>> &vertices, const std::vector<CellData<3>> &cells,
-                     const std::string &file)
-    {
-      unsigned int n_bad = 0, first = 0;
-      Point<3> place;
-      for (unsigned int c = 0; c < cells.size(); ++c)
-      {
-        bool good = true;
-        for (unsigned int v = 0; v < 8; ++v)
-        {
-          const Point<3> &corner = vertices[cells[c].vertices[v]];
-          Tensor<2, 3> edges;
-          double size = 1;
-          for (unsigned int d = 0; d < 3; ++d)
-          {
-            edges[d] = vertices[cells[c].vertices[v ^ (1u << d)]] - corner;
-            if (v & (1u << d))
-              edges[d] *= -1;
-            size *= edges[d].norm();
-          }
-          good = good && determinant(edges) > 1e-6 * size;
-        }
-        if (!good && n_bad++ == 0)
-        {
-          first = c + 1;
-          place = vertices[cells[c].vertices[0]];
-        }
-      }
-      if (n_bad == 0)
-        return;
-      std::ostringstream text;
-      text << "The mesh file " << file << " has " << n_bad
-           << " inverted or degenerate hexahedra, the first is number " << first << " at (" << place
-           << ") m; repair the mesh (gmsh: Tools/Statistics, Mesh.Optimize, ReorientMesh).";
-      throw InputError(text.str());
-    }
   } // namespace
 
   BodyMesh<3> make_mesh_from_file(const MeshFileParameters &parameters, const double lateral_position,
                                   const ContactGrid *grid, const std::string &name,
-                                  const MPI_Comm communicator)
+                                  const MPI_Comm communicator, const std::vector<std::string> &materials)
   {
     const GmshFile gmsh = GmshFile::read(parameters.file);
+    const std::vector<unsigned int> numbers =
+        material_numbers(gmsh.cells, {name, materials}, parameters.file);
+    check_number_of_cells<3>(gmsh.hexahedra.size(), parameters.element_degree, name,
+                             "give a coarser file or lower " + name + "/Mesh/Element degree");
 
     Point<3> origin;
     for (unsigned int d = 0; d < 3; ++d)
@@ -168,12 +135,14 @@ namespace vibrocontact
       const unsigned int order[8] = {0, 1, 3, 2, 4, 5, 7, 6};
       for (unsigned int v = 0; v < 8; ++v)
         cell.vertices[v] = hexahedron[order[v]];
+      cell.material_id = numbers[cells.size()];
       cells.push_back(cell);
     }
     check_cells(vertices, cells, parameters.file);
 
     BodyMesh<3> mesh;
     mesh.name = name;
+    mesh.cell_groups = materials;
     mesh.boundaries["surface"] = 0;
     for (const auto &[tag, group] : gmsh.names)
       if (group != "surface")
@@ -238,7 +207,7 @@ namespace vibrocontact
       mesh.geometry_degree = std::max(2u, parameters.element_degree);
     }
     if (grid)
-      refine_at_contact(mesh, *grid, parameters.refinement);
+      refine_at_contact(mesh, *grid, parameters.refinement, parameters.element_degree);
     return mesh;
   }
 
@@ -255,6 +224,36 @@ namespace vibrocontact
       bed.loss_factor = parameters.foundation_loss_factor;
       model.springs.push_back(bed);
     }
+  }
+
+  std::optional<FlatFace> flat_contact_group(const MeshFileParameters &parameters)
+  {
+    const GmshFile gmsh = GmshFile::read(parameters.file);
+    FlatFace face{1e300, -1e300, 1e300, -1e300};
+    double area = 0, height = 0;
+    for (unsigned int k = 0; k < gmsh.quadrilaterals.size(); ++k)
+    {
+      const auto named = gmsh.names.find(gmsh.groups[k]);
+      if (named == gmsh.names.end() || named->second != parameters.contact_group)
+        continue;
+      std::array<Point<3>, 4> p;
+      for (unsigned int v = 0; v < 4; ++v)
+      {
+        for (unsigned int d = 0; d < 3; ++d)
+          p[v][d] =
+              parameters.unit * (gmsh.nodes[gmsh.quadrilaterals[k][v]][d] - parameters.contact_point.at(d));
+        face.x_low = std::min(face.x_low, p[v][0]);
+        face.x_high = std::max(face.x_high, p[v][0]);
+        face.y_low = std::min(face.y_low, p[v][1]);
+        face.y_high = std::max(face.y_high, p[v][1]);
+        height = std::max(height, std::abs(p[v][2]));
+      }
+      area += cross_product_3d(p[2] - p[0], p[3] - p[1]).norm() / 2;
+    }
+    const double whole = (face.x_high - face.x_low) * (face.y_high - face.y_low);
+    if (!(area > 0) || std::abs(area / whole - 1) > 1e-6 || height > 1e-6 * std::sqrt(area))
+      return {};
+    return face;
   }
 
   SectionOutline wheel_outline(const MeshFileParameters &parameters)

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/scene/mesh_quality.h>
 #include <vibrocontact/scene/rail.h>
 #include <vibrocontact/scene/section_manifolds.h>
 
@@ -120,10 +121,10 @@ namespace vibrocontact
   }
 
   BodyMesh<3> make_rail(const RailParameters &parameters, const ContactGrid *grid, const std::string &name,
-                        const MPI_Comm communicator)
+                        const MPI_Comm communicator, const std::vector<std::string> &materials)
   {
     const SectionOutline outline = parameters.section.read_outline();
-    const SectionMesh section = parameters.section.read_mesh(outline, true);
+    const SectionMesh section = parameters.section.read_mesh(outline, true, {name, materials});
     std::vector<SectionOutline::Row> crown;
     double reach = 0;
     for (const auto &row : outline.rows)
@@ -143,6 +144,8 @@ namespace vibrocontact
 
     const auto half = graded_divisions(parameters.length / 2, parameters.contact_division,
                                        parameters.fine_length, parameters.coarse_division, parameters.growth);
+    check_number_of_cells<3>(2. * half.size() * section.cells.size(), parameters.section.element_degree, name,
+                             "make " + name + "/Rail/Contact division or Coarse division larger");
     std::vector<double> x = {0.};
     for (const double length : half)
       x.push_back(x.back() + length);
@@ -157,20 +160,23 @@ namespace vibrocontact
 
     std::vector<CellData<3>> cells;
     for (unsigned int layer = 0; layer + 1 < x.size(); ++layer)
-      for (const auto &quad : section.cells)
+      for (unsigned int q = 0; q < section.cells.size(); ++q)
       {
         CellData<3> cell;
         for (unsigned int v = 0; v < 4; ++v)
         {
-          cell.vertices[v] = quad[v] + layer * n_vertices;
-          cell.vertices[4 + v] = quad[v] + (layer + 1) * n_vertices;
+          cell.vertices[v] = section.cells[q][v] + layer * n_vertices;
+          cell.vertices[4 + v] = section.cells[q][v] + (layer + 1) * n_vertices;
         }
-        cell.material_id = parameters.anechoic_piece((x[layer] + x[layer + 1]) / 2);
+        const unsigned int n_groups = std::max<std::size_t>(1, materials.size());
+        cell.material_id =
+            section.materials[q] + n_groups * parameters.anechoic_piece((x[layer] + x[layer + 1]) / 2);
         cells.push_back(cell);
       }
 
     BodyMesh<3> mesh;
     mesh.name = name;
+    mesh.cell_groups = materials;
     mesh.geometry_degree = std::max(2u, parameters.section.element_degree);
     mesh.triangulation = std::make_unique<parallel::distributed::Triangulation<3>>(
         communicator, Triangulation<3>::limit_level_difference_at_vertices);
@@ -184,14 +190,20 @@ namespace vibrocontact
     mesh.contact_boundaries = {contact_id};
 
     if (grid)
-      refine_at_contact(mesh, *grid, parameters.refinement);
+      refine_at_contact(mesh, *grid, parameters.refinement, parameters.section.element_degree);
     return mesh;
   }
 
   void add_supports(ElasticModel<3> &model, const RailParameters &parameters, const BodyMesh<3> &mesh)
   {
+    const unsigned int n_groups = std::max<std::size_t>(1, mesh.cell_groups.size());
     for (unsigned int piece = 1; piece <= parameters.anechoic_lengths.size(); ++piece)
-      model.loss_factors[piece] = parameters.anechoic_loss(piece);
+      for (unsigned int group = 0; group < n_groups; ++group)
+      {
+        ElasticMaterial material = model.material_of(group);
+        material.loss_factor = parameters.anechoic_loss(piece);
+        model.zones[group + n_groups * piece] = material;
+      }
     if (!parameters.has_pads())
       return;
 

@@ -60,6 +60,28 @@ namespace vibrocontact
                        (nearest_names(name, others).empty() ? "add \"subsection " + name + "\" with its Type"
                                                             : name_suggestion(name, others)));
     }
+    /// Which subsections of Material there are. Each says what it is made of: a default beside another material
+    /// would be a guess.
+    void read_materials(const ParameterFile &file, BodyParameters &body)
+    {
+      const std::vector<std::string> groups = split_list(file.raw_value(body.name, "Materials"));
+      const std::string where = file.where(body.name, "Materials") + ": ";
+      for (const std::string &group : groups)
+      {
+        if (std::count(groups.begin(), groups.end(), group) > 1)
+          throw InputError(where + "the group \"" + group + "\" is listed twice; a group has one material");
+        if (group.find('/') != std::string::npos)
+          throw InputError(where + "the group \"" + group +
+                           "\" has a / in its name, which separates sections; name it otherwise in gmsh");
+        const std::string section = joined_path(joined_path(body.name, "Material"), group);
+        for (const char *entry : {"Young modulus", "Poisson ratio", "Density"})
+          if (file.raw_value(section, entry).empty())
+            throw InputError(where + "the group \"" + group + "\" has no " + section + "/" + entry +
+                             "; of several materials each is given with its Young modulus, Poisson ratio "
+                             "and Density");
+        body.materials.emplace_back(group, ElasticMaterial());
+      }
+    }
   } // namespace
 
   const std::vector<AnalysisType> &analysis_types()
@@ -109,6 +131,8 @@ namespace vibrocontact
       // whether it has modes
       if (body.type == "ring")
         body.ring.model = file.raw_value(name + "/Ring", "Model", body.ring.model);
+      if (body.has_groups())
+        read_materials(file, body);
       scene.bodies.push_back(body);
     }
 

@@ -1,11 +1,13 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/scene/gmsh_file.h>
+#include <vibrocontact/scene/mesh_quality.h>
 #include <vibrocontact/scene/section.h>
 
-#include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -85,25 +87,69 @@ namespace vibrocontact
     return rows.size();
   }
 
-  SectionMesh SectionMesh::read(const std::string &file, const double scale, const unsigned int refinements,
-                                const SectionOutline &outline, const bool mirrored)
+  namespace
   {
-    std::ifstream stream(file);
-    if (!stream)
-      throw InputError("Cannot read the section mesh " + file + "; give the path of an existing gmsh file.");
+    /// A mesh in other units than its outline finds none of its parts.
+    void check_extent(const std::vector<Point<2>> &vertices, const SectionOutline &outline,
+                      const bool mirrored, const std::string &file)
+    {
+      Point<2> low(1e300, 1e300), high(-1e300, -1e300), mesh_low = low, mesh_high = high;
+      const auto widen = [](Point<2> &a, Point<2> &b, const Point<2> &p)
+      {
+        for (unsigned int d = 0; d < 2; ++d)
+        {
+          a[d] = std::min(a[d], p[d]);
+          b[d] = std::max(b[d], p[d]);
+        }
+      };
+      for (const auto &row : outline.rows)
+        for (const Point<2> &end : {row.start, row.end})
+        {
+          widen(low, high, end);
+          if (mirrored)
+            widen(low, high, Point<2>(-end[0], end[1]));
+        }
+      for (const Point<2> &p : vertices)
+        widen(mesh_low, mesh_high, p);
+      // arcs may bulge beyond their ends
+      const double slack = 0.2 * low.distance(high);
+      if (low.distance(mesh_low) < slack && high.distance(mesh_high) < slack)
+        return;
+      std::ostringstream text;
+      text << "The section mesh " << file << " spans (" << mesh_low << ") to (" << mesh_high
+           << ") m, its outline (" << low << ") to (" << high
+           << ") m: they are not of one section; give the mesh in metres, the outline in mm.";
+      throw InputError(text.str());
+    }
+  } // namespace
+
+  SectionMesh SectionMesh::read(const std::string &file, const double scale, const unsigned int refinements,
+                                const SectionOutline &outline, const bool mirrored,
+                                const GroupMaterials &materials)
+  {
+    const GmshFile gmsh = GmshFile::read_section(file);
+    const std::vector<unsigned int> numbers = material_numbers(gmsh.cells, materials, file);
+    std::vector<Point<2>> nodes;
+    for (const Point<3> &node : gmsh.nodes)
+      nodes.emplace_back(scale * node[0], scale * node[1]);
+    std::vector<CellData<2>> quads;
+    for (const auto &q : gmsh.quadrilaterals)
+    {
+      CellData<2> cell;
+      cell.vertices = {q[0], q[1], q[3], q[2]};
+      const Tensor<1, 2> u = nodes[q[2]] - nodes[q[0]], w = nodes[q[3]] - nodes[q[1]];
+      if (u[0] * w[1] - u[1] * w[0] < 0)
+        std::swap(cell.vertices[1], cell.vertices[2]);
+      cell.material_id = numbers[quads.size()];
+      quads.push_back(cell);
+    }
+    check_cells(nodes, quads, file);
+    SubCellData no_boundary;
+    GridTools::delete_unused_vertices(nodes, quads, no_boundary);
+    check_extent(nodes, outline, mirrored, file);
+    GridTools::consistently_order_cells(quads);
     Triangulation<2> triangulation;
-    try
-    {
-      GridIn<2> reader(triangulation);
-      reader.read_msh(stream);
-    }
-    catch (const std::exception &)
-    {
-      throw InputError("The section mesh " + file +
-                       " cannot be used; it must be a gmsh file (format 4.1 or 2.2, text) of first-order "
-                       "quadrilaterals that are not inverted.");
-    }
-    GridTools::scale(scale, triangulation);
+    triangulation.create_triangulation(nodes, quads, no_boundary);
 
     const unsigned int n_rows = outline.rows.size();
     const double signs[] = {1., -1.};
@@ -134,6 +180,7 @@ namespace vibrocontact
       if (u[0] * w[1] - u[1] * w[0] < 0)
         std::swap(vertices[1], vertices[2]);
       mesh.cells.push_back(vertices);
+      mesh.materials.push_back(cell->material_id());
     }
     return mesh;
   }

@@ -37,9 +37,9 @@ namespace vibrocontact
   }
 
   SectionMesh SectionParameters::read_mesh(const SectionOutline &outline_read, const bool mirrored,
-                                           const double scale) const
+                                           const GroupMaterials &materials, const double scale) const
   {
     return SectionMesh::read(mesh.empty() ? mesh_directory() + "/" + built_in + "_section.msh" : mesh, scale,
-                             refinements, outline_read, mirrored);
+                             refinements, outline_read, mirrored, materials);
   }
 } // namespace vibrocontact

@@ -1,6 +1,7 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/scene/gmsh_file.h>
+#include <vibrocontact/scene/mesh_quality.h>
 #include <vibrocontact/scene/section_manifolds.h>
 #include <vibrocontact/scene/wheel.h>
 
@@ -14,7 +15,7 @@ namespace vibrocontact
 
   namespace
   {
-    constexpr types::boundary_id surface_id = 0, bore_id = 1, contact_id = 2;
+    constexpr types::boundary_id wheel_surface_id = 0, wheel_bore_id = 1, wheel_contact_id = 2;
   }
 
   void WheelParameters::declare_parameters(ParameterHandler &prm)
@@ -116,11 +117,13 @@ namespace vibrocontact
   }
 
   BodyMesh<3> make_wheel(const WheelParameters &parameters, const double lateral_position,
-                         const ContactGrid *grid, const std::string &name, const MPI_Comm communicator)
+                         const ContactGrid *grid, const std::string &name, const MPI_Comm communicator,
+                         const std::vector<std::string> &materials)
   {
     const SectionOutline outline = parameters.section.read_outline(parameters.scale);
     const double radius = tread_radius(outline, lateral_position);
-    const SectionMesh section = parameters.section.read_mesh(outline, false, parameters.scale);
+    const SectionMesh section =
+        parameters.section.read_mesh(outline, false, {name, materials}, parameters.scale);
 
     // Angles of the sections, symmetric about the contact at phi = 0.
     const auto half = graded_divisions(numbers::PI * radius, parameters.contact_division,
@@ -131,6 +134,9 @@ namespace vibrocontact
     for (unsigned int k = half.size(); k-- > 1;)
       angles.push_back(2 * numbers::PI - angles[k]);
 
+    check_number_of_cells<3>(double(angles.size()) * section.cells.size(), parameters.section.element_degree,
+                             name, "make " + name + "/Wheel/Contact division or Coarse division larger");
+
     const RevolvedManifold revolved(radius, lateral_position);
     const unsigned int n_angles = angles.size(), n_vertices = section.vertices.size();
     std::vector<Point<3>> vertices;
@@ -140,43 +146,50 @@ namespace vibrocontact
     // The section's (a, b) and the angle are right-handed as (b, a, angle): swap two vertices of each layer.
     std::vector<CellData<3>> cells;
     for (unsigned int layer = 0; layer < n_angles; ++layer)
-      for (const auto &quad : section.cells)
+      for (unsigned int q = 0; q < section.cells.size(); ++q)
       {
         CellData<3> cell;
         const unsigned int order[4] = {0, 2, 1, 3};
         for (unsigned int v = 0; v < 4; ++v)
         {
-          cell.vertices[v] = quad[order[v]] + layer * n_vertices;
-          cell.vertices[4 + v] = quad[order[v]] + ((layer + 1) % n_angles) * n_vertices;
+          cell.vertices[v] = section.cells[q][order[v]] + layer * n_vertices;
+          cell.vertices[4 + v] = section.cells[q][order[v]] + ((layer + 1) % n_angles) * n_vertices;
         }
+        cell.material_id = section.materials[q];
         cells.push_back(cell);
       }
 
     BodyMesh<3> mesh;
     mesh.name = name;
+    mesh.cell_groups = materials;
     mesh.geometry_degree = std::max(2u, parameters.section.element_degree);
     mesh.triangulation = std::make_unique<parallel::distributed::Triangulation<3>>(
         communicator, Triangulation<3>::limit_level_difference_at_vertices);
     mesh.triangulation->create_triangulation(vertices, cells, SubCellData());
     const auto rows = attach_wheel_manifolds(*mesh.triangulation, outline, radius, lateral_position);
-    unsigned int k = 0;
+    unsigned int k = 0, n_bore = 0;
     for (const auto &cell : mesh.triangulation->cell_iterators_on_level(0))
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary())
         {
           const unsigned int row = rows[k++];
           const std::string part = row < outline.rows.size() ? outline.rows[row].part : "surface";
-          cell->face(f)->set_all_boundary_ids(part == "bore"    ? bore_id
-                                              : part == "tread" ? contact_id
-                                                                : surface_id);
+          n_bore += part == "bore";
+          cell->face(f)->set_all_boundary_ids(part == "bore"    ? wheel_bore_id
+                                              : part == "tread" ? wheel_contact_id
+                                                                : wheel_surface_id);
         }
-    mesh.boundaries = {{"surface", surface_id}, {"bore", bore_id}, {"contact", contact_id}};
-    mesh.contact_boundaries = {contact_id};
+    if (n_bore == 0)
+      throw InputError("The section mesh of body " + name +
+                       " has no edge on a row of its outline that is called bore, so that nothing holds the "
+                       "wheel: give mesh and outline of one section, the outline with a bore.");
+    mesh.boundaries = {{"surface", wheel_surface_id}, {"bore", wheel_bore_id}, {"contact", wheel_contact_id}};
+    mesh.contact_boundaries = {wheel_contact_id};
 
     if (!parameters.write_mesh.empty())
       on_first_rank([&] { write_gmsh(mesh, parameters.write_mesh, lateral_position); }, communicator);
     if (grid)
-      refine_at_contact(mesh, *grid, parameters.refinement);
+      refine_at_contact(mesh, *grid, parameters.refinement, parameters.section.element_degree);
     return mesh;
   }
 } // namespace vibrocontact

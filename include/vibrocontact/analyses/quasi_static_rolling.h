@@ -28,7 +28,8 @@ namespace vibrocontact
 
     void declare_parameters(dealii::ParameterHandler &prm);
     /// @throws InputError for combinations that make no sense
-    void check() const;
+    /// @param frictionless pressing alone makes sense: nothing has to move
+    void check(bool frictionless) const;
   };
 
   /// What to solve for one case.

@@ -3,6 +3,7 @@
 #include <vibrocontact/contact/contact_problem.h>
 #include <vibrocontact/contact/creep.h>
 #include <vibrocontact/contact/falling_friction.h>
+#include <vibrocontact/scene/flat_face.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -38,9 +39,16 @@ namespace vibrocontact
     /// exponential penalty only: a [N], alpha [1/m]
     double penalty_amplitude = 1e8, penalty_exponent = 50;
 
+    /// no entries: flat faces that the bodies touch with, and whether the rolling speed is zero (found once the
+    /// bodies are known)
+    std::vector<FlatFace> flat_faces;
+    bool at_rest = false;
+
     void declare_parameters(dealii::ParameterHandler &prm);
-    /// Grid with a point on the nominal contact point (offset zero).
+    /// Grid with a point on the nominal contact point (offset zero); without what lies beyond a flat face.
     ContactGrid grid() const;
+    /// Sides of a grid that a flat face ends with.
+    SurfaceEnds ends(const ContactGrid &grid) const;
     /// The normal law that the entries describe.
     std::shared_ptr<const NormalLaw> law() const;
     bool half_space_flexibility() const { return local_flexibility == "half-space"; }
@@ -74,8 +82,11 @@ namespace vibrocontact
                                  const CreepScheme &scheme, const Creepage &creepage,
                                  const ContactParameters &parameters);
 
-  /// Refuses a contact that fills the grid: two free columns upstream (more if the scheme looks further), one
-  /// row or column on the other sides.
+  /// Refuses a contact that reaches a side of the grid, beyond which it could go on: one row or column has to
+  /// stay open, two columns on the upstream side of what rolls (the upwind difference starts from points
+  /// without traction). Sides where the surface itself ends may be reached, upstream at rest only.
+  /// @param speed rolling speed [m/s]
   /// @throws InputError naming the side and the entry to enlarge
-  void check_contact_in_grid(const ContactGrid &grid, const std::vector<ContactStatus> &status);
+  void check_contact_in_grid(const ContactGrid &grid, const ContactParameters &contact, double speed,
+                             const std::vector<ContactStatus> &status);
 } // namespace vibrocontact

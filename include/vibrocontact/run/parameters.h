@@ -43,6 +43,9 @@ namespace vibrocontact
     /// After the first pass, which filled the lists of the scene.
     void declare(dealii::ParameterHandler &prm);
     void check() const;
+    /// Looks for bodies that touch with a flat face which ends within reach of the contact grid (contact_grid()
+    /// then ends with it), and refuses grids that such a contact would fill for certain without ending there.
+    void find_flat_faces();
     /// Whether a contact grid is needed.
     bool has_contact() const
     {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/scene/body_mesh.h>
+#include <vibrocontact/scene/flat_face.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -28,6 +29,8 @@ namespace vibrocontact
 
     void declare_parameters(dealii::ParameterHandler &prm);
     void check(const std::string &section) const;
+    /// the contact face, where the contact of body 1 is @p lateral_position from the box's origin along y [m]
+    FlatFace contact_rectangle(double lateral_position) const;
   };
 
   template <int dim>

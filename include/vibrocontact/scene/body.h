@@ -46,6 +46,9 @@ namespace vibrocontact
     std::string name;
     std::string type = "half-space";
     ElasticMaterial material;
+    /// materials of the groups of cells, by name and in the order of the entry `Materials`, which decides
+    /// before the declaration which subsections of Material exist; empty: `material` for the whole body
+    std::vector<std::pair<std::string, ElasticMaterial>> materials;
     HalfSpaceParameters half_space;
     BlockParameters block;
     BladeParameters blade;
@@ -66,6 +69,8 @@ namespace vibrocontact
     bool is_solid() const { return body_type().is_solid; }
     /// has Material; others bring their own stiffness
     bool has_material() const { return type != "rigid" && !is_green(); }
+    /// has a mesh whose groups of cells may have materials of their own
+    bool has_groups() const { return type == "wheel" || type == "rail" || type == "mesh"; }
     /// known by its Green's functions: rolls on a road, cannot be a partner of other contacts
     bool is_green() const { return type == "identified" || type == "ring" || type == "oscillator"; }
     /// can come into contact in one point only
@@ -80,5 +85,11 @@ namespace vibrocontact
     std::optional<double> axle_height(double lateral_position) const;
     /// Lateral positions between which the contact of a wheel can lie [m]; nothing for other bodies.
     std::optional<std::pair<double, double>> contact_limits() const;
+    /// The rectangle that is all of the contact surface of a block, or of a mesh file whose contact group is
+    /// one; nothing for other bodies. Reads the file.
+    std::optional<FlatFace> flat_face(double lateral_position) const;
+
+  private:
+    std::string materials_entry;
   };
 } // namespace vibrocontact

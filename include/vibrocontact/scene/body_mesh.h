@@ -26,6 +26,9 @@ namespace vibrocontact
     std::map<std::string, dealii::types::boundary_id> boundaries;
     /// boundary ids on which contact points are sought
     std::set<dealii::types::boundary_id> contact_boundaries;
+    /// names of the groups of cells that have a material each, empty: one material. A cell's group is its
+    /// material id modulo their number; what the id holds beside it is the maker's (pieces of a rail).
+    std::vector<std::string> cell_groups;
     /// polynomial degree of the mapping
     unsigned int geometry_degree = 2;
 

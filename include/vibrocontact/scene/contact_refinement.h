@@ -32,7 +32,8 @@ namespace vibrocontact
 
   /// Halve the cells under @p grid until those of the contact surface are at most cell_size (5 % tolerance).
   template <int dim>
-  void refine_at_contact(BodyMesh<dim> &mesh, const ContactGrid &grid, const ContactRefinement &parameters);
+  void refine_at_contact(BodyMesh<dim> &mesh, const ContactGrid &grid, const ContactRefinement &parameters,
+                         unsigned int degree);
 
   /// Lengths of the cells on one side of the contact: `fine` up to `fine_length`, then growing by at most
   /// @p ratio to @p coarse, scaled so that they add up to @p total [m].

@@ -33,13 +33,13 @@ namespace vibrocontact
     dealii::Tensor<1, dim> traction;
   };
 
-  /// Everything that turns a mesh into a body: material, support and loads.
+  /// Everything that turns a mesh into a body: materials, support and loads.
   template <int dim>
   struct ElasticModel
   {
     ElasticMaterial material;
-    /// loss factors of zones that differ from the material's, by material id of the cells
-    std::map<dealii::types::material_id, double> loss_factors;
+    /// materials of the zones that have another one, by material id of the cells
+    std::map<dealii::types::material_id, ElasticMaterial> zones;
     /// boundaries whose displacement is zero
     std::vector<dealii::types::boundary_id> held;
     std::vector<SpringBed<dim>> springs;
@@ -47,16 +47,16 @@ namespace vibrocontact
     /// acceleration of gravity [m/s^2]; zero: none
     dealii::Tensor<1, dim> gravity;
 
-    double loss_factor(const dealii::types::material_id id) const
+    const ElasticMaterial &material_of(const dealii::types::material_id id) const
     {
-      const auto found = loss_factors.find(id);
-      return found == loss_factors.end() ? material.loss_factor : found->second;
+      const auto found = zones.find(id);
+      return found == zones.end() ? material : found->second;
     }
     bool has_loss() const
     {
       double largest = material.loss_factor;
-      for (const auto &zone : loss_factors)
-        largest = std::max(largest, zone.second);
+      for (const auto &zone : zones)
+        largest = std::max(largest, zone.second.loss_factor);
       for (const auto &bed : springs)
         largest = std::max(largest, bed.loss_factor);
       return largest > 0;

@@ -2,9 +2,11 @@
 
 #include <vibrocontact/scene/contact_refinement.h>
 #include <vibrocontact/scene/elastic_model.h>
+#include <vibrocontact/scene/flat_face.h>
 
 #include <vibrocontact/scene/section.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,15 +49,21 @@ namespace vibrocontact
 
   /// @param lateral_position used with geometry = wheel: y of the contact in the wheel's section [m]
   /// @param grid contact grid to refine for; null: the body has no contact, no contact group is needed
-  /// @throws InputError for a missing group (with the names there and their face counts), an inverted cell,
-  ///   or a size that looks like another unit.
+  /// @param materials groups of cells with a material each; empty: one material
+  /// @throws InputError for a missing group (with the names there and their face counts), what check_cells()
+  ///   finds, or a size that looks like another unit.
   BodyMesh<3> make_mesh_from_file(const MeshFileParameters &parameters, const double lateral_position,
                                   const ContactGrid *grid, const std::string &name,
-                                  const MPI_Comm communicator);
+                                  const MPI_Comm communicator,
+                                  const std::vector<std::string> &materials = {});
 
   /// Held groups and foundation of the body, to be added to the model of @p mesh (a mesh of
   /// make_mesh_from_file).
   void add_supports(ElasticModel<3> &model, const MeshFileParameters &parameters, const BodyMesh<3> &mesh);
+
+  /// The rectangle along x and y that the contact group fills, if it is flat at the nominal contact point's
+  /// height and fills one; nothing otherwise. Reads the file.
+  std::optional<FlatFace> flat_contact_group(const MeshFileParameters &parameters);
 
   /// The outline of a mesh with geometry = wheel.
   SectionOutline wheel_outline(const MeshFileParameters &parameters);

@@ -29,9 +29,12 @@ namespace vibrocontact
     void check(const std::string &path) const;
   };
 
+  /// @param materials groups of the section with a material each; empty: one material. Material ids of the
+  ///   cells: group + number of groups * anechoic piece, 0 being the rail between them.
   BodyMesh<3> make_rail(const RailParameters &parameters, const ContactGrid *grid, const std::string &name,
-                        const MPI_Comm communicator);
+                        const MPI_Comm communicator, const std::vector<std::string> &materials = {});
 
-  /// Pads and anechoic zones of the rail, to be added to the model of @p mesh (a mesh of make_rail).
+  /// Pads and anechoic zones of the rail, to be added to the model of @p mesh (a mesh of make_rail), which has
+  /// the materials of its groups.
   void add_supports(ElasticModel<3> &model, const RailParameters &parameters, const BodyMesh<3> &mesh);
 } // namespace vibrocontact

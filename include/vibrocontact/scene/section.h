@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vibrocontact/scene/cell_groups.h>
+
 #include <deal.II/base/point.h>
 
 #include <array>
@@ -43,12 +45,17 @@ namespace vibrocontact
   {
     std::vector<dealii::Point<2>> vertices;
     std::vector<std::array<unsigned int, 4>> cells;
+    /// position of each cell's material in the body's list, see material_numbers()
+    std::vector<unsigned int> materials;
 
     /// Read a gmsh file of quadrilaterals (coordinates in metres, times @p scale).
     /// Each of @p refinements halves the cells, new nodes of the outline going onto its arcs; @p mirrored
     /// tells that the outline is one half of the section.
+    /// @throws InputError for other elements, inverted cells, slivers, pieces that are not joined, cells
+    ///   without a material, and a mesh of another size than its outline
     static SectionMesh read(const std::string &file, const double scale, const unsigned int refinements,
-                            const SectionOutline &outline, const bool mirrored);
+                            const SectionOutline &outline, const bool mirrored,
+                            const GroupMaterials &materials);
   };
 
   /// Folder of the meshes that come with the program.

@@ -30,7 +30,8 @@ namespace vibrocontact
     /// @param scale factor on all lengths
     SectionOutline read_outline(double scale = 1) const;
     /// @param mirrored the outline is one half of the section
-    SectionMesh read_mesh(const SectionOutline &outline, bool mirrored, double scale = 1) const;
+    SectionMesh read_mesh(const SectionOutline &outline, bool mirrored, const GroupMaterials &materials,
+                          double scale = 1) const;
 
   private:
     std::string built_in;

@@ -38,9 +38,11 @@ namespace vibrocontact
 
   /// @param lateral_position y of the contact in the section [m]
   /// @param grid contact grid to refine for; null: none
+  /// @param materials groups of the section with a material each; empty: one material
   /// @throws InputError if the contact does not lie on the tread.
   BodyMesh<3> make_wheel(const WheelParameters &parameters, const double lateral_position,
-                         const ContactGrid *grid, const std::string &name, const MPI_Comm communicator);
+                         const ContactGrid *grid, const std::string &name, const MPI_Comm communicator,
+                         const std::vector<std::string> &materials = {});
 
   /// Attach the manifolds of a body of revolution to a coarse mesh by geometry: also used for a wheel that
   /// was read from a mesh file. Returns the outline's row of every boundary face, by cell and face number in

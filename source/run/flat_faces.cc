@@ -1,0 +1,54 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/run/parameters.h>
+
+namespace vibrocontact
+{
+  void Parameters::find_flat_faces()
+  {
+    const bool shifted = scene.runs("stability") && stability.sweep.sweeps(ParameterSweep::lateral_position);
+    const bool touches =
+        scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient");
+    // hats beside the edge of a face would reach beyond it
+    if (!touches || shifted || contact.quadrature == "consistent")
+      return;
+    const ContactGrid asked = contact_grid();
+    std::optional<FlatFace> faces[2];
+    for (unsigned int k = 0; k < 2; ++k)
+    {
+      faces[k] = scene.bodies[k].flat_face(k == 0 ? contact.lateral_position : 0.);
+      if (faces[k])
+        contact.flat_faces.push_back(*faces[k]);
+    }
+    contact.at_rest = rolling.creepage.speed == 0;
+    const auto is_flat = [&](const unsigned int k)
+    {
+      const BodyParameters &body = scene.bodies[k];
+      return faces[k] || ((body.type == "rigid" || body.type == "half-space") &&
+                          body.half_space.curvature_x() == 0 && body.half_space.curvature_y() == 0);
+    };
+    const ContactGrid grid = contact_grid();
+    if (grid.n_points() != asked.n_points() || grid.x_first != asked.x_first || grid.y_first != asked.y_first)
+      run_log().line("The contact grid ends with the flat face of a body: " + std::to_string(grid.n_x) +
+                     " x " + std::to_string(grid.n_y) + " points, spacing " + number_text(grid.spacing_x) +
+                     " m x " + number_text(grid.spacing_y) + " m.");
+    if (contact.flat_faces.empty() || !is_flat(0) || !is_flat(1) || transient.roughness.any() ||
+        contact.strip_length > 0)
+      return;
+    const std::string &name = scene.bodies[faces[0] ? 0 : 1].name;
+    if (rolling.creepage.speed > 0)
+      throw InputError(
+          "Rolling/Speed is not 0, but the flat face of " + name +
+          " touches a flat surface all over, so that no point of the contact grid stays open "
+          "upstream: set it to 0 (at rest, or with a Sliding velocity) or give one body a radius.");
+    const SurfaceEnds ends = contact.ends(grid);
+    if (ends.all())
+      return;
+    const bool x = !ends.upstream || !ends.downstream;
+    throw InputError("The flat face of " + name +
+                     " touches a flat surface all over, but the contact grid ends " +
+                     "before the face does: enlarge Contact/" + (x ? "Half length" : "Half width") +
+                     " to half the face's size or more; the grid then ends with the face.");
+  }
+} // namespace vibrocontact

@@ -1,0 +1,191 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/scene/mesh_quality.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/tensor.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <sstream>
+
+namespace vibrocontact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double degenerate_corner = 1e-6, sliver_corner = 1e-3, sliver_edge = 1e-4, poor_corner = 0.05,
+                     poor_edge = 1e-2;
+    constexpr double most_unknowns = 2e7;
+
+    /// Cells of one kind of fault: their number and the first of them.
+    template <int dim>
+    struct Fault
+    {
+      unsigned int n = 0, first = 0;
+      Point<dim> place;
+
+      void add(const unsigned int cell, const Point<dim> &where)
+      {
+        if (n++ == 0)
+        {
+          first = cell + 1;
+          place = where;
+        }
+      }
+      std::string text(const std::string &kind) const
+      {
+        std::ostringstream out;
+        out << n << " " << kind << (dim == 2 ? " quadrilaterals" : " hexahedra") << ", the first is number "
+            << first << " at (" << place << ") m";
+        return out.str();
+      }
+    };
+
+    template <int dim>
+    Point<dim> centre(const std::vector<Point<dim>> &vertices, const CellData<dim> &cell)
+    {
+      Point<dim> sum;
+      for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+        sum += vertices[cell.vertices[v]] / double(GeometryInfo<dim>::vertices_per_cell);
+      return sum;
+    }
+
+    /// Smallest corner (1: right-angled, negative: inverted) and shortest over longest edge.
+    template <int dim>
+    std::pair<double, double> shape(const std::vector<Point<dim>> &vertices, const CellData<dim> &cell)
+    {
+      double corner = 1, shortest = 1e300, longest = 0;
+      for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+      {
+        Tensor<2, dim> edges;
+        double size = 1;
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          edges[d] = vertices[cell.vertices[v ^ (1u << d)]] - vertices[cell.vertices[v]];
+          if (v & (1u << d))
+            edges[d] *= -1;
+          const double length = edges[d].norm();
+          size *= length;
+          shortest = std::min(shortest, length);
+          longest = std::max(longest, length);
+        }
+        corner = std::min(corner, size > 0 ? determinant(edges) / size : 0.);
+      }
+      return {corner, longest > 0 ? shortest / longest : 0.};
+    }
+
+    template <int dim>
+    using FaceVertices = std::array<unsigned int, GeometryInfo<dim>::vertices_per_face>;
+
+    /// The cells of each face, by its sorted vertices.
+    template <int dim>
+    std::map<FaceVertices<dim>, std::vector<unsigned int>> faces(const std::vector<CellData<dim>> &cells)
+    {
+      std::map<FaceVertices<dim>, std::vector<unsigned int>> result;
+      for (unsigned int c = 0; c < cells.size(); ++c)
+        for (const unsigned int f : GeometryInfo<dim>::face_indices())
+        {
+          FaceVertices<dim> face;
+          for (unsigned int v = 0; v < face.size(); ++v)
+            face[v] = cells[c].vertices[GeometryInfo<dim>::face_to_cell_vertices(f, v)];
+          std::sort(face.begin(), face.end());
+          result[face].push_back(c);
+        }
+      return result;
+    }
+
+    template <int dim>
+    void check_joined(const std::vector<Point<dim>> &vertices, const std::vector<CellData<dim>> &cells,
+                      const std::string &file)
+    {
+      std::vector<unsigned int> piece(cells.size());
+      std::iota(piece.begin(), piece.end(), 0u);
+      const auto root = [&](unsigned int c)
+      {
+        while (piece[c] != c)
+          c = piece[c] = piece[piece[c]];
+        return c;
+      };
+      Fault<dim> overlapping;
+      for (const auto &[face, own] : faces(cells))
+      {
+        if (own.size() > 2)
+          overlapping.add(own[2], centre(vertices, cells[own[2]]));
+        for (const unsigned int c : own)
+          piece[root(c)] = root(own[0]);
+      }
+      if (overlapping.n > 0)
+        throw InputError("The mesh file " + file + " has " + overlapping.text("overlapping") +
+                         ": more than two cells share a face; remove what is there twice.");
+      std::map<unsigned int, std::vector<unsigned int>> pieces;
+      for (unsigned int c = 0; c < cells.size(); ++c)
+        pieces[root(c)].push_back(c);
+      if (pieces.size() == 1)
+        return;
+      const auto smallest =
+          std::min_element(pieces.begin(), pieces.end(),
+                           [](const auto &a, const auto &b) { return a.second.size() < b.second.size(); });
+      std::ostringstream text;
+      text << "The mesh file " << file << " falls into " << pieces.size()
+           << " pieces that share no face, the smallest of " << smallest->second.size() << " cells at ("
+           << centre(vertices, cells[smallest->second.front()])
+           << ") m: a body is of one piece; join them in gmsh (BooleanFragments before meshing, "
+              "Coherence Mesh after it) or remove what does not belong.";
+      throw InputError(text.str());
+    }
+  } // namespace
+
+  template <int dim>
+  void check_cells(const std::vector<Point<dim>> &vertices, const std::vector<CellData<dim>> &cells,
+                   const std::string &file)
+  {
+    Fault<dim> bad, slivers, poor;
+    for (unsigned int c = 0; c < cells.size(); ++c)
+    {
+      const auto [corner, edge] = shape(vertices, cells[c]);
+      if (!(corner > degenerate_corner))
+        bad.add(c, vertices[cells[c].vertices[0]]);
+      else if (corner < sliver_corner || edge < sliver_edge)
+        slivers.add(c, centre(vertices, cells[c]));
+      else if (corner < poor_corner || edge < poor_edge)
+        poor.add(c, centre(vertices, cells[c]));
+    }
+    if (bad.n > 0)
+      throw InputError("The mesh file " + file + " has " + bad.text("inverted or degenerate") +
+                       "; repair the mesh (gmsh: Tools/Statistics, Mesh.Optimize, ReorientMesh).");
+    if (slivers.n > 0)
+      throw InputError("The mesh file " + file + " has " + slivers.text("sliver") +
+                       ": an edge below 1e-4 of the cell's longest or a corner nearly flat; repair the mesh "
+                       "(gmsh: Tools/Statistics, Mesh.Optimize, merge nearly equal points).");
+    if (poor.n > 0)
+      run_log().line("The mesh file " + file + " has " + poor.text("very thin") +
+                     ": expect larger errors and longer times there.");
+    check_joined(vertices, cells, file);
+  }
+
+  template <int dim>
+  void check_number_of_cells(const double n_cells, const unsigned int degree, const std::string &body,
+                             const std::string &advice)
+  {
+    const double n_unknowns = dim * std::pow(degree, dim) * n_cells;
+    if (n_unknowns <= most_unknowns)
+      return;
+    std::ostringstream text;
+    text.precision(2);
+    text << "The mesh of body " << body << " would have " << n_cells << " cells and " << n_unknowns
+         << " unknowns, more than the " << most_unknowns << " that can be factorised: " << advice << ".";
+    throw InputError(text.str());
+  }
+
+  template void check_cells(const std::vector<Point<2>> &, const std::vector<CellData<2>> &,
+                            const std::string &);
+  template void check_cells(const std::vector<Point<3>> &, const std::vector<CellData<3>> &,
+                            const std::string &);
+  template void check_number_of_cells<2>(double, unsigned int, const std::string &, const std::string &);
+  template void check_number_of_cells<3>(double, unsigned int, const std::string &, const std::string &);
+} // namespace vibrocontact
