@@ -47,8 +47,9 @@ namespace vibrocontact
                                  const ContactParameters &contact, const std::vector<ModalStep> &steps,
                                  const double h, const double speed)
       : pair(pair), scheme(scheme), steps(steps), h(h), speed(speed), falling(contact.falling),
+        damper(pair.hub.get(), steps),
         matrices(step_matrices(pair.interface.grid, scheme, pair.modal_trace, pair.residual_flexibility,
-                               steps, h, speed)),
+                               steps, h, speed, pair.hub.get())),
         q(pair.n_modes()), v(pair.n_modes())
   {
     Creepage none;
@@ -253,16 +254,20 @@ namespace vibrocontact
   // modes under the forces of the beginning of the step and the constant loads
   void ContactStepper::advance_modes(const DynamicState &state, const Drive &drive)
   {
+    const std::array<double, 3> dampers =
+        pair.hub ? pair.hub->damping_force(state.v) : std::array<double, 3>{{0, 0, 0}};
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
     {
       const ModalStep &s = steps[k];
       const double hub = pair.hub_participation(k), point = pair.force_participation(k);
       const double p1 = pair.modal_load[k] + hub * drive.hub_acceleration + point * drive.force,
                    p0 = pair.modal_load[k] + hub * state.hub_acceleration + point * state.force +
-                        state.modal_force[k];
+                        state.modal_force[k] - (pair.hub ? pair.hub->modal_force(dampers, k) : 0.);
       q[k] = s.T[0][0] * state.q[k] + s.T[0][1] * state.v[k] + s.g0[0] * p0 + s.g1[0] * p1;
       v[k] = s.T[1][0] * state.q[k] + s.T[1][1] * state.v[k] + s.g0[1] * p0 + s.g1[1] * p1;
     }
+    if (damper.acts())
+      damper.act(v, q, v);
     multiply(matrices.shapes.amplitudes, q, free_displacement);
     multiply(matrices.shapes.amplitudes, v, free_velocity);
   }
@@ -381,6 +386,13 @@ namespace vibrocontact
     {
       rate += c_t * free_velocity + c_t * velocity;
       matrices.shapes.amplitudes.Tvmult(state.modal_force, c_n);
+    }
+    if (damper.acts())
+    {
+      DenseVector by_force(pair.n_modes());
+      for (unsigned int k = 0; k < pair.n_modes(); ++k)
+        by_force[k] = steps[k].g1[1] * state.modal_force[k];
+      damper.act(by_force, q, v);
     }
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
     {

@@ -116,6 +116,16 @@ namespace vibrocontact
       std::vector<std::string> used;
     };
 
+    Source force_source(const TransientParameters &transient, const double constant)
+    {
+      return {"Normal force", "normal_force_N", "N", transient.normal_force, constant};
+    }
+
+    Source hub_source(const TransientParameters &transient, const double constant)
+    {
+      return {"Hub displacement", "hub_displacement_m", "m", transient.hub_displacement, constant};
+    }
+
     /// Second difference over h, with its centre where all three values are known.
     FunctionOfTime acceleration(const FunctionOfTime &displacement, const double h, const double end)
     {
@@ -129,27 +139,37 @@ namespace vibrocontact
     }
   } // namespace
 
+  LoadOverTime load_over_time(const TransientParameters &transient)
+  {
+    const Sources sources(transient);
+    const Source force = force_source(transient, 0), hub = hub_source(transient, 0);
+    LoadOverTime load;
+    load.normal_force = sources.given(force);
+    load.hub_displacement = sources.given(hub);
+    if (load.normal_force || load.hub_displacement)
+      load.name = sources.name(load.normal_force ? force : hub);
+    return load;
+  }
+
   DriveFunction drive_function(const TransientParameters &transient, const RollingCase &constant,
                                const ContactGrid &grid)
   {
     Sources sources(transient);
-    const Source force_source{"Normal force", "normal_force_N", "N", transient.normal_force,
-                              constant.normal_force},
-        hub_source{"Hub displacement", "hub_displacement_m", "m", transient.hub_displacement,
-                   constant.hub_displacement};
+    const Source force = force_source(transient, constant.normal_force),
+                 hub = hub_source(transient, constant.hub_displacement);
     const auto longitudinal =
                    sources.function({"Longitudinal creepage", "longitudinal_creepage", "",
                                      transient.longitudinal_creepage, constant.creepage.longitudinal}),
                lateral = sources.function({"Lateral creepage", "lateral_creepage", "",
                                            transient.lateral_creepage, constant.creepage.lateral}),
                spin = sources.function({"Spin", "spin_1_m", "1/m", transient.spin, constant.creepage.spin});
-    const bool moved = sources.given(hub_source);
-    const bool by_force = sources.given(force_source) || (!moved && constant.normal_force > 0);
+    const bool moved = sources.given(hub);
+    const bool by_force = sources.given(force) || (!moved && constant.normal_force > 0);
     if (by_force && moved)
       throw InputError(
           "Section Transient drives both the normal force and the hub displacement: leave one of "
           "them out.");
-    const auto load = sources.function(by_force ? force_source : hub_source);
+    const auto load = sources.function(by_force ? force : hub);
     const Source exciting{"Exciting force", "exciting_force_N", "N", transient.exciting_force, 0.};
     const bool excited = sources.given(exciting);
     if (excited && grid.n_points() != 1)
@@ -172,7 +192,7 @@ namespace vibrocontact
       roughness->heights(0);
       roughness->heights(speed * transient.end_time);
     }
-    return [=, creepage = constant.creepage, force_name = sources.name(force_source)](const double t)
+    return [=, creepage = constant.creepage, force_name = sources.name(force)](const double t)
     {
       Drive drive;
       drive.creepage = creepage;

@@ -65,6 +65,15 @@ namespace vibrocontact
       hub += pair.hub_participation(k) * (before.hub_acceleration + after.hub_acceleration) / 2 * dq;
       damping += 2 * pair.damping_ratio[k] * pair.omega[k] * v * v * h;
     }
+    if (pair.hub)
+    {
+      std::vector<double> mean(pair.n_modes());
+      for (unsigned int k = 0; k < pair.n_modes(); ++k)
+        mean[k] = (before.v[k] + after.v[k]) / 2;
+      const std::array<double, 3> force = pair.hub->damping_force(mean);
+      for (unsigned int k = 0; k < pair.n_modes(); ++k)
+        damping += pair.hub->modal_force(force, k) * mean[k] * h;
+    }
     account.loads += loads + exciting;
     if (mean_force != 0)
     {

@@ -160,6 +160,10 @@ namespace vibrocontact
       A(m + k, k) = -pair.omega[k] * pair.omega[k];
       A(m + k, m + k) = -2 * pair.damping_ratio[k] * pair.omega[k];
     }
+    for (unsigned int d = 0; pair.hub && d < 3; ++d)
+      for (unsigned int j = 0; j < pair.hub->shapes.n(); ++j)
+        for (unsigned int k = 0; k < pair.hub->shapes.n(); ++k)
+          A(m + k, m + j) -= pair.hub->damping[d] * pair.hub->motion(d, k) * pair.hub->motion(d, j);
     add_block(A, product(Psi_T, X_q), m, 0);
     add_block(A, product(Psi_T, X_v), m, m);
     if (n_z == 0)

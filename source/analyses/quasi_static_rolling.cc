@@ -38,6 +38,15 @@ namespace vibrocontact
     prm.add_parameter("Sliding velocity y", creepage.sliding_y,
                       "Velocity of body 1 minus body 2 along y beside the creepage. Units: m/s.",
                       Double(-1000, 1000));
+    prm.add_parameter(
+        "Hub", hub,
+        "The hub of body 1 in stability and transient, after the load has found its place: held "
+        "there; massless: it follows under the constant normal force; suspended: section "
+        "Suspension. Half-spaces have none. Units: none.",
+        Selection("held|massless|suspended"));
+    prm.enter_subsection("Suspension");
+    suspension.declare_parameters(prm);
+    prm.leave_subsection();
     prm.enter_subsection("Sweep");
     prm.add_parameter("Longitudinal creepage", sweep.longitudinal,
                       "Values of one curve, all other entries at their single values. Units: none.",
@@ -57,6 +66,20 @@ namespace vibrocontact
                       "coefficient. Units: none.",
                       list(0, 10));
     prm.leave_subsection();
+  }
+
+  std::vector<std::string> RollingParameters::Sweep::given() const
+  {
+    std::vector<std::string> names;
+    for (const auto &[name, values] :
+         {std::make_pair("Longitudinal creepage", &longitudinal),
+          std::make_pair("Lateral creepage", &lateral), std::make_pair("Spin", &spin),
+          std::make_pair("Normal force", &normal_force),
+          std::make_pair("Hub displacement", &hub_displacement),
+          std::make_pair("Friction coefficient", &friction)})
+      if (!values->empty())
+        names.push_back(std::string("Rolling/Sweep/") + name);
+    return names;
   }
 
   void RollingParameters::check(const bool frictionless) const

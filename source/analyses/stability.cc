@@ -100,6 +100,11 @@ namespace vibrocontact
     std::vector<StabilityResult> results;
     const auto operator_at = [&](const double speed)
     { return rolling_operator(pair.interface.grid, static_compliance(pair), scheme, speed); };
+    // the preload is no part of the linearisation
+    std::shared_ptr<const ContactPair> suspended;
+    if (rolling.hub == "suspended")
+      suspended = std::make_shared<const ContactPair>(suspended_pair(pair, rolling.suspension, {0, 0, 0}));
+    const ContactPair &moving = suspended ? *suspended : pair;
     const auto linearise = [&](const RollingResult &equilibrium, const ContactProblem &problem)
     {
       if (!equilibrium.solution.converged)
@@ -111,14 +116,21 @@ namespace vibrocontact
       result.contact_points = equilibrium.contact_points;
       result.stick_points = equilibrium.stick_points;
       result.normal_force = equilibrium.normal_force;
-      RollingEquilibrium about{
-          equilibrium.solution, problem.mu, rolling.creepage.speed, problem.force_given(), {}};
+      result.approach = equilibrium.approach;
+      result.hub = rolling.hub;
+      result.suspended = suspended;
+      RollingEquilibrium about{equilibrium.solution,
+                               problem.mu,
+                               rolling.creepage.speed,
+                               rolling.hub == "massless" || (rolling.hub == "none" && problem.force_given()),
+                               {}};
       if (contact.falling.acts())
         for (const double speed : slip_speed(equilibrium.solution.y))
           about.friction_slope.push_back(equilibrium.rolling_case.friction * contact.falling.slope(speed));
       result.roots =
-          roots_about ? roots_about(about)
-                      : stability_roots(pair, linearised_contact(pair, scheme, about, parameters.options()));
+          roots_about
+              ? roots_about(about)
+              : stability_roots(moving, linearised_contact(moving, scheme, about, parameters.options()));
       if (result.roots.empty())
         throw ConvergenceError("No root of the linearised contact oscillates or grows: keep more modes.");
       result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -112,13 +112,18 @@ namespace vibrocontact
     const bool exact = parameters.integrator == "exact propagator";
     const double h = after.time - before.time;
     double error = 0, size = 0;
+    const auto dampers = [&](const DynamicState &state) {
+      return pair.hub ? pair.hub->damping_force(state.v) : std::array<double, 3>{{0, 0, 0}};
+    };
+    const std::array<double, 3> dampers_before = dampers(before), dampers_after = dampers(after);
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
     {
       const double w = pair.omega[k];
       const auto force = [&](const DynamicState &state)
       {
         return pair.modal_load[k] + pair.hub_participation(k) * state.hub_acceleration +
-               pair.force_participation(k) * state.force + state.modal_force[k];
+               pair.force_participation(k) * state.force + state.modal_force[k] -
+               (pair.hub ? pair.hub->modal_force(&state == &after ? dampers_after : dampers_before, k) : 0.);
       };
       const auto acceleration = [&](const DynamicState &state)
       { return force(state) - 2 * pair.damping_ratio[k] * w * state.v[k] - w * w * state.q[k]; };

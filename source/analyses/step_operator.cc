@@ -9,16 +9,28 @@ namespace vibrocontact
 {
   namespace
   {
-    // amplitudes diag(g1) amplitudes^T
+    // amplitudes diag(g1) amplitudes^T - amplitudes damper_gain B diag(g1_v) amplitudes^T
     DenseMatrix gain(const DenseMatrix &amplitudes, const std::vector<ModalStep> &steps,
-                     const unsigned int component)
+                     const unsigned int component, const HubDamper &damper)
     {
-      DenseMatrix result(amplitudes.m()), scaled(amplitudes.m(), amplitudes.n());
-      for (unsigned int k = 0; k < amplitudes.n(); ++k)
-        for (unsigned int i = 0; i < amplitudes.m(); ++i)
-          scaled(i, k) = amplitudes(i, k) * steps[k].g1[component];
-      if (amplitudes.m() > 0)
-        scaled.mTmult(result, amplitudes);
+      const auto scaled = [&](const unsigned int by)
+      {
+        DenseMatrix x(amplitudes.m(), amplitudes.n());
+        for (unsigned int k = 0; k < amplitudes.n(); ++k)
+          for (unsigned int i = 0; i < amplitudes.m(); ++i)
+            x(i, k) = amplitudes(i, k) * steps[k].g1[by];
+        return x;
+      };
+      DenseMatrix result(amplitudes.m());
+      if (amplitudes.m() == 0)
+        return result;
+      scaled(component).mTmult(result, amplitudes);
+      if (!damper.acts())
+        return result;
+      DenseMatrix moved(amplitudes.m(), 3), taken(amplitudes.m());
+      scaled(1).mTmult(moved, damper.motion);
+      product(amplitudes, component == 0 ? damper.displacement : damper.velocity).mTmult(taken, moved);
+      result.add(-1., taken);
       return result;
     }
 
@@ -45,7 +57,8 @@ namespace vibrocontact
 
   StepMatrices step_matrices(const ContactGrid &grid, const CreepScheme &scheme,
                              const DenseMatrix &modal_trace, const DenseMatrix &residual_flexibility,
-                             const std::vector<ModalStep> &steps, const double h, const double speed)
+                             const std::vector<ModalStep> &steps, const double h, const double speed,
+                             const SuspendedHub *const hub)
   {
     const unsigned int n = grid.n_points();
     StepMatrices result;
@@ -56,8 +69,9 @@ namespace vibrocontact
     result.residual_flexibility = result.response = residual_flexibility;
     result.shapes = patch_shapes(modal_trace, patch_shape_tolerance);
     const PatchShapes &shapes = result.shapes;
-    result.displacement_gain = gain(shapes.amplitudes, steps, 0);
-    result.velocity_gain = gain(shapes.amplitudes, steps, 1);
+    const HubDamper damper(hub, steps);
+    result.displacement_gain = gain(shapes.amplitudes, steps, 0, damper);
+    result.velocity_gain = gain(shapes.amplitudes, steps, 1, damper);
     result.by_displacement = result.by_velocity = shapes.basis;
     convert_to_slip_rows(grid, scheme, speed, result.by_displacement);
     for (unsigned int k = 0; k < shapes.rank(); ++k)

@@ -47,6 +47,45 @@ namespace vibrocontact
     }
   } // namespace
 
+  ContactSolution transient_equilibrium(const ContactParameters &contact,
+                                        const ContactSolverParameters &solver, const ContactPair &pair,
+                                        const Drive &drive)
+  {
+    const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
+    const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
+    ContactProblem problem = rolling_problem(
+        rolling_operator(pair.interface.grid, static_compliance(pair), scheme, drive.creepage.speed),
+        static_interface(pair), scheme, drive.creepage, contact);
+    problem.title = "equilibrium from which the transient starts";
+    problem.normal_force = drive.normal_force;
+    problem.approach = drive.approach;
+    for (unsigned int i = 0; i < drive.gap.size(); ++i)
+      problem.b[i] += drive.gap[i];
+    for (unsigned int i = 0; i < n && drive.force != 0; ++i)
+    {
+      problem.b[i] += pair.force_response(i) * drive.force;
+      for (unsigned int k = 0; k < n_modes; ++k)
+        problem.b[i] += pair.modal_trace(i, k) * pair.force_participation(k) * drive.force /
+                        (pair.omega[k] * pair.omega[k]);
+    }
+    const auto method = create_contact_solver(solver);
+    const ContactSolution solution =
+        contact.falling.acts()
+            ? solve_with_falling_friction(problem, *method, {}, contact.falling, contact.friction,
+                                          [](const ContactSolution &now) { return slip_speed(now.y); })
+            : method->solve(problem, {});
+    if (!solution.converged)
+    {
+      std::ostringstream text;
+      text << "The quasi-static equilibrium from which the transient starts did not converge: residual "
+           << solution.residual << " after " << solution.iterations << " iterations.";
+      throw ConvergenceError(text.str());
+    }
+    if (n > 1)
+      check_contact_in_grid(pair.interface.grid, contact, drive.creepage.speed, solution.status);
+    return solution;
+  }
+
   DynamicState initial_state(const TransientParameters &transient, const ContactParameters &contact,
                              const ContactSolverParameters &solver, const ContactPair &pair,
                              const Drive &drive)
@@ -70,37 +109,7 @@ namespace vibrocontact
     }
     else
     {
-      const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
-      ContactProblem problem = rolling_problem(
-          rolling_operator(pair.interface.grid, static_compliance(pair), scheme, drive.creepage.speed),
-          static_interface(pair), scheme, drive.creepage, contact);
-      problem.title = "equilibrium from which the transient starts";
-      problem.normal_force = drive.normal_force;
-      problem.approach = drive.approach;
-      for (unsigned int i = 0; i < drive.gap.size(); ++i)
-        problem.b[i] += drive.gap[i];
-      for (unsigned int i = 0; i < n && drive.force != 0; ++i)
-      {
-        problem.b[i] += pair.force_response(i) * drive.force;
-        for (unsigned int k = 0; k < n_modes; ++k)
-          problem.b[i] += pair.modal_trace(i, k) * pair.force_participation(k) * drive.force /
-                          (pair.omega[k] * pair.omega[k]);
-      }
-      const auto method = create_contact_solver(solver);
-      state.contact =
-          contact.falling.acts()
-              ? solve_with_falling_friction(problem, *method, {}, contact.falling, contact.friction,
-                                            [](const ContactSolution &now) { return slip_speed(now.y); })
-              : method->solve(problem, {});
-      if (!state.contact.converged)
-      {
-        std::ostringstream text;
-        text << "The quasi-static equilibrium from which the transient starts did not converge: residual "
-             << state.contact.residual << " after " << state.contact.iterations << " iterations.";
-        throw ConvergenceError(text.str());
-      }
-      if (n > 1)
-        check_contact_in_grid(pair.interface.grid, contact, drive.creepage.speed, state.contact.status);
+      state.contact = transient_equilibrium(contact, solver, pair, drive);
       state.R = state.contact.R;
       DenseVector force(n_modes);
       if (n_modes > 0)

@@ -91,6 +91,7 @@ namespace vibrocontact
     probe.name = request.name;
     probe.body = request.body;
     probe.first = first;
+    probe.direction = request.direction;
     for (unsigned int k = 0; k < surface.n_modes(); ++k)
     {
       double value = 0;
@@ -100,6 +101,40 @@ namespace vibrocontact
       probe.shape.push_back(value);
     }
     return probe;
+  }
+
+  void Probe::hang(const SuspendedHub &hub)
+  {
+    const unsigned int n_held = hub.n_held_modes();
+    // a body 1 without modes has no probes
+    if (first > 0 || n_held == 0)
+    {
+      first += 3;
+      return;
+    }
+    std::vector<double> moved(n_held + 3);
+    for (unsigned int j = 0; j < moved.size(); ++j)
+    {
+      for (unsigned int k = 0; k < n_held; ++k)
+        moved[j] += hub.shapes(k, j) * shape[k];
+      for (unsigned int d = 0; d < 3; ++d)
+        moved[j] += hub.motion(d, j) * direction[d];
+    }
+    shape = moved;
+  }
+
+  std::vector<Probe> hub_probes(const std::string &body, const SuspendedHub &hub)
+  {
+    std::vector<Probe> probes(3);
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      probes[d].name = std::string("hub_") + "xyz"[d];
+      probes[d].body = body;
+      probes[d].direction[d] = 1;
+      for (unsigned int j = 0; j < hub.shapes.n(); ++j)
+        probes[d].shape.push_back(hub.motion(d, j));
+    }
+    return probes;
   }
 
   std::vector<ProbeRequest> rim_probes(const std::string &body, const SurfaceShapes &surface,

@@ -40,6 +40,8 @@ namespace vibrocontact
                                     {"longitudinal_creepage", result.rolling_case.creepage.longitudinal},
                                     {"spin_1_m", result.rolling_case.creepage.spin},
                                     {"normal_force_N", result.normal_force},
+                                    {"approach_m", result.approach},
+                                    {"hub", result.hub},
                                     {"contact_points", result.contact_points},
                                     {"stick_points", result.stick_points},
                                     {"unstable", unstable},
@@ -199,7 +201,10 @@ namespace vibrocontact
     {
       json["cases"].push_back(case_json(outcome, k));
       if (k == 0)
+      {
         json["unstable"] = json["cases"][0]["unstable"];
+        json["hub"] = outcome.results[0].hub;
+      }
     }
     if (!json.contains("left_out"))
       return;

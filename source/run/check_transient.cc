@@ -1,4 +1,5 @@
 #include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/analyses/transient_hub.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/base/number_text.h>
@@ -102,6 +103,7 @@ namespace vibrocontact
     if (!parameters.scene.runs("transient"))
       return;
     const TransientParameters &transient = parameters.transient;
+    transient_hub(parameters.hub(), load_over_time(transient));
     check_drive(transient, rolling_cases(parameters.rolling, parameters.contact).front(),
                 parameters.contact_grid());
     if (transient.model != "reduced")

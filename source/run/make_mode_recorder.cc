@@ -44,9 +44,10 @@ namespace vibrocontact
     }
   } // namespace
 
-  std::unique_ptr<ModeRecorder> mode_recorder(const Parameters &parameters, const ContactPair &pair,
-                                              const Drive &drive_at_zero, const std::string &folder)
+  std::unique_ptr<ModeRecorder> mode_recorder(const Parameters &parameters, const ContactPair &held,
+                                              const HubMotion &hub, const std::string &folder)
   {
+    const ContactPair &pair = *hub.pair;
     if (parameters.signals.n_modes == 0 || pair.n_modes() == 0)
       return nullptr;
     std::string reason = reason_for_none(parameters, pair);
@@ -57,13 +58,13 @@ namespace vibrocontact
         TransientParameters at_rest = parameters.transient;
         at_rest.perturbed_mode.clear();
         const DynamicState rest =
-            initial_state(at_rest, parameters.contact, parameters.contact_solver, pair, drive_at_zero);
-        const unsigned int perturbed = perturbed_mode(parameters.transient, pair.labels);
+            initial_state(at_rest, parameters.contact, parameters.contact_solver, held, hub);
+        const unsigned int perturbed = perturbed_mode(parameters.transient, held.labels);
         return std::make_unique<ModeRecorder>(
             ModeProjection(pair, find_creep_scheme(parameters.contact.creep_scheme),
-                           equilibrium_of(rest, parameters.contact, drive_at_zero), rest,
+                           equilibrium_of(rest, parameters.contact, hub.drive(0)), rest,
                            parameters.signals.n_modes,
-                           perturbed < pair.n_modes() ? pair.labels[perturbed] : ""),
+                           perturbed < held.n_modes() ? held.labels[perturbed] : ""),
             folder);
       }
     }

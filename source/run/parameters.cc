@@ -213,6 +213,82 @@ namespace vibrocontact
                          "leave one of them out.");
     }
 
+    /// What carries body 1, in the analyses in which it moves or is pressed down.
+    void check_hub_of_body_1(const Parameters &parameters)
+    {
+      const RollingParameters &rolling = parameters.rolling;
+      if (rolling.hub != "suspended" && rolling.suspension.any())
+        throw InputError("Section Rolling/Suspension carries a suspended hub, but Rolling/Hub is " +
+                         rolling.hub + ": set it to suspended or leave the section out.");
+      if (rolling.hub == "held")
+        return;
+      const BodyParameters &body = parameters.scene.bodies[0];
+      if (body.type == "half-space")
+        throw InputError("Rolling/Hub is " + rolling.hub + ", but body 1, " + body.name +
+                         ", is a half-space, which has no hub: leave the entry out.");
+      if (rolling.hub != "suspended")
+        return;
+      if (!(rolling.suspension.mass > 0))
+        throw InputError(
+            "Rolling/Hub is suspended, but Rolling/Suspension/Unsprung mass is 0: give the mass of "
+            "all that moves with the hub, body 1 included, or set Hub to massless.");
+      for (unsigned int d = 0; d < 3; ++d)
+        if (!(rolling.suspension.stiffness[d] > 0))
+          throw InputError(
+              std::string("Rolling/Hub is suspended, but Rolling/Suspension/Stiffness ") + "xyz"[d] +
+              " is 0, so that nothing keeps the hub at its place: give the stiffness of the primary "
+              "suspension along " +
+              "xyz"[d] + ".");
+      if (parameters.scene.runs("stability") && parameters.stability.model != "reduced")
+        throw InputError("Stability/Model is " + parameters.stability.model +
+                         ", which knows no suspended hub: set it to reduced, or Rolling/Hub to held.");
+      if (parameters.scene.runs("stability") && parameters.stability.second_count)
+        throw InputError("Stability/Second count knows no suspended hub: leave it out, or set Rolling/Hub to "
+                         "held.");
+    }
+
+    /// The analyses whose results an entry of the scene changes.
+    bool depends_on(const Scene &scene, const std::string &analysis, const std::string &entry)
+    {
+      const std::string section = entry.substr(0, entry.find('/'));
+      if (std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                      [&](const BodyParameters &body) { return body.name == section; }))
+        return true;
+      return (section == "Contact" || section == "Rolling") &&
+             (analysis == "quasi-static rolling" || analysis == "transient");
+    }
+
+    /// A sweep moves the analyses that know it; the others of the file would silently stay at single values.
+    void check_reach_of_sweeps(const Parameters &parameters)
+    {
+      const Scene &scene = parameters.scene;
+      const std::vector<std::string> swept = parameters.rolling.sweep.given();
+      const auto refuse = [&](const std::string &sweep, const std::string &what, const std::string &analysis)
+      {
+        throw InputError(sweep + " sweeps " + what + ", but the analysis \"" + analysis +
+                         "\" does not follow it and would run at one value: run it from a file without the "
+                         "sweep.");
+      };
+      for (const std::string &entry : swept)
+      {
+        if (scene.runs("transient"))
+          refuse(entry, "quasi-static rolling and stability", "transient");
+        if (entry != "Rolling/Sweep/Friction coefficient")
+          continue;
+        if (scene.runs("periodic"))
+          refuse(entry, "quasi-static rolling and stability", "periodic");
+        if (scene.runs("modal convolution") && parameters.modal_convolution.friction)
+          refuse(entry, "quasi-static rolling and stability", "modal convolution");
+      }
+      if (!scene.runs("stability"))
+        return;
+      for (const ParameterSweep::Axis *const axis :
+           {&parameters.stability.sweep.first, &parameters.stability.sweep.second})
+        for (const std::string &analysis : scene.analyses)
+          if (!axis->entry.empty() && analysis != "stability" && depends_on(scene, analysis, axis->entry))
+            refuse("Stability/Sweep", axis->entry + " in stability alone", analysis);
+    }
+
     void check_sweep(const Parameters &parameters)
     {
       const ParameterSweep &sweep = parameters.stability.sweep;
@@ -220,10 +296,8 @@ namespace vibrocontact
       if (!sweep.any())
         return;
       const RollingParameters::Sweep &rolling = parameters.rolling.sweep;
-      for (const auto *values : {&rolling.longitudinal, &rolling.lateral, &rolling.spin,
-                                 &rolling.normal_force, &rolling.hub_displacement, &rolling.friction})
-        if (!values->empty())
-          throw InputError("Stability/Sweep/Entry and Rolling/Sweep are both given: leave one of them out.");
+      if (!rolling.given().empty())
+        throw InputError("Stability/Sweep/Entry and Rolling/Sweep are both given: leave one of them out.");
       if (!sweep.sweeps(ParameterSweep::lateral_position))
         return;
       for (const char *other : {"quasi-static rolling", "transient", "frequency response"})
@@ -375,6 +449,9 @@ namespace vibrocontact
             "Contact/Friction coefficient and Rolling/Sweep/Friction coefficient are both given, "
             "but the sweep takes the place of the single value: leave one of them out.");
     }
+    if (scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient"))
+      check_hub_of_body_1(*this);
+    check_reach_of_sweeps(*this);
     if (scene.runs("transient"))
       check_transient(*this);
     if (scene.runs("frequency response"))

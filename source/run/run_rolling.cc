@@ -69,6 +69,17 @@ namespace vibrocontact
         run_log().warning(text.str());
     }
 
+    /// How far the forces of the equilibrium push the hub against its suspension, along x, y, z [m]; null: no spring.
+    nlohmann::ordered_json deflection(const RollingResult &result, const SuspensionParameters &suspension)
+    {
+      const double force[] = {result.tangential_force[0], result.tangential_force[1], result.normal_force};
+      nlohmann::ordered_json all = nlohmann::ordered_json::array();
+      for (unsigned int d = 0; d < 3; ++d)
+        all.push_back(suspension.stiffness[d] > 0 ? nlohmann::ordered_json(force[d] / suspension.stiffness[d])
+                                                  : nlohmann::ordered_json());
+      return all;
+    }
+
     void print(const RollingResult &last, const unsigned int n_cases)
     {
       Log &log = run_log();
@@ -106,6 +117,8 @@ namespace vibrocontact
     run_log().value("contact points", interface.grid.n_points());
     const unsigned int n_cases = rolling_cases(parameters.rolling, parameters.contact).size();
     Progress progress("rolling cases", n_cases);
+    results.analyses["quasi_static_rolling"]["hub"] = parameters.hub();
+    run_log().value("hub", hub_text(parameters.hub()));
     nlohmann::ordered_json &cases = results.analyses["quasi_static_rolling"]["cases"];
     cases = nlohmann::ordered_json::array();
     const auto finished = [&](const RollingResult &result, const ContactProblem &problem)
@@ -113,6 +126,8 @@ namespace vibrocontact
       const unsigned int k = cases.size();
       on_first_rank([&] { write_case(folder, k, n_cases, result, problem, interface, parameters.output); });
       cases.push_back(rolling_case_json(result));
+      if (parameters.hub() == "suspended")
+        cases.back()["suspension_deflection_m"] = deflection(result, parameters.rolling.suspension);
       judge(result, k, cases.back(), results);
       save();
       progress.advance();

@@ -103,9 +103,12 @@ namespace vibrocontact
       print(result);
       progress.advance();
     };
+    RollingParameters rolling = parameters.rolling;
+    rolling.hub = parameters.hub();
+    run_log().value("hub", hub_text(rolling.hub));
     const std::vector<StabilityResult> all =
-        stability(parameters.stability, parameters.rolling, parameters.contact, parameters.contact_solver,
-                  pair, finished, roots_about);
+        stability(parameters.stability, rolling, parameters.contact, parameters.contact_solver, pair,
+                  finished, roots_about);
     StabilityOutcome outcome;
     outcome.results = all;
     on_first_rank([&] { stability_table(outcome).write(folder + "/stability.csv"); });

@@ -159,11 +159,14 @@ namespace vibrocontact
       try
       {
         const ContactPair pair = pair_of_case(one, reduced);
+        RollingParameters rolling = one.parameters.rolling;
+        rolling.hub = one.parameters.hub();
         StabilityResult result =
-            stability(one.parameters.stability, one.parameters.rolling, one.parameters.contact,
+            stability(one.parameters.stability, rolling, one.parameters.contact,
                       one.parameters.contact_solver, pair, [](const StabilityResult &) {})
                 .front();
-        paths.follow(pair, result.roots);
+        paths.follow(result.suspended ? *result.suspended : pair, result.roots);
+        result.suspended.reset();
         if (!row_has_begun)
           begin_of_row = paths;
         row_has_begun = true;

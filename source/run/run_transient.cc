@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/contact_pair.h>
 #include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/analyses/transient_hub.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/stop_signal.h>
@@ -115,17 +116,18 @@ namespace vibrocontact
       const ModeRecorder *modes = nullptr;
     };
 
-    RunRecorders make_recorders(const Parameters &parameters, const ContactPair &pair, const NormalLaw &law,
-                                const Drive &drive_at_zero, const std::vector<Probe> &probes,
+    RunRecorders make_recorders(const Parameters &parameters, const ContactPair &held, const HubMotion &hub,
+                                const NormalLaw &law, const std::vector<Probe> &probes,
                                 const std::string &folder)
     {
+      const ContactPair &pair = *hub.pair;
       const SignalParameters &signals = parameters.signals;
       RunRecorders result;
       Recorders &recorders = result.all;
       auto first = std::make_unique<SignalRecorder>(probes, folder);
       result.signals = first.get();
       recorders.push_back(std::move(first));
-      if (auto modes = mode_recorder(parameters, pair, drive_at_zero, folder))
+      if (auto modes = mode_recorder(parameters, held, hub, folder))
       {
         result.modes = modes.get();
         recorders.push_back(std::move(modes));
@@ -186,13 +188,13 @@ namespace vibrocontact
     }
 
     /// The state to begin with and the sums up to it: the checkpoint's, or the initial state, recorded.
-    void begin(const Parameters &parameters, const ContactPair &pair, const Drive &drive_at_zero,
+    void begin(const Parameters &parameters, const ContactPair &held, const HubMotion &hub,
                const std::string &folder, const bool resume, const Recorders &recorders, DynamicState &state,
                TransientResult &before, CoarseRun *const coarse)
     {
       bool found = false;
       if (resume)
-        on_all_ranks([&] { found = read_checkpoint(folder, pair, state, before, recorders, coarse); });
+        on_all_ranks([&] { found = read_checkpoint(folder, *hub.pair, state, before, recorders, coarse); });
       if (found)
       {
         run_log().value("resumed at", before.time, "s");
@@ -200,8 +202,7 @@ namespace vibrocontact
       }
       if (resume)
         run_log().line("No checkpoint of the transient: it starts from its beginning.");
-      state = initial_state(parameters.transient, parameters.contact, parameters.contact_solver, pair,
-                            drive_at_zero);
+      state = initial_state(parameters.transient, parameters.contact, parameters.contact_solver, held, hub);
       if (coarse)
         coarse->state = state;
       on_first_rank(
@@ -219,15 +220,36 @@ namespace vibrocontact
     const TransientParameters &own = parameters.transient;
     std::vector<Probe> probes;
     std::unique_ptr<const PreparedPair> prepared;
-    const ContactPair pair = transient_pair(parameters, bodies, probes, prepared);
+    const auto held =
+        std::make_shared<const ContactPair>(transient_pair(parameters, bodies, probes, prepared));
     run_log().block("Transient");
-    run_log().value("modes", pair.n_modes());
-    run_log().value("contact points", pair.n_points());
+    run_log().value("modes", held->n_modes());
+    run_log().value("contact points", held->n_points());
     const RollingCase constants = rolling_cases(parameters.rolling, parameters.contact).front();
-    const DriveFunction drive = drive_function(own, constants, parameters.contact_grid());
+    const LoadOverTime load = load_over_time(own);
+    const std::string applied_hub = transient_hub(parameters.hub(), load);
+    const HubMotion hub =
+        hub_motion(applied_hub, parameters.rolling, load, parameters.contact, parameters.contact_solver, held,
+                   drive_function(own, constants, parameters.contact_grid()));
+    run_log().value("hub", transient_hub_text(parameters.hub(), load));
+    if (hub.place > 0)
+    {
+      run_log().value("displacement of the hub", hub.place * 1e3, "mm");
+      run_log().value("normal force there", hub.normal_force, "N");
+    }
+    const ContactPair &pair = *hub.pair;
+    const DriveFunction &drive = hub.drive;
+    if (pair.hub)
+    {
+      for (Probe &probe : probes)
+        probe.hang(*pair.hub);
+      for (Probe &probe : hub_probes(parameters.scene.bodies[0].name, *pair.hub))
+        probes.push_back(std::move(probe));
+    }
     std::optional<Companion> companion;
     if (own.error_estimate)
-      companion = Companion{drive_function(with_doubled_step(own), constants, parameters.contact_grid()), {}};
+      companion = Companion{
+          hub.driven(drive_function(with_doubled_step(own), constants, parameters.contact_grid())), {}};
     CoarseRun *const coarse = companion ? &companion->run : nullptr;
     warn_of_ringing(parameters, pair, results);
     warn_of_spectrum(parameters, results);
@@ -235,11 +257,11 @@ namespace vibrocontact
     const auto law = parameters.contact.law();
     RunRecorders run_recorders;
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      run_recorders = make_recorders(parameters, pair, *law, drive(0), probes, folder);
+      run_recorders = make_recorders(parameters, *held, hub, *law, probes, folder);
     const Recorders &recorders = run_recorders.all;
     DynamicState state;
     TransientResult before;
-    begin(parameters, pair, drive(0), folder, resume, recorders, state, before, coarse);
+    begin(parameters, *held, hub, folder, resume, recorders, state, before, coarse);
 
     Progress progress("transient", own.end_time - before.time);
     CheckpointSchedule schedule(own.checkpoint_interval);
@@ -303,6 +325,9 @@ namespace vibrocontact
     results.stopped_by = schedule.stopped_by();
     results.analyses["transient"] = transient_json(result, state);
     results.analyses["transient"]["friction"] = parameters.contact.friction;
+    results.analyses["transient"]["hub"] = applied_hub;
+    if (hub.place > 0)
+      results.analyses["transient"]["hub_place_m"] = hub.place;
     const Creepage creepage = drive(state.time).creepage;
     results.analyses["transient"]["last"].update(
         {{"speed_m_s", creepage.speed},

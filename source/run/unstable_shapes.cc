@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace vibrocontact
 {
@@ -58,6 +59,7 @@ namespace vibrocontact
                         [](const auto *a, const auto *b) { return a->growth > b->growth; });
       fastest.resize(most_shapes);
     }
+    const SuspendedHub *const hub = result.suspended ? result.suspended->hub.get() : nullptr;
     unsigned int number = 0;
     for (const StabilityRoot *const root : result.unstable())
     {
@@ -79,18 +81,32 @@ namespace vibrocontact
                            ": the cache has its modes without their shapes");
           continue;
         }
+        std::vector<std::complex<double>> amplitudes = root->shape;
+        std::complex<double> moved[3] = {0, 0, 0};
+        if (hub)
+        {
+          amplitudes = hub->held(root->shape);
+          const auto first = amplitudes.begin() + hub->n_held_modes();
+          if (k == 0)
+            std::copy_n(first, 3, moved);
+          amplitudes.erase(first, first + 3);
+        }
         std::vector<double> real, imaginary;
         for (unsigned int i = 0; i < pair.n_modes(); ++i)
           if (pair.body[i] == k + 1)
           {
-            real.push_back(root->shape[i].real());
-            imaginary.push_back(root->shape[i].imag());
+            real.push_back(amplitudes[i].real());
+            imaginary.push_back(amplitudes[i].imag());
           }
         const SurfaceShapes &surface = bodies[k]->reduction.surface_shapes();
         shapes.push_back({bodies[k].get(), &surface, surface_displacement(surface, real),
                           surface_displacement(surface, imaginary)});
         for (unsigned int i = 0; i < shapes.back().real.size(); ++i)
+        {
+          shapes.back().real[i] += moved[i % 3].real();
+          shapes.back().imaginary[i] += moved[i % 3].imag();
           largest = std::max(largest, std::hypot(shapes.back().real[i], shapes.back().imaginary[i]));
+        }
       }
       for (const SurfaceShape &shape : shapes)
         on_first_rank(

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 using namespace vibrocontact;
 
@@ -61,13 +62,13 @@ TEST(LinearisedContact, PaperProblemAgainstEliminatedConstraint)
   EXPECT_LT(worst, 1e-4);
 }
 
-class GrowthOfTheTransient : public testing::TestWithParam<bool>
+class GrowthOfTheTransient : public testing::TestWithParam<std::string>
 {
 };
 
 TEST_P(GrowthOfTheTransient, IsTheRootOfTheConsistentLinearisation)
 {
-  const bool force_given = GetParam();
+  const bool force_given = GetParam() == "massless";
   const Structure s = structure(90, 9);
   ContactPair pair = reduce(s, 30, 2e-3);
   // free columns around the contact
@@ -92,7 +93,30 @@ TEST_P(GrowthOfTheTransient, IsTheRootOfTheConsistentLinearisation)
     return d;
   };
   TransientParameters parameters;
-  const DynamicState rest = initial_state(parameters, contact, solver, pair, drive(0));
+  DynamicState rest = initial_state(parameters, contact, solver, pair, drive(0));
+  if (GetParam() == "suspended")
+  {
+    pair.participation.reinit(30, 3);
+    for (unsigned int k = 0; k < 30; ++k)
+      for (unsigned int d = 0; d < 3; ++d)
+        pair.participation(k, d) = 0.2 * std::sin(1. + k + 7 * d);
+    SuspensionParameters suspension;
+    suspension.mass = 20;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      suspension.stiffness[d] = 4e6;
+      suspension.damping[d] = 1e3;
+    }
+    std::vector<double> reaction;
+    for (const unsigned int block : {1, 2, 0})
+      reaction.push_back(std::accumulate(rest.R.begin() + block * s.n_points,
+                                         rest.R.begin() + (block + 1) * s.n_points, 0.));
+    pair = suspended_pair(pair, suspension, reaction);
+    hang(pair, rest);
+    complete(pair,
+             rigid_slip(pair.interface.grid, find_creep_scheme(contact.creep_scheme), drive(0).creepage),
+             rest);
+  }
   RollingEquilibrium equilibrium;
   equilibrium.contact = rest.contact;
   equilibrium.friction.assign(s.n_points, contact.friction);
@@ -157,5 +181,6 @@ TEST_P(GrowthOfTheTransient, IsTheRootOfTheConsistentLinearisation)
             0.2); // the paper's linearisation leaves something out
 }
 
-INSTANTIATE_TEST_SUITE_P(LinearisedContact, GrowthOfTheTransient, testing::Values(false, true),
-                         [](const auto &info) { return info.param ? "normal_force" : "approach"; });
+INSTANTIATE_TEST_SUITE_P(LinearisedContact, GrowthOfTheTransient,
+                         testing::Values("held", "massless", "suspended"),
+                         [](const auto &info) { return info.param; });

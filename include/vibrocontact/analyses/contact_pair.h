@@ -1,10 +1,12 @@
 #pragma once
 
+#include <vibrocontact/analyses/hub.h>
 #include <vibrocontact/contact/half_space.h>
 #include <vibrocontact/contact/interface.h>
 #include <vibrocontact/reduction/reduced_body.h>
 #include <vibrocontact/scene/body.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -37,10 +39,15 @@ namespace vibrocontact
     /// W~ of both bodies: residual flexibilities (or what Contact/Local flexibility puts in their place), the
     /// whole compliance of half-spaces, nothing of rigid bodies; 3 n square [m/N]
     DenseMatrix residual_flexibility;
+    /// null: the hub of body 1 moves as the approach does
+    std::shared_ptr<const SuspendedHub> hub;
 
-    /// modal force per acceleration of the approach, Gamma_z of body 1's modes, 0 for others and if unknown [sqrt(kg)]
+    /// modal force per Drive::hub_acceleration: Gamma_z of body 1's modes on a held hub, or the unsprung mass times
+    /// what they move a suspended one; 0 for others and if unknown [sqrt(kg)]
     double hub_participation(const unsigned int mode) const
     {
+      if (hub)
+        return -hub->mass * hub->motion(2, mode);
       return body[mode] == 1 && mode < participation.m() ? participation(mode, 2) : 0.;
     }
 

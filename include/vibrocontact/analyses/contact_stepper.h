@@ -57,7 +57,8 @@ namespace vibrocontact
     /// given normal force [N], or 0 if the approach is given [m]
     double normal_force = 0, approach = 0;
     /// of a given approach [m/s^2]; acts on the modes of body 1, which are those of the held structure: its hub
-    /// moves by -approach along z, the modes are relative to that, p += Gamma_z d2(approach)/dt2
+    /// moves by -approach along z, the modes are relative to that, p += Gamma_z d2(approach)/dt2. Of a suspended
+    /// hub: the load beyond that of the equilibrium over the unsprung mass, > 0 downwards
     double hub_acceleration = 0;
     /// given force on body 1 at its only contact point along z [N]
     double force = 0;
@@ -123,6 +124,7 @@ namespace vibrocontact
     const std::vector<ModalStep> steps;
     const double h, speed;
     const FallingFriction falling;
+    const HubDamper damper;
     const StepMatrices matrices;
     /// gap and slip without forces that never change: undeformed gap and loads; 3 n
     DenseVector constant_response;

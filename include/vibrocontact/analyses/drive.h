@@ -33,6 +33,16 @@ namespace vibrocontact
   /// table that cannot be read replaces none. Collective.
   std::vector<std::string> driven_entries(const TransientParameters &transient);
 
+  /// Which loads are given over time, by an expression or a column of the drive table.
+  struct LoadOverTime
+  {
+    bool normal_force = false, hub_displacement = false;
+    /// what gives it, for messages; empty: none
+    std::string name;
+  };
+  /// @throws InputError for a table that cannot be read. Collective.
+  LoadOverTime load_over_time(const TransientParameters &transient);
+
   /// Hears what is wrong with the drive before anything expensive: makes it and looks at it at the ends of
   /// the run's steps, at most 20,000 of them, with the roughness at some hundred. Says in the log which load of
   /// section Rolling it replaces by the other kind.

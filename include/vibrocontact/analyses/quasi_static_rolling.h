@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/analyses/hub.h>
 #include <vibrocontact/contact/contact_solver.h>
 #include <vibrocontact/contact/interface.h>
 
@@ -18,12 +19,20 @@ namespace vibrocontact
     /// displacement of the hub (the approach of two half-spaces) [m]
     std::vector<double> normal_force, hub_displacement;
     Creepage creepage;
+    /// what becomes of the hub of body 1 in a motion about the equilibrium, in which the load finds its place:
+    /// "held" there, "massless" under the constant normal force of the equilibrium, or "suspended"; "none" of a
+    /// half-space: held under a displacement, massless under a force
+    std::string hub = "held";
+    SuspensionParameters suspension;
 
     /// Values of the sweep; an empty list leaves the entry at its single value. Each of the first five lists
     /// is a curve of its own, the other entries staying at their single values; frictions repeat every curve.
     struct Sweep
     {
       std::vector<double> longitudinal, lateral, spin, normal_force, hub_displacement, friction;
+
+      /// names of the entries that list values
+      std::vector<std::string> given() const;
     } sweep;
 
     void declare_parameters(dealii::ParameterHandler &prm);

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <memory>
 #include <optional>
 
 namespace vibrocontact
@@ -44,7 +45,12 @@ namespace vibrocontact
   {
     RollingCase rolling_case;
     unsigned int contact_points = 0, stick_points = 0;
-    double normal_force = 0;
+    /// [N]; RollingResult::approach [m]
+    double normal_force = 0, approach = 0;
+    /// RollingParameters::hub
+    std::string hub;
+    /// the pair whose modes the shapes of the roots are amplitudes of, if that is another than the held one
+    std::shared_ptr<const ContactPair> suspended;
     std::vector<StabilityRoot> roots;
     /// wall time of the eigenvalues [s]
     double seconds = 0;
@@ -60,7 +66,8 @@ namespace vibrocontact
   /// The roots of another model about an equilibrium.
   using RootFinder = std::function<std::vector<StabilityRoot>(const RollingEquilibrium &)>;
 
-  /// Complex eigenvalues about each rolling equilibrium of section Rolling (its sweep included), on the modes
+  /// Complex eigenvalues about each rolling equilibrium of section Rolling (its sweep included), with the hub as
+  /// RollingParameters::hub says, on the modes
   /// of the pair, or by `roots_about` unless that is empty. The equilibria are those of the pair in any case:
   /// all models have the same static compliance.
   /// @throws InputError if an equilibrium is not in full sliding and sticking points are not asked for;

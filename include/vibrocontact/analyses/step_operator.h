@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/analyses/hub.h>
 #include <vibrocontact/analyses/modal_step.h>
 #include <vibrocontact/analyses/patch_shapes.h>
 #include <vibrocontact/contact/contact_operator.h>
@@ -24,15 +25,16 @@ namespace vibrocontact
     /// gap and slip by displacements of the shapes (their normal rows, V d/dx of their tangential rows), and
     /// by velocities (tangential rows); 3 n x rank
     DenseMatrix by_displacement, by_velocity;
-    /// of the shapes, for a force at the end of the step: amplitudes diag(g1) amplitudes^T, displacement
-    /// [s^2/kg] and velocity [s/kg]; rank square
+    /// of the shapes, for a force at the end of the step: amplitudes diag(g1) amplitudes^T less what the dampers of
+    /// the hub take, displacement [s^2/kg] and velocity [s/kg]; rank square
     DenseMatrix displacement_gain, velocity_gain;
   };
 
-  /// @param modal_trace Psi, 3 n x n_modes; @param steps one per mode
+  /// @param modal_trace Psi, 3 n x n_modes; @param steps one per mode; @param hub null: held
   StepMatrices step_matrices(const ContactGrid &grid, const CreepScheme &scheme,
                              const DenseMatrix &modal_trace, const DenseMatrix &residual_flexibility,
-                             const std::vector<ModalStep> &steps, double h, double speed);
+                             const std::vector<ModalStep> &steps, double h, double speed,
+                             const SuspendedHub *hub = nullptr);
 
   /// A of a time step on some points of the grid, from the residual displacements w = W~ R there and upstream
   /// of them and from the few modal numbers c = basis^T R:

@@ -20,6 +20,12 @@ namespace vibrocontact
   /// @throws InputError if there is no such mode, with near ones
   unsigned int perturbed_mode(const TransientParameters &transient, const std::vector<std::string> &labels);
 
+  /// The quasi-static equilibrium of the pair under a drive.
+  /// @throws InputError, ConvergenceError
+  ContactSolution transient_equilibrium(const ContactParameters &contact,
+                                        const ContactSolverParameters &solver, const ContactPair &pair,
+                                        const Drive &drive);
+
   /// State at time zero, by TransientParameters::initial_state. The quasi-static one is the equilibrium under
   /// the drive at time zero, q = diag(w^-2) Psi^T R, v = 0.
   /// @throws InputError, ConvergenceError

@@ -7,7 +7,8 @@
 namespace vibrocontact
 {
   /// The motion of a place on a body by its modes (what the residual flexibility adds beside the contact is
-  /// left out): displacement against the held boundary, velocity.
+  /// left out): displacement against the held boundary (of a suspended hub:
+  /// against its place in the equilibrium), velocity.
   struct Probe
   {
     std::string name, body;
@@ -17,6 +18,10 @@ namespace vibrocontact
     /// `first` in the pair
     std::vector<double> shape;
     unsigned int first = 0;
+    dealii::Tensor<1, 3> direction;
+
+    /// On the modes of a pair whose hub is suspended instead of those of the held one.
+    void hang(const SuspendedHub &hub);
 
     double displacement(const DynamicState &state) const { return product(state.q); }
     double velocity(const DynamicState &state) const { return product(state.v); }
@@ -35,6 +40,9 @@ namespace vibrocontact
   /// @param first number of the body's first mode in the pair
   /// @throws InputError if the surface is further from the place than a tenth of the body's size
   Probe place_probe(const ProbeRequest &request, const SurfaceShapes &surface, unsigned int first);
+
+  /// The translations of a suspended hub: hub_x, hub_y, hub_z.
+  std::vector<Probe> hub_probes(const std::string &body, const SuspendedHub &hub);
 
   /// Requests for the rim of a wheel: on the middle of its field-side face (larger y) beside the contact,
   /// axial (along y) and radial (away from the axle).

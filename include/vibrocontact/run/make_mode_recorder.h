@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/analyses/transient_hub.h>
 #include <vibrocontact/output/mode_recorder.h>
 #include <vibrocontact/run/parameters.h>
 
@@ -13,6 +14,6 @@ namespace vibrocontact
   /// @return null, and the reason in the log, if none is wanted or there is no such equilibrium: a start of
   /// undeformed bodies, contact points with mass, a penalty law, no modes, too many of them, or a contact that
   /// cannot be linearised
-  std::unique_ptr<ModeRecorder> mode_recorder(const Parameters &parameters, const ContactPair &pair,
-                                              const Drive &drive_at_zero, const std::string &folder);
+  std::unique_ptr<ModeRecorder> mode_recorder(const Parameters &parameters, const ContactPair &held,
+                                              const HubMotion &hub, const std::string &folder);
 } // namespace vibrocontact

@@ -62,6 +62,8 @@ namespace vibrocontact
     {
       return has_dynamics() || scene.runs("periodic") || (has_contact() && contact.replaces_flexibility());
     }
+    /// RollingParameters::hub as it applies to the bodies of this scene.
+    std::string hub() const { return scene.bodies[0].type == "half-space" ? "none" : rolling.hub; }
     /// Whether data are identified: by the analysis, or for a body.
     bool has_identification() const;
     /// The grid of section Contact, or one point if a body has no more.
