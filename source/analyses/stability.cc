@@ -116,7 +116,7 @@ namespace vibrocontact
       result.contact_points = equilibrium.contact_points;
       result.stick_points = equilibrium.stick_points;
       result.normal_force = equilibrium.normal_force;
-      result.approach = equilibrium.approach;
+      result.approach = equilibrium.solution.approach;
       result.hub = rolling.hub;
       result.suspended = suspended;
       RollingEquilibrium about{equilibrium.solution,

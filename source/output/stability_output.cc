@@ -40,7 +40,7 @@ namespace vibrocontact
                                     {"longitudinal_creepage", result.rolling_case.creepage.longitudinal},
                                     {"spin_1_m", result.rolling_case.creepage.spin},
                                     {"normal_force_N", result.normal_force},
-                                    {"approach_m", result.approach},
+                                    {"hub_displacement_m", result.approach},
                                     {"hub", result.hub},
                                     {"contact_points", result.contact_points},
                                     {"stick_points", result.stick_points},

@@ -327,7 +327,7 @@ namespace vibrocontact
     results.analyses["transient"]["friction"] = parameters.contact.friction;
     results.analyses["transient"]["hub"] = applied_hub;
     if (hub.place > 0)
-      results.analyses["transient"]["hub_place_m"] = hub.place;
+      results.analyses["transient"]["hub_displacement_m"] = hub.place;
     const Creepage creepage = drive(state.time).creepage;
     results.analyses["transient"]["last"].update(
         {{"speed_m_s", creepage.speed},

@@ -52,7 +52,7 @@ assert roots("massless") != roots("force") and roots("light") != roots("force")
 impulse = lambda name: runs[name]["transient"]["impulse_Ns"]
 assert abs(impulse("force") / impulse("displacement") - 1) < 1e-6
 assert abs(impulse("heavy") / impulse("displacement") - 1) < 1e-6
-place, own = runs["force"]["transient"]["hub_place_m"], runs["displacement"]["quasi_static_rolling"]["cases"][0]["approach_m"]
+place, own = runs["force"]["transient"]["hub_displacement_m"], runs["displacement"]["quasi_static_rolling"]["cases"][0]["approach_m"]
 assert abs(place / own - 1) < 1e-5, (place, own)
 # the massless hub: the force is as given at every instant
 end = runs["massless"]["transient"]["time_s"]

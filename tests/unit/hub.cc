@@ -106,7 +106,7 @@ TEST(Hub, BarOnASuspendedHubHasTheFrequenciesOfItsClosedForm)
     {
       const double exact = zero(f, w, w + 1e-3);
       std::printf("w %.9f, closed form %.9f\n", omega[k], exact);
-      EXPECT_NEAR(omega[k] / exact, 1, 1e-5);
+      EXPECT_NEAR(omega[k] / exact, 1, 1e-8);
       ++k;
     }
   // modes have unit mass: the mobility of the tip at high frequency is that of the bar, its sum of squares
@@ -153,8 +153,8 @@ TEST(Hub, LimitsAreHeldAndMassless)
   const std::vector<StabilityRoot> held = roots_of(pair, about);
   ASSERT_GT(held.size(), 20u);
   for (const SuspensionParameters &far :
-       {suspension(1e13, 0, 0), suspension(50, 1e16, 0), suspension(50, 0, 1e13)})
-    EXPECT_LT(distance(held, roots_of(suspended_pair(pair, far, {0, 0, 0}), about)), 1e-6);
+       {suspension(1e12, 0, 0), suspension(50, 1e15, 0), suspension(50, 0, 1e12)})
+    EXPECT_LT(distance(held, roots_of(suspended_pair(pair, far, {0, 0, 0}), about)), 1e-5);
   EXPECT_GT(distance(held, roots_of(suspended_pair(pair, suspension(50, 1e6, 0), {0, 0, 0}), about)), 1e-3);
 
   // a hub that moves no mass and meets no spring along z, the modes being those of the other body
@@ -219,7 +219,7 @@ TEST(Hub, LoadThatJumpsOnASuspendedWheelMovesItAsItsClosedForm)
         "in\n",
         integrator, worst, result.energy.imbalance() / result.energy.input());
     EXPECT_TRUE(result.converged);
-    EXPECT_LT(worst, 2e-4);
+    EXPECT_LT(worst, 2e-6);
     EXPECT_LT(std::abs(result.energy.imbalance()), 1e-3 * std::abs(result.energy.input()));
   }
 }

@@ -45,7 +45,7 @@ namespace vibrocontact
   {
     RollingCase rolling_case;
     unsigned int contact_points = 0, stick_points = 0;
-    /// [N]; RollingResult::approach [m]
+    /// [N]; displacement of the hub [m]
     double normal_force = 0, approach = 0;
     /// RollingParameters::hub
     std::string hub;
