@@ -130,6 +130,14 @@ namespace vibrocontact
                      "Friction coefficient");
     }
 
+    /// What becomes of the hub of body 1 once the load has found its place.
+    void add_hub(EntriesRead &entries, const Parameters &parameters)
+    {
+      entries.add_if(parameters.hub() != "none", "body 1 has a hub", "Rolling", "Hub");
+      entries.add_if(parameters.hub() == "suspended", "Rolling/Hub is suspended", "Rolling/Suspension",
+                     "Unsprung mass, Stiffness x, Stiffness y, Stiffness z, Damping x, Damping y, Damping z");
+    }
+
     /// Two bodies in contact; none of them is known by its Green's functions.
     void add_partners(EntriesRead &entries, const Parameters &parameters, const BodyUse &use)
     {
@@ -230,6 +238,7 @@ namespace vibrocontact
       add_partners(entries, parameters, moving_in_contact());
       add_contact(entries, parameters, largest_friction(parameters));
       add_rolling_cases(entries, parameters.rolling);
+      add_hub(entries, parameters);
       const std::string section = "Stability";
       entries.add(section, "Model, Linearisation, Linearise sticking points, Second count");
       entries.add_if(parameters.stability.linearisation == "paper", "Stability/Linearisation is paper",
@@ -244,6 +253,7 @@ namespace vibrocontact
       add_partners(entries, parameters, moving_in_contact());
       add_contact(entries, parameters, parameters.contact.friction);
       entries.add("Contact", "Friction coefficient");
+      add_hub(entries, parameters);
 
       const TransientParameters &own = parameters.transient;
       const std::vector<std::string> driven = driven_entries(own);
