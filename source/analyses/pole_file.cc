@@ -4,6 +4,7 @@
 #include <vibrocontact/base/number_text.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vibrocontact
 {
@@ -36,6 +37,18 @@ namespace vibrocontact
       return pairs;
     }
 
+    /// Powers of it have to be numbers: those of the fastest pole up to the tenth.
+    constexpr double largest_number = 1e15;
+
+    void check_size(const CsvTable &table, const std::string &name, const std::size_t k)
+    {
+      const double value = table.column(name)[k];
+      if (!(std::abs(value) <= largest_number))
+        throw InputError("The table \"" + table.source + "\", line " + std::to_string(table.lines[k]) +
+                         ", has " + name + " = " + number_text(value) + ", beyond " +
+                         number_text(largest_number) + ": no body has such a pole; is the unit right?");
+    }
+
     double constant(const CsvTable &table, const std::string &name)
     {
       const std::vector<double> *const values = table.find(name);
@@ -64,6 +77,8 @@ namespace vibrocontact
             "The table \"" + table.source + "\", line " + std::to_string(table.lines[k]) +
             ", has an unstable pole, pole_real_1_s = " + number_text(real[k]) +
             ": its motion does not decay; leave it out or give it damping (a negative real part).");
+      check_size(table, "pole_real_1_s", k);
+      check_size(table, "pole_imag_1_s", k);
       file.fit.poles.emplace_back(real[k], imag[k]);
     }
     const std::vector<std::string> pairs = pairs_of(table);
@@ -77,6 +92,11 @@ namespace vibrocontact
       const std::vector<double> &a = table.column(pairs[i] + real_end),
                                 &b = table.column(pairs[i] + imag_end);
       file.fit.residues.emplace_back();
+      for (std::size_t k = 0; k < a.size(); ++k)
+      {
+        check_size(table, pairs[i] + real_end, k);
+        check_size(table, pairs[i] + imag_end, k);
+      }
       for (std::size_t k = 0; k < a.size(); ++k)
         file.fit.residues.back().emplace_back(a[k], b[k]);
       file.fit.direct.push_back(constant(table, pairs[i] + direct_end));

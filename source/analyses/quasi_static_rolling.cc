@@ -2,7 +2,6 @@
 #include <vibrocontact/base/exceptions.h>
 
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
 
 namespace vibrocontact
@@ -12,7 +11,7 @@ namespace vibrocontact
     using namespace dealii::Patterns;
     const auto list = [](const double low, const double high = Double::max_double_value)
     { return List(Double(low, high), 0, 10000); };
-    const List positive_or_empty(Double(DBL_MIN), 0, 1);
+    const List positive_or_empty(Double(1e-30, 1e15), 0, 1);
     prm.add_parameter("Normal force", normal_force,
                       "Resultant normal force, or empty if the hub displacement is given. Units: N.",
                       positive_or_empty);

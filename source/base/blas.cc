@@ -1,10 +1,7 @@
 #include <vibrocontact/base/blas.h>
 
-#include <algorithm>
-#include <chrono>
-#include <cstdlib>
 #include <dlfcn.h>
-#include <vector>
+#include <filesystem>
 
 extern "C" void dgemm_(const char *, const char *, const int *, const int *, const int *, const double *,
                        const double *, const int *, const double *, const int *, const double *, double *,
@@ -12,38 +9,63 @@ extern "C" void dgemm_(const char *, const char *, const int *, const int *, con
 
 namespace vibrocontact
 {
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    /// Whether a folder's name says that it holds a faster library.
+    bool is_of_faster_blas(const std::string &folder)
+    {
+      for (const char *name : {"openblas", "blis", "atlas", "mkl", "flexiblas"})
+        if (folder.find(name) != std::string::npos)
+          return true;
+      return false;
+    }
+  } // namespace
+
   void set_one_blas_thread()
   {
     if (auto *set_threads = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
       set_threads(1);
   }
 
-  Blas measure_blas()
+  std::string loaded_blas()
   {
-    Blas blas;
+    std::string library;
     Dl_info info;
     if (dladdr(reinterpret_cast<void *>(&dgemm_), &info) && info.dli_fname)
-      blas.library = info.dli_fname;
+      library = info.dli_fname;
     // In a program linked to shared libraries the address above may be that of a jump table: ask the loader.
     if (void *symbol = dlsym(RTLD_DEFAULT, "dgemm_"))
       if (dladdr(symbol, &info) && info.dli_fname)
-        blas.library = info.dli_fname;
-    if (char *real = realpath(blas.library.c_str(), nullptr))
-    {
-      blas.library = real;
-      std::free(real);
-    }
+        library = info.dli_fname;
+    std::error_code error;
+    const fs::path file = fs::canonical(library, error);
+    return error ? library : file.string();
+  }
 
-    const int n = 384;
-    const double one = 1, zero = 0;
-    std::vector<double> a(n * n, 1.), b(n * n, 0.5), c(n * n, 0.);
-    for (int trial = 0; trial < 4; ++trial)
+  bool is_reference_blas(const std::string &library)
+  {
+    const fs::path path(library);
+    const std::string file = path.filename().string();
+    for (const char *name : {"libblas.so", "libblas-", "librefblas"})
+      if (file.rfind(name, 0) == 0)
+        // Debian's others have the same name in folders of theirs: openblas-pthread, blis-openmp, atlas, mkl
+        return !is_of_faster_blas(path.parent_path().filename().string());
+    return false;
+  }
+
+  std::string faster_blas_advice(const std::string &library)
+  {
+    const fs::path folder = fs::path(library).parent_path().parent_path();
+    std::error_code ignored;
+    for (const auto &entry : fs::directory_iterator(folder, ignored))
     {
-      const auto begin = std::chrono::steady_clock::now();
-      dgemm_("N", "N", &n, &n, &n, &one, a.data(), &n, b.data(), &n, &zero, c.data(), &n);
-      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-      blas.gflops = std::max(blas.gflops, 2e-9 * n * n * n / seconds);
+      const std::string name = entry.path().filename().string();
+      if (is_of_faster_blas(name) && fs::exists(entry.path() / "libblas.so.3", ignored))
+        return name + " is installed beside it: choose it by update-alternatives --config libblas.so.3-" +
+               folder.filename().string();
     }
-    return blas;
+    return "install libopenblas0-pthread";
   }
 } // namespace vibrocontact

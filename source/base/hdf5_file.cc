@@ -90,6 +90,17 @@ namespace vibrocontact
       return set;
     }
 
+    /// What a file announces has to be in it before room is made for it: deflate packs 1,032 bytes into one at the
+    /// most.
+    void check_announced(const hid_t set, const std::string &file_name, const std::string &name,
+                         const double n_bytes)
+    {
+      const double most_packed = 1032, head = 64;
+      if (n_bytes > 0 && n_bytes > most_packed * H5Dget_storage_size(set) + head)
+        throw InputError("'" + name + "' in the file '" + file_name +
+                         "' announces more than the file holds: it is damaged; write it anew.");
+    }
+
     // Sizes of a set, then its data.
     template <typename T>
     std::vector<T> read_set(const hid_t set_id, const std::string &file_name, const std::string &name,
@@ -104,6 +115,7 @@ namespace vibrocontact
       if (size > 0 && static_cast<std::size_t>(n_points) != size)
         throw InputError("'" + name + "' in the file '" + file_name + "' has " + std::to_string(n_points) +
                          " values where " + std::to_string(size) + " are due; write the file anew.");
+      check_announced(set, file_name, name, sizeof(T) * static_cast<double>(n_points));
       std::vector<T> data(n_points);
       if (!data.empty() && H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()) < 0)
         throw InputError("'" + name + "' in the file '" + file_name +
@@ -255,11 +267,16 @@ namespace vibrocontact
   std::string Hdf5Reader::text(const std::string &name)
   {
     const Handle set(open_set(file, file_name, name, has(name)), H5Dclose), type(H5Dget_type(set), H5Tclose);
-    const bool variable = H5Tis_variable_str(type) > 0;
+    const Handle space(H5Dget_space(set), H5Sclose);
+    // one text: an array of them would be read into the room for one
+    const bool one = H5Tget_class(type) == H5T_STRING && H5Sget_simple_extent_npoints(space) == 1,
+               variable = one && H5Tis_variable_str(type) > 0;
+    if (one && !variable)
+      check_announced(set, file_name, name, H5Tget_size(type));
     char *there = nullptr;
-    std::string text(H5Tget_class(type) == H5T_STRING && !variable ? H5Tget_size(type) : 0, '\0');
+    std::string text(one && !variable ? H5Tget_size(type) : 0, '\0');
     void *const place = variable ? static_cast<void *>(&there) : text.data();
-    if ((!variable && text.empty()) || H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, place) < 0)
+    if (!one || H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, place) < 0)
       throw InputError("'" + name + "' in the file '" + file_name + "' is no text; write the file anew.");
     if (there)
     {
@@ -274,8 +291,10 @@ namespace vibrocontact
   void Hdf5Reader::verify() const
   {
     unsigned long long written = 0;
-    const Handle attribute(H5Aopen(file, "checksum", H5P_DEFAULT), H5Aclose);
-    if (attribute < 0 || H5Aread(attribute, H5T_NATIVE_ULLONG, &written) < 0 || written != checksum)
+    const Handle attribute(H5Aopen(file, "checksum", H5P_DEFAULT), H5Aclose),
+        space(attribute < 0 ? -1 : H5Aget_space(attribute), H5Sclose);
+    if (space < 0 || H5Sget_simple_extent_npoints(space) != 1 ||
+        H5Aread(attribute, H5T_NATIVE_ULLONG, &written) < 0 || written != checksum)
       throw InputError("The contents of the file '" + file_name + "' are damaged; write it anew.");
   }
 } // namespace vibrocontact

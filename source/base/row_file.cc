@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace vibrocontact
 {
@@ -13,6 +14,15 @@ namespace vibrocontact
   {
     /// numbers kept in memory before they go to the file
     constexpr std::size_t largest_buffer = 1 << 20;
+
+    std::uint64_t sum_of_block(const std::uint64_t before, const std::uint64_t n_rows,
+                               const std::vector<double> &data)
+    {
+      Checksum sum(before);
+      sum.add(&n_rows, sizeof n_rows);
+      sum.add(data);
+      return sum.value();
+    }
   } // namespace
 
   RowFile::RowFile(const std::string &stem, const std::vector<std::string> &columns)
@@ -33,70 +43,115 @@ namespace vibrocontact
       return;
     // rows behind those that a checkpoint counts go only now, when it has been read to its end
     std::error_code error;
-    if (!file.is_open() && n_written > 0)
-      fs::resize_file(stem + ".rows", n_written * columns.size() * sizeof(double), error);
+    if (!file.is_open() && written.rows > 0)
+      fs::resize_file(stem + ".rows", written.bytes, error);
     if (!file.is_open() && !error)
-      file.open(stem + ".rows", std::ios::binary | (n_written > 0 ? std::ios::app : std::ios::trunc));
+      file.open(stem + ".rows", std::ios::binary | (written.rows > 0 ? std::ios::app : std::ios::trunc));
+    const std::uint64_t n_rows = buffer.size() / columns.size(),
+                        head[] = {n_rows, sum_of_block(written.sum, n_rows, buffer)};
+    file.write(reinterpret_cast<const char *>(head), sizeof head);
     file.write(reinterpret_cast<const char *>(buffer.data()), buffer.size() * sizeof(double));
     file.flush();
     if (!file)
       throw OutputError("the file \"" + stem +
                         ".rows\" cannot be written; give a folder with write permission and free space");
-    n_written = size();
+    written = {size(), written.bytes + sizeof head + buffer.size() * sizeof(double), head[1]};
     buffer.clear();
   }
 
-  void RowFile::resume(const unsigned long n)
+  RowFile::Place RowFile::read_blocks(const unsigned long n,
+                                      const std::function<void(const std::vector<double> &)> &use) const
   {
-    const std::uintmax_t n_bytes = n * columns.size() * sizeof(double);
-    std::error_code error;
+    Place place;
+    if (n == 0)
+      return place;
+    std::ifstream rows(stem + ".rows", std::ios::binary);
+    std::vector<double> block;
+    for (std::uint64_t head[2]; place.rows < n;
+         place = {place.rows + head[0], place.bytes + sizeof head + block.size() * sizeof(double), head[1]})
+    {
+      if (!rows.read(reinterpret_cast<char *>(head), sizeof head) || head[0] == 0 || head[0] > n - place.rows)
+        break;
+      block.resize(head[0] * columns.size());
+      if (!rows.read(reinterpret_cast<char *>(block.data()), block.size() * sizeof(double)) ||
+          sum_of_block(place.sum, head[0], block) != head[1])
+        break;
+      use(block);
+    }
+    return place;
+  }
+
+  void RowFile::exchange(const std::string &name, CheckpointFile &checkpoint)
+  {
+    if (!checkpoint.reading())
+      flush();
+    unsigned long n = size();
+    // as halves: a number of a checkpoint holds 53 bits
+    std::vector<double> sum = {double(written.sum >> 32), double(written.sum & 0xffffffffu)};
+    checkpoint(name + "/lines", n);
+    checkpoint(name + "/sum", sum);
+    if (checkpoint.reading())
+      resume(n, sum.size() == 2 ? (static_cast<unsigned long long>(sum[0]) << 32) +
+                                      static_cast<unsigned long long>(sum[1])
+                                : 0);
+  }
+
+  void RowFile::resume(const unsigned long n, const unsigned long long sum)
+  {
     if (n == 0)
       return; // nothing had been flushed yet
-    if (fs::file_size(stem + ".rows", error) >= n_bytes && !error)
-    {
-      n_written = n;
-      return;
-    }
+    const Place place = read_blocks(n, [](const std::vector<double> &) {});
+    if (place.rows == n && place.sum == sum)
+      written = place;
     // a run that came to its end has the columns only
-    if (fs::exists(stem + ".h5"))
+    else if (!take_columns(n))
+      throw RowsLost("The checkpoint counts " + std::to_string(n) + " lines in \"" + stem +
+                     ".rows\", which are gone, damaged or those of another run" +
+                     (place.rows > 0 && place.rows < n
+                          ? " from line " + std::to_string(place.rows + 1) + " on"
+                          : std::string()) +
+                     ": run the file without --resume.");
+  }
+
+  bool RowFile::take_columns(const unsigned long n)
+  {
+    if (!fs::exists(stem + ".h5"))
+      return false;
+    std::vector<double> rows;
+    try
     {
       Hdf5Reader earlier(stem + ".h5");
-      buffer.resize(n * columns.size());
-      bool complete = true;
-      for (unsigned int k = 0; k < columns.size() && complete; ++k)
+      for (unsigned int k = 0; k < columns.size(); ++k)
       {
         const std::vector<double> values = earlier.numbers(columns[k]);
-        complete = values.size() >= n;
-        for (unsigned long i = 0; i < n && complete; ++i)
-          buffer[i * columns.size() + k] = values[i];
+        if (values.size() < n)
+          return false;
+        rows.resize(n * columns.size());
+        for (unsigned long i = 0; i < n; ++i)
+          rows[i * columns.size() + k] = values[i];
       }
-      if (complete)
-        return;
+      earlier.verify();
     }
-    throw InputError("The checkpoint counts " + std::to_string(n) + " lines in \"" + stem +
-                     ".rows\", but they are gone: run the file without --resume.");
+    catch (const InputError &)
+    {
+      return false;
+    }
+    buffer = std::move(rows);
+    return true;
   }
 
   std::vector<double> RowFile::column(const unsigned int k) const
   {
-    const std::size_t width = columns.size();
     std::vector<double> values;
     values.reserve(size());
-    std::ifstream rows;
-    if (n_written > 0)
-      rows.open(stem + ".rows", std::ios::binary);
-    std::vector<double> block(width * std::max<std::size_t>(1, largest_buffer / width));
-    for (unsigned long left = n_written * width; left > 0;)
+    const auto take = [&](const std::vector<double> &rows)
     {
-      const std::size_t n = std::min<unsigned long>(left, block.size());
-      if (!rows.read(reinterpret_cast<char *>(block.data()), n * sizeof(double)))
-        throw OutputError("the file \"" + stem + ".rows\" was changed during the run; run again");
-      for (std::size_t i = k; i < n; i += width)
-        values.push_back(block[i]);
-      left -= n;
-    }
-    for (std::size_t i = k; i < buffer.size(); i += width)
-      values.push_back(buffer[i]);
+      for (std::size_t i = k; i < rows.size(); i += columns.size())
+        values.push_back(rows[i]);
+    };
+    if (read_blocks(written.rows, take).sum != written.sum)
+      throw OutputError("the file \"" + stem + ".rows\" was changed during the run; run again");
+    take(buffer);
     return values;
   }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <map>
 
 namespace vibrocontact
@@ -48,7 +49,7 @@ namespace vibrocontact
 
       std::string next_bytes(const std::size_t n)
       {
-        if (position + n > bytes.size())
+        if (at_end() ? n > 0 : n > bytes.size() - position)
           fail("ends in the middle of binary data: it is not complete.");
         position += n;
         return bytes.substr(position - n, n);
@@ -76,7 +77,10 @@ namespace vibrocontact
       }
       int integer(const std::string &text, const std::size_t begin, const std::size_t width) const
       {
-        return std::lround(number(text, begin, width));
+        const double value = number(text, begin, width);
+        if (std::abs(value) > std::numeric_limits<int>::max())
+          fail("has '" + trimmed(text.substr(begin, width)) + "' where a whole number is due.");
+        return std::lround(value);
       }
 
     private:
@@ -318,7 +322,11 @@ namespace vibrocontact
         binary.big_endian = cursor.integer(header, 7, 6) == 2;
         if (cursor.integer(header, 13, 6) != 2)
           cursor.fail("announces binary numbers that are not IEEE 754: convert the file.");
-        binary.n_bytes = cursor.integer(header, 31, 12);
+        const int n_bytes = cursor.integer(header, 31, 12);
+        if (n_bytes < 0)
+          cursor.fail("gives its binary data a length of " + std::to_string(n_bytes) +
+                      " bytes: the file is damaged.");
+        binary.n_bytes = n_bytes;
       }
       const Function function = read_function(cursor, binary);
       if (!is_response(function))

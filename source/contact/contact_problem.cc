@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace vibrocontact
 {
@@ -50,9 +51,15 @@ namespace vibrocontact
       : rho_normal(1 / problem.A->mean_diagonal(0)),
         rho_tangential(tangential_rho(problem, tangential_factor)), problem(problem)
   {
-    AssertThrow(rho_normal > 0 && rho_tangential > 0 && std::isfinite(rho_normal) &&
-                    std::isfinite(rho_tangential),
-                dealii::ExcMessage("The contact operator has a diagonal that is not positive."));
+    if (!(rho_normal > 0 && rho_tangential > 0 && std::isfinite(rho_normal) && std::isfinite(rho_tangential)))
+    {
+      std::ostringstream text;
+      text << "The contact problem cannot be solved in double precision: a compliance of "
+           << problem.A->mean_diagonal(0) << " m/N on the diagonal, parameters of the projections "
+           << rho_normal << " N/m and " << rho_tangential
+           << " N s/m; material, load, creepages or spacing of the contact are out of all proportion.";
+      throw ConvergenceError(text.str());
+    }
   }
 
   double ContactResidual::evaluate(const DenseVector &R, const DenseVector &y, DenseVector &projected,

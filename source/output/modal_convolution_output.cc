@@ -67,9 +67,7 @@ namespace vibrocontact
 
   void ModalConvolutionHistory::exchange(CheckpointFile &file)
   {
-    unsigned long n = rows.size();
-    file("histories/lines", n);
-    file.reading() ? rows.resume(n) : rows.flush();
+    rows.exchange("histories", file);
   }
 
   void write_point_tables(const std::string &folder, const unsigned int n_points, const bool friction)

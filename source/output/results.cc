@@ -1,3 +1,4 @@
+#include <vibrocontact/base/checksum.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/output/results.h>
@@ -6,6 +7,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <cmath>
+#include <cstdio>
 
 namespace vibrocontact
 {
@@ -13,12 +15,24 @@ namespace vibrocontact
   {
     void check_finite(const nlohmann::ordered_json &node, const std::string &path)
     {
-      if (node.is_number_float())
-        AssertThrow(std::isfinite(node.get<double>()),
-                    dealii::ExcMessage("the result " + path + " is not a finite number"));
+      if (node.is_number_float() && !std::isfinite(node.get<double>()))
+        throw ConvergenceError(
+            "The result " + path +
+            " is not a finite number: numbers of the input lie too far apart for double precision.");
       if (node.is_structured())
         for (const auto &[key, child] : node.items())
           check_finite(child, path + "/" + key);
+    }
+
+    /// What the object holds, however it is laid out in the file.
+    std::string checksum_of(const nlohmann::ordered_json &top)
+    {
+      const std::string text = top.dump();
+      Checksum sum;
+      sum.add(text.data(), text.size());
+      char digits[17];
+      std::snprintf(digits, sizeof digits, "%016llx", sum.value());
+      return digits;
     }
   } // namespace
 
@@ -55,6 +69,7 @@ namespace vibrocontact
     top["analyses"] = results.analyses;
     if (!results.reductions.empty())
       top["reductions"] = results.reductions;
+    top["checksum"] = checksum_of(top);
     return top.dump(2) + "\n";
   }
 
@@ -62,7 +77,13 @@ namespace vibrocontact
   {
     try
     {
-      const auto top = nlohmann::ordered_json::parse(text);
+      auto top = nlohmann::ordered_json::parse(text);
+      const std::string sum = top.at("checksum").get<std::string>();
+      top.erase("checksum");
+      if (sum != checksum_of(top))
+        throw InputError(
+            "The results.json in the output folder is damaged or was changed: run the file without "
+            "--resume");
       Results results;
       results.finished = top.at("finished").get<std::set<std::string>>();
       for (const auto &failure : top.value("not_converged", nlohmann::ordered_json::array()))

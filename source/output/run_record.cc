@@ -40,7 +40,8 @@ namespace vibrocontact
     {
       std::error_code ignored;
       for (const auto &entry : fs::directory_iterator(folder, ignored))
-        for (const char *name : {"results.json.", "histories.h5.", "signals.h5.", "checkpoint.h5."})
+        for (const char *name :
+             {"results.json.", "histories.h5.", "signals.h5.", "checkpoint.h5.", "modal_convolution.h5."})
           if (entry.path().filename().string().rfind(name, 0) == 0 && entry.path().extension() == ".part")
             fs::remove(entry.path(), ignored);
     }
@@ -55,7 +56,8 @@ namespace vibrocontact
         if (!(keeps_input && name == "input.prm"))
           fs::remove(folder / name, ignored);
       // a killed run may have written these after its list
-      for (const char *name : {"results.json", "histories.rows", "signals.rows", "checkpoint.h5"})
+      for (const char *name :
+           {"results.json", "histories.rows", "signals.rows", "checkpoint.h5", "modal_convolution.h5"})
         fs::remove(folder / name, ignored);
       remove_parts(folder);
     }
@@ -70,9 +72,6 @@ namespace vibrocontact
         {
           try
           {
-            for (fs::path path = fs::absolute(folder).lexically_normal(); !fs::exists(path);
-                 path = path.parent_path())
-              first_made = path.string();
             // a run of the input.prm in its own folder leaves that file alone
             std::error_code none;
             keeps_input = fs::equivalent(file.file_name(), folder + "/input.prm", none) && !none;
@@ -116,8 +115,9 @@ namespace vibrocontact
     for (const std::string &name : std::vector<std::string>(names))
       if (fs::path(name).extension() == ".wav")
         names.push_back(name + ".txt");
-    for (const char *name : {"input.prm", "used.prm", "log.txt", "results.json", "histories.h5",
-                             "histories.rows", "signals.h5", "signals.rows", "checkpoint.h5"})
+    for (const char *name :
+         {"input.prm", "used.prm", "log.txt", "results.json", "histories.h5", "histories.rows", "signals.h5",
+          "signals.rows", "checkpoint.h5", "modal_convolution.h5"})
       if (!(keeps_input && std::string(name) == "input.prm") && fs::is_regular_file(fs::path(folder) / name))
         names.push_back(name);
     collect("fields", {".vtu"});
@@ -172,12 +172,6 @@ namespace vibrocontact
             fs::remove((folder / fs::path(name)).parent_path(), ignored);
           }
           fs::remove(fs::path(folder) / list_name, ignored);
-          if (first_made.empty())
-            return;
-          const fs::path last = fs::path(first_made).parent_path();
-          for (fs::path path = fs::absolute(folder).lexically_normal();
-               path != last && path.has_relative_path(); path = path.parent_path())
-            fs::remove(path, ignored);
         });
   }
 } // namespace vibrocontact

@@ -37,8 +37,7 @@ namespace vibrocontact
     }
   } // namespace
 
-  void print_body(const BodyParameters &parameters, const ElasticBody<3> *const body,
-                  const ContactGrid *const grid)
+  void print_body(const BodyParameters &parameters, const ElasticBody<3> *const body)
   {
     Log &log = run_log();
     log.block("Body " + parameters.name);
@@ -115,16 +114,6 @@ namespace vibrocontact
     for (const auto &boundary : body->mesh.boundaries)
       names += (names.empty() ? "" : ", ") + boundary.first;
     log.value("boundaries", names);
-    // Measured at 258,000 dofs on one core: factorisation 15 s, 3.4 GB, 0.04 s per contact row, 1.5 s per
-    // mode.
-    const double size = n_dofs / 258e3;
-    const double rows = grid ? 3. * grid->n_points() : 0.;
-    log.value("reduction, when not cached",
-              "about " + time_text(7 * size + 15 * std::pow(size, 1.5) + 0.02 * size * rows) + " and " +
-                  time_text(1.5 * size) + " per mode");
-    char memory[32];
-    std::snprintf(memory, sizeof memory, "about %.2g GB", 3.4 * std::pow(size, 1.2));
-    log.value("memory for it", memory);
   }
 
   void print_contact_grid(const ContactGrid &grid)

@@ -42,12 +42,10 @@ namespace vibrocontact
 
   void SignalRecorder::exchange(CheckpointFile &file)
   {
-    unsigned long n = rows.size();
-    file("signals/lines", n);
+    rows.exchange("signals", file);
     file("signals/change", change);
     file("signals/changed", changed);
     file("signals/n_stick", n_stick);
-    file.reading() ? rows.resume(n) : rows.flush();
   }
 
   void SignalRecorder::finish(const bool at_the_end)

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/atomic_file.h>
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/output/table.h>
 
 #include <deal.II/base/exceptions.h>
@@ -28,9 +29,11 @@ namespace vibrocontact
         content += ",";
       if (const auto *number = std::get_if<double>(&cells[i]))
       {
-        AssertThrow(std::isfinite(*number),
-                    dealii::ExcMessage("column " + columns[i] +
-                                       " of a result table got a number that is not finite"));
+        if (!std::isfinite(*number))
+          throw ConvergenceError(
+              "The column " + columns[i] +
+              " of a table of results got a number that is not finite: numbers of the input lie "
+              "too far apart for double precision.");
         char digits[32];
         std::snprintf(digits, sizeof digits, "%.17g", *number);
         content += digits;

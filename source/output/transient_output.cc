@@ -60,10 +60,8 @@ namespace vibrocontact
 
   void TransientHistory::exchange(CheckpointFile &file)
   {
-    unsigned long n = rows.size();
     file("histories/next", next);
-    file("histories/lines", n);
-    file.reading() ? rows.resume(n) : rows.flush();
+    rows.exchange("histories", file);
   }
 
   void write_history_table(const std::vector<Probe> &probes, const std::string &folder)

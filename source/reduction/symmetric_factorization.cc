@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/memory.h>
 #include <vibrocontact/base/petsc_check.h>
 #include <vibrocontact/reduction/fill_reducing_order.h>
 #include <vibrocontact/reduction/symmetric_factorization.h>
@@ -156,6 +157,12 @@ namespace vibrocontact
     timer.restart();
     my.run(1, "analysis");
     my.statistics.seconds_analysis = timer.wall_time();
+    // INFO(15): of this rank, in MB
+    const std::string shortage =
+        memory_shortage("The factorisation of a matrix of " + std::to_string(my.n) + " dofs",
+                        1e6 * entry(mumps.info, 15), my.communicator);
+    if (!shortage.empty())
+      throw ConvergenceError(shortage + ": " + ways_to_less_memory + ".");
     timer.restart();
     my.run(2, "factorisation");
     my.statistics.seconds_factorization = timer.wall_time();

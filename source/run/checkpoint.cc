@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/row_file.h>
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/run/checkpoint.h>
 
@@ -17,7 +18,7 @@ namespace vibrocontact
   namespace
   {
     /// changes whenever what is exchanged or what it means does
-    constexpr int format = 5;
+    constexpr int format = 6;
 
     std::string checkpoint_name(const std::string &folder)
     {
@@ -136,21 +137,23 @@ namespace vibrocontact
     }
 
     const std::string advice = ": run the file without --resume.";
-
-    /// Whatever HDF5 stumbles over in a damaged file is one sentence.
-    void whole(const std::string &folder, const std::function<void()> &read)
-    {
-      try
-      {
-        read();
-      }
-      catch (const std::exception &)
-      {
-        throw InputError("The checkpoint \"" + checkpoint_name(folder) + "\" is damaged or incomplete" +
-                         advice);
-      }
-    }
   } // namespace
+
+  void read_whole(const std::string &name, const std::function<void()> &read)
+  {
+    try
+    {
+      read();
+    }
+    catch (const RowsLost &)
+    {
+      throw;
+    }
+    catch (const std::exception &)
+    {
+      throw InputError("The checkpoint \"" + name + "\" is damaged or incomplete" + advice);
+    }
+  }
 
   void write_checkpoint(const std::string &folder, const ContactPair &pair, DynamicState &state,
                         TransientResult &result, const Recorders &recorders, CoarseRun *const coarse)
@@ -175,7 +178,8 @@ namespace vibrocontact
     if (!std::filesystem::exists(checkpoint_name(folder)))
       return;
     double reached = 0;
-    whole(folder, [&] { reached = Hdf5Reader(checkpoint_name(folder)).number("result/time"); });
+    read_whole(checkpoint_name(folder),
+               [&] { reached = Hdf5Reader(checkpoint_name(folder)).number("result/time"); });
     if (reached > end_time * (1 + 1e-12))
     {
       std::ostringstream text;
@@ -194,20 +198,20 @@ namespace vibrocontact
     std::unique_ptr<Hdf5Reader> reader;
     int written_format = 0;
     std::string written_version;
-    whole(folder,
-          [&]
-          {
-            reader = std::make_unique<Hdf5Reader>(name);
-            written_format = reader->integer("format");
-            written_version = reader->text("program");
-          });
+    read_whole(name,
+               [&]
+               {
+                 reader = std::make_unique<Hdf5Reader>(name);
+                 written_format = reader->integer("format");
+                 written_version = reader->text("program");
+               });
     if (written_format != format)
       throw InputError("The checkpoint \"" + name + "\" was written by version " + written_version +
                        " in another format than that of " + version() + advice);
     for (const auto &[mark, values] : marks(pair))
     {
       std::vector<double> written;
-      whole(folder, [&, &mark = mark] { written = reader->numbers("marks/" + mark); });
+      read_whole(name, [&, &mark = mark] { written = reader->numbers("marks/" + mark); });
       if (differ(written, values))
         throw InputError("The checkpoint \"" + name + "\" belongs to other bodies, their " + mark +
                          " differ though the parameters are the same; a mesh, a section or the program has "
@@ -215,19 +219,17 @@ namespace vibrocontact
                          advice);
     }
     CheckpointFile file(*reader);
-    whole(folder,
-          [&]
-          {
-            exchange(file, state);
-            exchange(file, result);
-            if (coarse)
-              exchange(file, *coarse);
-          });
-    for (const auto &recorder : recorders)
-      recorder->exchange(file);
-    // the sum is over all that was written, which rank 0 alone has read
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      whole(folder, [&] { reader->verify(); });
+    read_whole(name,
+               [&]
+               {
+                 exchange(file, state);
+                 exchange(file, result);
+                 for (const auto &recorder : recorders)
+                   recorder->exchange(file);
+                 // the sum is over all that was written, which rank 0 alone has read
+                 if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+                   reader->verify();
+               });
     return true;
   }
 } // namespace vibrocontact

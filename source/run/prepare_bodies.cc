@@ -1,9 +1,15 @@
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/memory.h>
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/output/scene_summary.h>
+#include <vibrocontact/reduction/reduction_cost.h>
 #include <vibrocontact/run/prepare_bodies.h>
 
 #include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace vibrocontact
 {
@@ -68,31 +74,88 @@ namespace vibrocontact
     return pair;
   }
 
+  namespace
+  {
+    bool wants_modes(const Parameters &parameters, const MeshedBody &body)
+    {
+      return (parameters.scene.runs("modes") || parameters.needs_modes()) &&
+             body.reduction.request().modes.any();
+    }
+
+    /// of modes up to a frequency: how many there are is told by the factorised stiffness only
+    constexpr double supposed_modes = 100;
+
+    /// Of a solid body whose mesh is made.
+    ReductionCost cost_of(const Parameters &parameters, MeshedBody &body)
+    {
+      const ModeParameters &modes = body.reduction.request().modes;
+      const double n_modes = modes.count > 0 ? modes.count : supposed_modes;
+      return reduction_cost(body.elastic_body().dof_handler.n_dofs(),
+                            parameters.has_contact() ? 3. * parameters.contact_grid().n_points() : 0.,
+                            wants_modes(parameters, body) ? n_modes : 0., modes.count == 0);
+    }
+
+    /// Each body keeps its factors while the next one is reduced.
+    void check_memory(const double peak)
+    {
+      // a guess from the size alone; what MUMPS itself says is looked at before each factorisation
+      constexpr double certain = 0.7;
+      if (peak == 0)
+        return;
+      const double share = peak / dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+      const std::string shortage =
+          memory_shortage("The reduction of the bodies", certain * share, MPI_COMM_WORLD);
+      if (!shortage.empty())
+        throw InputError(shortage + ": " + ways_to_less_memory + ".");
+      const MemoryLeft left = memory_left();
+      run_log().block("Memory");
+      run_log().value("memory of the reductions", "about " + bytes_text(peak) + " at the peak; " +
+                                                      left.limit + " leaves " + bytes_text(left.bytes));
+    }
+
+    void print_cost(const ReductionCost &cost)
+    {
+      for (const ReductionStage &stage : cost.stages)
+        run_log().value("  " + stage.name + ", when not cached",
+                        "about " + time_text(std::ceil(stage.seconds)) + ", " + bytes_text(stage.bytes));
+    }
+  } // namespace
+
   void check_meshes(const Parameters &parameters, const MeshedBodies &bodies, const bool all)
   {
+    double kept = 0, peak = 0;
     for (const auto &body : bodies)
       if (body)
       {
-        const bool with_modes = (parameters.scene.runs("modes") || parameters.needs_modes()) &&
-                                body->reduction.request().modes.any();
+        const bool with_modes = wants_modes(parameters, *body);
         // a mesh that is to be written has to be made
         const bool wanted = all || !body->parameters.wheel.write_mesh.empty();
-        if (body->reduction.is_cached(parameters.has_contact(), with_modes) && !wanted)
+        const bool cached = body->reduction.is_cached(parameters.has_contact(), with_modes);
+        if (cached && !wanted)
           continue;
         if (!body->parameters.is_solid())
           continue;
         body->elastic_body();
         body->check_contact();
+        if (cached)
+          continue;
+        const ReductionCost cost = cost_of(parameters, *body);
+        peak = std::max(peak, kept + cost.peak);
+        kept += cost.kept;
       }
+    check_memory(peak);
   }
 
   void print_scene(const Parameters &parameters, const MeshedBodies &bodies, const ContactGrid &grid)
   {
     const ContactGrid *const contact_grid = parameters.has_contact() ? &grid : nullptr;
     for (unsigned int k = 0; k < bodies.size(); ++k)
-      print_body(parameters.scene.bodies[k],
-                 bodies[k] && bodies[k]->parameters.is_solid() ? &bodies[k]->elastic_body() : nullptr,
-                 contact_grid);
+    {
+      const bool solid = bodies[k] && bodies[k]->parameters.is_solid();
+      print_body(parameters.scene.bodies[k], solid ? &bodies[k]->elastic_body() : nullptr);
+      if (solid)
+        print_cost(cost_of(parameters, *bodies[k]));
+    }
     if (contact_grid)
       print_contact_grid(grid);
     run_log().end_block();

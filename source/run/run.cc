@@ -2,6 +2,7 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/folder_lock.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/base/version.h>
@@ -62,13 +63,12 @@ namespace vibrocontact
       if (!scene.title.empty())
         log.value("title", scene.title);
       log.value("ranks", dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
-      const Blas blas = measure_blas();
-      log.value("BLAS", blas.library);
-      log.value("BLAS speed per rank", blas.gflops, "Gflop/s");
-      if (blas.is_slow())
-        log.warning(
-            "this BLAS is slow, large factorisations take up to 8 times longer than with OpenBLAS: install "
-            "libopenblas0-pthread");
+      const std::string blas = loaded_blas();
+      log.value("BLAS", blas);
+      if (is_reference_blas(blas))
+        log.line("This is the reference BLAS, large factorisations take up to 8 times longer than with "
+                 "OpenBLAS: " +
+                 faster_blas_advice(blas));
     }
 
     /// @param resume whether an earlier run in the folder is continued
@@ -232,6 +232,8 @@ namespace vibrocontact
       throw InputError("Write mesh: " + std::string(error.what()));
     }
 
+    const FolderLock lock(folder, command_line.file + (command_line.resume ? ", resumed" : ""),
+                          !command_line.resume);
     Results results;
     if (command_line.resume)
       results = earlier_results(folder, used, parameters.transient.end_time);

@@ -34,8 +34,13 @@ namespace vibrocontact
       return names.entries.size() == names.labels.size() * names.labels.size() && names.labels.size() > 1;
     }
 
-    void check_positions(const BodyParameters &body, const unsigned int n_points, const std::string &file)
+    /// @param in_contact the points lie over a road
+    void check_positions(const BodyParameters &body, const bool in_contact, const unsigned int n_points,
+                         const std::string &file)
     {
+      if (in_contact && body.identified.positions.empty() && n_points > 1)
+        throw InputError(body.name + "/Identified/Positions is not set, but the data \"" + file + "\" have " +
+                         std::to_string(n_points) + " points: say where each lies along the road.");
       if (!body.identified.positions.empty() && body.identified.positions.size() != n_points)
         throw InputError(body.name + "/Identified/Positions gives " +
                          std::to_string(body.identified.positions.size()) + " places, but the data \"" +
@@ -57,9 +62,10 @@ namespace vibrocontact
 
   void check_identification(const Parameters &parameters)
   {
+    const bool in_contact = parameters.scene.runs("modal convolution");
     for (const BodyParameters &body : parameters.scene.bodies)
       if (body.type == "identified" && !body.identified.poles_file.empty())
-        check_positions(body, pole_file(body).names.labels.size(), body.identified.poles_file);
+        check_positions(body, in_contact, pole_file(body).names.labels.size(), body.identified.poles_file);
     if (!parameters.has_identification())
       return;
     const FrequencyData data = identification_data(parameters.identification);
@@ -67,7 +73,7 @@ namespace vibrocontact
     const unsigned int n_points = data.labels.size();
     for (const BodyParameters &body : parameters.scene.bodies)
       if (body.type == "identified" && body.identified.poles_file.empty())
-        check_positions(body, n_points, parameters.identification.data_file);
+        check_positions(body, in_contact, n_points, parameters.identification.data_file);
   }
 
   namespace

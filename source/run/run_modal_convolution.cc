@@ -5,6 +5,7 @@
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/output/modal_convolution_output.h>
 #include <vibrocontact/reduction/ring_poles.h>
+#include <vibrocontact/run/checkpoint.h>
 #include <vibrocontact/run/run_identification.h>
 #include <vibrocontact/run/run_method_comparison.h>
 #include <vibrocontact/run/run_modal_convolution.h>
@@ -15,6 +16,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <sstream>
 
@@ -25,7 +27,7 @@ namespace vibrocontact
     constexpr unsigned int steps_of_a_block = 4096;
     constexpr unsigned int most_point_tables = 10;
     constexpr unsigned long most_table_lines = 1000000, most_spectrum_lines = 20000000;
-    constexpr int checkpoint_format = 1;
+    constexpr int checkpoint_format = 2;
 
     PoleModel reduced_poles(const ReducedBody &body, const bool with_friction)
     {
@@ -84,17 +86,32 @@ namespace vibrocontact
       {
         if (!std::filesystem::exists(checkpoint_name(folder)))
           return false;
-        Hdf5Reader reader(checkpoint_name(folder));
-        if (reader.integer("format") != checkpoint_format || reader.numbers("marks") != marks(model))
+        std::unique_ptr<Hdf5Reader> reader;
+        bool same = false;
+        read_whole(checkpoint_name(folder),
+                   [&]
+                   {
+                     reader = std::make_unique<Hdf5Reader>(checkpoint_name(folder));
+                     same = reader->integer("format") == checkpoint_format &&
+                            reader->numbers("marks") == marks(model);
+                   });
+        if (!same)
           throw InputError("The checkpoint \"" + checkpoint_name(folder) +
                            "\" belongs to another body or program: run the file without --resume.");
-        CheckpointFile file(reader);
-        motion.exchange(file);
+        read_whole(checkpoint_name(folder),
+                   [&]
+                   {
+                     CheckpointFile file(*reader);
+                     motion.exchange(file);
+                     if (!history)
+                       return;
+                     history->exchange(file);
+                     // the sum is over all that was written, which rank 0 alone has read
+                     reader->verify();
+                   });
         if (motion.result().steps > motion.n_steps())
           throw InputError("Modal convolution/End time is before what the run to be resumed has reached, " +
                            std::to_string(motion.result().time) + " s: give a later one.");
-        if (history)
-          history->exchange(file);
         return true;
       }
 

@@ -3,6 +3,7 @@
 #include <vibrocontact/base/blas.h>
 #include <vibrocontact/base/command_line.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/folder_lock.h>
 #include <vibrocontact/output/run_record.h>
 #include <vibrocontact/output/table.h>
 
@@ -15,6 +16,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <memory>
 
 using namespace vibrocontact;
 
@@ -38,7 +40,7 @@ TEST(Table, NumbersKeepSeventeenDigitsAndLabelsTheirCommas)
 TEST(Table, RefusesNumbersThatAreNotFinite)
 {
   Table table({"x_m"}, {});
-  EXPECT_THROW(table.add_row({std::nan("")}), dealii::ExceptionBase);
+  EXPECT_THROW(table.add_row({std::nan("")}), ConvergenceError);
   EXPECT_THROW(table.add_row({1., 2.}), dealii::ExceptionBase);
   EXPECT_EQ(table.n_rows(), 0u);
 }
@@ -92,7 +94,7 @@ TEST(Results, NamesOfTheInterface)
   results.failures.push_back({"modes", "no"});
   EXPECT_EQ(nlohmann::json::parse(results_text(results, 0))["status"], "not converged");
   results.analyses["wrong"] = {1., std::numeric_limits<double>::infinity()};
-  EXPECT_THROW(results_text(results, 0), dealii::ExceptionBase);
+  EXPECT_THROW(results_text(results, 0), ConvergenceError);
 }
 
 TEST(Results, AResumedRunForgetsFailuresOfWhatItDoesAgain)
@@ -110,6 +112,24 @@ TEST(Results, AResumedRunForgetsFailuresOfWhatItDoesAgain)
   EXPECT_TRUE(results_of_text(results_text(results, 0)).converged());
 }
 
+TEST(Results, ThoseOfAnEarlierRunAreTakenOnlyAsTheyWereWritten)
+{
+  Results results;
+  results.finished = {"modes"};
+  results.analyses["modes"]["wheel"]["frequencies_Hz"] = {136.3, 1. / 3, -0., 1e300};
+  const std::string text = results_text(results, 1. / 7);
+  EXPECT_EQ(results_of_text(text).analyses, results.analyses);
+  EXPECT_EQ(results_of_text(nlohmann::ordered_json::parse(text).dump()).analyses, results.analyses);
+  const std::size_t place = text.find("136.3");
+  ASSERT_NE(place, std::string::npos);
+  for (const char digit : {'2', '7'})
+  {
+    std::string changed = text;
+    changed[place + 1] = digit;
+    EXPECT_THROW(results_of_text(changed), InputError) << digit;
+  }
+}
+
 TEST(RunRecordMpi, TheFolderSaysWhatItIsFromTheBeginning)
 {
   const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
@@ -121,6 +141,7 @@ TEST(RunRecordMpi, TheFolderSaysWhatItIsFromTheBeginning)
     std::ifstream file(folder + "/results.json");
     return nlohmann::json::parse(file)["status"].get<std::string>();
   };
+  auto lock = std::make_unique<FolderLock>(folder, "test", true);
   RunRecord record(folder, ParameterFile("case.prm", "# nothing\n"), DeclaredParameters());
   EXPECT_EQ(status(), rank > 0 ? "" : "not converged");
   Results results;
@@ -130,6 +151,8 @@ TEST(RunRecordMpi, TheFolderSaysWhatItIsFromTheBeginning)
   record.save(results, 1.);
   EXPECT_EQ(status(), rank > 0 ? "" : "converged");
   record.discard();
+  lock.reset();
+  MPI_Barrier(MPI_COMM_WORLD);
   EXPECT_FALSE(std::filesystem::exists(folder));
   EXPECT_THROW(RunRecord("/proc/nowhere", ParameterFile("case.prm", ""), DeclaredParameters()), InputError);
 }
@@ -166,9 +189,22 @@ TEST(CommandLine, WrongOnesAreRefused)
   }
 }
 
-TEST(Blas, IsNamedAndMeasured)
+TEST(Blas, IsJudgedByTheLibraryThatIsLoaded)
 {
-  const Blas blas = measure_blas();
-  EXPECT_NE(blas.library.find("blas"), std::string::npos) << blas.library;
-  EXPECT_GT(blas.gflops, 0.1);
+  EXPECT_TRUE(std::filesystem::exists(loaded_blas())) << loaded_blas();
+  const std::string folder = "/usr/lib/x86_64-linux-gnu/";
+  EXPECT_TRUE(is_reference_blas(folder + "blas/libblas.so.3.11.0"));
+  EXPECT_TRUE(is_reference_blas("/usr/lib64/libblas.so.3"));
+  for (const char *other :
+       {"openblas-pthread/libblas.so.3", "openblas-serial/libopenblas-r0.3.21.so", "atlas/libblas.so.3",
+        "blis-openmp/libblas.so.3", "libmkl_rt.so", "libopenblas.so.0"})
+    EXPECT_FALSE(is_reference_blas(folder + other)) << other;
+  EXPECT_NE(faster_blas_advice("/nowhere/blas/libblas.so.3").find("install libopenblas0-pthread"),
+            std::string::npos);
+  std::filesystem::create_directories("blas_test/openblas-serial");
+  std::ofstream("blas_test/openblas-serial/libblas.so.3") << "here";
+  const std::string advice = faster_blas_advice("blas_test/blas/libblas.so.3");
+  EXPECT_NE(advice.find("openblas-serial is installed"), std::string::npos) << advice;
+  EXPECT_EQ(advice.find("install lib"), std::string::npos) << advice;
+  std::filesystem::remove_all("blas_test");
 }

@@ -17,6 +17,8 @@ namespace vibrocontact
   /// listed there is removed first, so that no old table stands beside new ones; no other file ever is, nor
   /// the parameter file itself when it is the input.prm of its own output folder.
   ///
+  /// One run at a time, see FolderLock.
+  ///
   /// results.json is there from the beginning and follows the run, so that the folder of a run that was
   /// killed says so ("complete": false). All functions are collective; rank 0 works.
   class RunRecord
@@ -33,7 +35,7 @@ namespace vibrocontact
     /// The same, but at most once a second: after each case of a long sweep.
     void save_sometimes(const Results &results, double wall_seconds);
     /// Input that turns out to be wrong after all (contact reaches the edge of its grid): removes what this
-    /// run wrote, and folders that it made. A resumed run leaves all to the next try.
+    /// run wrote. A resumed run leaves all to the next try.
     void discard() const;
 
     const std::string folder;
@@ -43,8 +45,6 @@ namespace vibrocontact
     std::vector<std::string> own_files() const;
     void write(const Results &results, double wall_seconds);
 
-    /// outermost folder that did not exist before; empty if all did
-    std::string first_made;
     /// the parameter file of this run is the folder's own input.prm
     bool keeps_input = false;
     /// a resumed run: files of the one before, relative names

@@ -5,6 +5,7 @@
 #include <vibrocontact/analyses/transient_result.h>
 #include <vibrocontact/output/recorder.h>
 
+#include <functional>
 #include <string>
 
 namespace vibrocontact
@@ -16,6 +17,9 @@ namespace vibrocontact
   ///
   /// What a solver keeps from step to step (factorisations) is not in it: transient() starts with a fresh
   /// solver every steps_between_fresh_starts, and only there a checkpoint continues bit for bit.
+
+  /// Whatever `read` stumbles over in the checkpoint of this name becomes one sentence; RowsLost says its own.
+  void read_whole(const std::string &name, const std::function<void()> &read);
 
   /// To be called by rank 0. @throws OutputError
   void write_checkpoint(const std::string &folder, const ContactPair &pair, DynamicState &state,

@@ -1,0 +1,33 @@
+#include <vibrocontact/reduction/reduction_cost.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  ReductionCost reduction_cost(const double n_dofs, const double n_rows, const double n_modes,
+                               const bool counts_first)
+  {
+    const double size = n_dofs / 287e3, number = 8;
+    const double matrices = 5e3 * n_dofs, factors = 2.8e9 * std::pow(size, 1.25),
+                 factor_seconds = 17 * std::pow(size, 1.5);
+    ReductionCost cost;
+    cost.kept = matrices + factors;
+    cost.stages.push_back({"mesh and assembly", 8 * size, matrices});
+    cost.stages.push_back({"factorisation", 4 * size + factor_seconds, cost.kept});
+    if (n_rows > 0)
+      cost.stages.push_back(
+          {"contact compliance", 0.02 * size * n_rows, cost.kept + 2 * number * n_rows * n_rows});
+    if (n_modes > 0)
+    {
+      if (counts_first)
+        cost.stages.push_back({"count of modes", 4 * size + factor_seconds, cost.kept + 0.7 * factors});
+      cost.stages.push_back({std::to_string(std::lround(n_modes)) + " modes", 1.7 * size * n_modes,
+                             cost.kept + 3 * number * n_dofs * n_modes});
+      cost.kept += number * n_dofs * n_modes;
+    }
+    for (const ReductionStage &stage : cost.stages)
+      cost.peak = std::max(cost.peak, stage.bytes);
+    return cost;
+  }
+} // namespace vibrocontact
