@@ -16,6 +16,7 @@ def plot_modal_convolution(folder):
         shown = sorted({0, n_points // 2, n_points - 1})
         u = {i: np.asarray(file[f"point_{i}_displacement_m"]) for i in shown}
         q = {i: np.asarray(file[f"point_{i}_force_N"]) for i in shown}
+        road = {i: np.asarray(file[f"point_{i}_road_m"]) for i in shown if f"point_{i}_road_m" in file}
         pictures = [(u, "displacement", "displacement [mm]", 1e3), (q, "force", "force [N]", 1)]
         for quantity, unit, label, factor in (("displacement", "m", "tangential displacement [mm]", 1e3),
                                               ("force", "N", "tangential force [N]", 1)):
@@ -29,13 +30,16 @@ def plot_modal_convolution(folder):
         figure, axes = plt.subplots(1, 1 + zooms, figsize=(11 if zooms else 8, 3.5), sharey=True, squeeze=False)
         for axis, chosen in zip(axes[0], (slice(None), slice(-LONG // 8, None))):
             for i in shown:
-                plot_line(axis, time[chosen], values[i][chosen] * factor, lw=0.8, label=f"point {i}")
+                plot_line(axis, time[chosen], values[i][chosen] * factor, lw=0.8, label=f"point {i}", color=f"C{shown.index(i)}")
+                if name == "displacement" and i in road:
+                    plot_line(axis, time[chosen], road[i][chosen] * factor, lw=0.8, ls="--", label="road under it",
+                              color=f"C{shown.index(i)}")
             axis.set_xlabel("time [s]")
         axes[0, 0].set_ylabel(label)
         if zooms:
             axes[0, 0].set_title("mean and envelope", fontsize=9)
             axes[0, 1].set_title("the end of it", fontsize=9)
-        if len(shown) > 1:
+        if len(shown) > 1 or name == "displacement":
             axes[0, 0].legend(fontsize=8)
         if name == "force":
             top = np.percentile(np.concatenate(list(values.values())), 99.8)

@@ -157,6 +157,7 @@ namespace vibrocontact
       {
         ModalConvolutionParameters own = parameters;
         own.method = method;
+        own.error_estimate = false;
         own.time_step = row.time_step / division;
         own.end_time = row.time_step * row.n_steps;
         own.memory = memory * own.time_step;

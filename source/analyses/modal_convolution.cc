@@ -1,8 +1,8 @@
 #include <vibrocontact/analyses/modal_convolution.h>
 #include <vibrocontact/analyses/road_friction.h>
+#include <vibrocontact/analyses/road_stepper.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/processor_clock.h>
-#include <vibrocontact/contact/unilateral_contact.h>
 #include <vibrocontact/response/step_weights.h>
 
 #include <algorithm>
@@ -65,6 +65,11 @@ namespace vibrocontact
                       "Distance of the lines of the histories, 0: every step. Units: s.", Double(0, 1e9));
     prm.add_parameter("Checkpoint interval", checkpoint_interval,
                       "Wall time between checkpoints, 0: only the one at the end. Units: s.", Double(0, 1e9));
+    prm.add_parameter(
+        "Error estimate", error_estimate,
+        "Whether a second march in twice the steps (half of the cost of a modal recursion) runs beside "
+        "this one and tells its error; if not, results.json says nothing about it. Units: none.",
+        Bool());
   }
 
   void ModalConvolutionParameters::check() const
@@ -95,181 +100,6 @@ namespace vibrocontact
           "releases only: take modal recursion or a convolution.");
   }
 
-  /// The steps of any number of points: response and contact.
-  class ModalConvolution::Stepper
-  {
-  public:
-    Stepper(const ModalConvolutionParameters &parameters, const ContactSolverParameters &solver_parameters,
-            const PoleModel &model, const unsigned int n_points, const unsigned long n_steps, const double mu,
-            const double sliding_speed)
-        : response(make_response(parameters, model, n_steps)),
-          contact(normal_block(response->compliance(), n_points), at_step(parameters.time_step)), n(n_points),
-          step(parameters.time_step), sliding_speed(sliding_speed), solver_parameters(solver_parameters),
-          problem(road_contact_problem(response->compliance(), n_points, mu, parameters.time_step)),
-          is_linear(force_shape(parameters.force_shape) == ForceShape::linear),
-          is_common(parameters.contact_solver == "common" || model.n_rows() > n_points)
-    {
-      check_force_shape(parameters, model, n_points);
-    }
-
-    /// Without friction. @param heights, displacements, forces n_points per step
-    void run(const unsigned int n_steps, const double *heights, double *displacements, double *forces)
-    {
-      if (is_common)
-        run_common(n_steps, heights, displacements, forces, nullptr, nullptr);
-      else if (n == 1)
-        run_one(n_steps, heights, displacements, forces);
-      else
-        run_many(n_steps, heights, displacements, forces);
-    }
-
-    /// By the common solvers. @param tangential_displacements, tangential_forces as the others, the line that the first
-    /// step begins with in front of them; null without friction
-    void run_common(const unsigned int n_steps, const double *heights, double *displacements, double *forces,
-                    double *tangential_displacements, double *tangential_forces)
-    {
-      // nothing is left of the steps before: a resumed run, which begins with a block, has the same solver
-      const std::unique_ptr<ContactSolver> solver = create_contact_solver(solver_parameters);
-      ContactSolution solution;
-      std::vector<double> q(response->n_rows());
-      const double *const free = response->free_displacement();
-      const bool has_friction = tangential_forces != nullptr;
-      for (unsigned int k = 0; k < n_steps; ++k, heights += n, displacements += n, forces += n)
-      {
-        const double *const before = tangential_displacements - (has_friction ? n : 0);
-        for (unsigned int i = 0; i < n; ++i)
-          problem.b[i] = free[i] - heights[i];
-        for (unsigned int i = 0; has_friction && i < n; ++i)
-          problem.b[n + i] = (free[n + i] - before[i]) / step + sliding_speed;
-        solution = solver->solve(problem, solution);
-        if (!solution.converged)
-          throw ConvergenceError("The contact of a step did not converge, relative residual " +
-                                 std::to_string(solution.residual) + ".");
-        for (unsigned int i = 0; i < n; ++i)
-        {
-          forces[i] = q[i] = solution.R[i];
-          displacements[i] = solution.y[i] + heights[i];
-          closed_points += forces[i] > 0;
-        }
-        for (unsigned int i = 0; has_friction && i < n; ++i)
-        {
-          const double slip = solution.y[n + i];
-          tangential_forces[i] = q[n + i] = solution.R[n + i];
-          tangential_displacements[i] = before[i] + step * (slip - sliding_speed);
-          // of linear forces the mean
-          const double force = is_linear ? 0.5 * (q[n + i] + (tangential_forces - n)[i]) : q[n + i];
-          dissipation -= step * force * slip;
-          sticking_points += solution.status[i] == ContactStatus::stick;
-        }
-        if (has_friction)
-        {
-          tangential_displacements += n;
-          tangential_forces += n;
-        }
-        response->advance(q.data());
-        iterations += solution.iterations;
-        residual = std::max(residual, solution.residual);
-      }
-    }
-
-    std::unique_ptr<Response> response;
-    UnilateralContact contact;
-    unsigned long closed_points = 0, sticking_points = 0, iterations = 0;
-    double residual = 0, dissipation = 0;
-
-  private:
-    static DenseMatrix normal_block(const DenseMatrix &matrix, const unsigned int n_points)
-    {
-      DenseMatrix block(n_points, n_points);
-      for (unsigned int i = 0; i < n_points; ++i)
-        for (unsigned int j = 0; j < n_points; ++j)
-          block(i, j) = matrix(i, j);
-      return block;
-    }
-
-    static void check_force_shape(const ModalConvolutionParameters &parameters, const PoleModel &model,
-                                  const unsigned int n_points)
-    {
-      const double longest =
-          longest_step(model.residual, initial_derivative(model, 1), force_shape(parameters.force_shape));
-      if (parameters.time_step <= longest)
-        return;
-      std::ostringstream text;
-      text << "Modal convolution/Force shape is " << parameters.force_shape
-           << ", with which the contact forces ring ";
-      if (longest > 0)
-        text << "at steps above " << longest << " s: take a shorter Time step or Force shape = impulse.";
-      else
-      {
-        unsigned int rigid = 0;
-        while (rigid + 1 < model.residual.m() && model.residual(rigid, rigid) > 0)
-          ++rigid;
-        text << "as contact point " << rigid % n_points << " is rigid"
-             << (rigid < n_points ? "" : " along the road") << ": take Force shape = impulse, or give a "
-             << (rigid < n_points ? "" : "tangential ") << "tread stiffness.";
-      }
-      throw InputError(text.str());
-    }
-
-    static std::string at_step(const double time_step)
-    {
-      std::ostringstream text;
-      text << "at Modal convolution/Time step " << time_step << " s";
-      return text.str();
-    }
-
-    static std::unique_ptr<Response> make_response(const ModalConvolutionParameters &parameters,
-                                                   const PoleModel &model, const unsigned long n_steps)
-    {
-      ResponseSettings settings;
-      settings.time_step = parameters.time_step;
-      settings.shape = force_shape(parameters.force_shape);
-      settings.n_steps = n_steps;
-      settings.memory = std::lround(parameters.memory / parameters.time_step);
-      const double kept =
-          double(settings.memory > 0 ? settings.memory : n_steps) * model.n_rows() * model.n_rows();
-      if (parameters.method != "modal recursion" && kept > 2e8)
-        throw InputError(
-            "Modal convolution/Memory asks for more than 200 million samples of the Green's functions: "
-            "give a shorter one or take the modal recursion.");
-      return create_response(parameters.method, model,
-                             parameters.initial_state == "at rest" ? state_at_rest(model)
-                                                                   : state_in_equilibrium(model),
-                             settings);
-    }
-
-    void run_one(const unsigned int n_steps, const double *heights, double *displacements, double *forces)
-    {
-      closed_points += response->advance_in_contact(n_steps, heights, displacements, forces);
-      if (!std::isfinite(response->free_displacement()[0]))
-        throw ConvergenceError(
-            "The motion is no longer finite: take a shorter Time step or another Force shape.");
-    }
-
-    void run_many(const unsigned int n_steps, const double *heights, double *displacements, double *forces)
-    {
-      const double *const free = response->free_displacement();
-      for (unsigned int k = 0; k < n_steps; ++k, heights += n, displacements += n, forces += n)
-      {
-        for (unsigned int i = 0; i < n; ++i)
-          displacements[i] = free[i] - heights[i];
-        contact.solve(displacements, forces);
-        for (unsigned int i = 0; i < n; ++i)
-          displacements[i] += heights[i];
-        response->advance(forces);
-        closed_points += contact.n_closed();
-        residual = std::max(residual, contact.residual());
-      }
-      iterations = contact.corrections();
-    }
-
-    const unsigned int n;
-    const double step, sliding_speed;
-    const ContactSolverParameters &solver_parameters;
-    ContactProblem problem;
-    const bool is_linear, is_common;
-  };
-
   ModalConvolution::ModalConvolution(const ModalConvolutionParameters &parameters,
                                      const ContactSolverParameters &solver, const PoleModel &model,
                                      const Road &road, const double mu)
@@ -293,11 +123,32 @@ namespace vibrocontact
       last_tangential_displacement.assign(displacement.begin() + n_points, displacement.end());
       last_tangential_force.assign(n_points, 0.);
     }
+    residual.assign(n_points, 0.);
+    for (unsigned int i = 0; i < n_points && model.residual.m() > 0; ++i)
+      residual[i] = model.residual(i, i);
+    is_rigid = has_rigid_points();
     if (parameters.is_event_located())
-      events = std::make_unique<EventLocated>(model, state, road, 1e300);
+      events = std::make_unique<EventLocated>(model, state, road, parameters.longest_piece);
     else
-      stepper =
-          std::make_unique<Stepper>(parameters, solver, model, n_points, last_step, mu, road.sliding_speed());
+    {
+      stepper = std::make_unique<RoadStepper>(parameters, solver, model, n_points, last_step, mu,
+                                              road.sliding_speed());
+      for (unsigned int i = 0; i < n_points; ++i)
+        stiffness.push_back(1 / stepper->response->compliance()(i, i));
+      last_height.resize(n_points);
+      road.heights(0, last_height.data());
+      older_displacement = last_displacement;
+      older_gap.assign(n_points, 0.);
+      if (parameters.error_estimate && ModalEnergy::applies(model))
+      {
+        modal_work =
+            std::make_unique<SteppedModalWork>(model, state, time_step, force_shape(parameters.force_shape));
+        results.work.has_modes = true;
+        results.work.initial = modal_work->initial_energy();
+      }
+    }
+    if (parameters.error_estimate)
+      begin_second_march(solver, model, mu);
   }
 
   ModalConvolution::~ModalConvolution() = default;
@@ -307,6 +158,8 @@ namespace vibrocontact
     const unsigned int n = std::min<unsigned long>(n_steps, last_step - results.steps);
     if (n > 0)
       events ? advance_events(n, observe) : advance_steps(n, observe);
+    if (n > 0 && second)
+      advance_second_march();
     return results.steps < last_step;
   }
 
@@ -322,6 +175,7 @@ namespace vibrocontact
           for (unsigned int k = 0; k < n_steps; ++k)
             road.heights((results.steps + k + 1) * time_step, heights.data() + (k + 1) * n_points);
         });
+    std::copy(last_height.begin(), last_height.end(), heights.begin());
     std::copy(last_displacement.begin(), last_displacement.end(), displacements.begin());
     std::copy(last_force.begin(), last_force.end(), forces.begin());
     if (has_friction)
@@ -343,6 +197,9 @@ namespace vibrocontact
             stepper->run(n_steps, heights.data() + n_points, displacements.data() + n_points,
                          forces.data() + n_points);
         });
+    check_steps_of_the_road(n_steps);
+    account(n_steps);
+    look_between_steps(n_steps);
     add_up(n_steps);
     find_events(n_steps, forces.data() + n_points);
 
@@ -354,7 +211,8 @@ namespace vibrocontact
                                      n_points,
                                      time_step,
                                      displacements.data() + first * n_points,
-                                     forces.data() + first_force * n_points};
+                                     forces.data() + first_force * n_points,
+                                     heights.data() + first * n_points};
       if (has_friction)
       {
         lines.tangential_displacement = tangential_displacements.data() + first * n_points;
@@ -371,6 +229,10 @@ namespace vibrocontact
         show(0, 1, 0, 0);
       show(results.steps + 1, n_steps, 1, 1);
     }
+    std::copy_n(heights.begin() + n_steps * n_points, n_points, last_height.begin());
+    std::copy_n(displacements.begin() + (n_steps - 1) * n_points, n_points, older_displacement.begin());
+    for (unsigned int i = 0; i < n_points; ++i)
+      older_gap[i] = older_displacement[i] - heights[(n_steps - 1) * n_points + i];
     std::copy_n(displacements.begin() + n_steps * n_points, n_points, last_displacement.begin());
     std::copy_n(forces.begin() + n_steps * n_points, n_points, last_force.begin());
     if (has_friction)
@@ -386,7 +248,15 @@ namespace vibrocontact
   void ModalConvolution::add_up(const unsigned int n_steps)
   {
     const bool linear = force_shape(parameters.force_shape) == ForceShape::linear;
+    // the newest step that the second march has as well, and its own second one
+    const unsigned int stride = !second || steps_ratio < 2 ? 1 : second->second ? 4 : 2;
+    const unsigned long common = (results.steps + n_steps) / stride * stride;
+    double jump = is_rigid ? road.next_jump(results.steps * time_step) : HUGE_VAL;
     for (unsigned int k = 0; k < n_steps; ++k)
+    {
+      double whole = 0, whole_before = 0;
+      if (is_rigid)
+        watch_impulses(k, jump);
       for (unsigned int i = 0; i < n_points; ++i)
       {
         const unsigned int before = k * n_points + i, now = before + n_points;
@@ -394,14 +264,45 @@ namespace vibrocontact
         { return time_step * (linear ? 0.5 * (force[now] + force[before]) : force[now]); };
         results.impulse[i] += impulse(forces);
         results.largest_force = std::max(results.largest_force, forces[now]);
+        const bool counts = residual[i] > 0 || impulse_steps == 0;
+        whole += counts ? forces[now] : 0.;
+        whole_before += counts ? forces[before] : 0.;
         if (has_friction)
           results.tangential_impulse[i] += impulse(tangential_forces);
       }
+      results.square_integral +=
+          time_step *
+          (linear ? (whole * whole + whole * whole_before + whole_before * whole_before) / 3 : whole * whole);
+      impulse_steps -= impulse_steps > 0;
+      if (second && results.steps + k + 1 == common)
+      {
+        compared = sums();
+        compared.steps = common;
+      }
+    }
     results.closed_points = stepper->closed_points;
     results.corrections = stepper->iterations;
     results.residual = stepper->residual;
     results.dissipation = stepper->dissipation;
     results.sticking_points = stepper->sticking_points;
+    results.work.friction = results.dissipation;
+  }
+
+  void ModalConvolution::watch_impulses(const unsigned int k, double &jump)
+  {
+    // a stepped impact takes two steps; points of a dense table are no kinks
+    bool begins = false;
+    for (unsigned int i = 0; i < n_points; ++i)
+      begins =
+          begins || (residual[i] == 0 && forces[(k + 1) * n_points + i] > 0 && forces[k * n_points + i] == 0);
+    for (const double end = (results.steps + k + 1) * time_step; jump <= end;)
+    {
+      const double next = road.next_jump(jump);
+      begins = begins || next - jump > 8 * time_step;
+      jump = next;
+    }
+    if (begins)
+      impulse_steps = 2;
   }
 
   void ModalConvolution::find_events(const unsigned int n_steps, const double *force)
@@ -425,9 +326,10 @@ namespace vibrocontact
   {
     displacements.assign((n_steps + 1) * n_points, 0.);
     forces.assign((n_steps + 1) * n_points, 0.);
+    heights.assign((n_steps + 1) * n_points, 0.);
     unsigned long line = results.steps == 0 ? 0 : results.steps + 1;
     const unsigned long first = line, last = results.steps + n_steps;
-    std::vector<double> times, places, u, q;
+    std::vector<double> times, places, shown, u, q;
     results.seconds += seconds_of(
         [&]
         {
@@ -443,6 +345,10 @@ namespace vibrocontact
                               times.push_back(std::clamp(line * time_step, piece.begin, piece.end));
                             for (unsigned int i = 0; i < n_points; ++i)
                             {
+                              shown.resize(times.size());
+                              road.heights(i, times.data(), times.size(), shown.data());
+                              for (std::size_t k = 0; k < shown.size(); ++k)
+                                heights[(begin + k) * n_points + i] = shown[k];
                               places = times;
                               piece.values(i, places, u, q);
                               for (std::size_t k = 0; k < u.size(); ++k)
@@ -457,12 +363,14 @@ namespace vibrocontact
                           });
         });
     observe({first, static_cast<unsigned int>(line - first), n_points, time_step, displacements.data(),
-             forces.data()});
+             forces.data(), heights.data()});
     const auto append = [](std::vector<ContactEvent> &to, const std::vector<ContactEvent> &from)
     { to.insert(to.end(), from.begin() + to.size(), from.end()); };
     append(results.impacts, events->impacts);
     append(results.releases, events->releases);
     results.impulse = events->impulse;
+    results.square_integral = events->square_integral;
+    results.work = events->work();
     results.steps += n_steps;
     results.time = results.steps * time_step;
   }
@@ -484,8 +392,18 @@ namespace vibrocontact
     file("last/displacement", last_displacement);
     file("last/force", last_force);
     file("last/closed", was_closed);
+    file("result/square_integral", r.square_integral);
+    file("result/unseen_square_integral", r.unseen_square_integral);
     if (stepper)
     {
+      file("last/height", last_height);
+      file("last/impulse_steps", impulse_steps);
+      file("last/older_displacement", older_displacement);
+      file("last/older_gap", older_gap);
+      r.work.exchange(file);
+      if (modal_work)
+        modal_work->exchange(file);
+      show_modal_work();
       stepper->response->exchange(file);
       stepper->contact.exchange(file);
       file("stepper/closed_points", stepper->closed_points);
@@ -503,6 +421,10 @@ namespace vibrocontact
       r.sticking_points = stepper->sticking_points;
     }
     if (events)
+    {
       events->exchange(file);
+      r.work = events->work();
+    }
+    exchange_second_march(file);
   }
 } // namespace vibrocontact

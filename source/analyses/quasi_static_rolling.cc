@@ -12,9 +12,11 @@ namespace vibrocontact
     const auto list = [](const double low, const double high = Double::max_double_value)
     { return List(Double(low, high), 0, 10000); };
     const List positive_or_empty(Double(1e-30, 1e15), 0, 1);
-    prm.add_parameter("Normal force", normal_force,
-                      "Resultant normal force, or empty if the hub displacement is given. Units: N.",
-                      positive_or_empty);
+    prm.add_parameter(
+        "Normal force", normal_force,
+        "Resultant normal force, or empty if the hub displacement is given. In a modal convolution "
+        "that with which a flat road presses at rest, in place of Road/Indentation. Units: N.",
+        positive_or_empty);
     prm.add_parameter("Hub displacement", hub_displacement,
                       "Downward displacement of the hub of body 1 (approach of half-spaces) from the "
                       "position in which the bodies touch "

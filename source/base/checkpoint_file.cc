@@ -7,9 +7,9 @@ namespace vibrocontact
   void CheckpointFile::operator()(const std::string &name, std::vector<double> &values)
   {
     if (writer)
-      writer->write(name, values);
+      writer->write(prefix + name, values);
     else
-      values = reader->numbers(name);
+      values = reader->numbers(prefix + name);
   }
 
   void CheckpointFile::operator()(const std::string &name, DenseVector &values)
@@ -23,16 +23,16 @@ namespace vibrocontact
   void CheckpointFile::operator()(const std::string &name, std::string &text)
   {
     if (writer)
-      writer->write(name, text);
+      writer->write(prefix + name, text);
     else
-      text = reader->text(name);
+      text = reader->text(prefix + name);
   }
 
   void CheckpointFile::exchange(const std::string &name, std::vector<int> &values)
   {
     if (writer)
-      writer->write(name, values);
+      writer->write(prefix + name, values);
     else
-      values = reader->integers(name);
+      values = reader->integers(prefix + name);
   }
 } // namespace vibrocontact

@@ -1,73 +1,37 @@
+#include <vibrocontact/numerics/chebyshev_fit.h>
+#include <vibrocontact/numerics/first_fall.h>
 #include <vibrocontact/numerics/piecewise_polynomial.h>
 #include <vibrocontact/numerics/polynomial.h>
 #include <vibrocontact/numerics/wide_loops.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vibrocontact
 {
   namespace
   {
     constexpr unsigned int n = PiecewisePolynomial::n_coefficients;
-    const double pi = std::acos(-1.);
-
-    /// cos(pi j (i + 1/2) / n)
-    struct Cosines
-    {
-      Cosines()
-      {
-        for (unsigned int j = 0; j < n; ++j)
-          for (unsigned int i = 0; i < n; ++i)
-            values[j][i] = std::cos(pi * j * (i + 0.5) / n);
-      }
-      double values[n][n];
-    };
-    const Cosines cosines;
-
-    /// Coefficients of Chebyshev polynomials of the interpolant in the n Chebyshev points.
-    std::array<double, n> chebyshev(const std::array<double, n> &values)
-    {
-      std::array<double, n> c{};
-      for (unsigned int j = 0; j < n; ++j)
-      {
-        for (unsigned int i = 0; i < n; ++i)
-          c[j] += values[i] * cosines.values[j][i];
-        c[j] *= (j == 0 ? 1. : 2.) / n;
-      }
-      return c;
-    }
-
-    std::array<double, n> powers(const std::array<double, n> &c)
-    {
-      // T_(j+1) = 2 y T_j - T_(j-1)
-      std::array<double, n> before{}, now{}, result{};
-      before[0] = 1;
-      now[1] = 1;
-      for (unsigned int i = 0; i < n; ++i)
-        result[i] = c[0] * before[i] + c[1] * now[i];
-      for (unsigned int j = 2; j < n; ++j)
-      {
-        std::array<double, n> next{};
-        for (unsigned int i = 0; i < n; ++i)
-          next[i] = (i > 0 ? 2 * now[i - 1] : 0.) - before[i];
-        before = now;
-        now = next;
-        for (unsigned int i = 0; i < n; ++i)
-          result[i] += c[j] * now[i];
-      }
-      return result;
-    }
   } // namespace
 
   PiecewisePolynomial::PiecewisePolynomial(const std::function<double(double)> &f, const double begin,
-                                           const double end, const double length)
+                                           const double end, const double length,
+                                           const std::vector<double> &breaks)
   {
-    const unsigned int n_first = std::max(1., std::ceil((end - begin) / length));
-    double scale = 0;
-    for (unsigned int k = 0; k < n_first; ++k)
-      approximate(f, begin + (end - begin) * k / n_first, begin + (end - begin) * (k + 1) / n_first,
-                  1e-6 * length, scale);
+    double scale = 0, from = begin;
+    const auto append = [&](const double to)
+    {
+      const unsigned int n_first = std::max(1., std::ceil((to - from) / length));
+      for (unsigned int k = 0; k < n_first; ++k)
+        approximate(f, from + (to - from) * k / n_first,
+                    k + 1 == n_first ? to : from + (to - from) * (k + 1) / n_first, 1e-6 * length, scale);
+      from = to;
+    };
+    for (const double place : breaks)
+      if (place > from && place < end)
+        append(place);
+    append(end);
     ends.push_back(end);
     index();
   }
@@ -75,26 +39,15 @@ namespace vibrocontact
   void PiecewisePolynomial::approximate(const std::function<double(double)> &f, const double begin,
                                         const double end, const double shortest, double &scale)
   {
-    std::array<double, n> values;
-    for (unsigned int i = 0; i < n; ++i)
-    {
-      values[i] = f(0.5 * (begin + end) + 0.5 * (end - begin) * cosines.values[1][i]);
-      scale = std::max(scale, std::abs(values[i]));
-    }
-    const std::array<double, n> c = chebyshev(values);
-    // f is not known better than its argument
-    double slope = 0;
-    for (unsigned int j = 1; j < n; ++j)
-      slope += j * j * std::abs(c[j]) * 2 / (end - begin);
-    const double rounding = 1e-14 * scale + 1e-15 * std::max(std::abs(begin), std::abs(end)) * slope;
-    if (std::abs(c[n - 1]) + std::abs(c[n - 2]) > rounding && end - begin > shortest)
+    const ChebyshevFit fit(f, begin, end, scale);
+    if (!fit.resolved() && end - begin > shortest)
     {
       approximate(f, begin, 0.5 * (begin + end), shortest, scale);
       approximate(f, 0.5 * (begin + end), end, shortest, scale);
       return;
     }
     ends.push_back(begin);
-    pieces.push_back(powers(c));
+    pieces.push_back(fit.powers());
   }
 
   PiecewisePolynomial PiecewisePolynomial::lines(const std::vector<double> &x, const std::vector<double> &y)
@@ -131,6 +84,46 @@ namespace vibrocontact
       result.pieces.push_back(
           Piece{{0.5 * (y[k] + y[k + 1]) - 0.5 * s * mean, 0.5 * (y[k + 1] - y[k]) - s * slope / 6,
                  0.5 * s * mean, s * slope / 6}});
+    }
+    result.index();
+    return result;
+  }
+
+  PiecewisePolynomial PiecewisePolynomial::monotone(const std::vector<double> &x,
+                                                    const std::vector<double> &y)
+  {
+    const std::size_t m = x.size();
+    std::vector<double> h(m - 1), secant(m - 1), slope(m, 0.);
+    for (std::size_t k = 0; k + 1 < m; ++k)
+    {
+      h[k] = x[k + 1] - x[k];
+      secant[k] = (y[k + 1] - y[k]) / h[k];
+    }
+    for (std::size_t k = 1; k + 1 < m; ++k)
+      if (secant[k - 1] * secant[k] > 0)
+      {
+        const double left = 2 * h[k] + h[k - 1], right = h[k] + 2 * h[k - 1];
+        slope[k] = (left + right) / (left / secant[k - 1] + right / secant[k]);
+      }
+    // at an end by three points, not beyond what keeps the first interval monotone
+    const auto at_end = [](const double h0, const double h1, const double s0, const double s1)
+    {
+      const double value = ((2 * h0 + h1) * s0 - h0 * s1) / (h0 + h1);
+      if (value * s0 <= 0)
+        return 0.;
+      return s0 * s1 < 0 && std::abs(value) > 3 * std::abs(s0) ? 3 * s0 : value;
+    };
+    slope[0] = m > 2 ? at_end(h[0], h[1], secant[0], secant[1]) : secant[0];
+    slope[m - 1] = m > 2 ? at_end(h[m - 2], h[m - 3], secant[m - 2], secant[m - 3]) : secant[0];
+    PiecewisePolynomial result;
+    result.ends = x;
+    for (std::size_t k = 0; k + 1 < m; ++k)
+    {
+      // Hermite's cubic in eta from -1 to 1
+      const double mean = 0.5 * (y[k] + y[k + 1]), rise = 0.5 * (y[k + 1] - y[k]), a = 0.5 * h[k] * slope[k],
+                   b = 0.5 * h[k] * slope[k + 1];
+      result.pieces.push_back(Piece{
+          {mean - 0.25 * (b - a), 1.5 * rise - 0.25 * (a + b), 0.25 * (b - a), 0.25 * (a + b) - 0.5 * rise}});
     }
     result.index();
     return result;
@@ -214,7 +207,48 @@ namespace vibrocontact
 
   PiecewisePolynomial::Value PiecewisePolynomial::at(const double x) const
   {
+    return of_piece(find(x), x);
+  }
+
+  PiecewisePolynomial::Value PiecewisePolynomial::before(const double x) const
+  {
     const unsigned int k = find(x);
+    return of_piece(k > 0 && x <= ends[k] + join_rounding() ? k - 1 : k, x);
+  }
+
+  PiecewisePolynomial::Value PiecewisePolynomial::after(const double x) const
+  {
+    const unsigned int k = find(x);
+    return of_piece(k + 1 < pieces.size() && x >= ends[k + 1] - join_rounding() ? k + 1 : k, x);
+  }
+
+  double PiecewisePolynomial::join_rounding() const
+  {
+    return 1e-14 * std::max(std::abs(ends.front()), std::abs(ends.back()));
+  }
+
+  double PiecewisePolynomial::first_reach(const double value) const
+  {
+    const auto end_value = [&](const std::size_t k) { return polynomial(pieces[k].data(), n, 1.); };
+    std::size_t low = 0, high = pieces.size();
+    while (low < high)
+    {
+      const std::size_t middle = (low + high) / 2;
+      if (end_value(middle) < value)
+        low = middle + 1;
+      else
+        high = middle;
+    }
+    if (low == pieces.size())
+      return std::numeric_limits<double>::infinity();
+    const auto left_over = [&](const double y)
+    { return polynomial(pieces[low].data(), n, 2 * y - 1) - value; };
+    const double place = left_over(0) >= 0 ? 0. : root_between(left_over, 0., 1.);
+    return ends[low] + place * (ends[low + 1] - ends[low]);
+  }
+
+  PiecewisePolynomial::Value PiecewisePolynomial::of_piece(const unsigned int k, const double x) const
+  {
     const Piece &piece = pieces[k];
     const double per_half = 2 / (ends[k + 1] - ends[k]);
     const double y = (2 * x - ends[k] - ends[k + 1]) / (ends[k + 1] - ends[k]);

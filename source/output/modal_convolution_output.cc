@@ -15,8 +15,8 @@ namespace vibrocontact
     std::vector<std::string> quantities(const bool friction)
     {
       if (friction)
-        return {"displacement_m", "force_N", "tangential_displacement_m", "tangential_force_N"};
-      return {"displacement_m", "force_N"};
+        return {"displacement_m", "force_N", "road_m", "tangential_displacement_m", "tangential_force_N"};
+      return {"displacement_m", "force_N", "road_m"};
     }
 
     std::string point_name(const unsigned int i)
@@ -38,7 +38,7 @@ namespace vibrocontact
                                                    const unsigned int n_points, const std::string &folder)
       : every(std::max(1l, std::lround(parameters.history_interval / parameters.time_step))),
         friction(parameters.friction), rows(folder + "/histories", columns(n_points, friction)),
-        row(1 + (friction ? 4 : 2) * n_points)
+        row(1 + quantities(friction).size() * n_points)
   {
   }
 
@@ -52,13 +52,14 @@ namespace vibrocontact
       for (unsigned int i = 0; i < lines.n_points; ++i)
       {
         const unsigned int place = k * lines.n_points + i;
-        double *const own = &row[1 + (friction ? 4 : 2) * i];
+        double *const own = &row[1 + (friction ? 5 : 3) * i];
         own[0] = lines.displacement[place];
         own[1] = lines.force[place];
+        own[2] = lines.road[place];
         if (friction)
         {
-          own[2] = lines.tangential_displacement[place];
-          own[3] = lines.tangential_force[place];
+          own[3] = lines.tangential_displacement[place];
+          own[4] = lines.tangential_force[place];
         }
       }
       rows.add(row);
@@ -77,7 +78,9 @@ namespace vibrocontact
     std::vector<std::string>
         names = quantities(friction),
         notes = {"displacement of body 1 > 0 away from the road, tread compression included; force > 0 is "
-                 "compression"};
+                 "compression",
+                 "road: its height under the point, loading and indentation included, less the shape of "
+                 "body 1; they touch where the displacement is the same"};
     if (friction)
       notes.push_back("tangential: along the road, > 0 forward; force on body 1");
     for (unsigned int i = 0; i < n_points; ++i)
@@ -92,9 +95,14 @@ namespace vibrocontact
       }
       lines.insert(lines.end(), notes.begin(), notes.end());
       Table table(head, lines);
+      std::vector<Table::Cell> line(head.size());
       for (std::size_t k = 0; k < time.size(); ++k)
-        friction ? table.add_row({time[k], values[0][k], values[1][k], values[2][k], values[3][k]})
-                 : table.add_row({time[k], values[0][k], values[1][k]});
+      {
+        line[0].emplace<double>(time[k]);
+        for (std::size_t j = 0; j < values.size(); ++j)
+          line[j + 1].emplace<double>(values[j][k]);
+        table.add_row(line);
+      }
       table.write(folder + "/contact_point_" + std::to_string(i) + ".csv");
     }
   }
@@ -175,8 +183,20 @@ namespace vibrocontact
                  {"n_releases", result.releases.size()},
                  {"impulse_Ns", result.impulse},
                  {"largest_force_N", result.largest_force},
+                 {"rms_force_N", result.rms_force()},
                  {"closed_points_mean", result.closed_points / steps},
                  {"histories", "histories.h5"}};
+    const WorkAccount &work = result.work;
+    json["energy"] = {{"input_J", work.input},
+                      {"returned_J", work.returned},
+                      {"impacts_J", work.impacts},
+                      {"friction_J", work.friction},
+                      {"body_J", work.work()}};
+    if (work.has_modes)
+      json["energy"].update({{"initial_J", work.initial},
+                             {"stored_J", work.stored},
+                             {"damping_J", work.damping},
+                             {"imbalance_J", work.imbalance()}});
     if (is_contact_iterated(parameters, result.impulse.size()))
     {
       json["corrections_per_step"] = result.corrections / steps;

@@ -1,8 +1,10 @@
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/unilateral_contact.h>
 #include <vibrocontact/response/event_located.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace vibrocontact
 {
@@ -31,7 +33,47 @@ namespace vibrocontact
     }
   } // namespace
 
-  void EventLocated::touch(const std::vector<unsigned int> &touching)
+  void EventLocated::pass_jump()
+  {
+    // what a profile is known to, where its pieces meet, in parts of the largest height and rate so far
+    constexpr double height_rounding = 1e-9, kink_rounding = 1e-8;
+    std::vector<unsigned int> touching;
+    bool bent = false;
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const PiecewisePolynomial::Value before = road.before(i, now), after = road.after(i, now);
+      height_scale = std::max(height_scale, std::abs(after.value));
+      const double step = after.value - before.value, rounding = height_rounding * height_scale,
+                   gap = displacement(i, 0) - after.value;
+      if (step > rounding && (is_closed[i] || gap < -rounding))
+      {
+        std::ostringstream text;
+        text << "The road steps up by " << (is_closed[i] ? step : -gap) << " m into contact point " << i
+             << " at t = " << now << " s (" << road.distance(now)
+             << " m), which is rigid, so that no finite impulse follows it: give the step a ramp, or the "
+                "body a "
+                "tread and a stepping method.";
+        throw InputError(text.str());
+      }
+      if (is_closed[i] && step < -rounding)
+      {
+        releases.push_back({now, i});
+        is_closed[i] = just_open[i] = 0;
+        closed.erase(std::find(closed.begin(), closed.end(), i));
+      }
+      else if (is_closed[i])
+        bent = bent || before.first != after.first || before.second != after.second;
+      else if (!just_open[i] && gap <= smallest_gap() && displacement(i, 1) < after.first)
+        touching.push_back(i);
+    }
+    invert_closed();
+    if (bent || !touching.empty())
+      touch(touching, kink_rounding * rate_scale);
+    else
+      project();
+  }
+
+  void EventLocated::touch(const std::vector<unsigned int> &touching, const double least_rate)
   {
     std::vector<unsigned int> points = closed;
     points.insert(points.end(), touching.begin(), touching.end());
@@ -40,12 +82,14 @@ namespace vibrocontact
     std::vector<double> approach(m), jump(m);
     for (unsigned int i = 0; i < m; ++i)
     {
-      const double rate = displacement(points[i], 1), road_rate = road.at(points[i], now).first;
+      const double rate = displacement(points[i], 1), road_rate = road.after(points[i], now).first;
       approach[i] = rate - road_rate;
       rate_scale = std::max({rate_scale, std::abs(rate), std::abs(road_rate)});
     }
     // points that rock bounce ever more often in a finite time; once their flights are too short to be seen, they rest
-    const double rounding = std::pow(10., std::min(stuck, 8u)) * rate_rounding * rate_scale;
+    const double rounding =
+        std::max(least_rate, std::pow(10., std::min(stuck, 8u)) * rate_rounding * rate_scale);
+    const std::vector<double> before = approach;
     solve_contact(first, points, approach, jump);
     std::vector<unsigned int> candidates;
     for (unsigned int i = 0; i < m; ++i)
@@ -57,6 +101,8 @@ namespace vibrocontact
         if (jump[i] * first(point, point) > rounding)
           impacts.push_back({now, point, jump[i]});
         impulse[point] += jump[i];
+        account_so_far.add_power(jump[i] * road.after(point, now).first);
+        account_so_far.impacts -= 0.5 * jump[i] * (before[i] + approach[i]);
         for (unsigned int k = 0; k < n_poles; ++k)
           z[k] += model.left(point, k) * jump[i];
       }
@@ -81,7 +127,7 @@ namespace vibrocontact
     {
       std::vector<double> acceleration(m), force(m);
       for (unsigned int i = 0; i < m; ++i)
-        acceleration[i] = displacement(candidates[i], 2) - road.at(candidates[i], now).second;
+        acceleration[i] = displacement(candidates[i], 2) - road.after(candidates[i], now).second;
       solve_contact(first, candidates, acceleration, force);
       for (unsigned int i = 0; i < m; ++i)
       {
@@ -119,7 +165,7 @@ namespace vibrocontact
     std::vector<double> alpha(m, 0.), beta(m, 0.);
     std::vector<PiecewisePolynomial::Value> wanted;
     for (const unsigned int point : closed)
-      wanted.push_back(road.at(point, now));
+      wanted.push_back(road.after(point, now));
     for (unsigned int pass = 0; pass < 2 && m > 0; ++pass)
     {
       std::fill(alpha.begin(), alpha.end(), 0.);

@@ -56,7 +56,7 @@ namespace vibrocontact
                              const double longest_piece)
       : impulse(model.n_rows(), 0.), model(model), road(road), n(model.n_rows()), n_poles(model.n_poles()),
         piece(longest_piece), first(initial_derivative(model, 1)), second(initial_derivative(model, 2)),
-        z(state), is_closed(n, 0), just_open(n, 0), series(model, road)
+        z(state), is_closed(n, 0), just_open(n, 0), series(model, road), modes(model)
   {
     if (model.residual.m() > 0 && model.residual.linfty_norm() > 0)
       throw InputError(
@@ -79,11 +79,18 @@ namespace vibrocontact
           "positive definite, which it is not: leave out contact points, keep more modes or identify "
           "the body with that condition.");
     smooth_length = piece = std::min(piece, 2 / fastest);
+    account_so_far.has_modes = ModalEnergy::applies(model);
+    if (account_so_far.has_modes)
+      account_so_far.initial = modes.energy(modes.from_equilibrium(z));
+    if (!road.singular().empty())
+      throw InputError(road.singular() +
+                       ", which no impulse follows: give the profile a finite slope, or the "
+                       "body a tread and a stepping method.");
 
     std::vector<unsigned int> touching;
     for (unsigned int i = 0; i < n; ++i)
     {
-      const double height = road.height(i, 0), distance = displacement(i, 0) - height;
+      const double height = road.after(i, 0).value, distance = displacement(i, 0) - height;
       height_scale = std::max(height_scale, std::abs(height));
       const double rounding = smallest_gap();
       if (distance < -rounding)
@@ -124,13 +131,18 @@ namespace vibrocontact
     const double *const u = series.displacement(i);
     const unsigned int n_orders = series.n_orders();
     const double length = series.length();
+    // the piece may begin and end where the road jumps
+    const PiecewisePolynomial::Value first_road = road.after(i, now),
+                                     last_road = road.before(i, now + length);
     // what has just opened begins with a gap of zero but for rounding
-    const double offset = just_open[i] ? u[0] - road.height(i, now) : 0.;
+    const double offset = just_open[i] ? u[0] - first_road.value : 0.;
     std::array<double, FallSamples::n> values, times, heights;
     for (unsigned int k = 0; k < FallSamples::n; ++k)
       times[k] = now + FallSamples::x[k] * length;
     wide_polynomial(u, n_orders, FallSamples::x.data(), values.data(), FallSamples::n);
     road.heights(i, times.data(), FallSamples::n, heights.data());
+    heights.front() = first_road.value;
+    heights.back() = last_road.value;
     for (unsigned int k = 0; k < FallSamples::n; ++k)
       values[k] -= heights[k] + offset;
     if (just_open[i])
@@ -138,9 +150,17 @@ namespace vibrocontact
     return first_fall(
         values,
         [&](const double x)
-        { return polynomial(u, n_orders, x) - road.height(i, now + x * length) - offset; },
+        {
+          const double height = x < 1 ? road.height(i, now + x * length) : last_road.value;
+          return polynomial(u, n_orders, x) - height - offset;
+        },
         [&](const double x)
-        { return polynomial_slope(u, n_orders, x) - length * road.at(i, now + x * length).first; },
+        {
+          const double rate = x <= 0  ? first_road.first
+                              : x < 1 ? road.at(i, now + x * length).first
+                                      : last_road.first;
+          return polynomial_slope(u, n_orders, x) - length * rate;
+        },
         smallest_gap());
   }
 
@@ -163,7 +183,7 @@ namespace vibrocontact
   {
     while (now < end)
     {
-      const double target = std::min(end, road.next_jump(now));
+      const double jump = road.next_jump(now), target = std::min(end, jump);
       double length = std::min(piece, target - now);
       if (!closed.empty())
         length = std::min(length, smooth_length);
@@ -197,12 +217,14 @@ namespace vibrocontact
         observe({begin, begin + x * length, series, is_closed});
         for (const unsigned int i : closed)
           impulse[i] += series.impulse(i, x);
+        account(x);
         series.state(x, z);
         now = event ? begin + x * length : begin + length;
         if (!event && length == target - begin)
           now = target;
       }
-      stuck = x * length > 1e-6 * piece ? 0 : stuck + 1;
+      if (event || x * length > 1e-6 * piece)
+        stuck = x * length > 1e-6 * piece ? 0 : stuck + 1;
       if (stuck > 1000)
       {
         std::ostringstream text;
@@ -215,7 +237,7 @@ namespace vibrocontact
           just_open[i] = 0;
       if (!event)
       {
-        project();
+        now == jump ? pass_jump() : project();
         continue;
       }
       if (is_closed[point])
@@ -231,11 +253,47 @@ namespace vibrocontact
       // points that touch at the same time, by symmetry for instance
       std::vector<unsigned int> touching;
       for (unsigned int i = 0; i < n; ++i)
-        if (i == point ||
-            (!is_closed[i] && !just_open[i] && displacement(i, 0) - road.height(i, now) <= smallest_gap()))
+        if (i == point || (!is_closed[i] && !just_open[i] &&
+                           displacement(i, 0) - road.after(i, now).value <= smallest_gap()))
           touching.push_back(i);
       touch(touching);
     }
+  }
+
+  void EventLocated::account(const double x)
+  {
+    // Gauss's rule of eight points, on [0, 1]
+    constexpr std::array<double, 4> offset = {{0.0917173212478249, 0.262766204958164, 0.398333238706813,
+                                               0.480144928248768}},
+                                    weight = {{0.181341891689181, 0.156853322938944, 0.111190517226687,
+                                               0.0506142681451881}};
+    for (unsigned int k = 0; k < 8; ++k)
+    {
+      const double place = x * (0.5 + (k % 2 == 0 ? 1 : -1) * offset[k / 2]),
+                   duration = x * series.length() * weight[k / 2];
+      double sum = 0, power = 0;
+      for (const unsigned int i : closed)
+      {
+        const double force = polynomial(series.force(i), series.n_orders(), place);
+        sum += force;
+        power += force * polynomial_slope(series.displacement(i), series.n_orders(), place) / series.length();
+      }
+      square_integral += duration * sum * sum;
+      account_so_far.add_power(duration * power);
+      if (account_so_far.has_modes)
+      {
+        series.state(place, inner);
+        account_so_far.damping += duration * modes.damping_power(modes.from_equilibrium(inner));
+      }
+    }
+    account_so_far.least_work = std::min(account_so_far.least_work, account_so_far.work());
+  }
+
+  const WorkAccount &EventLocated::work()
+  {
+    if (account_so_far.has_modes)
+      account_so_far.stored = modes.energy(modes.from_equilibrium(z));
+    return account_so_far;
   }
 
   void EventLocated::exchange(CheckpointFile &file)
@@ -258,6 +316,8 @@ namespace vibrocontact
     file("events/is_closed", is_closed);
     file("events/just_open", just_open);
     file("events/impulse", impulse);
+    file("events/square_integral", square_integral);
+    account_so_far.exchange(file);
     vibrocontact::exchange(file, "events/impacts", impacts);
     vibrocontact::exchange(file, "events/releases", releases);
     invert_closed();

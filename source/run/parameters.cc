@@ -469,6 +469,9 @@ namespace vibrocontact
       modal_convolution.check();
       comparison.check();
       check_road_friction(*this);
+      if (!rolling.normal_force.empty() && road.indentation != 0)
+        throw InputError("Rolling/Normal force and Road/Indentation are both given, but one follows from the "
+                         "other: leave one of them out.");
       for (const BodyParameters &body : scene.bodies)
       {
         const auto further = comparison.further_bodies.find(body.name);

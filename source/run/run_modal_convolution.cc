@@ -5,7 +5,9 @@
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/output/modal_convolution_output.h>
 #include <vibrocontact/reduction/ring_poles.h>
+#include <vibrocontact/response/static_load.h>
 #include <vibrocontact/run/checkpoint.h>
+#include <vibrocontact/run/judge_road_march.h>
 #include <vibrocontact/run/run_identification.h>
 #include <vibrocontact/run/run_method_comparison.h>
 #include <vibrocontact/run/run_modal_convolution.h>
@@ -13,6 +15,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -43,6 +46,21 @@ namespace vibrocontact
           residual(i, j) = sign(i) * sign(j) * body.residual_flexibility(i, j);
       }
       return pole_model(body.omega, body.damping_ratio, trace, body.modal_load, residual, body.labels);
+    }
+
+    /// Data of rolling bodies are not.
+    bool is_reciprocal(const PoleModel &model)
+    {
+      for (unsigned int k = 0; k < model.n_poles(); ++k)
+        for (unsigned int i = 0; i < model.n_rows(); ++i)
+          for (unsigned int j = 0; j < i; ++j)
+          {
+            const auto one = model.right(i, k) * model.left(j, k),
+                       other = model.right(j, k) * model.left(i, k);
+            if (std::abs(one - other) > 1e-6 * std::max(std::abs(one), std::abs(other)))
+              return false;
+          }
+      return true;
     }
 
     std::string checkpoint_name(const std::string &folder)
@@ -153,12 +171,13 @@ namespace vibrocontact
     const BodyParameters &body = parameters.scene.bodies[number];
     const bool friction = parameters.modal_convolution.friction;
     if (body.type == "oscillator")
-      return {oscillator_poles(body.oscillator, friction), {0.}, {0.}};
+      return {oscillator_poles(body.oscillator, friction), {0.}, {0.}, true};
     PoleBody result;
     if (body.type == "identified")
     {
       const IdentifiedParameters &own = body.identified;
       result.poles = identified_body(parameters, body);
+      result.is_passive = !parameters.identification.rolling && is_reciprocal(result.poles);
       result.places = own.positions.empty() ? std::vector<double>{0.} : own.positions;
       result.shapes = own.positions.empty() ? std::vector<double>{0.} : own.heights();
       return result;
@@ -175,6 +194,7 @@ namespace vibrocontact
         // a ring that rolls forward turns backwards in its own coordinate
         const double rotation = body.ring.rolling ? -road.speed / body.ring.radius : 0;
         result.poles = ring_poles(body.ring, ring_rows(body.ring, friction), rotation);
+        result.is_passive = rotation == 0;
         return result;
       }
     }
@@ -195,6 +215,15 @@ namespace vibrocontact
     return result;
   }
 
+  RoadParameters road_of(const Parameters &parameters, const PoleBody &body)
+  {
+    RoadParameters road = parameters.road;
+    if (!parameters.rolling.normal_force.empty())
+      road.indentation =
+          indentation_of_load(body.poles, body.shapes, parameters.rolling.normal_force.front());
+    return road;
+  }
+
   void run_modal_convolution(const Parameters &parameters, const MeshedBodies &bodies,
                              const std::string &folder, const bool resume, Results &results)
   {
@@ -205,7 +234,14 @@ namespace vibrocontact
     const unsigned int n_points = body.places.size();
     run_log().value("contact points", n_points);
     run_log().value("method", own.method);
-    const Road road(parameters.road, body.places, body.shapes, own.end_time);
+    const RoadParameters road_parameters = road_of(parameters, body);
+    const bool by_force = !parameters.rolling.normal_force.empty();
+    if (by_force)
+    {
+      run_log().value("load on a flat road", parameters.rolling.normal_force.front(), "N");
+      run_log().value("indentation for it", road_parameters.indentation * 1e3, "mm");
+    }
+    const Road road(road_parameters, body.places, body.shapes, own.end_time);
     ModalConvolution motion(own, parameters.contact_solver, body.poles, road, parameters.contact.friction);
 
     const bool first = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
@@ -283,6 +319,9 @@ namespace vibrocontact
       scale_damping(reduced, parameters.modes.at(parameters.scene.bodies[0].name));
       say_residual_damping(parameters, {&reduced}, 0., {}, "modal_convolution", results);
     }
+    json["indentation_m"] = road_parameters.indentation;
+    if (by_force)
+      json["static_normal_force_N"] = parameters.rolling.normal_force.front();
     on_first_rank(
         [&]
         {
@@ -298,6 +337,7 @@ namespace vibrocontact
           }
         });
     print(own, result);
+    judge_road_march(own, motion, body.is_passive, message.empty() && results.stopped_by == 0, json, results);
     if (!message.empty())
     {
       std::ostringstream text;

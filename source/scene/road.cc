@@ -1,7 +1,9 @@
 #include <vibrocontact/base/csv_table.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/expression.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_file.h>
+#include <vibrocontact/numerics/chebyshev_fit.h>
 #include <vibrocontact/scene/road.h>
 
 #include <algorithm>
@@ -16,7 +18,22 @@ namespace vibrocontact
   namespace
   {
     const double pi = std::acos(-1.);
-  }
+
+    /// steps of the height below it are none [m]
+    constexpr double least_step = 1e-12;
+
+    FunctionBreaks breaks_of(const std::function<double(double)> &f, const double begin, const double end,
+                             const double length, const std::string &entry, const std::string &variable,
+                             const std::string &unit)
+    {
+      const FunctionBreaks found = find_breaks(f, begin, end, length);
+      if (found.rough)
+        throw InputError(entry + " is not smooth nearly anywhere between " + variable + " = " +
+                         number_text(begin) + " and " + number_text(end) + " " + unit +
+                         " (noise, or ever faster swings): give a table in its place.");
+      return found;
+    }
+  } // namespace
 
   void RoadParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
@@ -33,9 +50,15 @@ namespace vibrocontact
         Anything());
     prm.add_parameter(
         "Table", table,
-        "CSV file with the columns position_m and height_m, a cubic spline in between; it has to cover "
-        "the way and the contact points. Units: none.",
+        "CSV file with the columns position_m and height_m; it has to cover the way and the contact "
+        "points. Units: none.",
         FileName());
+    prm.add_parameter(
+        "Table interpolation", interpolation,
+        "Between the points of the table: natural spline (smooth, but it swings beside steps and bends), "
+        "linear (with kinks, which a rigid contact feels as impacts) or monotone (cubics without swings, "
+        "never beyond the points). Units: none.",
+        Selection("natural spline|linear|monotone"));
     prm.add_parameter("Class", iso_class, "Roughness class of ISO 8608. Units: none.",
                       Selection("A|B|C|D|E|F|G|H"));
     prm.add_parameter("First wavenumber", first_wavenumber,
@@ -85,6 +108,9 @@ namespace vibrocontact
     if (profile != "table" && !table.empty())
       throw InputError("Road/Table is given, but Road/Profile is " + profile +
                        ": set it to table, or leave the table out.");
+    if (profile != "table" && interpolation != RoadParameters().interpolation)
+      throw InputError("Road/Table interpolation is given, but Road/Profile is " + profile +
+                       ": set it to table, or leave the interpolation out.");
     if (profile == "table" && table.empty())
       throw InputError("Road/Profile is table, but Road/Table is empty: name a file.");
     if (!speed_expression.empty() && !speed_table.empty())
@@ -109,6 +135,7 @@ namespace vibrocontact
       return;
     const auto [first, last] = std::minmax_element(places.begin(), places.end());
     make_profile(parameters, *first, *last + distance(end_time));
+    find_steps();
   }
 
   void Road::make_speed(const RoadParameters &parameters, const double end_time)
@@ -117,10 +144,12 @@ namespace vibrocontact
       return;
     PiecewisePolynomial velocity;
     if (!parameters.speed_expression.empty())
-      velocity =
-          PiecewisePolynomial(read_expression(parameters.speed_expression, "t", "Road/Speed expression",
-                                              "the time t in s: write for instance 10+2*t"),
-                              0, end_time, end_time / 4);
+    {
+      const auto given = read_expression(parameters.speed_expression, "t", "Road/Speed expression",
+                                         "the time t in s: write for instance 10+2*t");
+      jumps = breaks_of(given, 0, end_time, end_time / 64, "Road/Speed expression", "t", "s").places;
+      velocity = PiecewisePolynomial(given, 0, end_time, end_time / 4, jumps);
+    }
     else
     {
       const CsvTable file = read_csv_file(parameters.speed_table, "Road/Speed table");
@@ -155,7 +184,11 @@ namespace vibrocontact
       const LinearTable checked("The road of the table \"" + parameters.table + "\"", x, z);
       checked(begin);
       checked(end);
-      profile = PiecewisePolynomial::spline(x, z);
+      profile = parameters.interpolation == "linear"     ? PiecewisePolynomial::lines(x, z)
+                : parameters.interpolation == "monotone" ? PiecewisePolynomial::monotone(x, z)
+                                                         : PiecewisePolynomial::spline(x, z);
+      if (parameters.interpolation != "natural spline")
+        breaks.assign(x.begin() + 1, x.end() - 1);
       return;
     }
     // a point road still needs an interval
@@ -172,7 +205,14 @@ namespace vibrocontact
           text << "Road/Expression is no finite number at s = " << begin + (last - begin) * k / 1000 << " m.";
           throw InputError(text.str());
         }
-      profile = PiecewisePolynomial(height, begin, last, std::max((last - begin) / 64, 1e-4));
+      // long enough for 200,000 intervals
+      const double length = std::max(std::clamp((last - begin) / 64, 1e-4, 5e-3), 5e-6 * (last - begin));
+      const FunctionBreaks found = breaks_of(height, begin, last, length, "Road/Expression", "s", "m");
+      breaks = found.places;
+      if (!found.singular.empty())
+        singular_place =
+            "Road/Expression has no finite slope at s = " + number_text(found.singular[0]) + " m";
+      profile = PiecewisePolynomial(height, begin, last, length, breaks);
       return;
     }
     const unsigned int number = parameters.iso_class[0] - 'A';
@@ -208,10 +248,39 @@ namespace vibrocontact
         begin, last, 0.5 / parameters.last_wavenumber);
   }
 
+  void Road::find_steps()
+  {
+    for (const double place : breaks)
+      if (profile.after(place).value - profile.before(place).value > least_step)
+        steps_up.push_back(place);
+  }
+
+  double Road::time_of(const std::vector<double> &positions, const unsigned int point, const double t) const
+  {
+    const double here = distance(t) + places[point], later = t * (1 + 1e-15);
+    for (auto next = std::lower_bound(positions.begin(), positions.end(), here - 1e-14 * std::abs(here));
+         next != positions.end(); ++next)
+    {
+      const double way = *next - places[point];
+      const double time = travelled.empty() ? way / speed : travelled.first_reach(way);
+      if (time > later)
+        return time;
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+
   double Road::next_jump(const double t) const
   {
     const auto next = std::upper_bound(jumps.begin(), jumps.end(), t);
-    return next == jumps.end() ? std::numeric_limits<double>::infinity() : *next;
+    double time = next == jumps.end() ? std::numeric_limits<double>::infinity() : *next;
+    for (unsigned int i = 0; i < places.size() && !breaks.empty(); ++i)
+      time = std::min(time, time_of(breaks, i, t));
+    return time;
+  }
+
+  double Road::next_step_up(const unsigned int point, const double t) const
+  {
+    return time_of(steps_up, point, t);
   }
 
   double Road::loading(const double t) const
@@ -244,19 +313,42 @@ namespace vibrocontact
       result[i] = r * (indentation + (profile.empty() ? 0. : profile.value(s + places[i]))) - shapes[i];
   }
 
+  double Road::profile_height(const unsigned int point, const double t) const
+  {
+    return profile.empty() ? 0. : profile.value(distance(t) + places[point]);
+  }
+
   PiecewisePolynomial::Value Road::at(const unsigned int point, const double t) const
+  {
+    return side(point, t, &PiecewisePolynomial::at, t >= loading_time);
+  }
+
+  PiecewisePolynomial::Value Road::before(const unsigned int point, const double t) const
+  {
+    return side(point, t, &PiecewisePolynomial::before, t > loading_time || loading_time == 0);
+  }
+
+  PiecewisePolynomial::Value Road::after(const unsigned int point, const double t) const
+  {
+    return side(point, t, &PiecewisePolynomial::after, t >= loading_time);
+  }
+
+  PiecewisePolynomial::Value Road::side(const unsigned int point, const double t,
+                                        PiecewisePolynomial::Value (PiecewisePolynomial::*const of)(double)
+                                            const,
+                                        const bool is_loaded) const
   {
     PiecewisePolynomial::Value z = {0, 0, 0};
     if (!profile.empty())
     {
       PiecewisePolynomial::Value s = {speed * t, speed, 0};
       if (!travelled.empty())
-        s = travelled.at(t);
-      const PiecewisePolynomial::Value p = profile.at(s.value + places[point]);
+        s = (travelled.*of)(t);
+      const PiecewisePolynomial::Value p = (profile.*of)(s.value + places[point]);
       z = {p.value, p.first * s.first, p.second * s.first * s.first + p.first * s.second};
     }
     z.value += indentation;
-    if (t < loading_time)
+    if (!is_loaded)
     {
       const double w = pi / loading_time, r = 0.5 * (1 - std::cos(w * t)), r1 = 0.5 * w * std::sin(w * t),
                    r2 = 0.5 * w * w * std::cos(w * t);

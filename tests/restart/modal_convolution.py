@@ -27,8 +27,9 @@ def content(folder):
     with h5py.File(folder + "/histories.h5") as file:
         columns = {name: file[name][:].tolist() for name in file}
     analysis = json.load(open(folder + "/results.json"))["analyses"]["modal_convolution"]
-    for name in ("impacts", "releases", "impulse_Ns", "steps"):
-        columns[name] = analysis[name]
+    for name in ("impacts", "releases", "impulse_Ns", "steps", "estimated_error", "estimated_error_rms_force", "rms_force_N",
+                 "unseen_road_share", "energy"):
+        columns[name] = analysis.get(name)
     return columns
 
 

@@ -3,11 +3,14 @@
 #include <vibrocontact/contact/contact_solver.h>
 #include <vibrocontact/response/event_located.h>
 #include <vibrocontact/response/response.h>
+#include <vibrocontact/response/work_account.h>
 #include <vibrocontact/scene/road.h>
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <cmath>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,10 +36,30 @@ namespace vibrocontact
     double history_interval = 0;
     /// [s] of wall time, 0: none but the last
     double checkpoint_interval = 600;
+    /// whether a second march tells the error of the steps
+    bool error_estimate = true;
+    /// no entry: of the event-located method, shortened where poles ask for it [s]
+    double longest_piece = 1e300;
 
     void declare_parameters(dealii::ParameterHandler &prm);
     void check() const;
     bool is_event_located() const { return method == "event located"; }
+  };
+
+  /// What a second march tells about the error of a run (numerics/doubled_step.h).
+  struct RoadMarchErrors
+  {
+    /// until which they are known, 0: not at all [s]
+    double time = 0;
+    /// of the impulse of all points together (with friction the larger of both components, relative to both together), of the
+    /// rms of their normal force, relative [-]
+    double impulse = 0, rms_force = 0;
+    /// the largest error of one point's impulse over the largest of them [-]
+    double worst_point = 0;
+    /// processor time of the second march [s]
+    double seconds = 0;
+    /// why it ended early, if it did
+    std::string failure;
   };
 
   /// What a run has been through.
@@ -59,6 +82,17 @@ namespace vibrocontact
     /// sums over the steps: closed points, corrections of the closed set; largest residual of the contact
     unsigned long closed_points = 0, corrections = 0;
     double residual = 0;
+    /// of the normal force of all points together, squared, over time [N^2 s]; of rigid points without impacts and kinks, as
+    /// the rms of impulses has no limit
+    double square_integral = 0;
+    /// the same of what the road between the steps would add to the force
+    double unseen_square_integral = 0;
+    WorkAccount work;
+    RoadMarchErrors errors;
+
+    double rms_force() const { return time > 0 ? std::sqrt(square_integral / time) : 0.; }
+    /// share of the rms force that lies in waves of the road which the steps do not see [-]
+    double unseen_share() const;
   };
 
   /// Some steps of a run, for whoever writes them. Lines belong to times t_k = k h, k = first_line, ...: the
@@ -70,9 +104,13 @@ namespace vibrocontact
     unsigned int n_lines, n_points;
     double time_step;
     const double *displacement, *force;
+    /// u_r there
+    const double *road;
     /// with friction, else null: forward
     const double *tangential_displacement = nullptr, *tangential_force = nullptr;
   };
+
+  class RoadStepper;
 
   /// A body known by its poles on a road, in steps of h: u = u_free + (B + S) q with 0 <= q perp u - u_r >= 0 at the end
   /// of every step (response/response.h, contact/unilateral_contact.h), or from event to event
@@ -96,10 +134,31 @@ namespace vibrocontact
 
     const ModalConvolutionResult &result() const { return results; }
     unsigned long n_steps() const { return last_step; }
+    /// What the second march is; empty without one.
+    std::string second_march() const;
     void exchange(CheckpointFile &file);
 
   private:
-    class Stepper;
+    /// Sums that are compared with those of the second march.
+    struct Sums
+    {
+      unsigned long steps = 0;
+      std::vector<double> impulse, tangential_impulse;
+      double square_integral = 0;
+    };
+
+    void begin_second_march(const ContactSolverParameters &solver, const PoleModel &model, double mu);
+    void advance_second_march();
+    void compare_second_march();
+    void exchange_second_march(CheckpointFile &file);
+    Sums sums() const;
+    /// whether some point has no compliance but that of the body's poles
+    bool has_rigid_points() const;
+    void check_steps_of_the_road(unsigned int n_steps) const;
+    void look_between_steps(unsigned int n_steps);
+    void account(unsigned int n_steps);
+    void show_modal_work();
+    void watch_impulses(unsigned int k, double &jump);
     void advance_steps(unsigned int n_steps, const Observer &observe);
     void advance_events(unsigned int n_steps, const Observer &observe);
     void find_events(unsigned int n_steps, const double *force);
@@ -111,10 +170,23 @@ namespace vibrocontact
     const double time_step;
     unsigned long last_step;
     ModalConvolutionResult results;
-    std::unique_ptr<Stepper> stepper;
+    std::unique_ptr<RoadStepper> stepper;
     std::unique_ptr<EventLocated> events;
-    /// of the last line so far; whether points were closed
-    std::vector<double> last_displacement, last_force;
+    /// the second march and its parameters, in twice the steps, in half of them where forces would ring in twice, or
+    /// (event located) in other pieces; steps of this one per step of that; the sums at its newest step
+    std::unique_ptr<ModalConvolutionParameters> second_parameters;
+    std::unique_ptr<ModalConvolution> second;
+    double steps_ratio = 2;
+    Sums compared;
+    /// S_ii; 1 / (B + S)_ii [m/N, N/m]
+    std::vector<double> residual, stiffness;
+    /// whether some S_ii is zero; then steps that an impact or a kink still fills with its impulse
+    bool is_rigid = false;
+    unsigned int impulse_steps = 0;
+    std::unique_ptr<SteppedModalWork> modal_work;
+    /// of the last line so far; whether points were closed; the road's height there, and the displacement and gap of the
+    /// line before it
+    std::vector<double> last_displacement, last_force, last_height, older_displacement, older_gap;
     std::vector<char> was_closed;
     std::vector<double> heights, displacements, forces;
     /// along the road, with friction: the last line so far, then lines like those above

@@ -24,6 +24,13 @@ namespace vibrocontact
     explicit CheckpointFile(Hdf5Reader &reader) : reader(&reader) {}
 
     bool reading() const { return reader != nullptr; }
+    /// The same file, all names below this group: of two things with the same members.
+    CheckpointFile group(const std::string &name) const
+    {
+      CheckpointFile result = *this;
+      result.prefix += name + "/";
+      return result;
+    }
 
     void operator()(const std::string &name, std::vector<double> &values);
     void operator()(const std::string &name, DenseVector &values);
@@ -56,5 +63,6 @@ namespace vibrocontact
 
     Hdf5Writer *writer = nullptr;
     Hdf5Reader *reader = nullptr;
+    std::string prefix;
   };
 } // namespace vibrocontact

@@ -11,4 +11,11 @@ namespace vibrocontact
   /// depends on the run. sqrt(3) is right within a factor of sqrt(3) for both. Relative to the larger of both
   /// numbers, 0 if both are 0. Not finite numbers give infinity.
   double doubled_step_error(double fine, double coarse);
+
+  /// The same with a third march in steps of 4 h, of X(h) - X = a h + b h^2, whatever a and b are:
+  ///
+  ///   X(h) - X = 1/3 [X(2h) - X(4h)] - 5/3 [X(h) - X(2h)]
+  ///
+  /// but not below half of what the first two tell, where both differences happen to cancel.
+  double doubled_step_error(double fine, double coarse, double coarsest);
 } // namespace vibrocontact

@@ -20,11 +20,16 @@ namespace vibrocontact
 
     PiecewisePolynomial() = default;
     /// Interpolates f in Chebyshev points on intervals that are halved until the last coefficients are rounding
-    /// (1e-14 of the largest value), or the interval is 1e-6 of `length`, as at a kink.
-    /// @param length of the first intervals
-    PiecewisePolynomial(const std::function<double(double)> &f, double begin, double end, double length);
+    /// (numerics/chebyshev_fit.h), or the interval is 1e-6 of `length`, as where f is singular.
+    /// @param length of the first intervals; @param breaks ascending, where intervals have to end (find_breaks())
+    PiecewisePolynomial(const std::function<double(double)> &f, double begin, double end, double length,
+                        const std::vector<double> &breaks = {});
     /// Natural cubic spline through points, x ascending: two continuous derivatives.
     static PiecewisePolynomial spline(const std::vector<double> &x, const std::vector<double> &y);
+    /// Cubics through points that are monotone wherever the points are, with one continuous derivative: at each point the
+    /// weighted harmonic mean of the slopes beside it, zero at a turn (Fritsch & Butland, SIAM J. Sci. Stat. Comput. 5
+    /// (1984) 300).
+    static PiecewisePolynomial monotone(const std::vector<double> &x, const std::vector<double> &y);
     /// Straight lines between points.
     static PiecewisePolynomial lines(const std::vector<double> &x, const std::vector<double> &y);
 
@@ -35,6 +40,11 @@ namespace vibrocontact
     /// at m ascending places
     void values(const double *x, std::size_t m, double *result) const;
     Value at(double x) const;
+    /// At the end of one piece and the beginning of the next, of the one or the other; x may be off it by rounding.
+    Value before(double x) const;
+    Value after(double x) const;
+    /// First x with this value, of a function that does not fall; infinite if there is none.
+    double first_reach(double value) const;
     double begin() const { return ends.front(); }
     double end() const { return ends.back(); }
     bool empty() const { return pieces.empty(); }
@@ -46,6 +56,8 @@ namespace vibrocontact
                      double &scale);
     void index();
     unsigned int find(double x) const;
+    Value of_piece(unsigned int k, double x) const;
+    double join_rounding() const;
 
     /// piece k is sum_j pieces[k][j] y^j, y from -1 to 1 between ends[k] and ends[k + 1]
     std::vector<double> ends;

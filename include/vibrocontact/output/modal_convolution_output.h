@@ -10,7 +10,7 @@
 namespace vibrocontact
 {
   /// Histories of a modal convolution: histories.h5 with one array per column, `time_s`, then per contact point
-  /// `point_<i>_displacement_m`, `point_<i>_force_N`, with friction also `point_<i>_tangential_displacement_m`,
+  /// `point_<i>_displacement_m`, `point_<i>_force_N`, `point_<i>_road_m`, with friction also `point_<i>_tangential_displacement_m`,
   /// `point_<i>_tangential_force_N`. A line every history interval.
   class ModalConvolutionHistory
   {
@@ -29,7 +29,7 @@ namespace vibrocontact
     std::vector<double> row;
   };
 
-  /// histories.h5 as contact_point_<i>.csv: time_s, displacement_m, force_N, with friction also
+  /// histories.h5 as contact_point_<i>.csv: time_s, displacement_m, force_N, road_m, with friction also
   /// tangential_displacement_m, tangential_force_N. @throws OutputError
   void write_point_tables(const std::string &folder, unsigned int n_points, bool friction);
 

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/base/checkpoint_file.h>
 #include <vibrocontact/response/piece_series.h>
+#include <vibrocontact/response/work_account.h>
 
 #include <functional>
 #include <string>
@@ -32,6 +33,8 @@ namespace vibrocontact
   ///            z += left J; for one point J = (u_r' - v) / g'(0). Then the closed points are those with q > 0 in
   ///            0 <= q perp u'' - u_r'' >= 0: a touch with a negative force after it is an impact and an immediate release
   ///   release  q_i = 0 from above
+  ///   kink     u_r' jumps at a closed point: upwards an impact with J as at a touch, downwards a release (v > u_r' after it)
+  ///   step     u_r jumps: down at a closed point a release; up into a point an input error, as no finite J follows it
   ///
   /// What rounding leaves in u_i - u_r,i and its rate is removed after every piece, along left and Lambda left; with
   /// one pole this is the closed form. (doc/modal_convolution.md, event-located motion.)
@@ -57,24 +60,31 @@ namespace vibrocontact
 
     /// @param longest_piece h [s]; shortened where the fastest pole asks for it
     /// @throws InputError if the body has a residual flexibility, or g(0) is not zero, or g'(0) is not positive
-    /// definite, or it begins inside the road
+    /// definite, or it begins inside the road, or the road has no finite slope somewhere
     EventLocated(const PoleModel &model, const std::vector<std::complex<double>> &state, const Road &road,
                  double longest_piece);
 
-    /// Moves to the time `end`. @throws ConvergenceError if events do not stop following each other
+    /// Moves to the time `end`. @throws ConvergenceError if events do not stop following each other; InputError if the road
+    /// steps up into a point
     void advance(double end, const Observer &observe);
 
     double time() const { return now; }
     std::vector<ContactEvent> impacts, releases;
     /// of each point so far, impacts included [N s]
     std::vector<double> impulse;
+    /// of the force of all points together between impacts, squared, over time [N^2 s]
+    double square_integral = 0;
+    /// `stored` is that of now
+    const WorkAccount &work();
     void exchange(CheckpointFile &file);
 
   private:
     using Complex = std::complex<double>;
 
     void find_closed_forces(const std::vector<unsigned int> &candidates);
-    void touch(const std::vector<unsigned int> &touching);
+    void touch(const std::vector<unsigned int> &touching, double least_rate = 0);
+    void pass_jump();
+    void account(double x);
     void project();
     double first_touch(unsigned int i) const;
     double first_release(unsigned int i) const;
@@ -101,5 +111,8 @@ namespace vibrocontact
     /// events so far without time between them
     unsigned int stuck = 0;
     PieceSeries series;
+    ModalEnergy modes;
+    WorkAccount account_so_far;
+    std::vector<Complex> inner;
   };
 } // namespace vibrocontact

@@ -16,8 +16,8 @@ namespace vibrocontact
     std::string profile = "flat";
     /// height [m] as an expression of the position s along the road [m]
     std::string expression;
-    /// CSV: position_m, height_m
-    std::string table;
+    /// CSV: position_m, height_m; between its points a natural spline, linear or monotone
+    std::string table, interpolation = "natural spline";
     /// A to H, and the wavenumbers of its waves [1/m]; the defaults are the deterministic road of
     /// doc/theory.md, corrections to the tyre paper
     std::string iso_class = "A";
@@ -44,10 +44,13 @@ namespace vibrocontact
   /// x_i: place of the point [m], forward; shape_i: height of body 1's surface there when it is undeformed [m].
   /// The contact opens where the body's displacement u_i exceeds u_r,i.
   ///
-  /// Profiles z: an expression; a table, by its natural cubic spline, since a rigid contact would feel kinks as
-  /// impacts; ISO 8608 (2016) classes A to H, Phi(n) = 4^(1 + number) 4e-6 m^3 (n / 0.1 1/m)^-2 with A = 0: the sum of
+  /// Profiles z: an expression; a table, by its natural cubic spline (smooth, but it swings beside steps of the table), by
+  /// straight lines (with kinks) or by monotone cubics (no swings, steps of the curvature); ISO 8608 (2016) classes A to H, Phi(n) = 4^(1 + number) 4e-6 m^3 (n / 0.1 1/m)^-2 with A = 0: the sum of
   /// waves a_k cos(2 pi n_k x + phi_k), a_k = sqrt(2 Phi(n_k) dn), phi_k = 2 pi s_k / 2^32 by the generator
   /// s_k = (1664525 s_(k-1) + 1013904223) mod 2^32, s_(-1) = seed, the same on every machine.
+  ///
+  /// A kink of the profile (and a step of the speed) is a step of the rates of u_r, a step of the profile one of u_r. They
+  /// are found in expressions (numerics/chebyshev_fit.h) and known of tables; before() and after() are the limits there.
   class Road
   {
   public:
@@ -58,6 +61,9 @@ namespace vibrocontact
 
     /// u_r with its two derivatives in time [m, m/s, m/s^2]
     PiecewisePolynomial::Value at(unsigned int point, double t) const;
+    /// The same at next_jump(), from before and from after it.
+    PiecewisePolynomial::Value before(unsigned int point, double t) const;
+    PiecewisePolynomial::Value after(unsigned int point, double t) const;
     double height(unsigned int point, double t) const;
     /// of one point at n ascending times [m]
     void heights(unsigned int point, const double *t, unsigned int n, double *result) const;
@@ -66,9 +72,17 @@ namespace vibrocontact
     unsigned int n_points() const { return places.size(); }
     /// of the contact points over the road [m/s]
     double sliding_speed() const { return sliding; }
-    /// The next time > t at which the acceleration of the heights may jump (end of the loading, a kink of the speed's
-    /// table); infinite if there is none.
+    /// The next time > t at which the height of some point, its rate or acceleration may jump (a break of the profile, of
+    /// the speed, the end of the loading); infinite if there is none.
     double next_jump(double t) const;
+    /// The next time > t at which a point meets a step upwards; infinite if there is none.
+    double next_step_up(unsigned int point, double t) const;
+    /// Where the profile has no finite slope, its entry in front; empty if it is smooth but for steps and kinks.
+    const std::string &singular() const { return singular_place; }
+    /// Whether the profile is not flat.
+    bool has_profile() const { return !profile.empty(); }
+    /// z(s(t) + x_i), without loading, indentation and shape [m]
+    double profile_height(unsigned int point, double t) const;
     /// [m]
     double distance(double t) const { return travelled.empty() ? speed * t : travelled.value(t); }
 
@@ -76,6 +90,11 @@ namespace vibrocontact
     void make_speed(const RoadParameters &parameters, double end_time);
     void make_profile(const RoadParameters &parameters, double begin, double end);
     double loading(double t) const;
+    void find_steps();
+    double time_of(const std::vector<double> &positions, unsigned int point, double t) const;
+    PiecewisePolynomial::Value side(unsigned int point, double t,
+                                    PiecewisePolynomial::Value (PiecewisePolynomial::*of)(double) const,
+                                    bool is_loaded) const;
 
     const std::vector<double> places, shapes;
     const double speed, indentation, loading_time, sliding;
@@ -83,5 +102,8 @@ namespace vibrocontact
     PiecewisePolynomial profile, travelled;
     /// ascending [s]
     std::vector<double> jumps;
+    /// where the profile, its slope or curvature jumps; where it steps up; ascending [m]
+    std::vector<double> breaks, steps_up;
+    std::string singular_place;
   };
 } // namespace vibrocontact

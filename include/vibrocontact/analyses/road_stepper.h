@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vibrocontact/analyses/modal_convolution.h>
+#include <vibrocontact/contact/contact_problem.h>
+#include <vibrocontact/contact/unilateral_contact.h>
+#include <vibrocontact/response/response.h>
+
+#include <memory>
+
+namespace vibrocontact
+{
+  /// The steps of a modal convolution at any number of points: response and contact.
+  class RoadStepper
+  {
+  public:
+    /// @throws InputError if the body cannot be in contact in this way. The solver's parameters are referred to.
+    RoadStepper(const ModalConvolutionParameters &parameters,
+                const ContactSolverParameters &solver_parameters, const PoleModel &model,
+                unsigned int n_points, unsigned long n_steps, double mu, double sliding_speed);
+
+    /// Without friction. @param heights, displacements, forces n_points per step
+    void run(unsigned int n_steps, const double *heights, double *displacements, double *forces);
+    /// By the common solvers. @param tangential_displacements, tangential_forces as the others, the line that the first
+    /// step begins with in front of them; null without friction
+    void run_common(unsigned int n_steps, const double *heights, double *displacements, double *forces,
+                    double *tangential_displacements, double *tangential_forces);
+
+    std::unique_ptr<Response> response;
+    UnilateralContact contact;
+    unsigned long closed_points = 0, sticking_points = 0, iterations = 0;
+    double residual = 0, dissipation = 0;
+
+  private:
+    void run_one(unsigned int n_steps, const double *heights, double *displacements, double *forces);
+    void run_many(unsigned int n_steps, const double *heights, double *displacements, double *forces);
+
+    const unsigned int n;
+    const double step, sliding_speed;
+    const ContactSolverParameters &solver_parameters;
+    ContactProblem problem;
+    const bool is_linear, is_common;
+  };
+} // namespace vibrocontact
