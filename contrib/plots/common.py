@@ -96,14 +96,14 @@ def friction_factor(folder, speed):
 LONG = 4000
 
 
-def plot_line(axis, time, values, color=None, label=None, lw=0.9):
+def plot_line(axis, time, values, color=None, label=None, lw=0.9, ls="-"):
     """A signal; a long one by the band between the least and the largest value of each of 1000 pieces, with its mean."""
     pieces = len(values) // (LONG // 4)
     if len(values) <= LONG:
-        return axis.plot(time, values, color=color, label=label, lw=lw)
+        return axis.plot(time, values, color=color, label=label, lw=lw, ls=ls)
     n = len(values) // pieces * pieces
     parts = np.asarray(values)[:n].reshape(-1, pieces)
     middle = np.asarray(time)[:n:pieces]
-    line, = axis.plot(middle, parts.mean(axis=1), color=color, label=label, lw=lw)
+    line, = axis.plot(middle, parts.mean(axis=1), color=color, label=label, lw=lw, ls=ls)
     axis.fill_between(middle, parts.min(axis=1), parts.max(axis=1), color=line.get_color(), alpha=0.25, lw=0)
     return [line]

@@ -17,7 +17,7 @@ namespace vibrocontact
     /// of the longest that the poles allow: pieces of the event-located second march
     constexpr double shorter_pieces = 0.6;
 
-    double total(const std::vector<double> &values)
+    double sum_of_points(const std::vector<double> &values)
     {
       return std::accumulate(values.begin(), values.end(), 0.);
     }
@@ -140,11 +140,12 @@ namespace vibrocontact
       return share * largest / size * (events ? std::sqrt(3.) : steps_ratio < 1 ? std::sqrt(8.) : 1);
     };
     const auto force = [&](const Sums &sums)
-    { return std::hypot(total(sums.impulse), total(sums.tangential_impulse)); };
+    { return std::hypot(sum_of_points(sums.impulse), sum_of_points(sums.tangential_impulse)); };
     const double whole = std::max(force(one), force(two));
-    errors.impulse = std::max(error(total(one.impulse), total(two.impulse), total(coarsest.impulse), whole),
-                              error(total(one.tangential_impulse), total(two.tangential_impulse),
-                                    total(coarsest.tangential_impulse), whole));
+    errors.impulse = std::max(
+        error(sum_of_points(one.impulse), sum_of_points(two.impulse), sum_of_points(coarsest.impulse), whole),
+        error(sum_of_points(one.tangential_impulse), sum_of_points(two.tangential_impulse),
+              sum_of_points(coarsest.tangential_impulse), whole));
     double largest = 0;
     for (unsigned int i = 0; i < n_points; ++i)
       largest = std::max({largest, std::abs(one.impulse[i]), std::abs(two.impulse[i])});

@@ -11,11 +11,11 @@ namespace vibrocontact
 {
   namespace
   {
-    constexpr unsigned int n = ChebyshevFit::n;
-
     /// cos(pi j (i + 1/2) / n)
     struct ChebyshevCosines
     {
+      static constexpr unsigned int n = ChebyshevFit::n;
+
       ChebyshevCosines()
       {
         for (unsigned int j = 0; j < n; ++j)
@@ -24,7 +24,7 @@ namespace vibrocontact
       }
       double values[n][n];
     };
-    const ChebyshevCosines cosines;
+    const ChebyshevCosines chebyshev_cosines;
   } // namespace
 
   ChebyshevFit::ChebyshevFit(const std::function<double(double)> &f, const double begin, const double end,
@@ -34,14 +34,14 @@ namespace vibrocontact
     std::array<double, n> values;
     for (unsigned int i = 0; i < n; ++i)
     {
-      values[i] = f(0.5 * (begin + end) + 0.5 * (end - begin) * cosines.values[1][i]);
+      values[i] = f(0.5 * (begin + end) + 0.5 * (end - begin) * chebyshev_cosines.values[1][i]);
       scale = std::max(scale, std::abs(values[i]));
     }
     double steepness = 0;
     for (unsigned int j = 0; j < n; ++j)
     {
       for (unsigned int i = 0; i < n; ++i)
-        c[j] += values[i] * cosines.values[j][i];
+        c[j] += values[i] * chebyshev_cosines.values[j][i];
       c[j] *= (j == 0 ? 1. : 2.) / n;
       steepness += j * j * std::abs(c[j]) * 2 / (end - begin);
     }
