@@ -123,15 +123,17 @@ namespace vibrocontact
     private:
       void divide(const double a, const double b)
       {
-        if (result.rough || (b - a <= length && ChebyshevFit(f, a, b, scale).resolved()))
+        // the outermost points have to lie outside, or a break beyond them is seen from neither side
+        const double low = std::max(begin, a - 0.005 * (b - a)), high = std::min(end, b + 0.005 * (b - a));
+        if (result.rough || (b - a <= length && ChebyshevFit(f, low, high, scale).resolved()))
           return;
         if (b - a <= shortest)
         {
           // neighbours are one
-          if (!unresolved.empty() && a <= unresolved.back().second)
-            unresolved.back().second = b;
+          if (!unresolved.empty() && low <= unresolved.back().second)
+            unresolved.back().second = high;
           else
-            unresolved.emplace_back(a, b);
+            unresolved.emplace_back(low, high);
           constexpr double most = 20000;
           result.rough = unresolved.size() > most ||
                          unresolved.back().second - unresolved.back().first > 1000 * shortest;

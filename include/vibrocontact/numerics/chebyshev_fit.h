@@ -37,8 +37,8 @@ namespace vibrocontact
   /// Where a function is not smooth.
   struct FunctionBreaks
   {
-    /// ascending: jumps of the function (exact: the first number on the right side) or of its first two derivatives (to
-    /// rounding: where what is smooth on either side meets)
+    /// ascending: jumps of the function (exact: the first number on the right side) or of its slope (to rounding: where
+    /// what is smooth on either side meets). Those of its curvature are not looked for.
     std::vector<double> places;
     /// where it is not smooth on one side either, as sqrt(x) at 0
     std::vector<double> singular;
