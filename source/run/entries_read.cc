@@ -304,16 +304,17 @@ namespace vibrocontact
 
     /// @param section Road of body 1 or of a further one
     void add_road(EntriesRead &entries, const std::string &section, const RoadParameters &road,
-                  const bool rolls, const bool friction)
+                  const bool rolls, const bool friction, const bool by_force = false)
     {
       const bool flat = road.profile == "flat", waves = road.profile == "ISO 8608";
       entries.add(section, "Profile, Expression, Table, Indentation");
+      entries.add_if(road.profile == "table", section + "/Profile is table", section, "Table interpolation");
       entries.add_if(waves, section + "/Profile is ISO 8608", section,
                      "Class, First wavenumber, Last wavenumber, Wavenumber step, Seed");
       entries.add_if(!flat || rolls, section + "/Profile is not flat", section, "Speed");
       entries.add_if(!flat, section + "/Profile is not flat", section, "Speed expression, Speed table");
-      entries.add_if(!flat || road.indentation != 0, "there is a profile or an Indentation", section,
-                     "Loading time");
+      entries.add_if(!flat || road.indentation != 0 || by_force,
+                     "there is a profile, an Indentation or a Rolling/Normal force", section, "Loading time");
       entries.add_if(friction, "Modal convolution/Friction is true", section, "Sliding speed");
     }
 
@@ -338,10 +339,14 @@ namespace vibrocontact
       add_body(entries, parameters, 0, use);
       if (bodies[0].is_meshed() && bodies[0].type != "ring")
         add_contact_grid(entries, parameters);
-      add_road(entries, "Road", parameters.road, is_rolling_ring(bodies[0]), own.friction);
+      entries.add("Rolling", "Normal force");
+      add_road(entries, "Road", parameters.road, is_rolling_ring(bodies[0]), own.friction,
+               !parameters.rolling.normal_force.empty());
 
       const bool steps = !own.is_event_located(), convolution = steps && own.method != "modal recursion";
-      entries.add(section, "Method, Time step, End time, Friction, History interval, Checkpoint interval");
+      entries.add(
+          section,
+          "Method, Time step, End time, Friction, History interval, Checkpoint interval, Error estimate");
       entries.add_if(steps, section + "/Method is no event located", section, "Force shape, Contact solver");
       entries.add_if(convolution, section + "/Method is a convolution", section, "Memory");
       entries.add_if(stands_under_loads(bodies[0]), "body 1 stands under a load", section, "Initial state");
