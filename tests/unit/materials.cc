@@ -367,7 +367,7 @@ TEST(Materials, anechoic_pieces_and_groups_are_kept_apart)
     const ElasticMaterial &material = body->model.material_of(cell->material_id());
     EXPECT_EQ(material.young_modulus, head ? bar_steel.young_modulus : bar_rubber.young_modulus)
         << cell->center();
-    EXPECT_EQ(material.loss_factor, x > 2.4   ? 1.
+    EXPECT_EQ(material.loss_factor, x > 1.8   ? 1.
                                     : x > 1.2 ? 0.1
                                     : head    ? bar_steel.loss_factor
                                               : bar_rubber.loss_factor)
