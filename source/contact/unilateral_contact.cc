@@ -38,7 +38,8 @@ namespace vibrocontact
     const double bound = std::max(symmetric.linfty_norm(), std::numeric_limits<double>::min());
     symmetric.compute_eigenvalues_symmetric(-2 * bound, 2 * bound, 2 * std::numeric_limits<double>::min(),
                                             values, vectors);
-    return values[0] / std::max(std::abs(values[values.size() - 1]), std::numeric_limits<double>::min());
+    return values[0] /
+           std::max({std::abs(values[0]), std::abs(values[n - 1]), std::numeric_limits<double>::min()});
   }
 
   UnilateralContact::UnilateralContact(const DenseMatrix &full, const std::string &where) : n(full.m())

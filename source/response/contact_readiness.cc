@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/contact/unilateral_contact.h>
 #include <vibrocontact/numerics/least_squares.h>
 #include <vibrocontact/response/contact_readiness.h>
 #include <vibrocontact/response/step_weights.h>
@@ -23,14 +24,6 @@ namespace vibrocontact
         for (unsigned int j = 0; j < matrix.n(); ++j)
           largest = std::max(largest, std::abs(matrix(i, j)));
       return largest;
-    }
-
-    double definiteness(const DenseMatrix &matrix)
-    {
-      DenseMatrix vectors;
-      const std::vector<double> values = symmetric_eigenvalues(matrix, vectors);
-      const double largest = std::max(std::abs(values.front()), std::abs(values.back()));
-      return largest > 0 ? values.front() / largest : 0;
     }
 
     /// The matrix seen by the directions in which S has no compliance; empty if there are none.

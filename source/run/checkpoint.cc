@@ -224,6 +224,8 @@ namespace vibrocontact
                {
                  exchange(file, state);
                  exchange(file, result);
+                 if (coarse)
+                   exchange(file, *coarse);
                  for (const auto &recorder : recorders)
                    recorder->exchange(file);
                  // the sum is over all that was written, which rank 0 alone has read

@@ -1,6 +1,8 @@
 # The paper's chain, frequency responses -> 25 pairs of poles -> contact, against the exact modes of the ring that the data are of.
 program=$1 examples=$3/examples
-$program $examples/tyre_from_data.prm --quiet --output data --set Output/Figures=false
+# as fitted, and made passive (the default), which takes off a little of what the fit says
+$program $examples/tyre_from_data.prm --quiet --output fitted --set Output/Figures=false --set "Identification/Enforce passivity=false"
+$program $examples/tyre_from_data.prm --quiet --output passive --set Output/Figures=false
 $program $examples/tyre_three_points.prm --quiet --output exact --set Output/Figures=false --set "tyre/Ring/Highest order=400"
 python3 - <<'PY'
 import json, math, sys
@@ -17,15 +19,16 @@ def impulse(folder):
 
 
 largest = max(max(forces("exact", point)) for point in range(3))
-for point in range(3):
-    found, exact = forces("data", point), forces("exact", point)
-    assert len(found) == len(exact) == 10001
-    error = math.sqrt(sum((a - b)**2 for a, b in zip(found, exact)) / len(exact)) / largest
-    print(f"point {point}: rms force error over the largest force {error:.2e}")
-    if not error <= 1e-3:
-        sys.exit("the forces are more than 1e-3 off")
-error = impulse("data") / impulse("exact") - 1
-print(f"impulse of the middle point off by {error:.2e}")
-if not abs(error) <= 4e-4:
-    sys.exit("the impulse is more than 4e-4 off")
+for folder, limit in (("fitted", 2e-4), ("passive", 4e-4)):
+    for point in range(3):
+        found, exact = forces(folder, point), forces("exact", point)
+        assert len(found) == len(exact) == 10001
+        error = math.sqrt(sum((a - b)**2 for a, b in zip(found, exact)) / len(exact)) / largest
+        print(f"{folder}, point {point}: rms force error over the largest force {error:.2e}")
+        if not error <= 1e-3:
+            sys.exit("the forces are more than 1e-3 off")
+    error = impulse(folder) / impulse("exact") - 1
+    print(f"{folder}: impulse of the middle point off by {error:.2e}")
+    if not abs(error) <= limit:
+        sys.exit(f"the impulse is more than {limit} off")
 PY

@@ -429,13 +429,16 @@ TEST(ResponseCurve, GapThroughZeroIntoPreload)
 // Turns one after the other without amplitude or contact changing are one fold, or none.
 TEST(ResponseCurve, TurnsOfRoundingAreNoFolds)
 {
-  const auto with_folds =
-      [](const std::vector<std::array<double, 3>> &frequency_amplitude_part, const unsigned int n_spurious)
+  struct Turn
+  {
+    double frequency, amplitude, part;
+  };
+  const auto with_folds = [](const std::vector<Turn> &turns, const unsigned int n_spurious)
   {
     ResponseCurve curve;
     curve.parameter = SceneParameter::frequency;
     curve.complete = true;
-    for (const auto &[frequency, amplitude, part] : frequency_amplitude_part)
+    for (const auto &[frequency, amplitude, part] : turns)
     {
       BranchPoint point;
       point.kind = CurvePoint::Kind::fold;
@@ -465,7 +468,7 @@ TEST(ResponseCurve, TurnsOfRoundingAreNoFolds)
             (std::vector<double>{110, 99.9}));
   EXPECT_EQ(with_folds({{110, 2, 0.3}, {109, 2, 0.31}}, 0).folds.size(), 2u);
   EXPECT_EQ(with_folds({{110, 2, 0.3}, {109, 1.99, 0.3}}, 0).folds.size(), 2u);
-  std::vector<std::array<double, 3>> many;
+  std::vector<Turn> many;
   for (unsigned int k = 0; k < 55; ++k)
     many.push_back({110 - 0.01 * k + 0.005 * (k % 2), 2 - 1e-4 * k, 0.3});
   const ResponseCurve rough = with_folds(many, 54);

@@ -73,6 +73,6 @@ namespace vibrocontact
     double last_residual = 0;
   };
 
-  /// Smallest eigenvalue of the symmetric part of M over the largest: <= 0 if x^T M x > 0 fails.
+  /// Smallest eigenvalue of the symmetric part of M over the largest modulus: <= 0 if x^T M x > 0 fails.
   double definiteness(const DenseMatrix &matrix);
 } // namespace vibrocontact
