@@ -127,7 +127,7 @@ TEST(Rail, supports_carry_the_weight_and_the_crown_is_round)
   ElasticModel<3> model;
   add_supports(model, parameters, mesh);
   EXPECT_EQ(model.springs[0].segments.size(), 2u);
-  EXPECT_DOUBLE_EQ(model.loss_factor(2), 1);
+  EXPECT_DOUBLE_EQ(model.material_of(2).loss_factor, 1);
   const ElasticBody<3> body(std::move(mesh), model, 2);
   const auto system = body.assemble(&g);
   EXPECT_EQ(system->n_rigid_modes, 0u);
