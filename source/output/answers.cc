@@ -103,15 +103,21 @@ namespace vibrocontact
       for (const auto &[name, body] : bodies.items())
       {
         const Json &maxima = list(body, "maxima"), &minima = list(body, "minima");
+        Lines said;
         if (const Json *const peak = largest(maxima, "magnitude", 1))
-          lines.push_back(text("%s: largest %s %.4g %s at %.6g Hz (%s)", name.c_str(), quantity.c_str(),
-                               number(*peak, "magnitude"), unit.c_str(), number(*peak, "frequency_Hz"),
-                               word(*peak, "point").c_str()));
+          said.push_back(text("largest %s %.4g %s at %.6g Hz (%s)", quantity.c_str(),
+                              number(*peak, "magnitude"), unit.c_str(), number(*peak, "frequency_Hz"),
+                              word(*peak, "point").c_str()));
         if (const Json *const dip = largest(minima, "magnitude", -1))
-          lines.back() += text("; smallest minimum %.4g at %.6g Hz", number(*dip, "magnitude"),
-                               number(*dip, "frequency_Hz"));
+          said.push_back(text("smallest minimum %.4g %s at %.6g Hz", number(*dip, "magnitude"), unit.c_str(),
+                              number(*dip, "frequency_Hz")));
         if (maxima.size() + minima.size() > 2)
-          lines.back() += text("; %zu maxima and %zu minima in all", maxima.size(), minima.size());
+          said.push_back(text("%zu maxima and %zu minima in all", maxima.size(), minima.size()));
+        std::string whole = name;
+        for (const std::string &part : said)
+          whole += (&part == &said.front() ? ": " : "; ") + part;
+        if (!said.empty())
+          lines.push_back(whole);
         if (is_given(body, "n_poles"))
           lines.push_back(text("%s: Green's functions of %.0f poles", name.c_str(), number(body, "n_poles")));
         double worst = 0;
