@@ -23,8 +23,8 @@ run massless_place --set Rolling/Hub=massless
 run heavy --set "Rolling/Normal force=$force" --set Rolling/Hub=suspended --set "Rolling/Suspension/Unsprung mass=1e9" "${springs[@]}"
 run light --set "Rolling/Normal force=$force" --set Rolling/Hub=suspended --set "Rolling/Suspension/Unsprung mass=1" \
   "${springs[@]}" --set "Rolling/Suspension/Damping z=100"
-run load --set Analyses=transient --set "Rolling/Normal force=$force" --set "Transient/Normal force=$force*(1+t)"
-run load_light --set Analyses=transient --set "Rolling/Normal force=$force" --set "Transient/Normal force=$force*(1+200*t)" \
+run load --set Analyses=transient --set "Transient/Normal force=$force*(1+t)"
+run load_light --set Analyses=transient --set "Transient/Normal force=$force*(1+200*t)" \
   --set Rolling/Hub=suspended --set "Rolling/Suspension/Unsprung mass=1" "${springs[@]}"
 grep -q "hub.*massless: moved by the load Transient/Normal force, so that it is not held" load.screen
 python3 - <<'END'
