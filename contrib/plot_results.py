@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """plot_results.py FOLDER: figures of a run, from results.json and the tables in its output folder.
 plot_results.py FOLDER --contact-table TABLE: the same, with tractions of the program CONTACT on top of the centre line.
+plot_results.py --scene FOLDER: the scene that --check --output FOLDER has left there, figures/scene.png.
 plot_results.py --compare FOLDER FOLDER ... [--picture compare.png]: what several runs have in common, in one picture.
 
 figures/contact_patch_<k>.png   pressure, traction and status over the patch
@@ -19,6 +20,7 @@ figures/unstable_shapes.png     deformed shapes of the unstable roots at their l
 figures/divergence_rates.png    divergence rates of the roots, as in Fig. 8
 figures/transient_force.png     tangential force with stick and slip counts, as in Fig. 13
 figures/transient_status.png    status of the contact points through a period, as in Fig. 14 (needs Patch interval)
+figures/mode_growth.png         amplitudes of the modes over time beside the growth of their roots
 figures/transient_<signal>.png  velocity of a probe and its spectrogram, as in Fig. 15
 figures/spectrum_<signal>.png    its amplitudes over frequency, peaks named by roots, modes and harmonics
 figures/modal_convolution_*.png displacements, forces and 1/3-octave bands of the force, as in Figs 2, 3, 6, 7 of Meftah & Duhamel
@@ -39,12 +41,14 @@ arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argpars
 arguments.add_argument("folder", nargs="?")
 arguments.add_argument("--contact-table")
 arguments.add_argument("--compare", nargs="+", default=[], metavar="FOLDER")
+arguments.add_argument("--scene", action="store_true")
 arguments.add_argument("--picture", default="compare.png")
 options = arguments.parse_args()
 FOLDERS = options.compare or [options.folder]
+NEEDED = "scene.json" if options.scene else "results.json"
 for one in FOLDERS:
-    if one is None or not os.path.exists(os.path.join(one, "results.json")):
-        arguments.error(f"{one} is no output folder of a run: it has no results.json")
+    if one is None or not os.path.exists(os.path.join(one, NEEDED)):
+        arguments.error(f"{one} is no output folder of a {'check' if options.scene else 'run'}: it has no {NEEDED}")
 try:
     import numpy  # noqa: F401
     import matplotlib  # noqa: F401
@@ -58,6 +62,7 @@ from plots.contact import plot_centre_line, plot_curves, plot_patch
 from plots.periodic import plot_periodic
 from plots.response import plot_frequency_response, plot_identification
 from plots.response_curve import plot_response_curve
+from plots.scene import plot_scene
 from plots.shapes import plot_modes, plot_unstable
 from plots.stability import plot_divergence, plot_sweep
 
@@ -75,10 +80,13 @@ def compare():
 
 def main():
     folder = options.folder
+    os.makedirs(os.path.join(folder, "figures"), exist_ok=True)
+    if options.scene:
+        plot_scene(folder)
+        return
     with open(os.path.join(folder, "results.json")) as file:
         results = json.load(file)
     analyses = results["analyses"]
-    os.makedirs(os.path.join(folder, "figures"), exist_ok=True)
     cases = analyses.get("quasi_static_rolling", {}).get("cases", [])
     patches = [k for k in range(len(cases)) if os.path.exists(os.path.join(folder, f"contact_patch_{k}.csv"))]
     for k in patches if len(patches) <= MAX_PATCHES else patches[:1] + patches[-1:]:

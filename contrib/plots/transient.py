@@ -8,7 +8,7 @@ import matplotlib
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import ListedColormap
 
-from plots.common import case_title, friction_factor, legend_above, LIMIT, LINE, OPEN, plot_line, save, short, SLIP, STICK, plt
+from plots.common import case_title, friction_factor, legend_above, LIMIT, LINE, OPEN, plot_line, read_table, save, short, SLIP, STICK, plt
 from plots.contact import status_legend
 from plots.shapes import read_vtu
 
@@ -200,6 +200,33 @@ def plot_spectrum(folder, name, time, values, known, title):
     save(figure, folder, f"spectrum_{name}")
 
 
+def plot_growth(folder, modes, title):
+    """Amplitudes of the modes over time, logarithmic; dashed: as the root of the linearised contact would let them grow."""
+    columns = read_table(os.path.join(folder, "mode_amplitudes.csv"))
+    time = columns["time_s"]
+    amplitudes = [columns[mode["column"]] for mode in modes]
+    highest = max((values.max() for values in amplitudes), default=0)
+    if len(time) < 2 or not highest > 0:
+        return
+    figure, axis = plt.subplots(figsize=(8, 4.5))
+    for mode, values in zip(modes, amplitudes):
+        fitted = mode.get("growth_1_s")
+        words = f"{short(mode['label'])}, {mode['frequency_Hz']:.1f} Hz: " \
+            + (f"{fitted:+.4g} 1/s" if fitted is not None else "no exponential") + f" (root {mode['root_growth_1_s']:+.4g})"
+        line, = axis.semilogy(time, np.where(values > 0, values, np.nan), lw=1, label=words)
+        begin = int(np.argmax(values > 0))
+        expected = values[begin] * np.exp(np.minimum(mode["root_growth_1_s"] * (time - time[begin]), 300))
+        shown = expected <= 3 * highest
+        axis.semilogy(time[shown], expected[shown], "--", lw=0.8, color=line.get_color())
+    axis.set_ylim(1e-8 * highest, 3 * highest)
+    axis.set_xlabel("time [s]")
+    axis.set_ylabel("velocity amplitude in the contact [m/s]")
+    axis.set_title(title, fontsize=9)
+    axis.grid(alpha=0.3)
+    axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=2, frameon=False, fontsize=8)
+    save(figure, folder, "mode_growth")
+
+
 def known_frequencies(analyses):
     """Frequencies with names: unstable roots, then modes of the bodies."""
     known = [(root["frequency_Hz"], root["label"]) for root in analyses.get("stability", {}).get("unstable", [])]
@@ -224,6 +251,8 @@ def plot_transient(folder, transient, title, known=()):
     plot_force(folder, transient, history, frames, title)
     if frames:
         plot_status(folder, frames, title)
+    if transient.get("modes") and os.path.exists(os.path.join(folder, "mode_amplitudes.csv")):
+        plot_growth(folder, transient["modes"], title)
     name = os.path.join(folder, "signals.h5")
     if os.path.exists(name):
         with h5py.File(name) as file:

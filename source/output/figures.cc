@@ -30,7 +30,7 @@ namespace vibrocontact
       return WEXITSTATUS(status);
     }
 
-    void draw(const std::string &folder)
+    void draw(const std::string &folder, const std::string &option)
     {
       const std::string script = source_directory() + "/contrib/plot_results.py";
       if (!std::filesystem::exists(script))
@@ -40,10 +40,16 @@ namespace vibrocontact
       }
       // The exit code 4 says that this Python has no matplotlib (or h5py, which histories need); Debian's own
       // may have it.
+      std::vector<std::string> command = {"", script, folder};
+      if (!option.empty())
+        command.insert(command.begin() + 2, option);
       int code = -1;
       for (const char *python : {"python3", "/usr/bin/python3"})
         if (code == -1 || code == 4 || code == 127)
-          code = run_program({python, script, folder});
+        {
+          command.front() = python;
+          code = run_program(command);
+        }
       if (code == 0)
         run_log().value("figures", folder + "/figures");
       else
@@ -54,8 +60,8 @@ namespace vibrocontact
     }
   } // namespace
 
-  void draw_figures(const std::string &folder)
+  void draw_figures(const std::string &folder, const std::string &option)
   {
-    on_first_rank([&] { draw(folder); });
+    on_first_rank([&] { draw(folder, option); });
   }
 } // namespace vibrocontact

@@ -2,6 +2,7 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/memory.h>
 #include <vibrocontact/output/results.h>
+#include <vibrocontact/output/scene_picture.h>
 #include <vibrocontact/output/scene_summary.h>
 #include <vibrocontact/reduction/reduction_cost.h>
 #include <vibrocontact/run/prepare_bodies.h>
@@ -108,7 +109,7 @@ namespace vibrocontact
       if (!shortage.empty())
         throw InputError(shortage + ": " + ways_to_less_memory + ".");
       const MemoryLeft left = memory_left();
-      run_log().block("Memory");
+      const Log::Part part("Memory");
       run_log().value("memory of the reductions", "about " + bytes_text(peak) + " at the peak; " +
                                                       left.limit + " leaves " + bytes_text(left.bytes));
     }
@@ -146,18 +147,26 @@ namespace vibrocontact
     check_memory(peak);
   }
 
-  void print_scene(const Parameters &parameters, const MeshedBodies &bodies, const ContactGrid &grid)
+  void print_scene(const Parameters &parameters, const MeshedBodies &bodies, const ContactGrid &grid,
+                   const std::string &picture_folder)
   {
     const ContactGrid *const contact_grid = parameters.has_contact() ? &grid : nullptr;
+    std::vector<DrawnBody> drawn;
     for (unsigned int k = 0; k < bodies.size(); ++k)
     {
       const bool solid = bodies[k] && bodies[k]->parameters.is_solid();
-      print_body(parameters.scene.bodies[k], solid ? &bodies[k]->elastic_body() : nullptr);
+      drawn.push_back({&parameters.scene.bodies[k], solid ? &bodies[k]->elastic_body() : nullptr});
+      print_body(*drawn.back().parameters, drawn.back().solid);
       if (solid)
         print_cost(cost_of(parameters, *bodies[k]));
     }
     if (contact_grid)
       print_contact_grid(grid);
+    if (!picture_folder.empty())
+    {
+      run_log().block("Picture of the scene");
+      draw_scene(drawn, contact_grid, picture_folder);
+    }
     run_log().end_block();
     run_log().line("");
     run_log().line("The file is valid; nothing was run.");

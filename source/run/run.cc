@@ -219,7 +219,7 @@ namespace vibrocontact
         check_places(parameters, bodies, sweep);
         if (command_line.resume)
           earlier_results(folder, used, parameters.transient.end_time);
-        print_scene(parameters, bodies, grid);
+        print_scene(parameters, bodies, grid, command_line.output);
         return 0;
       }
     }

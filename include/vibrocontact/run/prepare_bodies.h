@@ -44,8 +44,9 @@ namespace vibrocontact
   /// expensive steps. Bodies whose reduction is in the cache have passed already and are only made if `all`.
   void check_meshes(const Parameters &parameters, const MeshedBodies &bodies, bool all);
 
-  /// What --check shows.
-  void print_scene(const Parameters &parameters, const MeshedBodies &bodies, const ContactGrid &grid);
+  /// What --check shows. @param picture_folder where the scene is drawn as well; empty: nowhere
+  void print_scene(const Parameters &parameters, const MeshedBodies &bodies, const ContactGrid &grid,
+                   const std::string &picture_folder);
 
   /// `reductions` in results.json, an object per meshed body: stages_s (wall seconds of each stage that this
   /// run did, none if all was cached) and ranks[], each with its owned dofs and its peak memory so far.

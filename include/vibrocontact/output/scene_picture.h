@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vibrocontact/fe/elastic_body.h>
+#include <vibrocontact/scene/body.h>
+#include <vibrocontact/scene/contact_grid.h>
+
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// A body as it is drawn.
+  struct DrawnBody
+  {
+    const BodyParameters *parameters;
+    /// null unless it is solid
+    const ElasticBody<3> *solid;
+  };
+
+  /// Draws what --check has read: folder/scene.json (types and sizes of the bodies, the contact grid), the surfaces of
+  /// solid bodies as folder/fields/scene_<body>_0000.vtu, and by contrib/plot_results.py folder/figures/scene.png.
+  /// Collective. @param bodies above first; @param grid null without contact
+  /// @throws OutputError
+  void draw_scene(const std::vector<DrawnBody> &bodies, const ContactGrid *grid, const std::string &folder);
+} // namespace vibrocontact
