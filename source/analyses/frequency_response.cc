@@ -166,6 +166,12 @@ namespace vibrocontact
         "Frequencies", list,
         "Frequencies one by one, ascending, in place of first, last, number and spacing. Units: Hz.",
         List(Double(1e-6, 1e9), 0, 10000, ","));
+    prm.add_parameter(
+        "Refined frequencies", n_refined,
+        "Further frequencies, placed in turn where the magnitude at the driving points bends most over those "
+        "so far: "
+        "they gather at resonances and antiresonances. Bodies with modes or directly solved. Units: none.",
+        Integer(0, 100000));
     prm.add_parameter("Check frequencies", check_frequencies,
                       "Frequencies at which the unreduced complex system is solved as well and all methods "
                       "are compared. Units: Hz.",
@@ -206,6 +212,10 @@ namespace vibrocontact
     parsed_points();
     if (std::adjacent_find(list.begin(), list.end(), std::greater_equal<double>()) != list.end())
       throw InputError("Frequency response/Frequencies must ascend and hold no frequency twice.");
+    if (n_refined > 0 && list.empty() && first == 0)
+      throw InputError(
+          "Frequency response/First frequency is 0, but Refined frequencies lie between others by their "
+          "ratio: give a first frequency above 0.");
     if (list.empty() && first == 0 && spacing == "logarithmic")
       throw InputError(
           "Frequency response/First frequency is 0, but Spacing is logarithmic: set it to linear.");

@@ -193,8 +193,9 @@ namespace vibrocontact
       entries.add(section, "Bodies, Quantity, Method, Frequencies");
       entries.add_if(own.list.empty(), section + "/Frequencies is empty", section,
                      "First frequency, Last frequency, Number of frequencies, Spacing");
-      entries.add_if(meshed, "a body has a mesh", section,
-                     "Points, Load length, Load width, Check frequencies, Cut frequencies");
+      entries.add_if(
+          meshed, "a body has a mesh", section,
+          "Points, Load length, Load width, Check frequencies, Cut frequencies, Refined frequencies");
       entries.add_if(green, "a body is given by its Green's functions", section, "Impulse response time");
       entries.add_if(green && own.impulse_time > 0, section + "/Impulse response time is above 0", section,
                      "Impulse response step");

@@ -1,3 +1,4 @@
+#include <vibrocontact/analyses/frequency_refinement.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
@@ -198,6 +199,36 @@ namespace vibrocontact
       return table;
     }
 
+    /// Solved at the frequencies of the file, then at refined ones, a quarter of what is left at a time, so that each
+    /// round sees where the one before has led.
+    template <typename Solve>
+    ResponseVariant refined_response(const FrequencyResponseParameters &parameters, const Solve &solve)
+    {
+      ResponseVariant result = solve(parameters.frequencies());
+      unsigned int left = parameters.n_refined;
+      while (left > 0)
+      {
+        const ResponseVariant more = solve(
+            frequencies_between(result.frequency, result.response, std::max(left / 4, std::min(left, 4u))));
+        if (more.frequency.empty())
+          break;
+        left -= more.frequency.size();
+        for (std::size_t k = 0; k < more.frequency.size(); ++k)
+        {
+          const auto place =
+              std::upper_bound(result.frequency.begin(), result.frequency.end(), more.frequency[k]);
+          result.response.insert(result.response.begin() + (place - result.frequency.begin()),
+                                 more.response[k]);
+          result.frequency.insert(place, more.frequency[k]);
+        }
+      }
+      if (left > 0)
+        run_log().value("refined frequencies", std::to_string(parameters.n_refined - left) + " of " +
+                                                   std::to_string(parameters.n_refined) +
+                                                   " make the response smooth");
+      return result;
+    }
+
     void print_checks(const nlohmann::ordered_json &checks)
     {
       for (const auto &one : checks)
@@ -224,9 +255,9 @@ namespace vibrocontact
         tables.push_back(file);
         return file;
       };
-      const std::vector<double> frequency = parameters.frequencies();
-      const ResponseVariant main =
-          is_modal ? response.modal("hysteretic", 0, frequency) : response.direct(frequency);
+      const ResponseVariant main = refined_response(
+          parameters, [&](const std::vector<double> &frequency)
+          { return is_modal ? response.modal("hysteretic", 0, frequency) : response.direct(frequency); });
       nlohmann::ordered_json result = {{"method", main.method},
                                        {"n_modes", main.n_modes},
                                        {"table", write(response_table(parameters, main, name), "")}};
@@ -237,7 +268,7 @@ namespace vibrocontact
       const bool has_modes = body.reduction.request().modes.any();
       if (has_modes)
       {
-        const ResponseVariant in_time = response.modal("time domain", 0, frequency);
+        const ResponseVariant in_time = response.modal("time domain", 0, main.frequency);
         result["time_domain_table"] = write(response_table(parameters, in_time, name), "_time_domain");
         result["time_domain_difference"] = difference_json(parameters, main, in_time);
         for (const auto &one : result["time_domain_difference"])

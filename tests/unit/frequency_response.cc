@@ -1,6 +1,7 @@
 // Harmonic response with hysteretic loss: direct solution against a closed form and against dense LAPACK, modal
 // response against the direct one; on any number of ranks.
 
+#include <vibrocontact/analyses/frequency_refinement.h>
 #include <vibrocontact/analyses/frequency_response.h>
 #include <vibrocontact/fe/bar_elements.h>
 #include <vibrocontact/fe/beam_elements.h>
@@ -10,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace vibrocontact;
@@ -194,4 +196,51 @@ TEST(FrequencyResponse, points_and_frequencies)
   EXPECT_NEAR(parameters.frequencies()[1], 500, 1e-9);
   parameters.list = {10, 20};
   EXPECT_EQ(parameters.frequencies().size(), 2u);
+}
+
+// Four resonances of 1 % loss: the mean error of the curve drawn through 100 frequencies, 20 of them given.
+TEST(FrequencyResponse, refined_frequencies_follow_the_resonances)
+{
+  const auto level = [](const double f)
+  {
+    Complex sum = 0;
+    for (const double own : {180., 415., 1230., 3300.})
+      sum += 1. / (own * own * Complex(1, 0.01) - f * f);
+    return std::log(std::abs(sum));
+  };
+  const auto spaced = [](const unsigned int n)
+  {
+    FrequencyResponseParameters parameters;
+    parameters.count = n;
+    return parameters.frequencies();
+  };
+  const auto mean_error = [&](const std::vector<double> &frequency)
+  {
+    double sum = 0;
+    for (const double f : spaced(5000))
+    {
+      const unsigned int k =
+          std::clamp<int>(std::upper_bound(frequency.begin(), frequency.end(), f) - frequency.begin(), 1,
+                          frequency.size() - 1);
+      const double share = std::log(f / frequency[k - 1]) / std::log(frequency[k] / frequency[k - 1]);
+      sum += std::abs((1 - share) * level(frequency[k - 1]) + share * level(frequency[k]) - level(f));
+    }
+    return sum / 5000;
+  };
+  std::vector<double> frequency = spaced(20);
+  for (unsigned int round = 0; round < 20; ++round)
+  {
+    std::vector<Receptance> receptance;
+    for (const double f : frequency)
+      receptance.push_back({std::exp(level(f))});
+    const std::vector<double> more = frequencies_between(frequency, receptance, 4);
+    ASSERT_EQ(more.size(), 4u);
+    frequency.insert(frequency.end(), more.begin(), more.end());
+    std::sort(frequency.begin(), frequency.end());
+    ASSERT_EQ(std::adjacent_find(frequency.begin(), frequency.end()), frequency.end());
+  }
+  EXPECT_LT(mean_error(frequency), 0.02);
+  EXPECT_GT(mean_error(spaced(100)), 0.05);
+  // a straight line has nothing to refine
+  EXPECT_TRUE(frequencies_between({1, 2, 4, 8}, {{1}, {0.25}, {0.0625}, {0.015625}}, 4).empty());
 }

@@ -36,6 +36,8 @@ namespace vibrocontact
     double first = 50, last = 5000;
     std::vector<double> list;
     unsigned int count = 500;
+    /// further ones where the response bends most
+    unsigned int n_refined = 0;
     std::string spacing = "logarithmic", quantity = "mobility", method = "modal";
     /// where the direct solution is computed beside the modal ones [Hz]
     std::vector<double> check_frequencies;
