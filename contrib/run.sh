@@ -7,6 +7,8 @@ program=${VIBROCONTACT:-$(dirname "$0")/../build/vibrocontact}
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 # one BLAS thread per rank
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
+# behind mpirun a rank cannot see where its lines go
+[ -t 1 ] && export VIBROCONTACT_TERMINAL=yes
 # one rank needs no mpirun
 command=("$program" "$@")
 [ "$ranks" = 1 ] || command=(mpirun -q --oversubscribe --bind-to none -n "$ranks" "${command[@]}")

@@ -2,16 +2,26 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <pthread.h>
+#include <signal.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <condition_variable>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
+#include <thread>
 
 namespace vibrocontact
 {
   namespace
   {
     constexpr std::size_t name_width = 34;
+    constexpr char clear_line[] = "\r\033[K";
 
     bool is_first_rank()
     {
@@ -59,63 +69,114 @@ namespace vibrocontact
     }
   }
 
-  void Log::write(const std::string &text)
+  void Log::write(const std::string &text, const bool on_screen)
   {
-    if (!is_first_rank())
-      return;
-    if (screen)
+    if (screen && on_screen)
+    {
+      const std::lock_guard<std::mutex> lock(screen_mutex);
+      if (has_status)
+        std::cout << clear_line;
+      has_status = false;
       std::cout << text << std::flush;
+    }
     if (file.is_open())
       file << text << std::flush;
     else
       kept += text;
   }
 
+  void Log::say(const std::string &text, const bool on_screen)
+  {
+    if (title != heading && !title.empty())
+      write("\n" + title + "\n", on_screen);
+    heading = title;
+    write("  " + text + "\n", on_screen);
+  }
+
+  bool Log::on_terminal() const
+  {
+    // mpirun gives every rank a terminal of its own, wherever its own output goes: contrib/run.sh tells
+    static const bool started_by_mpirun = std::getenv("PMIX_RANK") || std::getenv("OMPI_COMM_WORLD_RANK"),
+                      told = std::getenv("VIBROCONTACT_TERMINAL") != nullptr;
+    static const bool is_terminal = started_by_mpirun ? told : isatty(STDOUT_FILENO) == 1;
+    return screen && is_terminal;
+  }
+
+  void Log::status(const std::string &text)
+  {
+    if (!on_terminal())
+      return;
+    const std::lock_guard<std::mutex> lock(screen_mutex);
+    winsize size = {};
+    // a line that breaks cannot be replaced
+    const std::size_t width =
+        ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20 ? size.ws_col - 1 : 79;
+    if (has_status || !text.empty())
+      std::cout << clear_line << text.substr(0, width) << std::flush;
+    has_status = !text.empty();
+  }
+
   void Log::block(const std::string &new_title)
   {
+    if (!is_first_rank())
+      return;
     end_block();
     title = new_title;
+    heading.clear();
     block_begin = std::chrono::steady_clock::now();
-    write("\n" + title + "\n");
   }
 
   void Log::end_block()
   {
-    if (!title.empty() && seconds_since(block_begin) > 0.05)
-      write("  " + padded("time") + time_text(seconds_since(block_begin)) + "\n");
+    // behind the lines of a part it would be taken for the part's
+    const bool is_last = heading.empty() || heading == title;
+    if (!title.empty() && is_last && seconds_since(block_begin) > 0.05)
+      line(padded("time") + time_text(seconds_since(block_begin)));
     title.clear();
+  }
+
+  Log::Part::Part(const std::string &title)
+  {
+    outer = run_log().title;
+    run_log().title = title;
+  }
+
+  Log::Part::~Part()
+  {
+    run_log().title = outer;
   }
 
   void Log::line(const std::string &text)
   {
-    write("  " + text + "\n");
+    if (is_first_rank())
+      say(text);
   }
 
   void Log::value(const std::string &name, const double number, const std::string &unit)
   {
     char digits[40];
     std::snprintf(digits, sizeof digits, "%.6g", number);
-    write("  " + padded(name) + with_unit(digits, unit) + "\n");
+    line(padded(name) + with_unit(digits, unit));
   }
 
   void Log::value(const std::string &name, const int number, const std::string &unit)
   {
-    write("  " + padded(name) + with_unit(std::to_string(number), unit) + "\n");
+    line(padded(name) + with_unit(std::to_string(number), unit));
   }
 
   void Log::value(const std::string &name, const unsigned int number, const std::string &unit)
   {
-    write("  " + padded(name) + with_unit(std::to_string(number), unit) + "\n");
+    line(padded(name) + with_unit(std::to_string(number), unit));
   }
 
   void Log::value(const std::string &name, const unsigned long long number, const std::string &unit)
   {
-    write("  " + padded(name) + with_unit(std::to_string(number), unit) + "\n");
+    line(padded(name) + with_unit(std::to_string(number), unit));
   }
 
   void Log::value(const std::string &name, const std::string &text)
   {
-    write("  " + padded(name) + text + "\n");
+    line(padded(name) + text);
   }
 
   void Log::warning(const std::string &text)
@@ -123,7 +184,7 @@ namespace vibrocontact
     ++warnings;
     if (is_first_rank() && !screen)
       std::cerr << "warning: " << text << std::endl;
-    write("  WARNING: " + text + "\n");
+    line("WARNING: " + text);
   }
 
   Log &run_log()
@@ -132,22 +193,104 @@ namespace vibrocontact
     return log;
   }
 
-  Progress::Progress(const std::string &what, const double n_steps)
-      : what(what), total(n_steps), begin(std::chrono::steady_clock::now())
+  namespace
   {
+    /// the innermost
+    std::atomic<Progress *> current_progress = nullptr;
+  } // namespace
+
+  /// Keeps the status on the terminal current, second by second, in a thread of its own.
+  struct Progress::Clock
+  {
+    explicit Clock(const Progress &progress)
+    {
+      // signals are the main thread's
+      sigset_t all, before;
+      sigfillset(&all);
+      pthread_sigmask(SIG_SETMASK, &all, &before);
+      thread = std::thread(
+          [this, &progress]
+          {
+            std::unique_lock<std::mutex> lock(mutex);
+            while (!stop.wait_for(lock, std::chrono::seconds(1), [this] { return stops; }))
+              if (current_progress == &progress)
+                run_log().status("  " + progress.text(seconds_since(progress.begin)));
+          });
+      pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    }
+    ~Clock()
+    {
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        stops = true;
+      }
+      stop.notify_one();
+      thread.join();
+    }
+
+    bool stops = false;
+    /// of what text() reads, and of `stops`
+    std::mutex mutex;
+    std::condition_variable stop;
+    std::thread thread;
+  };
+
+  Progress::Progress(const std::string &what, const double n_steps, const double expected)
+      : what(what), total(n_steps), expected(expected), begin(std::chrono::steady_clock::now()),
+        outer(current_progress.exchange(this))
+  {
+    if (!is_first_rank())
+      return;
+    if (expected >= next_line)
+      run_log().say(what + ": about " + time_text(std::ceil(expected)), !run_log().on_terminal());
+    if (run_log().on_terminal())
+      clock = std::make_unique<Clock>(*this);
   }
 
-  void Progress::advance(const double n, const std::function<std::string()> &detail)
+  Progress::~Progress()
   {
-    done += n;
-    const double elapsed = seconds_since(begin);
-    if (elapsed < next_report || done <= 0 || done >= total)
+    clock.reset();
+    current_progress = outer;
+    if (is_first_rank())
+      run_log().status("");
+  }
+
+  std::string Progress::text(const double seconds) const
+  {
+    std::string text = what + ": ";
+    if (done > 0)
+    {
+      char share[16];
+      std::snprintf(share, sizeof share, "%.0f %%, ", std::min(99., 100 * done / total));
+      text += share;
+    }
+    text += time_text(std::floor(seconds));
+    const double whole = done > 0 ? seconds_done * total / done : expected;
+    if (whole > seconds)
+      text += ", about " + time_text(std::ceil(whole - seconds)) + " left";
+    return text + (detail.empty() ? "" : ", " + detail);
+  }
+
+  void Progress::advance(const double n, const std::function<std::string()> &details)
+  {
+    if (!is_first_rank())
       return;
-    next_report = elapsed + std::max(5., 0.25 * elapsed);
-    char share[16];
-    std::snprintf(share, sizeof share, "%.0f %%", 100 * done / total);
-    run_log().line(what + ": " + share + ", " + time_text(elapsed * (total - done) / done) + " left" +
-                   (detail ? ", " + detail() : ""));
+    const double seconds = seconds_since(begin);
+    std::unique_lock<std::mutex> lock;
+    if (clock)
+      lock = std::unique_lock<std::mutex>(clock->mutex);
+    done += n;
+    seconds_done = seconds;
+    const bool line_is_due = seconds >= next_line && done < total;
+    if (details && (line_is_due || (clock && seconds >= next_detail)))
+    {
+      next_detail = seconds + 1;
+      detail = details();
+    }
+    if (!line_is_due)
+      return;
+    next_line = 2 * seconds;
+    run_log().say(text(seconds), !run_log().on_terminal());
   }
 
   std::string time_text(const double seconds)

@@ -1,5 +1,6 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
 #include <vibrocontact/reduction/attachment_inertia.h>
 
 #include <deal.II/base/mpi.h>
@@ -15,8 +16,10 @@ namespace vibrocontact
     DenseMatrix mass(n);
     dealii::PETScWrappers::MPI::Vector force(system.locally_owned, system.communicator), response(force),
         inertia(force);
+    Progress progress(system.body + ": inertia of " + std::to_string(n) + " attachment responses", n);
     for (unsigned int column = 0; column < n; ++column)
     {
+      progress.advance();
       if (system.trace.rows[column].empty())
         continue;
       force = 0;

@@ -17,6 +17,8 @@ namespace vibrocontact
   {
     if (!assembled)
     {
+      const Log::Part part(heading());
+      const Progress progress(asked.body + ": mesh and assembly", 1);
       dealii::Timer timer;
       assembled = assemble();
       timings.emplace_back("mesh and assembly", timer.wall_time());
@@ -30,6 +32,7 @@ namespace vibrocontact
   {
     if (!factorised)
     {
+      const Log::Part part(heading());
       const SecondOrderSystem &matrices = system();
       dealii::Timer timer;
       factorised = std::make_unique<Flexibility>(matrices);
@@ -40,6 +43,7 @@ namespace vibrocontact
 
   bool BodyReduction::is_cached(const bool with_statics, const bool with_modes)
   {
+    const Log::Part part(heading());
     if (with_statics && !static_part && (static_part = cache.load_static(asked.body, asked.key)))
       run_log().line(asked.body + ": contact compliance found in the cache");
     if (with_modes && !modal_part && (modal_part = cache.load_modal(asked.body, modes_key())))
@@ -54,6 +58,7 @@ namespace vibrocontact
 
   const StaticReduction &BodyReduction::statics()
   {
+    const Log::Part part(heading());
     if (!static_part)
     {
       static_part = cache.load_static(asked.body, asked.key);
@@ -73,6 +78,7 @@ namespace vibrocontact
 
   void BodyReduction::compute_modes_now()
   {
+    const Log::Part part(heading());
     Flexibility &inverse = flexibility();
     dealii::Timer timer;
     mode_shapes = std::make_unique<Modes>();
@@ -86,6 +92,7 @@ namespace vibrocontact
 
   const ModalReduction &BodyReduction::modal()
   {
+    const Log::Part part(heading());
     if (!modal_part)
     {
       modal_part = cache.load_modal(asked.body, modes_key());
@@ -106,6 +113,7 @@ namespace vibrocontact
 
   const SurfaceShapes &BodyReduction::surface_shapes()
   {
+    const Log::Part part(heading());
     if (!surface)
       surface = cache.load_shapes(asked.body, modes_key());
     if (surface && modal_part && surface->omega != modal_part->omega)
@@ -134,6 +142,7 @@ namespace vibrocontact
 
   DenseMatrix BodyReduction::attachment_mass()
   {
+    const Log::Part part(heading());
     std::optional<DenseMatrix> mass = cache.load_attachment_mass(asked.body, asked.key);
     if (!mass)
     {

@@ -33,6 +33,9 @@ namespace vibrocontact
 
   namespace
   {
+    /// of the contact compliance, between two reports
+    constexpr unsigned int columns_at_once = 128;
+
     std::vector<double> gather_on_host(const Vector &v)
     {
       const MPI_Comm communicator = v.get_mpi_communicator();
@@ -76,6 +79,7 @@ namespace vibrocontact
       fixed_dofs = support_dofs();
     }
     SymmetricFactorization::Options options;
+    options.name = system.body + ": stiffness";
     options.schur_dofs = trace_dofs;
     options.fixed_dofs = fixed_dofs;
     factors = std::make_unique<SymmetricFactorization>(system.stiffness, nullptr, 0., options);
@@ -83,10 +87,11 @@ namespace vibrocontact
     const auto &cost = factors->statistics();
     std::ostringstream text;
     text.precision(3);
-    text << "stiffness factorised: ordering " << time_text(cost.seconds_ordering) << ", analysis "
-         << time_text(cost.seconds_analysis) << ", factorisation " << time_text(cost.seconds_factorization)
-         << ", " << cost.factor_entries / 1e6 << " million entries, " << cost.operations / 1e9 << " Gflop, "
-         << cost.megabytes_rank << " MB on the fullest rank, " << cost.megabytes_total << " MB in all";
+    text << system.body << ": stiffness factorised: ordering " << time_text(cost.seconds_ordering)
+         << ", analysis " << time_text(cost.seconds_analysis) << ", factorisation "
+         << time_text(cost.seconds_factorization) << ", " << cost.factor_entries / 1e6 << " million entries, "
+         << cost.operations / 1e9 << " Gflop, " << cost.megabytes_rank << " MB on the fullest rank, "
+         << cost.megabytes_total << " MB in all";
     run_log().line(text.str());
   }
 
@@ -259,9 +264,21 @@ namespace vibrocontact
       for (unsigned int r = 0; r < n; ++r)
         for (const auto &[k, weight] : rows[r])
           columns(k, r) += weight;
+      // m^3 / 3 for the factor, 2 m^2 per column
+      const double own_factor = m / 6.;
+      Progress progress(system.body + ": contact compliance, " + std::to_string(n) + " columns",
+                        n + own_factor, 2. * m * m * (n + own_factor) / 6e9);
       is_good = factorise_cholesky(factor);
-      if (is_good)
-        factor.solve(columns);
+      progress.advance(own_factor);
+      for (unsigned int first = 0; is_good && first < n; first += columns_at_once)
+      {
+        const unsigned int n_now = std::min(columns_at_once, n - first);
+        DenseMatrix block(m, n_now);
+        std::copy_n(&columns(0, first), std::size_t(m) * n_now, &block(0, 0));
+        factor.solve(block);
+        std::copy_n(&block(0, 0), std::size_t(m) * n_now, &columns(0, first));
+        progress.advance(n_now);
+      }
       result.reinit(n, n);
       for (unsigned int c = 0; c < n; ++c)
         for (unsigned int r = 0; r < n; ++r)

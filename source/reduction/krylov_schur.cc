@@ -73,16 +73,7 @@ namespace vibrocontact
         return PETSC_ERR_LIB;
       }
       ++my.n_solves;
-      return 0;
-    }
-
-    PetscErrorCode report(EPS, PetscInt, PetscInt n_converged, PetscScalar *, PetscScalar *, PetscReal *,
-                          PetscInt, void *context)
-    {
-      auto &[progress, done] = *static_cast<std::pair<Progress *, PetscInt> *>(context);
-      if (n_converged > done)
-        progress->advance(n_converged - done);
-      done = n_converged;
+      my.progress.advance();
       return 0;
     }
 
@@ -109,9 +100,13 @@ namespace vibrocontact
   {
     const unsigned int n_first = modes.omega.size();
     Vector prototype(system.locally_owned, system.communicator);
-    Progress progress(system.body + ": modes", n_wanted);
+    const PetscInt n = system.stiffness.m();
+    // Modes converge at about two solves each. Convergence is looked at when the basis is full; keeping
+    // nearly all of it at a restart makes the steps after that short.
+    const PetscInt basis = std::min<PetscInt>(n, std::max<PetscInt>(1.9 * n_wanted, n_wanted + 20));
+    // solves are what takes time: the basis once, and a tenth of it after a restart
+    Progress progress(system.body + ": " + std::to_string(n_wanted) + " modes", 1.1 * basis);
     InverseContext inverse{system, flexibility, progress, prototype, prototype, 0, nullptr};
-    std::pair<Progress *, PetscInt> monitor(&progress, 0);
 
     const Solver solver(system.communicator);
     const EPS eps = solver.eps;
@@ -132,14 +127,9 @@ namespace vibrocontact
     PCSetType(pc, PCSHELL);
     PCShellSetContext(pc, &inverse);
     PCShellSetApply(pc, apply_flexibility);
-    const PetscInt n = system.stiffness.m();
-    // Modes converge at about two solves each. Convergence is looked at when the basis is full; keeping
-    // nearly all of it at a restart makes the steps after that short.
-    const PetscInt basis = std::min<PetscInt>(n, std::max<PetscInt>(1.9 * n_wanted, n_wanted + 20));
     EPSKrylovSchurSetRestart(eps, 0.9);
     EPSSetDimensions(eps, n_wanted, basis, PETSC_DEFAULT);
     EPSSetTolerances(eps, tolerance, 200);
-    EPSMonitorSet(eps, report, &monitor, nullptr);
 
     Vector start(prototype);
     for (unsigned int i = 0; i < system.locally_owned.n_elements(); ++i)

@@ -139,6 +139,7 @@ namespace vibrocontact
     {
       dealii::Timer timer;
       SymmetricFactorization::Options options;
+      options.name = system.body + ": count of modes";
       options.definite = false;
       options.keep_factors = false;
       const SymmetricFactorization shifted(system.stiffness, &system.mass, omega * omega, options);

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
 #include <vibrocontact/base/memory.h>
 #include <vibrocontact/base/petsc_check.h>
 #include <vibrocontact/reduction/fill_reducing_order.h>
@@ -10,7 +11,9 @@
 #include <dmumps_c.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <optional>
 
 #include <exception>
 
@@ -18,6 +21,9 @@ namespace vibrocontact
 {
   namespace
   {
+    /// What an idle core does in a factorisation [flop/s], for its expected time.
+    constexpr double flops_per_second = 1e10;
+
     // Entry k of an array of MUMPS's manual, which counts from 1.
     template <typename Array>
     auto &entry(Array &array, const int k)
@@ -107,6 +113,9 @@ namespace vibrocontact
     std::partial_sum(my.local_sizes.begin(), my.local_sizes.end(), std::back_inserter(my.offsets));
 
     dealii::Timer timer;
+    // 12 us per dof for METIS and the analysis
+    std::optional<Progress> progress;
+    progress.emplace(options.name + ": ordering of " + std::to_string(my.n) + " dofs", 1, 12e-6 * my.n);
     const std::vector<unsigned int> schur_dofs(options.schur_dofs.begin(), options.schur_dofs.end());
     my.position = fill_reducing_order(a, schur_dofs);
     my.statistics.seconds_ordering = timer.wall_time();
@@ -159,13 +168,18 @@ namespace vibrocontact
     my.statistics.seconds_analysis = timer.wall_time();
     // INFO(15): of this rank, in MB
     const std::string shortage =
-        memory_shortage("The factorisation of a matrix of " + std::to_string(my.n) + " dofs",
+        memory_shortage("The factorisation of " + options.name + " (" + std::to_string(my.n) + " dofs)",
                         1e6 * entry(mumps.info, 15), my.communicator);
     if (!shortage.empty())
       throw ConvergenceError(shortage + ": " + ways_to_less_memory + ".");
+    const double n_ranks = dealii::Utilities::MPI::n_mpi_processes(my.communicator),
+                 operations = entry(mumps.rinfog, 1);
+    progress.emplace(options.name + ": factorisation of " + std::to_string(my.n) + " dofs", 1,
+                     operations / (flops_per_second * std::pow(n_ranks, 0.8)));
     timer.restart();
     my.run(2, "factorisation");
     my.statistics.seconds_factorization = timer.wall_time();
+    progress.reset();
     my.statistics.megabytes_rank = entry(mumps.infog, 21);
     my.statistics.megabytes_total = entry(mumps.infog, 22);
     const double entries = entry(mumps.infog, 29);

@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/contact_pair.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/contact/contact_operator.h>
 #include <vibrocontact/fe/bar_elements.h>
 #include <vibrocontact/fe/beam_elements.h>
@@ -112,6 +113,10 @@ namespace vibrocontact
       return assemble_ring(parameters.ring, parameters.name, pointer, communicator);
     if (parameters.type == "layer")
       return assemble_layer(parameters.layer, parameters.material, parameters.name, pointer, communicator);
+    const double n_dofs = elastic_body().dof_handler.n_dofs();
+    // 20 us per dof on one rank
+    const Progress progress(parameters.name + ": assembly of " + number_text(n_dofs) + " dofs", 1,
+                            20e-6 * n_dofs / dealii::Utilities::MPI::n_mpi_processes(communicator));
     std::unique_ptr<SecondOrderSystem> system = elastic_body().assemble();
     if (grid)
     {
@@ -147,7 +152,8 @@ namespace vibrocontact
   {
     if (!body)
     {
-      run_log().block("Finite elements of " + parameters.name);
+      const Log::Part part("Finite elements of " + parameters.name);
+      const Progress progress(parameters.name + ": mesh", 1);
       body = make_elastic_body(parameters, lateral_position, grid ? &*grid : nullptr, communicator);
       run_log().value("cells", static_cast<unsigned int>(body->mesh.triangulation->n_global_active_cells()));
       run_log().value("dofs", static_cast<unsigned int>(body->dof_handler.n_dofs()));

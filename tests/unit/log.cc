@@ -28,6 +28,34 @@ TEST(Log, LinesBeforeTheFileAreKept)
   EXPECT_LT(text.str().find("Wheel"), text.str().find("later"));
 }
 
+// What a part says stands under its own heading, what comes after it under the heading from before again; a block that
+// says nothing has no heading.
+TEST(Log, EachLineStandsUnderItsHeading)
+{
+  run_log().set_screen(false);
+  run_log().open_file("log_part_test.txt");
+  run_log().block("Modes");
+  {
+    const Log::Part part("Reduction");
+    const Log::Part inner("Cache");
+    run_log().line("found");
+  }
+  run_log().line("101 modes");
+  run_log().block("Silent");
+  run_log().block("Rolling");
+  run_log().line("converged");
+  run_log().open_file("");
+  std::ifstream file("log_part_test.txt");
+  std::stringstream text;
+  text << file.rdbuf();
+  std::remove("log_part_test.txt");
+  run_log().set_screen(true);
+  const std::string all = text.str();
+  EXPECT_NE(all.find("\nCache\n  found\n\nModes\n  101 modes\n\nRolling\n  converged\n"), std::string::npos)
+      << all;
+  EXPECT_EQ(all.find("Reduction"), std::string::npos) << all;
+}
+
 TEST(Log, TimeText)
 {
   EXPECT_EQ(time_text(0.0341), "0.0341 s");

@@ -64,6 +64,7 @@ namespace vibrocontact
 
   private:
     void compute_modes_now();
+    std::string heading() const { return "Reduction of " + asked.body; }
     std::string modes_key() const { return asked.key + "\nmodes " + asked.modes.key(); }
 
     ReductionRequest asked;

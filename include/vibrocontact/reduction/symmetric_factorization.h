@@ -7,6 +7,7 @@
 #include <deal.II/lac/petsc_vector.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace vibrocontact
@@ -27,6 +28,8 @@ namespace vibrocontact
   public:
     struct Options
     {
+      /// for messages and progress, e.g. "wheel: stiffness"
+      std::string name = "matrix";
       /// A is positive definite: no pivoting
       bool definite = true;
       /// keep the factors for solves; otherwise only Schur complement and inertia are wanted
@@ -51,7 +54,8 @@ namespace vibrocontact
     };
 
     /// Factorises A = matrix - shift * mass; `mass` may be null if shift = 0.
-    /// @throws ConvergenceError if MUMPS fails (singular matrix, memory), with its codes.
+    /// @throws ConvergenceError if MUMPS fails (singular matrix, memory), with its codes; before the numerical
+    /// factorisation if the machine does not leave what the analysis says it needs.
     SymmetricFactorization(const dealii::PETScWrappers::MatrixBase &matrix,
                            const dealii::PETScWrappers::MatrixBase *mass, double shift,
                            const Options &options);
