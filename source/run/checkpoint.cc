@@ -18,7 +18,7 @@ namespace vibrocontact
   namespace
   {
     /// changes whenever what is exchanged or what it means does
-    constexpr int format = 6;
+    constexpr int format = 7;
 
     std::string checkpoint_name(const std::string &folder)
     {
@@ -91,6 +91,9 @@ namespace vibrocontact
       file("coarse/errors/time", coarse.errors.time);
       file("coarse/errors/impulse", coarse.errors.impulse);
       file("coarse/errors/rms_force", coarse.errors.rms_force);
+      file("coarse/errors/averaged_time", coarse.errors.averaged_time);
+      file("coarse/errors/impulse_square", coarse.errors.impulse_square);
+      file("coarse/errors/rms_square", coarse.errors.rms_square);
     }
 
     double weight(const unsigned int row)

@@ -4,6 +4,7 @@
 #include "element_scene.h"
 #include "flutter.h"
 
+#include <vibrocontact/analyses/drive.h>
 #include <vibrocontact/analyses/transient.h>
 
 #include <gtest/gtest.h>
@@ -25,6 +26,7 @@ namespace
     /// steps of the table and of the truth [s]
     std::vector<double> steps;
     double fine = 0;
+    bool starts_follow_step = false;
     /// changes the start of run k of n_starts with this step: where the events lie between the ends of steps is chance
     std::function<void(DynamicState &, unsigned int k, double step)> start;
   };
@@ -82,15 +84,17 @@ namespace
   /// @param below, above the estimate may be so many times less or more than the truth
   void compare(const Scene &scene, const double below, const double above)
   {
+    std::vector<Marched> fine(n_starts);
     for (const double step : scene.steps)
     {
       double truth[2] = {0, 0}, estimate[2] = {0, 0};
       for (unsigned int k = 0; k < n_starts; ++k)
       {
-        const Marched fine = march(scene, scene.fine, false, k, step),
-                      one = march(scene, step, true, k, step);
-        truth[0] += std::pow(one.impulse / fine.impulse - 1, 2);
-        truth[1] += std::pow(one.rms_force / fine.rms_force - 1, 2);
+        if (scene.starts_follow_step || step == scene.steps[0])
+          fine[k] = march(scene, scene.fine, false, k, step);
+        const Marched one = march(scene, step, true, k, step);
+        truth[0] += std::pow(one.impulse / fine[k].impulse - 1, 2);
+        truth[1] += std::pow(one.rms_force / fine[k].rms_force - 1, 2);
         estimate[0] += std::pow(one.errors.impulse, 2);
         estimate[1] += std::pow(one.errors.rms_force, 2);
       }
@@ -120,6 +124,7 @@ namespace
                  0,
                  {1.6e-2, 8e-3, 4e-3, 2e-3, 1e-3},
                  5e-5,
+                 true,
                  [&pair](DynamicState &state, const unsigned int k, const double step)
                  {
                    for (unsigned int i = 0; i < pair.n_modes(); ++i)
@@ -128,19 +133,19 @@ namespace
   }
 } // namespace
 
-// One impact whose beginning lies anywhere in a step: the error of the impulse is chance at some steps, and so is what both runs
-// differ by.
+// One impact whose beginning lies anywhere in a step, and steps that do not resolve the highest modes: points open and close in
+// another order in one and in two steps, so that errors that are large in one may vanish in the other.
 TEST(StepErrors, BouncingBarTheta)
 {
   const auto bar = bar_scene(40, 4, 20);
-  compare(thrown_bar("theta 1/2", bar->pair, thrown("theta method", 0.5, "as other forces")), 6, 20);
+  compare(thrown_bar("theta 1/2", bar->pair, thrown("theta method", 0.5, "as other forces")), 10, 10);
 }
 
 TEST(StepErrors, BouncingBarExactPropagator)
 {
   const auto bar = bar_scene(40, 4, 20);
-  compare(thrown_bar("exact propagator", bar->pair, thrown("exact propagator", 0.5, "as other forces")), 6,
-          20);
+  compare(thrown_bar("exact propagator", bar->pair, thrown("exact propagator", 0.5, "as other forces")), 10,
+          10);
 }
 
 TEST(StepErrors, BouncingBarDamped)
@@ -172,5 +177,57 @@ TEST(StepErrors, StickSlip)
   };
   scene.steps = {1.28e-4, 6.4e-5, 3.2e-5, 1.6e-5, 8e-6};
   scene.fine = 1e-6;
-  compare(scene, 3, 45);
+  compare(scene, 10, 10);
+}
+
+namespace
+{
+  /// A damped body of three modes and a residual flexibility on a sine of the height, from pushes of several sizes.
+  Scene on_a_sine(const std::string &name, const std::string &height)
+  {
+    const double pi = dealii::numbers::PI;
+    Scene scene;
+    scene.name = name;
+    ContactPair &pair = scene.pair;
+    ContactGrid &grid = pair.interface.grid;
+    grid.n_x = grid.n_y = 1;
+    grid.spacing_x = grid.spacing_y = 1;
+    pair.interface.gap = {0.};
+    pair.modal_trace.reinit(3, 3);
+    pair.participation.reinit(3, 3);
+    pair.residual_flexibility.reinit(3, 3);
+    for (unsigned int k = 0; k < 3; ++k)
+    {
+      pair.omega.push_back((k + 0.5) * pi);
+      pair.damping_ratio.push_back(0.05);
+      pair.labels.push_back("bar:" + std::to_string(k));
+      pair.body.push_back(1);
+      pair.modal_load.push_back(0);
+      pair.modal_trace(0, k) = std::sqrt(2.) * (k % 2 == 0 ? 1 : -1);
+      pair.participation(k, 2) = std::sqrt(2.) / pair.omega[k];
+      pair.residual_flexibility(k, k) = 0.1;
+    }
+    scene.parameters.end_time = 9.6;
+    scene.parameters.roughness.expression = height + "*sin(2*pi*s/4)";
+    RollingCase constant;
+    constant.creepage = {2, 0, 0, 0};
+    constant.normal_force = 0;
+    constant.hub_displacement = 0.05;
+    scene.drive = drive_function(scene.parameters, constant, grid);
+    scene.start = [](DynamicState &state, const unsigned int k, double) { state.v[0] += 0.01 * k; };
+    scene.steps = {0.05, 0.025, 0.0125, 0.00625, 0.003125};
+    scene.fine = 4e-4;
+    return scene;
+  }
+} // namespace
+
+// No event at all, and one that comes and goes.
+TEST(StepErrors, OnASine)
+{
+  compare(on_a_sine("on a sine", "1e-2"), 3, 3);
+}
+
+TEST(StepErrors, LeavesASine)
+{
+  compare(on_a_sine("leaves a sine", "0.1"), 3, 10);
 }

@@ -29,13 +29,18 @@ namespace vibrocontact
     double rms_force() const;
   };
 
-  /// Errors of a run that its steps are the reason of, relative [-], see doubled_step_error().
+  /// Errors of a run that its steps are the reason of, relative [-]: what a run with twice the step differs by
+  /// (doubled_step_error()), a third of it for schemes of second order. No less than half of the energy share that the time
+  /// scheme took, than half of its own root mean square over the last quarter of the run (runs in vibration pass each other,
+  /// and agree there by chance), and of the impulse than a fifth of the error of the rms force.
   struct StepErrors
   {
     /// until when both runs were compared [s]; 0: not at all
     double time = 0;
     /// of the normal impulse and of the rms normal force until then
     double impulse = 0, rms_force = 0;
+    /// integrals over the last quarter so far: of 1 and of the squares of what both runs tell [s]
+    double averaged_time = 0, impulse_square = 0, rms_square = 0;
     double largest() const { return impulse > rms_force ? impulse : rms_force; }
   };
 } // namespace vibrocontact
