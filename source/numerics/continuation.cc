@@ -429,6 +429,13 @@ namespace vibrocontact
           curve.end = Curve::End::most_points;
           return curve;
         }
+        if (curve.points.size() > s.most_stalled &&
+            distance(packed(base), packed(curve.points[curve.points.size() - 1 - s.most_stalled])) <
+                0.1 * s.max_step)
+        {
+          curve.end = Curve::End::stalled;
+          return curve;
+        }
         Vector along = base.tangent;
         std::optional<CurvePoint> next = ahead(base, along, step);
         const bool may_turn = step <= s.kink_step;
@@ -489,6 +496,8 @@ namespace vibrocontact
       return "turned back: nothing was found ahead but the way the curve came";
     case End::most_points:
       return "largest number of points";
+    case End::stalled:
+      return "no way made: it turns and creeps, hundreds of points lie within a tenth of the largest step";
     case End::step_too_small:
       return "smallest step: Newton's method did not converge from here";
     default:

@@ -227,3 +227,28 @@ TEST(Continuation, SaysWhyItStops)
   few.max_points = 3;
   EXPECT_EQ(continue_curve(ends, start_at(0, 0), few).end, Curve::End::most_points);
 }
+
+// p = a sin(x / a) turns at each half wave and goes nowhere in p. Where the waves are short no step makes way, and the curve is
+// given up; longer ones are followed to the end.
+TEST(Continuation, CurvesThatMakeNoWayAreGivenUp)
+{
+  for (const double a : {1e-6, 0.05})
+  {
+    Plane waves;
+    waves.value = [a](double x, double p) { return p - a * std::sin(x / a); };
+    waves.by_unknown = [a](double x, double) { return -std::cos(x / a); };
+    waves.by_parameter = [](double, double) { return 1.; };
+    ContinuationSettings settings;
+    settings.max_points = 2000;
+    const Curve curve = continue_curve(waves, start_at(0, 0), settings);
+    if (a < 1e-3)
+    {
+      EXPECT_EQ(curve.end, Curve::End::stalled) << curve.reason();
+      EXPECT_LT(curve.points.size(), 400u);
+    }
+    else
+      EXPECT_EQ(curve.end, Curve::End::most_points) << curve.reason();
+    for (const CurvePoint &fold : special(curve, CurvePoint::Kind::fold))
+      EXPECT_NEAR(std::abs(fold.p), a, 1e-6);
+  }
+}

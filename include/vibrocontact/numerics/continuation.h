@@ -38,6 +38,8 @@ namespace vibrocontact
     /// |R| / residual_scale
     double tolerance = 1e-10;
     unsigned int max_newton = 8, max_points = 5000;
+    /// a curve that comes no farther than a tenth of max_step by so many points has lost its way
+    unsigned int most_stalled = 300;
     /// of p at folds and events
     double location_tolerance = 1e-6;
     /// sign of dp at the start, unless the start has a tangent
@@ -76,6 +78,7 @@ namespace vibrocontact
       /// it goes back on itself: where nothing was found ahead but the way it came, or through its begin
       turned_back,
       most_points,
+      stalled,
       step_too_small,
       no_start
     } end = End::no_start;
@@ -100,6 +103,8 @@ namespace vibrocontact
   /// A curve is closed if it comes through its begin in the direction in which it left. One that would pass a point in the
   /// direction it came from (the same smooth piece, where det[R_x, R_p; t] changes its sign with t) is no other part of the curve:
   /// steps that do so are refused, and what ends with them ends as turned_back, without the points of the way back.
+  ///
+  /// Where R is as rough as its samples the curve may turn at each of them and creep; it then ends as stalled.
   ///
   /// Folds (dp/ds = 0) and zeros of events() between two points are located by bisection and secants on ds. Never throws for
   /// want of convergence: see Curve::end.
