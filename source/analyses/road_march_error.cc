@@ -17,6 +17,11 @@ namespace vibrocontact
     /// of the longest that the poles allow: pieces of the event-located second march
     constexpr double shorter_pieces = 0.6;
 
+    bool has_linear_forces(const ModalConvolutionParameters &parameters)
+    {
+      return force_shape(parameters.force_shape) == ForceShape::linear;
+    }
+
     double sum_of_points(const std::vector<double> &values)
     {
       return std::accumulate(values.begin(), values.end(), 0.);
@@ -77,12 +82,12 @@ namespace vibrocontact
       // what is left of steps twice as long ends between two of them
       second->last_step = std::floor(last_step / ratio + 1e-9);
     };
-    // the second march of a second march, in four times the step, tells how the error falls
+    // the second march of a second march, in four times the step, tells how the error falls; with linear forces it is known
     const bool is_first = parameters.error_estimate;
     try
     {
       make(events ? 1 : 2);
-      if (is_first && !events)
+      if (is_first && !events && !has_linear_forces(parameters))
         second->begin_second_march(solver, model, mu);
     }
     catch (const InputError &)
@@ -130,14 +135,18 @@ namespace vibrocontact
                            4 * third->results.steps == one.steps;
     const Sums coarsest = has_third ? third->sums() : two;
     // how far the first is off, in parts of `size`; of two marches of an exact method by all of their difference, from
-    // half the steps by that of the longer ones
+    // half the steps by that of the longer ones, with linear forces, of second order, by a third
+    const double factor = events                          ? std::sqrt(3.)
+                          : steps_ratio < 1               ? std::sqrt(8.)
+                          : has_linear_forces(parameters) ? 1 / std::sqrt(3.)
+                                                          : 1;
     const auto error = [&](const double a, const double b, const double c, const double size)
     {
       if (!(size > 0))
         return 0.;
       const double largest = std::max(std::abs(a), std::abs(b)),
                    share = has_third ? doubled_step_error(a, b, c) : doubled_step_error(a, b);
-      return share * largest / size * (events ? std::sqrt(3.) : steps_ratio < 1 ? std::sqrt(8.) : 1);
+      return share * largest / size * factor;
     };
     const auto force = [&](const Sums &sums)
     { return std::hypot(sum_of_points(sums.impulse), sum_of_points(sums.tangential_impulse)); };
