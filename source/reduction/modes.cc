@@ -50,7 +50,7 @@ namespace vibrocontact
     prm.add_parameter(
         "Rim radius", rim_radius,
         "Points of a wheel further than this from its axle are its rim, whose motion names the family of a "
-        "mode. Units: m.",
+        "mode; 0: 0.385 m, that of the shipped wheel, times Wheel/Scale. Units: m.",
         Double(0, 100));
   }
 
@@ -68,8 +68,6 @@ namespace vibrocontact
       throw InputError("Section '" + section + "': Upper frequency = " + number_text(upper_frequency) +
                        " Hz and Count = " + std::to_string(count) +
                        " contradict each other; set one of them to 0.");
-    if (!(rim_radius > 0))
-      throw InputError("Section '" + section + "': Rim radius must be positive.");
   }
 
   std::string ModeParameters::key() const

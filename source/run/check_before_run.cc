@@ -40,7 +40,7 @@ namespace vibrocontact
             least = std::min(least, radius);
             most = std::max(most, radius);
           }
-        const double rim = parameters.modes.at(body.name).rim_radius;
+        const double rim = rim_radius(body, parameters.modes.at(body.name));
         if (!(least < rim && rim < most))
           throw InputError(body.name + "/Modes/Rim radius is " + number_text(rim) +
                            " m, which is not inside the wheel (radii " + number_text(least) + " to " +

@@ -65,6 +65,13 @@ namespace vibrocontact
     return key.str();
   }
 
+  double rim_radius(const BodyParameters &body, const ModeParameters &modes)
+  {
+    if (modes.rim_radius > 0)
+      return modes.rim_radius;
+    return WheelFrame().rim_radius * (body.type == "wheel" ? body.wheel.scale : 1.);
+  }
+
   namespace
   {
     ReductionRequest request(const BodyParameters &parameters, const ModeParameters &modes,
@@ -77,7 +84,7 @@ namespace vibrocontact
       request.modes = modes;
       request.cache_directory = cache_directory;
       if (const auto height = parameters.axle_height(lateral_position))
-        request.wheel = WheelFrame{*height, modes.rim_radius};
+        request.wheel = WheelFrame{*height, rim_radius(parameters, modes)};
       return request;
     }
   } // namespace

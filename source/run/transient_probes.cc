@@ -23,7 +23,7 @@ namespace vibrocontact
         if (request.name.empty() && body.reduction.request().wheel)
           for (const ProbeRequest &rim :
                rim_probes(body.parameters.name, surface(), body.reduction.request().wheel->axle_height,
-                          body.reduction.request().modes.rim_radius))
+                          body.reduction.request().wheel->rim_radius))
             own.push_back(rim);
         else if (request.body == body.parameters.name)
           own.push_back(request);

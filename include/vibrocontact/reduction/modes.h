@@ -22,8 +22,9 @@ namespace vibrocontact
     double damping_factor = 1;
     /// beta of C = beta K: adds beta w / 2 to every damping ratio, after the factor; no part of the reduction [s]
     double stiffness_damping = 0;
-    /// points further than this from the axle are the rim, whose motion names the family of a mode [m]
-    double rim_radius = 0.385;
+    /// points further than this from the axle are the rim, whose motion names the family of a mode; 0: as far out as
+    /// on the shipped wheel, see rim_radius() [m]
+    double rim_radius = 0;
 
     /// Damping ratios of modes by the two entries above. @param omega [rad/s]
     std::vector<double> scaled(std::vector<double> damping_ratio, const std::vector<double> &omega) const;

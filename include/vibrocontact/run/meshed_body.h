@@ -15,6 +15,9 @@ namespace vibrocontact
   std::string body_key(const DeclaredParameters &parameters, const std::string &body, double lateral_position,
                        const ContactGrid *grid);
 
+  /// Where the rim of a wheel begins, from its entry, or as far out as on the shipped wheel [m].
+  double rim_radius(const BodyParameters &body, const ModeParameters &modes);
+
   /// One meshed body of a scene: its finite elements, made when first asked for, and its reduction.
   class MeshedBody
   {
