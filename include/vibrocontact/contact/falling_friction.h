@@ -9,13 +9,13 @@
 
 namespace vibrocontact
 {
-  /// Friction that falls with the slip speed (Stribeck's curve without its viscous branch):
+  /// Friction that falls with the slip speed (Stribeck's curve without its viscous branch), or rises:
   ///
   ///   mu(s) = mu_k (1 + (ratio - 1) exp(-s / v)),     ratio = mu_s / mu_k,     s = |slip| [m/s]
   ///
-  /// Graph: from mu_s at rest down to mu_k, by 63 % of the way at s = v. ratio 1: Coulomb's constant mu_k.
-  /// Tangent: dmu/ds = -(mu_s - mu_k) / v exp(-s / v), a negative damping N dmu/ds along the slip: a mass m
-  /// that slides under the force N gains -N (dmu/ds) / (2 m) of growth rate.
+  /// Graph: from mu_s at rest to mu_k, by 63 % of the way at s = v; down for ratio > 1, up for ratio < 1, 1: Coulomb's.
+  /// Tangent: dmu/ds = -(mu_s - mu_k) / v exp(-s / v), a damping N dmu/ds along the slip, negative if falling: a
+  /// mass m that slides under the force N gains -N (dmu/ds) / (2 m) of growth rate, under rising friction it loses it.
   ///
   /// The slip speed in mu is that of rolling and modes; the rate of the residual displacements d(W~ R)/dt is
   /// no part of it. A contact point without mass on a spring W~ would jump at once under a falling
@@ -35,7 +35,7 @@ namespace vibrocontact
   /// |slip| of each point from the rows of y = (gap, slip); n [m/s]
   std::vector<double> slip_speed(const DenseVector &y);
 
-  /// Solves a contact problem whose friction falls with the slip speed. An outer loop repeats the solution
+  /// Solves a contact problem whose friction depends on the slip speed. An outer loop repeats the solution
   /// with problem.mu = mu(speed of the last solution) until no mu changes by more than 1e-9 of mu_k. Its
   /// contraction is N |dmu/ds| times the slip per tangential force: in a time step that is of the order of
   /// the step (theta h N |dmu/ds| Psi_t Psi_t^T), so that the loop converges for small steps; a loop that
