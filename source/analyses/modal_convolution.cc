@@ -13,6 +13,9 @@ namespace vibrocontact
 {
   namespace
   {
+    /// of the event-located motion, some 3 us each: a day
+    constexpr double most_pieces_of_a_run = 3e10;
+
     double seconds_of(const std::function<void()> &work)
     {
       const double begin = processor_seconds();
@@ -128,7 +131,10 @@ namespace vibrocontact
       residual[i] = model.residual(i, i);
     is_rigid = has_rigid_points();
     if (parameters.is_event_located())
+    {
       events = std::make_unique<EventLocated>(model, state, road, parameters.longest_piece);
+      check_number_of_pieces();
+    }
     else
     {
       stepper = std::make_unique<RoadStepper>(parameters, solver, model, n_points, last_step, mu,
@@ -152,6 +158,27 @@ namespace vibrocontact
   }
 
   ModalConvolution::~ModalConvolution() = default;
+
+  void ModalConvolution::check_number_of_pieces() const
+  {
+    const double n_pieces = parameters.end_time / events->longest_piece();
+    if (n_pieces <= most_pieces_of_a_run)
+      return;
+    std::ostringstream text;
+    text << "The event-located motion over Modal convolution/End time = " << parameters.end_time
+         << " s would take " << n_pieces << " pieces of at most " << events->longest_piece()
+         << " s (2 over the body's fastest pole), more than a day: take a shorter End time, a heavier or "
+            "softer "
+            "body, or the modal recursion.";
+    throw InputError(text.str());
+  }
+
+  unsigned int ModalConvolution::steps_of_a_block() const
+  {
+    constexpr double most_steps = 4096, most_pieces = 3e4;
+    return events ? std::clamp(most_pieces * events->longest_piece() / time_step, 1., most_steps)
+                  : most_steps;
+  }
 
   bool ModalConvolution::advance(const unsigned int n_steps, const Observer &observe)
   {

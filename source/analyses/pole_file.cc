@@ -38,7 +38,7 @@ namespace vibrocontact
     }
 
     /// Powers of it have to be numbers: those of the fastest pole up to the tenth.
-    constexpr double largest_number = 1e15;
+    constexpr double largest_number = 1e15, slowest_pole = 1e-9, smallest_residue = 1e-30;
 
     void check_size(const CsvTable &table, const std::string &name, const std::size_t k)
     {
@@ -47,6 +47,22 @@ namespace vibrocontact
         throw InputError("The table \"" + table.source + "\", line " + std::to_string(table.lines[k]) +
                          ", has " + name + " = " + number_text(value) + ", beyond " +
                          number_text(largest_number) + ": no body has such a pole; is the unit right?");
+    }
+
+    void check_pole(const CsvTable &table, const std::size_t k)
+    {
+      const double real = table.column("pole_real_1_s")[k], imag = table.column("pole_imag_1_s")[k];
+      const std::string where =
+          "The table \"" + table.source + "\", line " + std::to_string(table.lines[k]) + ", has ";
+      if (!(real < 0))
+        throw InputError(
+            where + "an unstable pole, pole_real_1_s = " + number_text(real) +
+            ": its motion does not decay; leave it out or give it damping (a negative real part).");
+      if (std::hypot(real, imag) < slowest_pole)
+        throw InputError(where + "a pole of " + number_text(std::hypot(real, imag)) + " 1/s, slower than " +
+                         number_text(slowest_pole) + " 1/s: no body has such a pole; is the unit right?");
+      check_size(table, "pole_real_1_s", k);
+      check_size(table, "pole_imag_1_s", k);
     }
 
     double constant(const CsvTable &table, const std::string &name)
@@ -72,13 +88,7 @@ namespace vibrocontact
       throw InputError("The table \"" + table.source + "\" has no poles: give one per line.");
     for (std::size_t k = 0; k < real.size(); ++k)
     {
-      if (!(real[k] < 0))
-        throw InputError(
-            "The table \"" + table.source + "\", line " + std::to_string(table.lines[k]) +
-            ", has an unstable pole, pole_real_1_s = " + number_text(real[k]) +
-            ": its motion does not decay; leave it out or give it damping (a negative real part).");
-      check_size(table, "pole_real_1_s", k);
-      check_size(table, "pole_imag_1_s", k);
+      check_pole(table, k);
       file.fit.poles.emplace_back(real[k], imag[k]);
     }
     const std::vector<std::string> pairs = pairs_of(table);
@@ -99,7 +109,16 @@ namespace vibrocontact
       }
       for (std::size_t k = 0; k < a.size(); ++k)
         file.fit.residues.back().emplace_back(a[k], b[k]);
+      double largest = 0;
+      for (const std::complex<double> &residue : file.fit.residues.back())
+        largest = std::max(largest, std::abs(residue));
+      if (entry.response == entry.reference && largest < smallest_residue)
+        throw InputError("The table \"" + table.source + "\" has no residue above " +
+                         number_text(smallest_residue) + " m/(N s) in the columns " + pairs[i] +
+                         "...: a force moves nothing there; is the unit right?");
       file.fit.direct.push_back(constant(table, pairs[i] + direct_end));
+      if (!(std::abs(file.fit.direct.back()) <= largest_number))
+        check_size(table, pairs[i] + direct_end, 0);
     }
     const std::vector<std::string> &labels = file.names.labels;
     for (unsigned int i = 0; i < labels.size(); ++i)

@@ -3,6 +3,7 @@
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/base/parameter_file.h>
 #include <vibrocontact/base/parameter_text.h>
+#include <vibrocontact/base/utf8.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,8 +46,9 @@ namespace vibrocontact
     }
   } // namespace
 
-  CsvTable read_csv(const std::string &source, const std::string &text)
+  CsvTable read_csv(const std::string &source, const std::string &bytes)
   {
+    const std::string text = as_utf8(bytes);
     CsvTable table;
     table.source = source;
     const std::string mark = "\xef\xbb\xbf"; // of UTF-8, as spreadsheets write it

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/atomic_file.h>
+#include <vibrocontact/base/checksum.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/hdf5_file.h>
 
@@ -7,6 +8,8 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <string_view>
 
 namespace vibrocontact
@@ -101,6 +104,15 @@ namespace vibrocontact
                          "' announces more than the file holds: it is damaged; write it anew.");
     }
 
+    /// What follows the bytes of a sealed file.
+    std::string seal_of(const std::string_view bytes)
+    {
+      Checksum sum;
+      sum.add(bytes.data(), bytes.size());
+      const unsigned long long value = sum.value();
+      return std::string(reinterpret_cast<const char *>(&value), sizeof value);
+    }
+
     // Sizes of a set, then its data.
     template <typename T>
     std::vector<T> read_set(const hid_t set_id, const std::string &file_name, const std::string &name,
@@ -189,7 +201,7 @@ namespace vibrocontact
     add_to(checksum, text.data(), text.size());
   }
 
-  void Hdf5Writer::finish()
+  void Hdf5Writer::finish(const bool sealed)
   {
     {
       const Handle space(H5Screate(H5S_SCALAR), H5Sclose),
@@ -205,7 +217,8 @@ namespace vibrocontact
                 dealii::ExcInternalError());
     const ssize_t size = H5Fget_file_image(file, nullptr, 0);
     AssertThrow(size > 0, dealii::ExcInternalError());
-    write_file(file_name, std::string_view(static_cast<const char *>(*image), size));
+    const std::string_view bytes(static_cast<const char *>(*image), size);
+    write_file(file_name, sealed ? std::string(bytes) + seal_of(bytes) : bytes);
     H5Fclose(file);
     file = -1;
   }
@@ -222,6 +235,15 @@ namespace vibrocontact
   Hdf5Reader::~Hdf5Reader()
   {
     H5Fclose(file);
+  }
+
+  void Hdf5Reader::check_seal(const std::string &file_name)
+  {
+    std::ifstream file(file_name, std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    const std::size_t size = std::max(bytes.size(), sizeof(unsigned long long)) - sizeof(unsigned long long);
+    if (bytes.substr(size) != seal_of(std::string_view(bytes).substr(0, size)))
+      throw InputError("The file '" + file_name + "' is damaged or incomplete; write it anew.");
   }
 
   bool Hdf5Reader::has(const std::string &name) const

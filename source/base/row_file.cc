@@ -66,11 +66,14 @@ namespace vibrocontact
     if (n == 0)
       return place;
     std::ifstream rows(stem + ".rows", std::ios::binary);
+    std::error_code ignored;
+    const std::uintmax_t size = fs::file_size(stem + ".rows", ignored), row = columns.size() * sizeof(double);
     std::vector<double> block;
     for (std::uint64_t head[2]; place.rows < n;
          place = {place.rows + head[0], place.bytes + sizeof head + block.size() * sizeof(double), head[1]})
     {
-      if (!rows.read(reinterpret_cast<char *>(head), sizeof head) || head[0] == 0 || head[0] > n - place.rows)
+      if (!rows.read(reinterpret_cast<char *>(head), sizeof head) || head[0] == 0 ||
+          head[0] > n - place.rows || head[0] > (size - place.bytes) / row)
         break;
       block.resize(head[0] * columns.size());
       if (!rows.read(reinterpret_cast<char *>(block.data()), block.size() * sizeof(double)) ||

@@ -3,6 +3,7 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/base/uff58.h>
+#include <vibrocontact/base/utf8.h>
 
 #include <algorithm>
 #include <cmath>
@@ -173,10 +174,10 @@ namespace vibrocontact
       text.resize(80, ' ');
       function.line = cursor.line_number();
       function.type = cursor.integer(text, 0, 5);
-      function.response_entity = trimmed(text.substr(31, 10));
+      function.response_entity = as_utf8(trimmed(text.substr(31, 10)));
       function.response_node = cursor.integer(text, 41, 10);
       function.response_direction = cursor.integer(text, 51, 4);
-      function.reference_entity = trimmed(text.substr(56, 10));
+      function.reference_entity = as_utf8(trimmed(text.substr(56, 10)));
       function.reference_node = cursor.integer(text, 66, 10);
       function.reference_direction = cursor.integer(text, 76, 4);
       text = cursor.next_line();

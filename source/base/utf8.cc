@@ -27,4 +27,23 @@ namespace vibrocontact
     }
     return text.size();
   }
+
+  std::string as_utf8(const std::string &text)
+  {
+    if (first_byte_outside_utf8(text) == text.size())
+      return text;
+    std::string result;
+    for (const char c : text)
+    {
+      const auto byte = static_cast<unsigned char>(c);
+      if (byte < 0x80)
+        result += c;
+      else
+      {
+        result += static_cast<char>(0xc0 | byte >> 6);
+        result += static_cast<char>(0x80 | (byte & 0x3f));
+      }
+    }
+    return result;
+  }
 } // namespace vibrocontact

@@ -24,10 +24,16 @@ namespace vibrocontact
           check_finite(child, path + "/" + key);
     }
 
+    /// Letters that are none, of a folder's name for instance, become the mark of an unknown one.
+    std::string text_of(const nlohmann::ordered_json &node, const int indent)
+    {
+      return node.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    }
+
     /// What the object holds, however it is laid out in the file.
     std::string checksum_of(const nlohmann::ordered_json &top)
     {
-      const std::string text = top.dump();
+      const std::string text = text_of(top, -1);
       Checksum sum;
       sum.add(text.data(), text.size());
       char digits[17];
@@ -70,7 +76,7 @@ namespace vibrocontact
     if (!results.reductions.empty())
       top["reductions"] = results.reductions;
     top["checksum"] = checksum_of(top);
-    return top.dump(2) + "\n";
+    return text_of(top, 2) + "\n";
   }
 
   Results results_of_text(const std::string &text)

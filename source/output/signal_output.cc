@@ -121,7 +121,7 @@ namespace vibrocontact
                                              {"periods", peak.frequency * (early.end() - early.begin)},
                                              {"periods_needed", least_periods_of_growth}});
       }
-      if (one.audible && parameters.sound && !folder.empty() && duration > 5e-3 && varies(all))
+      if (one.audible && parameters.sound && !folder.empty() && duration > least_sound && varies(all))
       {
         const std::string file = one.name + ".wav";
         json["sound"] = {{"file", file}, {"full_scale_m_s", write_sound(all, folder + "/" + file)}};

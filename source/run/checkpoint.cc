@@ -3,8 +3,6 @@
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/run/checkpoint.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -173,7 +171,7 @@ namespace vibrocontact
       exchange(file, *coarse);
     for (const auto &recorder : recorders)
       recorder->exchange(file);
-    writer.finish();
+    writer.finish(true);
   }
 
   void check_end_time(const std::string &folder, const double end_time)
@@ -182,7 +180,11 @@ namespace vibrocontact
       return;
     double reached = 0;
     read_whole(checkpoint_name(folder),
-               [&] { reached = Hdf5Reader(checkpoint_name(folder)).number("result/time"); });
+               [&]
+               {
+                 Hdf5Reader::check_seal(checkpoint_name(folder));
+                 reached = Hdf5Reader(checkpoint_name(folder)).number("result/time");
+               });
     if (reached > end_time * (1 + 1e-12))
     {
       std::ostringstream text;
@@ -204,6 +206,8 @@ namespace vibrocontact
     read_whole(name,
                [&]
                {
+                 // sizes and places are used as they are read
+                 Hdf5Reader::check_seal(name);
                  reader = std::make_unique<Hdf5Reader>(name);
                  written_format = reader->integer("format");
                  written_version = reader->text("program");
@@ -231,9 +235,6 @@ namespace vibrocontact
                    exchange(file, *coarse);
                  for (const auto &recorder : recorders)
                    recorder->exchange(file);
-                 // the sum is over all that was written, which rank 0 alone has read
-                 if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-                   reader->verify();
                });
     return true;
   }

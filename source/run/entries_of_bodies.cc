@@ -158,11 +158,23 @@ namespace vibrocontact
     if (body.is_solid() || body.type == "bar")
       entries.add_if(use.loads, "loads matter to the analysis", body.name + "/Loads", "Gravity");
     if (body.is_solid())
-      entries.add_if(use.loads, "loads matter to the analysis", body.name + "/Loads",
-                     "Traction boundary, Traction");
+    {
+      const std::vector<double> &traction = body.loads.traction;
+      entries.add_if(use.loads && traction != std::vector<double>(traction.size()),
+                     "loads matter to the analysis and there is a Traction", body.name + "/Loads",
+                     "Traction boundary");
+      entries.add_if(use.loads && !body.loads.traction_boundary.empty(),
+                     "loads matter to the analysis and there is a Traction boundary", body.name + "/Loads",
+                     "Traction");
+    }
 
     if (body.type == "half-space" || body.type == "rigid")
-      entries.add_if(use.contact, "its surface is in contact", section, "Radius x, Radius y");
+    {
+      const bool in_a_point = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
+                                          [](const BodyParameters &other) { return other.is_point(); });
+      entries.add_if(use.contact && !in_a_point, "its surface is in contact, and not in one point of a bar",
+                     section, "Radius x, Radius y");
+    }
     else if (body.type == "bar")
     {
       entries.add(section, "Length, Section, Divisions, Element degree, Far end");
@@ -197,9 +209,14 @@ namespace vibrocontact
     else if (body.type == "beam rail")
     {
       entries.add(section,
-                  "Length, Lateral position, Area, Moment of area y, Moment of area z, Torsion constant, "
-                  "Warping constant, Shear coefficient z, Shear coefficient y, Height, Centroid height, "
-                  "Shear centre height, Crown radius, Element length, Element degree");
+                  "Length, Area, Moment of area y, Moment of area z, Torsion constant, Warping constant, "
+                  "Shear coefficient z, Shear coefficient y, Centroid height, Shear centre height, "
+                  "Element length, Element degree");
+      entries.add_if(use.contact || use.points, "places on its crown are looked at", section,
+                     "Lateral position, Height");
+      entries.add_if(use.contact || (use.points && body.beam_rail.lateral_position != 0),
+                     "the body is in contact, or is looked at beside its Lateral position 0", section,
+                     "Crown radius");
       entries.add_if(body.beam_rail.has_pads(), "there are pads", section, "Foot width");
       add_supports(entries, section, body.beam_rail, use, true);
     }

@@ -174,7 +174,7 @@ namespace vibrocontact
         if (!wanted.empty() && std::count(wanted.begin(), wanted.end(), body.name) == 0)
           continue;
         BodyUse use;
-        use.motion = use.loss = true;
+        use.motion = use.loss = use.points = true;
         if (body.is_meshed())
           meshed = true;
         else if (body.is_green())
@@ -224,7 +224,12 @@ namespace vibrocontact
       add_partners(entries, parameters, use);
       add_contact(entries, parameters, largest_friction(parameters));
       add_rolling_cases(entries, parameters.rolling);
-      entries.add("Output", "Deformation, Contact problems, Contact patches");
+      entries.add("Output", "Contact problems, Contact patches");
+      entries.add_if(parameters.output.fields &&
+                         std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
+                                     [](const BodyParameters &body) { return body.is_solid(); }),
+                     "Output/Fields is true and a body is a solid of finite elements", "Output",
+                     "Deformation");
     }
 
     BodyUse moving_in_contact()
@@ -241,9 +246,20 @@ namespace vibrocontact
       add_rolling_cases(entries, parameters.rolling);
       add_hub(entries, parameters);
       const std::string section = "Stability";
-      entries.add(section, "Model, Linearisation, Linearise sticking points, Second count");
-      entries.add_if(parameters.stability.linearisation == "paper", "Stability/Linearisation is paper",
-                     section, "Lateral damping, Convective slip");
+      const bool paper = parameters.stability.linearisation == "paper",
+                 rolls = parameters.rolling.creepage.speed > 0,
+                 plane = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
+                                     [](const BodyParameters &body)
+                                     { return body.type == "layer" && body.layer.plane_strain(); });
+      const std::string by_paper = "Stability/Linearisation is paper", rolling = "Rolling/Speed is above 0",
+                        across = "the bodies move across the slip";
+      entries.add(section, "Model, Second count");
+      entries.add_if(rolls || !plane, rolling + " or " + across, section, "Linearisation");
+      entries.add_if(paper && !plane, by_paper + " and " + across, section, "Lateral damping");
+      entries.add_if(paper && rolls, by_paper + " and " + rolling, section, "Convective slip");
+      // without rolling all points slide
+      entries.add_if(!paper && rolls, "Stability/Linearisation is consistent and " + rolling, section,
+                     "Linearise sticking points");
       entries.add_if(parameters.stability.model == "finite elements", "Stability/Model is finite elements",
                      section, "Number of roots");
       entries.add(section + "/Sweep", "Entry, Values, Range, Second entry, Second values, Second range");
@@ -299,8 +315,12 @@ namespace vibrocontact
                          !contact_points_have_mass(parameters),
                      "the run starts from an equilibrium, with rigid contact without mass",
                      section + "/Signals", "Mode amplitudes");
-      entries.add_if(!signals.probes.empty(), "there are Transient/Signals/Probes", section + "/Signals",
-                     "Sound");
+      const bool has_wheel =
+          std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(), is_wheel);
+      entries.add_if(!signals.probes.empty() && (trimmed(signals.probes) != "rim" || has_wheel) &&
+                         own.end_time > least_sound,
+                     "there are Transient/Signals/Probes (a rim is that of a wheel) for more than 5 ms",
+                     section + "/Signals", "Sound");
     }
 
     /// @param section Road of body 1 or of a further one
@@ -330,6 +350,13 @@ namespace vibrocontact
       return body.type == "ring" && body.ring.rolling;
     }
 
+    /// Whether its contact points may have a tread or residual flexibility.
+    bool gives_way(const BodyParameters &body)
+    {
+      return body.type == "ring" ? body.ring.tread_stiffness > 0 || body.ring.residual
+                                 : body.type != "oscillator";
+    }
+
     void modal_convolution_read(EntriesRead &entries, const Parameters &parameters)
     {
       const ModalConvolutionParameters &own = parameters.modal_convolution;
@@ -348,7 +375,9 @@ namespace vibrocontact
       entries.add(
           section,
           "Method, Time step, End time, Friction, History interval, Checkpoint interval, Error estimate");
-      entries.add_if(steps, section + "/Method is no event located", section, "Force shape, Contact solver");
+      entries.add_if(steps, section + "/Method is no event located", section, "Force shape");
+      entries.add_if(steps && !own.friction, section + "/Method is no event located and Friction is false",
+                     section, "Contact solver");
       entries.add_if(convolution, section + "/Method is a convolution", section, "Memory");
       entries.add_if(stands_under_loads(bodies[0]), "body 1 stands under a load", section, "Initial state");
       entries.add_if(own.friction, section + "/Friction is true", "Contact", "Friction coefficient");
@@ -368,7 +397,7 @@ namespace vibrocontact
         entries.add(of_body, "Rows");
         if (further->second.rows.empty())
           continue;
-        entries.add(of_body, "Force shape");
+        entries.add_if(gives_way(bodies[k]), "its points are not rigid", of_body, "Force shape");
         add_body(entries, parameters, k, use);
         add_road(entries, of_body + "/Road", further->second.road, is_rolling_ring(bodies[k]), own.friction);
       }
@@ -390,8 +419,12 @@ namespace vibrocontact
       entries.add_if(own.law != "signorini", "Periodic/Law is no signorini", "Contact",
                      "Penalty amplitude, Penalty exponent");
       entries.add(section, "Trial basis, Weighting basis, Number of functions, Form, Law, Frequency, Force, "
-                           "Force point, Contact points, Stop direction, Gap, Model, Samples, "
+                           "Force point, Contact points, Gap, Model, Samples, "
                            "Quadrature points, Reference, Output samples");
+      entries.add_if(!on_grid || own.stop_axis().first != 2 || !own.force_point.empty() ||
+                         stands_under_loads(parameters.scene.bodies[0]),
+                     "there are Contact points, a Force point or a load, which tell one side from the other",
+                     section, "Stop direction");
       entries.add(section + "/Comparison", "Numbers");
       entries.add_if(!own.numbers.empty(), "there are Periodic/Comparison/Numbers", section + "/Comparison",
                      "Pairs");

@@ -107,7 +107,7 @@ namespace vibrocontact
       const std::string shortage =
           memory_shortage("The reduction of the bodies", certain * share, MPI_COMM_WORLD);
       if (!shortage.empty())
-        throw InputError(shortage + ": " + ways_to_less_memory + ".");
+        throw MachineError(shortage + ": " + ways_to_less_memory + ".");
       const MemoryLeft left = memory_left();
       const Log::Part part("Memory");
       run_log().value("memory of the reductions", "about " + bytes_text(peak) + " at the peak; " +

@@ -4,6 +4,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/folder_lock.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/memory.h>
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/output/answers.h>
@@ -223,6 +224,10 @@ namespace vibrocontact
         return 0;
       }
     }
+    catch (const MachineError &)
+    {
+      throw;
+    }
     catch (const InputError &error)
     {
       throw InputError(file.located(error.what()));
@@ -242,6 +247,11 @@ namespace vibrocontact
     try
     {
       run_analyses(parameters, bodies, sweep, record, results, command_line.resume, clock);
+    }
+    catch (const MachineError &)
+    {
+      record.discard();
+      throw;
     }
     catch (const InputError &error)
     {

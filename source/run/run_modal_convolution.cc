@@ -27,10 +27,9 @@ namespace vibrocontact
 {
   namespace
   {
-    constexpr unsigned int steps_of_a_block = 4096;
     constexpr unsigned int most_point_tables = 10;
     constexpr unsigned long most_table_lines = 1000000, most_spectrum_lines = 20000000;
-    constexpr int checkpoint_format = 2;
+    constexpr int checkpoint_format = 3;
 
     PoleModel reduced_poles(const ReducedBody &body, const bool with_friction)
     {
@@ -96,7 +95,7 @@ namespace vibrocontact
         motion.exchange(file);
         if (history)
           history->exchange(file);
-        writer.finish();
+        writer.finish(true);
       }
 
       /// On every rank.
@@ -109,6 +108,8 @@ namespace vibrocontact
         read_whole(checkpoint_name(folder),
                    [&]
                    {
+                     // sizes and places are used as they are read
+                     Hdf5Reader::check_seal(checkpoint_name(folder));
                      reader = std::make_unique<Hdf5Reader>(checkpoint_name(folder));
                      same = reader->integer("format") == checkpoint_format &&
                             reader->numbers("marks") == marks(model);
@@ -121,11 +122,8 @@ namespace vibrocontact
                    {
                      CheckpointFile file(*reader);
                      motion.exchange(file);
-                     if (!history)
-                       return;
-                     history->exchange(file);
-                     // the sum is over all that was written, which rank 0 alone has read
-                     reader->verify();
+                     if (history)
+                       history->exchange(file);
                    });
         if (motion.result().steps > motion.n_steps())
           throw InputError("Modal convolution/End time is before what the run to be resumed has reached, " +
@@ -279,7 +277,7 @@ namespace vibrocontact
       const unsigned long before = motion.result().steps;
       try
       {
-        more = motion.advance(steps_of_a_block, observe);
+        more = motion.advance(motion.steps_of_a_block(), observe);
       }
       catch (const ConvergenceError &error)
       {

@@ -1,5 +1,6 @@
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/utf8.h>
 #include <vibrocontact/scene/gmsh_file.h>
 
 #include <algorithm>
@@ -161,7 +162,7 @@ namespace vibrocontact
           const auto open = text.find('"'), close = text.rfind('"');
           if (open == std::string::npos || close == open)
             damaged("has a physical name without quotes; save it again with gmsh");
-          const std::string group = text.substr(open + 1, close - open - 1);
+          const std::string group = as_utf8(text.substr(open + 1, close - open - 1));
           names[{group_dim, tag}] = group;
           if (group_dim == 2)
             result.names[tag] = group;

@@ -1,9 +1,12 @@
 // What a run keeps for another one, a resumed one, or itself is taken only as it was written; one run at a time has a
 // folder.
+#include <vibrocontact/base/csv_table.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/folder_lock.h>
 #include <vibrocontact/base/hdf5_file.h>
 #include <vibrocontact/base/row_file.h>
+#include <vibrocontact/base/utf8.h>
+#include <vibrocontact/output/results.h>
 #include <vibrocontact/reduction/reduction_cache.h>
 
 #include <gtest/gtest.h>
@@ -120,6 +123,45 @@ TEST(RowFile, AFinishedFileGoesOnFromItsColumnsUnlessTheyAreDamaged)
   write_bytes(stem + ".h5", bytes);
   EXPECT_EQ(resumed_rows(stem), -1);
   fs::remove_all("row_columns_test");
+}
+
+TEST(Hdf5File, EveryDamagedByteIsSeenBeforeTheFileIsOpened)
+{
+  const std::string name = "seal_test.h5";
+  Hdf5Writer writer(name);
+  writer.write("state", std::vector<double>{0.1, 0.2, 0.3});
+  writer.finish(true);
+  EXPECT_NO_THROW(Hdf5Reader::check_seal(name));
+  EXPECT_EQ(Hdf5Reader(name).numbers("state").at(2), 0.3);
+  const std::string good = bytes_of(name);
+  for (std::size_t i = 0; i < good.size(); ++i)
+  {
+    std::string changed = good;
+    changed[i] ^= 1 << i % 8;
+    write_bytes(name, changed);
+    EXPECT_THROW(Hdf5Reader::check_seal(name), InputError) << "byte " << i;
+  }
+  for (const std::size_t size : {good.size() - 1, good.size() / 2, std::size_t(7), std::size_t(0)})
+  {
+    write_bytes(name, good.substr(0, size));
+    EXPECT_THROW(Hdf5Reader::check_seal(name), InputError) << size << " bytes";
+  }
+  fs::remove(name);
+}
+
+TEST(Utf8, LabelsOfDataFilesThatAreLatin1AreTakenOver)
+{
+  EXPECT_EQ(as_utf8("B\xfcro"), "B\xc3\xbcro");
+  EXPECT_EQ(as_utf8("B\xc3\xbcro"), "B\xc3\xbcro");
+  EXPECT_EQ(first_byte_outside_utf8(as_utf8("\xff\x80\xe4z")), as_utf8("\xff\x80\xe4z").size());
+  EXPECT_EQ(read_csv("table", "frequency_Hz,B\xfcro_z_m\n1,2\n").names[1], "B\xc3\xbcro_z_m");
+  // whatever else comes along ends in a file that can be read
+  Results results;
+  results.analyses["modes"] = {{"folder", "Stra\xdf"
+                                          "e"}};
+  const std::string text = results_text(results, 0);
+  EXPECT_EQ(first_byte_outside_utf8(text), text.size());
+  EXPECT_NO_THROW(results_of_text(text));
 }
 
 namespace

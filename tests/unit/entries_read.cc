@@ -31,50 +31,44 @@ namespace
     return text.str();
   }
 
-  /// Where results go and what is drawn of them; times; limits that a solve has to meet before they count; which of
-  /// two ways is taken depends on the number of dofs.
-  const std::vector<std::string> exempt = {
-      "Output/Directory",    "Output/Cache directory",       "Output/Fields",
-      "Output/Figures",      "Output/Deformation",           "Output/Contact problems",
-      "Checkpoint interval", "Comparison/Repetitions",       "Solver/Force change",
-      "Solver/Tolerance",    "Solver/Max Newton iterations", "Stability/Number of roots",
-      "Write mesh"};
+  /// Entries whose value changes no number of a result, and why: everything else has to change one or be refused.
+  const std::map<std::string, std::string> exempt = {
+      {"Output/Directory", "where results go"},
+      {"Output/Cache directory", "where results go"},
+      {"Output/Figures", "drawn of the results"},
+      {"Output/Fields", "drawn of the results, where an analysis has fields"},
+      {"Contact/Solver/Tolerance", "a solve has to meet it before it counts, and mostly does far better"},
+      {"Contact/Solver/Force change", "a solve has to meet it before it counts"},
+      {"Contact/Solver/Max Newton iterations", "a solve that needs more is not converged"},
+      {"Contact/Solver/Max fixed point iterations", "a solve that needs more is not converged"},
+      {"Transient/Checkpoint interval", "a matter of wall time"},
+      {"Modal convolution/Checkpoint interval", "a matter of wall time"},
+      {"Contact/Half length",
+       "how far contact points are looked for: where there are enough, more change nothing"},
+      {"Continuation/Smallest step", "a branch that asks for shorter ones ends and says so"},
+      {"Comparison/Repetitions", "times are measured more often"},
+      {"Wheel/Write mesh", "a file beside the results"}};
 
-  /// Accepted without an effect on the scenes here, still open: limits of iterations, other ways to the same numbers, and
-  /// entries whose condition entries_read() does not know yet.
-  const std::vector<std::string> without_effect_here = {"Beam rail/Crown radius",
-                                                        "Beam rail/Lateral position",
-                                                        "Beam rail/Height",
-                                                        "Frequency response/Cut frequencies",
-                                                        "Identification/Passive data",
-                                                        "Identification/Iterations",
-                                                        "Identification/Residue tolerance",
-                                                        "Rolling/Speed",
-                                                        "Modal convolution/Contact solver",
-                                                        "Comparison/Rows",
-                                                        "Periodic/Stop direction",
-                                                        "Periodic/Quadrature points",
-                                                        "Continuation/Smallest step",
-                                                        "Continuation/Most points",
-                                                        "Continuation/Location tolerance",
-                                                        "Stability/Linearisation",
-                                                        "Stability/Lateral damping",
-                                                        "Stability/Convective slip",
-                                                        "Stability/Linearise sticking points",
-                                                        "Rigid/Radius x",
-                                                        "Rigid/Radius y"};
-
-  bool ends_with_any(const std::string &path, const std::vector<std::string> &ends)
+  /// The value whose key is what the path ends with; null if there is none.
+  template <typename T>
+  const T *of_end(const std::map<std::string, T> &table, const std::string &path)
   {
-    return std::any_of(ends.begin(), ends.end(),
-                       [&](const std::string &end) {
-                         return path.size() >= end.size() &&
-                                path.compare(path.size() - end.size(), end.size(), end) == 0;
-                       });
+    for (const auto &[end, value] : table)
+      if (path == end || (path.size() > end.size() && path[path.size() - end.size() - 1] == '/' &&
+                          path.compare(path.size() - end.size(), end.size(), end) == 0))
+        return &value;
+    return nullptr;
   }
 
-  /// Values of entries that are text_values.
-  const std::map<std::string, std::vector<std::string>> text_values = {
+  /// Values to be tried first: of texts, and of numbers that a small change does not move.
+  const std::map<std::string, std::vector<std::string>> chosen_values = {
+      {"Identification/Iterations", {"1"}},
+      {"Identification/Residue tolerance", {"0.1"}},
+      {"Periodic/Quadrature points", {"126"}},
+      {"History interval", {"1e-5"}},
+      {"Signals/Mode amplitudes", {"1", "0"}},
+      {"Continuation/Most points", {"3"}},
+      {"Continuation/Location tolerance", {"0.1"}},
       {"Title", {"another"}},
       {"Expression", {"2e-7*sin(2*pi*s/0.01)"}},
       {"Speed expression", {"10+t"}},
@@ -106,7 +100,7 @@ namespace
       {"Method", {"lsce", "vector fitting"}},
       {"Pairs", {"haar:haar", "bspline:fourier"}},
       {"Start value", {"110"}},
-      {"Cut frequencies", {"300"}},
+      {"Cut frequencies", {"300", "1"}},
       {"Check frequencies", {"250"}},
       {"Frequencies", {"60, 90"}},
       {"Bodies", {}},
@@ -120,40 +114,42 @@ namespace
     return text.str();
   }
 
-  /// Other values that an entry may take, by its pattern.
+  /// Other values that an entry may take: the chosen ones, then those of its pattern.
   std::vector<std::string> other_values(const DeclaredParameters::Entry &entry)
   {
     const auto is = [&](const std::string &kind) { return entry.pattern.rfind("[" + kind, 0) == 0; };
-    if (is("Selection"))
-    {
-      std::vector<std::string> names;
-      std::istringstream stream(entry.pattern.substr(11, entry.pattern.size() - 12));
-      for (std::string name; std::getline(stream, name, '|');)
-        if (trimmed(name) != entry.value)
-          names.push_back(trimmed(name));
-      return names;
-    }
-    if (is("Bool"))
-      return {entry.value == "true" ? "false" : "true"};
+    std::vector<std::string> values;
+    const auto add = [&](const std::vector<std::string> &more)
+    { values.insert(values.end(), more.begin(), more.end()); };
     char *end = nullptr;
     const double value = std::strtod(entry.value.c_str(), &end);
-    if (is("Integer"))
-      return {short_number(value + 1), short_number(value + 2), short_number(std::max(1., value - 1)),
-              short_number(2 * value)};
-    if (is("Double"))
+    const std::vector<std::string> *const chosen =
+        of_end(chosen_values, joined_path(entry.section, entry.name));
+    if (chosen)
+      add(*chosen);
+    if (is("Selection"))
     {
-      if (value == 0)
-        return {"1e-3", "0.1", "1", "1e-7", "-1e-3"};
-      return {short_number(1.1 * value), short_number(0.9 * value), short_number(2 * value),
-              short_number(0.5 * value), short_number(-1e-3)};
+      std::istringstream stream(entry.pattern.substr(11, entry.pattern.size() - 12));
+      for (std::string name; std::getline(stream, name, '|');)
+        values.push_back(trimmed(name));
     }
-    const auto text = text_values.find(entry.name);
-    if (text != text_values.end())
-      return text->second;
-    // a list: its first number changes
-    if (end != entry.value.c_str())
-      return {short_number(1.1 * value) + std::string(end), short_number(value + 1) + std::string(end)};
-    return {"1", "0.1"};
+    else if (is("Bool"))
+      add({entry.value == "true" ? "false" : "true"});
+    else if (is("Integer"))
+      add({short_number(value + 1), short_number(value + 2), short_number(std::max(1., value - 1)),
+           short_number(2 * value)});
+    else if (is("Double") && value == 0)
+      add({"1e-3", "0.1", "1", "1e-7", "-1e-3"});
+    else if (is("Double"))
+      add({short_number(1.1 * value), short_number(0.9 * value), short_number(2 * value),
+           short_number(0.5 * value), short_number(-1e-3)});
+    else if (!chosen && end != entry.value.c_str())
+      // a list: its first number changes
+      add({short_number(1.1 * value) + std::string(end), short_number(value + 1) + std::string(end)});
+    else if (!chosen)
+      add({"1", "0.1"});
+    values.erase(std::remove(values.begin(), values.end(), entry.value), values.end());
+    return values;
   }
 
   /// results.json without what the clock says
@@ -286,14 +282,13 @@ TEST_P(EntriesRead_, ChangeTheResultOrAreRefused)
   read_parameters(parameter_file, prm, parameters);
   const EntryOutcome base = entry_outcome(file, folder, {});
   ASSERT_EQ(base.refused, "");
-  ASSERT_EQ(base.print, entry_outcome(file, folder, {}).print) << "two runs differ";
+  ASSERT_TRUE(base.print == entry_outcome(file, folder, {}).print) << "two runs differ";
 
   unsigned int n_changed = 0, n_unread = 0, n_invalid = 0, n_exempt = 0;
   for (const DeclaredParameters::Entry &entry : declared_parameters(prm).entries)
   {
     const std::string path = joined_path(entry.section, entry.name);
-    if (entry.section.empty() || entry.name == "Type" || ends_with_any(path, exempt) ||
-        ends_with_any(path, without_effect_here))
+    if (entry.section.empty() || entry.name == "Type" || of_end(exempt, path))
     {
       ++n_exempt;
       continue;

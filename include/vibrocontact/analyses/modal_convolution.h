@@ -134,6 +134,8 @@ namespace vibrocontact
 
     const ModalConvolutionResult &result() const { return results; }
     unsigned long n_steps() const { return last_step; }
+    /// What advance() may do between two looks at the clock: a tenth of a second, or one step.
+    unsigned int steps_of_a_block() const;
     /// What the second march is; empty without one.
     std::string second_march() const;
     void exchange(CheckpointFile &file);
@@ -147,6 +149,7 @@ namespace vibrocontact
       double square_integral = 0;
     };
 
+    void check_number_of_pieces() const;
     void begin_second_march(const ContactSolverParameters &solver, const PoleModel &model, double mu);
     void advance_second_march();
     void compare_second_march();

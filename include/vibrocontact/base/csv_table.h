@@ -31,7 +31,7 @@ namespace vibrocontact
 
   /// @param source begins the messages, see CsvTable::source
   /// @throws InputError with source and line
-  CsvTable read_csv(const std::string &source, const std::string &text);
+  CsvTable read_csv(const std::string &source, const std::string &bytes);
 
   /// The table in a file that an entry of the parameter file names. Collective.
   /// @throws InputError with entry, file and line

@@ -40,7 +40,8 @@ namespace vibrocontact
     void write(const std::string &name, const DenseMatrix &matrix);
     void write(const std::string &name, const std::string &text);
     /// Writes the file. @throws OutputError if that is impossible, see write_file()
-    void finish();
+    /// @param sealed the sum over all its bytes stands behind them, see Hdf5Reader::check_seal()
+    void finish(bool sealed = false);
 
   private:
     std::string file_name;
@@ -59,6 +60,9 @@ namespace vibrocontact
     Hdf5Reader(const Hdf5Reader &) = delete;
     Hdf5Reader &operator=(const Hdf5Reader &) = delete;
 
+    /// Before a file is opened: whether each of its bytes is as it was written, those of HDF5 itself included, which
+    /// does not survive every damage. @throws InputError if not, or if it was written without a seal
+    static void check_seal(const std::string &file_name);
     bool has(const std::string &name) const;
     /// @param size number of values that there must be, 0 for any
     std::vector<double> numbers(const std::string &name, std::size_t size = 0);

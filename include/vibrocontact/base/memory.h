@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vibrocontact/base/exceptions.h>
+
 #include <mpi.h>
 
 #include <string>
@@ -22,6 +24,13 @@ namespace vibrocontact
 
   /// "8.3 GB"
   std::string bytes_text(double bytes);
+
+  /// What the machine cannot do, whichever lines of the file ask for it: names none.
+  class MachineError : public InputError
+  {
+  public:
+    using InputError::InputError;
+  };
 
   /// What a user can do about too little of it.
   constexpr char ways_to_less_memory[] = "take one rank, a coarser mesh or a lower degree, a beam rail in "

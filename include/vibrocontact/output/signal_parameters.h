@@ -37,6 +37,9 @@ namespace vibrocontact
     void check(const std::vector<std::string> &bodies, const TransientParameters &transient) const;
   };
 
+  /// shorter runs have no sound [s]
+  constexpr double least_sound = 5e-3;
+
   /// A place on a body and a direction in which its motion is recorded.
   struct ProbeRequest
   {

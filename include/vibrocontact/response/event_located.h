@@ -68,6 +68,8 @@ namespace vibrocontact
     /// steps up into a point
     void advance(double end, const Observer &observe);
 
+    /// Longest piece of a motion without events, 2 / |fastest pole| at most [s]
+    double longest_piece() const { return piece; }
     double time() const { return now; }
     std::vector<ContactEvent> impacts, releases;
     /// of each point so far, impacts included [N s]

@@ -9,6 +9,8 @@ namespace vibrocontact
   {
     /// points of its surface are in contact, its mesh is refined under them
     bool contact = false;
+    /// places on it are excited and looked at
+    bool points = false;
     /// forces that stand on it: gravity, tractions
     bool loads = false;
     /// it moves by its mass, in kept modes
