@@ -82,6 +82,18 @@ namespace vibrocontact
       // what is left of steps twice as long ends between two of them
       second->last_step = std::floor(last_step / ratio + 1e-9);
     };
+    const auto make_finer = [&]
+    {
+      try
+      {
+        make(0.5);
+      }
+      catch (const InputError &error)
+      {
+        // a second march of twice as many steps may hold too much; the first one is the user's
+        results.errors.failure = error.what();
+      }
+    };
     // the second march of a second march, in four times the step, tells how the error falls; with linear forces it is known
     const bool is_first = parameters.error_estimate;
     try
@@ -94,7 +106,7 @@ namespace vibrocontact
     {
       // forces that ring in steps twice as long do not in the half
       if (is_first)
-        make(0.5);
+        make_finer();
     }
     compared = sums();
   }

@@ -1,3 +1,4 @@
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/numerics/nonnegative.h>
 
 #include <algorithm>
@@ -26,9 +27,15 @@ namespace vibrocontact
         right(a) = h[set[a]];
       }
       for (double raise = 1e-10; !factorise_cholesky(part); raise *= 100)
+      {
+        if (raise > 1)
+          throw ConvergenceError(
+              "The least change that makes the fitted poles passive has no solution: its matrix is not "
+              "definite.");
         for (unsigned int a = 0; a < n; ++a)
           for (unsigned int b = 0; b < n; ++b)
             part(a, b) = K(set[a], set[b]) * (a == b ? 1 + raise : 1);
+      }
       part.solve(right);
       for (unsigned int a = 0; a < n; ++a)
         x[set[a]] = right(a);

@@ -98,7 +98,8 @@ namespace vibrocontact
         return;
       }
       const PoleBody made = pole_body(parameters, bodies, 0, parameters.road);
-      const Road road(parameters.road, made.places, made.shapes, own.end_time);
+      const Road road(road_of(parameters, made), made.places, made.shapes, own.end_time);
+      own.error_estimate = false;
       // what a convolution keeps of its Green's functions is none of the input's concern
       if (!own.is_event_located())
         own.method = "modal recursion";

@@ -229,4 +229,30 @@ namespace vibrocontact
                      who_reads(refused[0], parameters) + ". Leave it out." + others +
                      (others.empty() ? "" : "."));
   }
+
+  void check_reach_of_sweeps(const Parameters &parameters)
+  {
+    const auto check = [&](const std::string &sweep, const std::string &what, const std::string &single,
+                           const std::vector<std::string> &followers)
+    {
+      for (const std::string &analysis : parameters.scene.analyses)
+        if (std::count(followers.begin(), followers.end(), analysis) == 0 &&
+            entries_read(analysis, parameters).contains(single))
+          throw InputError(sweep + " sweeps " + what + ", but the analysis \"" + analysis +
+                           "\" does not follow it and would run at one value: run it from a file without the "
+                           "sweep.");
+    };
+    for (const std::string &entry : parameters.rolling.sweep.given())
+    {
+      const std::string name = entry.substr(entry.rfind('/') + 1);
+      check(entry, "quasi-static rolling and stability",
+            (name == "Friction coefficient" ? "Contact/" : "Rolling/") + name,
+            {"quasi-static rolling", "stability"});
+    }
+    if (parameters.scene.runs("stability"))
+      for (const ParameterSweep::Axis *const axis :
+           {&parameters.stability.sweep.first, &parameters.stability.sweep.second})
+        if (!axis->entry.empty())
+          check("Stability/Sweep", axis->entry + " in stability alone", axis->entry, {"stability"});
+  }
 } // namespace vibrocontact

@@ -60,6 +60,9 @@ namespace vibrocontact
         text << "The run with twice the step, from which the error is estimated, ended at "
              << coarse.sums.time << " s: " << coarse.sums.message;
         doubt(text.str() + (text.str().back() == '.' ? "" : "."), results);
+        // an error up to then says nothing of the whole run
+        run_log().value("estimated error of the steps", "unknown");
+        return;
       }
       if (errors.time <= 0)
       {

@@ -247,48 +247,6 @@ namespace vibrocontact
                          "held.");
     }
 
-    /// The analyses whose results an entry of the scene changes.
-    bool depends_on(const Scene &scene, const std::string &analysis, const std::string &entry)
-    {
-      const std::string section = entry.substr(0, entry.find('/'));
-      if (std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                      [&](const BodyParameters &body) { return body.name == section; }))
-        return true;
-      return (section == "Contact" || section == "Rolling") &&
-             (analysis == "quasi-static rolling" || analysis == "transient");
-    }
-
-    /// A sweep moves the analyses that know it; the others of the file would silently stay at single values.
-    void check_reach_of_sweeps(const Parameters &parameters)
-    {
-      const Scene &scene = parameters.scene;
-      const std::vector<std::string> swept = parameters.rolling.sweep.given();
-      const auto refuse = [&](const std::string &sweep, const std::string &what, const std::string &analysis)
-      {
-        throw InputError(sweep + " sweeps " + what + ", but the analysis \"" + analysis +
-                         "\" does not follow it and would run at one value: run it from a file without the "
-                         "sweep.");
-      };
-      for (const std::string &entry : swept)
-      {
-        if (scene.runs("transient"))
-          refuse(entry, "quasi-static rolling and stability", "transient");
-        if (entry != "Rolling/Sweep/Friction coefficient")
-          continue;
-        if (scene.runs("periodic"))
-          refuse(entry, "quasi-static rolling and stability", "periodic");
-        if (scene.runs("modal convolution") && parameters.modal_convolution.friction)
-          refuse(entry, "quasi-static rolling and stability", "modal convolution");
-      }
-      if (!scene.runs("stability"))
-        return;
-      for (const ParameterSweep::Axis *const axis :
-           {&parameters.stability.sweep.first, &parameters.stability.sweep.second})
-        for (const std::string &analysis : scene.analyses)
-          if (!axis->entry.empty() && analysis != "stability" && depends_on(scene, analysis, axis->entry))
-            refuse("Stability/Sweep", axis->entry + " in stability alone", analysis);
-    }
-
     void check_sweep(const Parameters &parameters)
     {
       const ParameterSweep &sweep = parameters.stability.sweep;
@@ -451,7 +409,6 @@ namespace vibrocontact
     }
     if (scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient"))
       check_hub_of_body_1(*this);
-    check_reach_of_sweeps(*this);
     if (scene.runs("transient"))
       check_transient(*this);
     if (scene.runs("frequency response"))

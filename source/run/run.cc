@@ -208,6 +208,7 @@ namespace vibrocontact
     MeshedBodies bodies;
     try
     {
+      check_reach_of_sweeps(parameters);
       bodies = meshed_bodies(parameters, declared_parameters(prm));
       check_transient_files(parameters, bodies);
       check_meshes(parameters, bodies, command_line.check);
@@ -220,8 +221,6 @@ namespace vibrocontact
         check_places(parameters, bodies, sweep);
         if (command_line.resume)
           earlier_results(folder, used, parameters.transient.end_time);
-        print_scene(parameters, bodies, grid, command_line.output);
-        return 0;
       }
     }
     catch (const MachineError &)
@@ -235,6 +234,14 @@ namespace vibrocontact
     catch (const OutputError &error)
     {
       throw InputError("Write mesh: " + std::string(error.what()));
+    }
+    if (command_line.check)
+    {
+      std::optional<FolderLock> picture;
+      if (!command_line.output.empty())
+        picture.emplace(folder, command_line.file + ", --check", true);
+      print_scene(parameters, bodies, grid, command_line.output);
+      return 0;
     }
 
     const FolderLock lock(folder, command_line.file + (command_line.resume ? ", resumed" : ""),
@@ -255,7 +262,14 @@ namespace vibrocontact
     }
     catch (const InputError &error)
     {
-      record.discard();
+      // what analyses before have computed stays
+      if (results.analyses.empty())
+        record.discard();
+      else
+      {
+        results.failures.push_back({"", error.what()});
+        record.save(results, clock.seconds());
+      }
       throw InputError(file.located(error.what()));
     }
     catch (const ConvergenceError &error)

@@ -1,3 +1,4 @@
+#include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/output/periodic_output.h>
@@ -80,7 +81,6 @@ namespace vibrocontact
                     Results &results)
   {
     const PeriodicParameters &periodic = parameters.periodic;
-    const bool writes = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     run_log().block("Periodic motion");
     const PeriodicBody body = periodic_body(parameters, bodies);
     const auto law =
@@ -106,14 +106,17 @@ namespace vibrocontact
       }
     }
 
-    if (writes && reference)
-      write_reference_table(*reference, folder + "/periodic_reference.csv");
-    if (writes && !periodic.numbers.empty())
+    if (reference)
+      on_first_rank([&] { write_reference_table(*reference, folder + "/periodic_reference.csv"); });
+    if (!periodic.numbers.empty())
     {
       std::set<std::string> families;
       for (const auto &[trial, weighting] : periodic.parsed_pairs())
         families.insert({trial, weighting});
-      write_basis_table({families.begin(), families.end()}, folder + "/time_bases.csv");
+      on_first_rank(
+          [&] {
+            write_basis_table({families.begin(), families.end()}, folder + "/time_bases.csv");
+          });
     }
 
     nlohmann::ordered_json &json = results.analyses["periodic"] = nlohmann::ordered_json::array();
@@ -146,15 +149,17 @@ namespace vibrocontact
         results.failures.push_back({"periodic", text.str()});
       }
       tell(solved);
-      if (writes && solved.solution.converged)
-        write_periodic_table(solved, folder + "/periodic_" + std::to_string(json.size()) + ".csv");
+      if (solved.solution.converged)
+        on_first_rank(
+            [&]
+            { write_periodic_table(solved, folder + "/periodic_" + std::to_string(json.size()) + ".csv"); });
       if (reference)
         add_line(table, solved);
       json.push_back(periodic_json(solved));
       progress.advance();
     }
-    if (writes && reference)
-      table.write(folder + "/periodic_errors.csv");
+    if (reference)
+      on_first_rank([&] { table.write(folder + "/periodic_errors.csv"); });
     if (periodic.continuation.is_wanted())
       run_response(periodic, body, law, parameters.contact.friction, folder, results);
   }

@@ -1,3 +1,4 @@
+#include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/output/response_output.h>
 #include <vibrocontact/run/run_response.h>
@@ -82,7 +83,6 @@ namespace vibrocontact
                     const std::string &folder, Results &results)
   {
     const BranchParameters &response = periodic.continuation;
-    const bool writes = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     const std::string unit = response.parameter == "frequency" ? "Hz"
                              : response.parameter == "force"   ? "N"
                                                                : "m";
@@ -125,8 +125,7 @@ namespace vibrocontact
                                                     std::to_string(solved.curve.points.size()) +
                                                     " points: " + solved.curve.reason + "."});
       const std::string table = k == 0 ? "response.csv" : "response_" + std::to_string(k) + ".csv";
-      if (writes)
-        write_response_table(solved, folder + "/" + table);
+      on_first_rank([&] { write_response_table(solved, folder + "/" + table); });
       (k == 0 ? main : variants.emplace_back()) = response_json(solved, table);
     }
     if (!variants.empty())

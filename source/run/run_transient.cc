@@ -256,8 +256,7 @@ namespace vibrocontact
 
     const auto law = parameters.contact.law();
     RunRecorders run_recorders;
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      run_recorders = make_recorders(parameters, *held, hub, *law, probes, folder);
+    on_first_rank([&] { run_recorders = make_recorders(parameters, *held, hub, *law, probes, folder); });
     const Recorders &recorders = run_recorders.all;
     DynamicState state;
     TransientResult before;

@@ -19,7 +19,8 @@ namespace vibrocontact
     using Cell = std::variant<double, std::string>;
 
     Table(const std::vector<std::string> &columns, const std::vector<std::string> &comments);
-    /// @throws dealii::ExceptionBase if a number is not finite or the number of cells differs from the header
+    /// @throws ConvergenceError if a number is not finite, dealii::ExceptionBase if the number of cells differs from the
+    /// header
     void add_row(const std::vector<Cell> &cells);
     unsigned int n_rows() const { return rows; }
     std::string text() const { return content; }

@@ -23,4 +23,8 @@ namespace vibrocontact
                                               const Parameters &parameters,
                                               const DeclaredParameters &declared,
                                               const StabilityCases &sweep);
+
+  /// Refuses a sweep that an analysis of the same file reads (entries_read()) and does not follow: it would silently
+  /// stay at a single value. @throws InputError
+  void check_reach_of_sweeps(const Parameters &parameters);
 } // namespace vibrocontact
