@@ -181,6 +181,7 @@ namespace vibrocontact
         result.time = next.time;
         const double h = next.time - state.time;
         double before = 0, after = 0;
+        result.tangential_square += h * (tangential_square(state.R) + tangential_square(next.R)) / 2;
         for (unsigned int i = 0; i < n; ++i)
         {
           before += state.R[i];
@@ -195,6 +196,18 @@ namespace vibrocontact
       }
 
     private:
+      /// of the resultant of contact forces [N^2]
+      template <typename Forces>
+      double tangential_square(const Forces &R) const
+      {
+        const unsigned int n = pair.n_points();
+        double sum[2] = {0, 0};
+        for (unsigned int c = 0; c < 2 && R.size() == 3 * n; ++c)
+          for (unsigned int i = 0; i < n; ++i)
+            sum[c] += R[contact_row(n, 1 + c, i)];
+        return sum[0] * sum[0] + sum[1] * sum[1];
+      }
+
       const ContactPair &pair;
       const ContactParameters &contact;
       const std::shared_ptr<const NormalLaw> law;
@@ -265,12 +278,22 @@ namespace vibrocontact
       const double impulse = std::max({energy, least_of_rms * rms_force,
                                        doubled_step_error(other.impulse, coarse.sums.impulse) / divisor});
       add(coarse.errors, other.time, impulse, rms_force, end_time);
+      constexpr double least_part = 1e-3;
+      const double tangential = std::max(other.rms_tangential(), least_part * other.rms_force()),
+                   difference = other.rms_tangential() - coarse.sums.rms_tangential();
+      coarse.errors.rms_tangential =
+          tangential > 0 ? std::abs(difference) / (std::sqrt(3.) * divisor * tangential) : 0;
     }
   } // namespace
 
   double TransientResult::rms_force() const
   {
     return time > 0 ? std::sqrt(force_square / time) : 0;
+  }
+
+  double TransientResult::rms_tangential() const
+  {
+    return time > 0 ? std::sqrt(tangential_square / time) : 0;
   }
 
   TransientParameters with_doubled_step(TransientParameters parameters)

@@ -293,7 +293,11 @@ namespace vibrocontact
       impulse += is_given(transient, "estimated_error")
                      ? text("; estimated error of the steps %.2g and %.2g %%",
                             100 * number(transient, "estimated_error"),
-                            100 * number(transient, "estimated_error_rms_force"))
+                            100 * number(transient, "estimated_error_rms_force")) +
+                           (number(transient, "friction") > 0
+                                ? text(", of the rms tangential force %.2g %%",
+                                       100 * number(transient, "estimated_error_rms_tangential_force"))
+                                : "")
                      : "; error of the steps not estimated";
       lines.push_back(impulse);
       std::size_t n_modes = 0;

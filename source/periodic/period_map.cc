@@ -135,6 +135,20 @@ namespace vibrocontact
     return step;
   }
 
+  std::vector<double> PeriodMap::steady_off_resonance(const double phase) const
+  {
+    constexpr double nearest = 1e-4;
+    std::vector<double> x = steady(phase);
+    for (unsigned int k = 0; k < n; ++k)
+    {
+      const double w = body.omega[k];
+      const Complex stiffness(w * w - Omega * Omega, 2 * body.damping_ratio[k] * w * Omega);
+      if (std::abs(stiffness) < nearest * Omega * Omega)
+        x[k] = x[n + k] = 0;
+    }
+    return x;
+  }
+
   std::vector<double> PeriodMap::steady(const double phase) const
   {
     std::vector<double> x(n_states());

@@ -185,7 +185,7 @@ namespace vibrocontact
     { return std::make_shared<const PeriodMap>(body, law, force, n_steps, settings.n_nodes, accuracy); };
     auto map = make_map();
     double phase = start.phase;
-    std::vector<double> x = start.state.empty() ? map->steady(phase) : start.state;
+    std::vector<double> x = start.state.empty() ? map->steady_off_resonance(phase) : start.state;
     ShootingSolution solution;
     // the nearer to the motion, the fewer periods it takes
     for (unsigned int n_settling = settings.n_settling;; n_settling = 4 * n_settling + 4)

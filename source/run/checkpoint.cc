@@ -16,7 +16,7 @@ namespace vibrocontact
   namespace
   {
     /// changes whenever what is exchanged or what it means does
-    constexpr int format = 7;
+    constexpr int format = 8;
 
     std::string checkpoint_name(const std::string &folder)
     {
@@ -64,6 +64,7 @@ namespace vibrocontact
       file(run + "result/seconds", result.seconds);
       file(run + "result/impulse", result.impulse);
       file(run + "result/force_square", result.force_square);
+      file(run + "result/tangential_square", result.tangential_square);
       file(run + "result/smallest_gap", result.smallest_gap);
       EnergyAccount &energy = result.energy;
       file(run + "energy/initial", energy.initial);
@@ -89,6 +90,7 @@ namespace vibrocontact
       file("coarse/errors/time", coarse.errors.time);
       file("coarse/errors/impulse", coarse.errors.impulse);
       file("coarse/errors/rms_force", coarse.errors.rms_force);
+      file("coarse/errors/rms_tangential", coarse.errors.rms_tangential);
       file("coarse/errors/averaged_time", coarse.errors.averaged_time);
       file("coarse/errors/impulse_square", coarse.errors.impulse_square);
       file("coarse/errors/rms_square", coarse.errors.rms_square);

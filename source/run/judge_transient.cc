@@ -73,9 +73,13 @@ namespace vibrocontact
         return;
       json["estimated_error"] = errors.impulse;
       json["estimated_error_rms_force"] = errors.rms_force;
+      json["estimated_error_rms_tangential_force"] = errors.rms_tangential;
       run_log().value("estimated error of the impulse", percent(errors.impulse));
       run_log().value("of the rms normal force",
                       percent(errors.rms_force) + " of " + number_text(result.rms_force()) + " N");
+      if (result.rms_tangential() > 0)
+        run_log().value("of the rms tangential force", percent(errors.rms_tangential) + " of " +
+                                                           number_text(result.rms_tangential()) + " N");
     }
   } // namespace
 
@@ -96,11 +100,12 @@ namespace vibrocontact
     if (!(result.energy.open() <= most_open_energy * result.energy.available))
       refuse(open_energy(result.energy), results);
     if (coarse && coarse->errors.time > 0 && !(coarse->errors.largest() <= most_step_error))
-      refuse("The steps of the transient are too long for its result: the error is estimated at " +
-                 percent(coarse->errors.impulse) + " of the impulse and " +
-                 percent(coarse->errors.rms_force) +
-                 " of the rms normal force, from a run with twice the step. Take a smaller Transient/Time "
-                 "step.",
-             results);
+      refuse(
+          "The steps of the transient are too long for its result: the error is estimated at " +
+              percent(coarse->errors.impulse) + " of the impulse, " + percent(coarse->errors.rms_force) +
+              " of the rms normal force and " + percent(coarse->errors.rms_tangential) +
+              " of the rms tangential force, from a run with twice the step. Take a smaller Transient/Time "
+              "step.",
+          results);
   }
 } // namespace vibrocontact

@@ -422,6 +422,11 @@ namespace vibrocontact
         check_rolling(body, road);
     if (scene.runs("modal convolution"))
     {
+      if (!scene.bodies[0].is_green() && !scene.bodies[0].is_meshed())
+        throw InputError("Analyses: a modal convolution moves body 1 by its poles, but " +
+                         scene.bodies[0].name + ", " + scene.bodies[0].type +
+                         ", has none: make body 1 an oscillator, a ring, an identified body or one "
+                         "with elements.");
       road.check();
       modal_convolution.check();
       comparison.check();
@@ -476,11 +481,12 @@ namespace vibrocontact
         throw InputError("Periodic/Reference with the rigid law needs a contact node without mass: set " +
                          scene.bodies[0].name +
                          "/Bar/Massless contact node to true or Periodic/Law to penalty.");
-      if (scene.bodies[0].type == "bar" && contact.friction > 0)
-        throw InputError(
-            scene.bodies[0].name +
-            " is a bar, which moves in one direction only: set Contact/Friction coefficient to 0.");
     }
+    if ((scene.runs("transient") || scene.runs("periodic")) && scene.bodies[0].type == "bar" &&
+        contact.friction > 0)
+      throw InputError(
+          scene.bodies[0].name +
+          " is a bar, which moves in one direction only: set Contact/Friction coefficient to 0.");
     if (has_dynamics() || scene.runs("periodic"))
       for (const BodyParameters &body : scene.bodies)
         if (body.is_meshed() && !modes.at(body.name).any())

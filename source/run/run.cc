@@ -262,8 +262,8 @@ namespace vibrocontact
     }
     catch (const InputError &error)
     {
-      // what analyses before have computed stays
-      if (results.analyses.empty())
+      // what analyses before this one have computed stays
+      if (results.analyses.size() < 2)
         record.discard();
       else
       {

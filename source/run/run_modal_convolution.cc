@@ -285,12 +285,6 @@ namespace vibrocontact
         message = error.what();
         break;
       }
-      catch (const InputError &error)
-      {
-        // a place of the road that has no answer, far along it: what was computed stays
-        message = error.what();
-        break;
-      }
       on_first_rank(
           [&]
           {

@@ -157,8 +157,10 @@ namespace
   {
     if (node.is_object())
     {
-      std::vector<std::string> times = {"reductions", "peak_memory_MB", "program", "wall_s",
-                                        "figures_s",  "stages_s",       "checksum"};
+      // and what repeats an entry
+      std::vector<std::string> times = {
+          "reductions", "peak_memory_MB",       "program", "wall_s", "figures_s", "stages_s", "checksum",
+          "speed_m_s",  "sliding_velocity_m_s", "friction"};
       for (const auto &[key, child] : node.items())
         if (key.find("seconds") != std::string::npos)
           times.push_back(key);

@@ -509,6 +509,24 @@ TEST(Shooting, WhatSettlingLeaves)
   EXPECT_GT(settled.error, 0.1 * settled.change);
 }
 
+// The motion without contact is 80,000 times the answer at rest: what it would hit the stop with has steps without end.
+TEST(Shooting, BesideAnUndampedResonanceItEnds)
+{
+  const AxialBarCase c = axial_bar_150();
+  PeriodicBody undamped = axial_bar(c);
+  undamped.damping_ratio.assign(undamped.damping_ratio.size(), 0.);
+  HarmonicForce force = c.excitation();
+  force.frequency = undamped.omega[0] / (2 * pi) * (1 - 6e-6);
+  try
+  {
+    const ShootingSolution s = shoot(undamped, stop_law(ExponentialPenaltyLaw(1e8, 50)), force);
+    EXPECT_LT(s.periodicity, ShootingSettings().tolerance);
+  }
+  catch (const ConvergenceError &)
+  {
+  }
+}
+
 TEST(Shooting, RefusesWhatItCannot)
 {
   const AxialBarCase c = axial_bar_1275();

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/analyses/energy_account.h>
 
+#include <algorithm>
 #include <string>
 
 namespace vibrocontact
@@ -18,6 +19,8 @@ namespace vibrocontact
     double time = 0, seconds = 0;
     /// normal impulse over the run [Ns] and the integral of the normal force's square [N^2 s]
     double impulse = 0, force_square = 0;
+    /// integral of the tangential resultant's square [N^2 s]
+    double tangential_square = 0;
     /// least gap seen, negative: penetration [m]
     double smallest_gap = 0;
     EnergyAccount energy;
@@ -25,8 +28,9 @@ namespace vibrocontact
     /// why it did not
     std::string message;
 
-    /// of the normal force over the run [N]
+    /// of the normal force, and of the tangential resultant, over the run [N]
     double rms_force() const;
+    double rms_tangential() const;
   };
 
   /// Errors of a run that its steps are the reason of, relative [-]: what a run with twice the step differs by
@@ -39,8 +43,10 @@ namespace vibrocontact
     double time = 0;
     /// of the normal impulse and of the rms normal force until then
     double impulse = 0, rms_force = 0;
+    /// of the rms tangential resultant until then; of less than a thousandth of the normal force, of that [-]
+    double rms_tangential = 0;
     /// integrals over the last quarter so far: of 1 and of the squares of what both runs tell [s]
     double averaged_time = 0, impulse_square = 0, rms_square = 0;
-    double largest() const { return impulse > rms_force ? impulse : rms_force; }
+    double largest() const { return std::max({impulse, rms_force, rms_tangential}); }
   };
 } // namespace vibrocontact

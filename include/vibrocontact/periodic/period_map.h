@@ -71,6 +71,9 @@ namespace vibrocontact
 
     /// Motion without contact at a phase.
     std::vector<double> steady(double phase) const;
+    /// The same without modes that their resonance makes 10,000 times larger than at rest: such a motion would hit the
+    /// stop so fast that the steps of its first contact have no end.
+    std::vector<double> steady_off_resonance(double phase) const;
 
     /// State after `periods` from the state x at a phase. @param variation n_states square, set to the derivative of
     /// the result with respect to x; null: not wanted. @param orbit appended to; null: not wanted
