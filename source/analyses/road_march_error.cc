@@ -17,9 +17,10 @@ namespace vibrocontact
     /// of the longest that the poles allow: pieces of the event-located second march
     constexpr double shorter_pieces = 0.6;
 
-    bool has_linear_forces(const ModalConvolutionParameters &parameters)
+    /// Linear forces make errors of second order, but for what a cut memory leaves out.
+    bool is_of_second_order(const ModalConvolutionParameters &parameters)
     {
-      return force_shape(parameters.force_shape) == ForceShape::linear;
+      return force_shape(parameters.force_shape) == ForceShape::linear && parameters.memory == 0;
     }
 
     double sum_of_points(const std::vector<double> &values)
@@ -99,7 +100,7 @@ namespace vibrocontact
     try
     {
       make(events ? 1 : 2);
-      if (is_first && !events && !has_linear_forces(parameters))
+      if (is_first && !events && !is_of_second_order(parameters))
         second->begin_second_march(solver, model, mu);
     }
     catch (const InputError &)
@@ -148,10 +149,10 @@ namespace vibrocontact
     const Sums coarsest = has_third ? third->sums() : two;
     // how far the first is off, in parts of `size`; of two marches of an exact method by all of their difference, from
     // half the steps by that of the longer ones, with linear forces, of second order, by a third
-    const double factor = events                          ? std::sqrt(3.)
-                          : steps_ratio < 1               ? std::sqrt(8.)
-                          : has_linear_forces(parameters) ? 1 / std::sqrt(3.)
-                                                          : 1;
+    const double factor = events                           ? std::sqrt(3.)
+                          : steps_ratio < 1                ? std::sqrt(8.)
+                          : is_of_second_order(parameters) ? 1 / std::sqrt(3.)
+                                                           : 1;
     const auto error = [&](const double a, const double b, const double c, const double size)
     {
       if (!(size > 0))

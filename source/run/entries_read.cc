@@ -286,9 +286,9 @@ namespace vibrocontact
       const bool loaded = is_driven("Normal force") || is_driven("Hub displacement");
       entries.add_if(!loaded, "section Transient drives no load", "Rolling",
                      "Normal force, Hub displacement");
+      const bool rubs = largest_friction(parameters) > 0;
       entries.add("Rolling", "Speed");
-      entries.add_if(largest_friction(parameters) > 0, "there is friction", "Rolling",
-                     "Sliding velocity x, Sliding velocity y");
+      entries.add_if(rubs, "there is friction", "Rolling", "Sliding velocity x, Sliding velocity y");
 
       const std::string section = "Transient";
       entries.add(section,

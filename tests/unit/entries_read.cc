@@ -158,9 +158,9 @@ namespace
     if (node.is_object())
     {
       // and what repeats an entry
-      std::vector<std::string> times = {
-          "reductions", "peak_memory_MB",       "program", "wall_s", "figures_s", "stages_s", "checksum",
-          "speed_m_s",  "sliding_velocity_m_s", "friction"};
+      std::vector<std::string> times = {"reductions", "peak_memory_MB", "program",  "wall_s",
+                                        "figures_s",  "stages_s",       "checksum", "sliding_velocity_m_s",
+                                        "friction"};
       for (const auto &[key, child] : node.items())
         if (key.find("seconds") != std::string::npos)
           times.push_back(key);
