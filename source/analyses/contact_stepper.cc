@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/contact_stepper.h>
 #include <vibrocontact/base/dense_operations.h>
+#include <vibrocontact/contact/friction_of_speed.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,8 +47,7 @@ namespace vibrocontact
   ContactStepper::ContactStepper(const ContactPair &pair, const CreepScheme &scheme,
                                  const ContactParameters &contact, const std::vector<ModalStep> &steps,
                                  const double h, const double speed)
-      : pair(pair), scheme(scheme), steps(steps), h(h), speed(speed), falling(contact.falling),
-        damper(pair.hub.get(), steps),
+      : pair(pair), scheme(scheme), steps(steps), h(h), speed(speed), damper(pair.hub.get(), steps),
         matrices(step_matrices(pair.interface.grid, scheme, pair.modal_trace, pair.residual_flexibility,
                                steps, h, speed, pair.hub.get())),
         q(pair.n_modes()), v(pair.n_modes())
@@ -58,6 +58,7 @@ namespace vibrocontact
     constant_response = whole.b;
     problem.title = "step of the transient";
     problem.normal_law = whole.normal_law;
+    problem.friction_law = whole.friction_law;
     friction = whole.mu;
     for (DenseVector *const x : {&free_displacement, &free_velocity, &displacement, &velocity, &c_n, &c_t})
       x->reinit(matrices.shapes.rank());
@@ -238,7 +239,7 @@ namespace vibrocontact
       watch(state.watched);
       advance_modes(state, drive);
       set_problem(state, drive, rigid);
-      if (falling.acts())
+      if (problem.friction_law->depends_on_speed())
         solve_with_modal_slip_in_friction(state, solver);
       else
         solution = solver.solve(problem, solution);
@@ -318,8 +319,9 @@ namespace vibrocontact
     const unsigned int n = pair.n_points(), m = points.size();
     // starts from what the state alone says, so that a resumed run does the same
     for (unsigned int i = 0; i < m; ++i)
-      problem.mu[i] = friction[points[i]] * falling.factor(std::hypot(state.contact.y[n + points[i]],
-                                                                      state.contact.y[2 * n + points[i]]));
+      problem.mu[i] = problem.friction_law->coefficient(
+          std::hypot(state.contact.y[n + points[i]], state.contact.y[2 * n + points[i]]),
+          state.contact.status[points[i]] == ContactStatus::stick);
     std::vector<unsigned int> place(3 * n, 0);
     for (unsigned int k = 0; k < rows.size(); ++k)
       place[rows[k]] = 3 * m + k;
@@ -339,8 +341,7 @@ namespace vibrocontact
       }
       return speeds;
     };
-    solution = solve_with_falling_friction(problem, solver, solution, falling,
-                                           friction.empty() ? 0. : friction[0], speed_of);
+    solution = solve_with_friction_of_speed(problem, solver, solution, speed_of);
   }
 
   void ContactStepper::take_over(DynamicState &state, const DenseVector &rigid)

@@ -118,6 +118,28 @@ namespace vibrocontact
     }
 
     const unsigned int c = frame.points.size();
+    if (!equilibrium.normal_compliance.empty())
+    {
+      // springs in place of closed gaps
+      if (equilibrium.force_given)
+        throw InputError(
+            "Stability/Model gives the contact points mass and Contact/Normal law yields, which needs "
+            "a hub that is held: give Rolling/Hub displacement, or set Model to reduced.");
+      DenseMatrix forces(N, c), gaps(c, N);
+      if (c > 0)
+        trace.Tmmult(forces, frame.normal);
+      std::vector<double> stiffness;
+      for (unsigned int k = 0; k < c; ++k)
+      {
+        stiffness.push_back(1 / equilibrium.normal_compliance[frame.points[k]]);
+        for (unsigned int j = 0; j < N; ++j)
+          gaps(k, j) = trace(frame.points[k], j);
+      }
+      add_friction(coupling.stiffness, forces, stiffness, gaps);
+      coupling.gaps.reinit(N, 0);
+      coupling.forces.reinit(N, 0);
+      return coupling;
+    }
     coupling.gaps.reinit(N, c);
     coupling.forces.reinit(N, c);
     if (c > 0)

@@ -70,11 +70,19 @@ namespace vibrocontact
     }
   } // namespace
 
+  DenseMatrix compliance_of_contact(const ContactPair &pair, const RollingEquilibrium &equilibrium)
+  {
+    DenseMatrix W = pair.residual_flexibility;
+    for (unsigned int i = 0; i < equilibrium.normal_compliance.size(); ++i)
+      W(i, i) += equilibrium.normal_compliance[i];
+    return W;
+  }
+
   DenseMatrix linearised_contact(const ContactPair &pair, const CreepScheme &scheme,
                                  const RollingEquilibrium &equilibrium, const LinearisationOptions &options)
   {
     const unsigned int n = pair.n_points(), m = pair.n_modes();
-    const DenseMatrix &W = pair.residual_flexibility, &Psi = pair.modal_trace;
+    const DenseMatrix W = compliance_of_contact(pair, equilibrium), &Psi = pair.modal_trace;
 
     SlidingFrame frame = sliding_frame(equilibrium);
     const std::vector<unsigned int> &points = frame.points;

@@ -57,6 +57,18 @@ namespace vibrocontact
                        std::to_string(enough.n_functions) + ".");
     }
 
+    /// of normal laws
+    const std::vector<std::pair<std::string, std::string>> short_names = {
+        {"penalty", "exponential penalty"}, {"linear", "linear spring"}, {"signorini", "signorini"}};
+
+    std::string short_names_pattern()
+    {
+      std::string names;
+      for (const auto &[short_name, name] : short_names)
+        names += (names.empty() ? "" : "|") + short_name;
+      return names;
+    }
+
     std::string basis_pattern()
     {
       std::string names;
@@ -81,9 +93,9 @@ namespace vibrocontact
                       Selection("strong|weak|distributional"));
     prm.add_parameter(
         "Law", law,
-        "Stop: exponential spring, one-sided linear spring (both by Contact/Penalty amplitude and "
-        "exponent), or rigid. Units: none.",
-        Selection("penalty|linear|signorini"));
+        "Normal law of the stop in place of Contact/Normal law: exponential penalty, linear spring or "
+        "signorini by a short name; empty: Contact/Normal law. Units: none.",
+        Selection("|" + short_names_pattern()));
     prm.add_parameter("Frequency", frequency, "Frequency of the exciting force. Units: Hz.",
                       Double(1e-9, 1e12));
     prm.add_parameter("Force", force, "Amplitude of the exciting force. Units: N.", Double(0, 1e15));
@@ -262,12 +274,19 @@ namespace vibrocontact
     return result;
   }
 
-  std::shared_ptr<const NormalLaw> PeriodicParameters::normal_law(const double amplitude,
-                                                                  const double exponent) const
+  std::string PeriodicParameters::own_law() const
   {
-    return create_normal_law(law == "penalty"  ? "exponential penalty"
-                             : law == "linear" ? "linear spring"
-                                               : "signorini",
-                             amplitude, exponent);
+    for (const auto &[short_name, name] : short_names)
+      if (law == short_name)
+        return name;
+    return "";
+  }
+
+  std::string PeriodicParameters::law_in_results(const std::string &normal_law) const
+  {
+    for (const auto &[short_name, name] : short_names)
+      if ((law.empty() ? normal_law : own_law()) == name)
+        return short_name;
+    return normal_law;
   }
 } // namespace vibrocontact

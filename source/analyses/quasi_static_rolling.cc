@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/quasi_static_rolling.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/friction_of_speed.h>
 
 #include <algorithm>
 #include <cmath>
@@ -223,11 +224,7 @@ namespace vibrocontact
         failure.clear();
         try
         {
-          if (!laws.falling.acts())
-            return solver->solve(problem, start);
-          return solve_with_falling_friction(problem, *solver, start, laws.falling, laws.friction,
-                                             [](const ContactSolution &state)
-                                             { return slip_speed(state.y); });
+          return solve_with_friction_of_speed(problem, *solver, start);
         }
         catch (const ConvergenceError &error)
         {

@@ -56,7 +56,7 @@ namespace vibrocontact
         add_block(rows_1, rows_along(response, frame.across, n), c, 0);
       };
       ReducedReceptance F;
-      split(product(pair.residual_flexibility, E), F.A_0, F.A_1);
+      split(product(compliance_of_contact(pair, equilibrium), E), F.A_0, F.A_1);
       const PatchShapes shapes = patch_shapes(pair.modal_trace, shape_tolerance);
       F.S = shapes.amplitudes;
       split(shapes.basis, F.L_0, F.L_1);

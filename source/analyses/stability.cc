@@ -93,9 +93,6 @@ namespace vibrocontact
                                          const std::function<void(const StabilityResult &)> &finished,
                                          const RootFinder &roots_about)
   {
-    if (contact.normal_law != "signorini")
-      throw InputError("Contact/Normal law is '" + contact.normal_law +
-                       "', but stability is linearised about closed contacts: set it to signorini.");
     const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
     std::vector<StabilityResult> results;
     const auto operator_at = [&](const double speed)
@@ -119,14 +116,9 @@ namespace vibrocontact
       result.approach = equilibrium.solution.approach;
       result.hub = rolling.hub;
       result.suspended = suspended;
-      RollingEquilibrium about{equilibrium.solution,
-                               problem.mu,
-                               rolling.creepage.speed,
-                               rolling.hub == "massless" || (rolling.hub == "none" && problem.force_given()),
-                               {}};
-      if (contact.falling.acts())
-        for (const double speed : slip_speed(equilibrium.solution.y))
-          about.friction_slope.push_back(equilibrium.rolling_case.friction * contact.falling.slope(speed));
+      const RollingEquilibrium about = rolling_equilibrium(
+          equilibrium.solution, *problem.friction_law, *problem.normal_law, rolling.creepage.speed,
+          rolling.hub == "massless" || (rolling.hub == "none" && problem.force_given()));
       result.roots =
           roots_about
               ? roots_about(about)

@@ -2,6 +2,7 @@
 #include <vibrocontact/analyses/transient.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/contact/friction_of_speed.h>
 #include <vibrocontact/numerics/doubled_step.h>
 
 #include <algorithm>
@@ -69,11 +70,7 @@ namespace vibrocontact
                         (pair.omega[k] * pair.omega[k]);
     }
     const auto method = create_contact_solver(solver);
-    const ContactSolution solution =
-        contact.falling.acts()
-            ? solve_with_falling_friction(problem, *method, {}, contact.falling, contact.friction,
-                                          [](const ContactSolution &now) { return slip_speed(now.y); })
-            : method->solve(problem, {});
+    const ContactSolution solution = solve_with_friction_of_speed(problem, *method, {});
     if (!solution.converged)
     {
       std::ostringstream text;

@@ -72,7 +72,7 @@ namespace vibrocontact
     for (unsigned int i = 0; i < n; ++i)
     {
       const double force = problem.normal_law->project(R[i], y[i], rho_normal).force;
-      const CoulombLaw::Projection friction = CoulombLaw::project(
+      const DiscProjection friction = project_on_disc(
           {{R[n + i] - rho_tangential * y[n + i], R[2 * n + i] - rho_tangential * y[2 * n + i]}},
           problem.mu[i] * force);
       projected[i] = force;

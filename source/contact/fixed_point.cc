@@ -149,9 +149,9 @@ namespace vibrocontact
       for (unsigned int i = 0; i < n; ++i)
       {
         const double force = problem.normal_law->project(s.R[i], s.y[i] - shift, rho_n).force;
-        const CoulombLaw::Projection friction =
-            CoulombLaw::project({{s.R[n + i] - rho_t * s.y[n + i], s.R[2 * n + i] - rho_t * s.y[2 * n + i]}},
-                                problem.mu[i] * force);
+        const DiscProjection friction =
+            project_on_disc({{s.R[n + i] - rho_t * s.y[n + i], s.R[2 * n + i] - rho_t * s.y[2 * n + i]}},
+                            problem.mu[i] * force);
         const double next[3] = {force, friction.force[0], friction.force[1]};
         for (unsigned int c = 0; c < 3; ++c)
         {

@@ -4,16 +4,56 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vibrocontact
 {
+  namespace
+  {
+    /// "a|b" for a pattern and "a (what it is), b (...)" for the help of an entry
+    template <typename Entry>
+    std::pair<std::string, std::string> names_and_help(const std::vector<Entry> &table)
+    {
+      std::string names, help;
+      for (const Entry &entry : table)
+      {
+        names += (names.empty() ? "" : "|") + entry.name;
+        help += (help.empty() ? "" : ", ") + entry.name + " (" + entry.help + ")";
+      }
+      return {names, help};
+    }
+
+    /// Entries of all laws, each once, beside the coefficient of friction.
+    std::vector<LawParameter> law_parameters()
+    {
+      std::vector<LawParameter> all;
+      const auto add = [&](const std::vector<LawParameter> &parameters)
+      {
+        for (const LawParameter &parameter : parameters)
+          if (parameter.name != friction_coefficient().name &&
+              std::none_of(all.begin(), all.end(),
+                           [&](const LawParameter &known) { return known.name == parameter.name; }))
+            all.push_back(parameter);
+      };
+      for (const FrictionLawEntry &entry : friction_laws())
+        add(entry.parameters);
+      for (const NormalLawEntry &entry : normal_laws())
+        add(entry.parameters);
+      return all;
+    }
+  } // namespace
+
+  ContactParameters::ContactParameters()
+  {
+    for (const LawParameter &parameter : law_parameters())
+      law_values.text(parameter);
+  }
+
   void ContactParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
-    prm.add_parameter("Friction coefficient", friction,
-                      "Coulomb's mu; with a Static friction ratio its value at high slip speed. Units: none.",
-                      Double(0, 10));
-    falling.declare_parameters(prm);
+    const LawParameter mu = friction_coefficient();
+    prm.add_parameter(mu.name, friction, mu.help, *mu.pattern);
     prm.add_parameter("Grid spacing", spacing, "Distance of the contact points along x and y. Units: m.",
                       Double(1e-6, 0.1));
     prm.add_parameter("Half length", half_length,
@@ -55,15 +95,33 @@ namespace vibrocontact
                       "Whether the local flexibility couples normal and tangential directions; the coupling "
                       "by the modes stays. Units: none.",
                       Bool());
-    std::string laws;
-    for (const NormalLawEntry &law : normal_laws())
-      laws += (laws.empty() ? "" : "|") + law.name;
-    prm.add_parameter("Normal law", normal_law, "Law between gap and normal force. Units: none.",
-                      Selection(laws));
-    prm.add_parameter("Penalty amplitude", penalty_amplitude,
-                      "Force scale of the exponential penalty, per contact point. Units: N.", Double(1e-300));
-    prm.add_parameter("Penalty exponent", penalty_exponent,
-                      "Exponent of the exponential penalty. Units: 1/m.", Double(1e-300));
+    const auto [normal_names, normal_help] = names_and_help(normal_laws());
+    prm.add_parameter("Normal law", normal_law,
+                      "Law between gap and normal force: " + normal_help + ". Units: none.",
+                      Selection(normal_names));
+    const auto [friction_names, friction_help] = names_and_help(friction_laws());
+    prm.add_parameter("Friction law", friction_law,
+                      "Coefficient of friction over the slip speed: " + friction_help +
+                          "; empty: falling friction where Static friction ratio is not 1, else coulomb. "
+                          "Units: none.",
+                      Selection("|" + friction_names));
+    for (const LawParameter &parameter : law_parameters())
+      prm.add_parameter(parameter.name, law_values.text(parameter), parameter.help, *parameter.pattern);
+  }
+
+  void ContactParameters::read_curves(const std::string &further)
+  {
+    for (const std::string &name : {normal_law, further.empty() ? normal_law : further})
+    {
+      law_values.read_curves(find_normal_law(name).parameters);
+      law(name);
+    }
+    const FrictionLawEntry &entry = friction_entry();
+    law_values.read_curves(entry.parameters);
+    // what the law does not take from the coefficient it says itself
+    if (!takes_coefficient())
+      friction = law_of_friction()->coefficient(std::numeric_limits<double>::infinity()).value;
+    law_of_friction();
   }
 
   ContactGrid ContactParameters::grid() const
@@ -96,9 +154,33 @@ namespace vibrocontact
     return result;
   }
 
-  std::shared_ptr<const NormalLaw> ContactParameters::law() const
+  std::shared_ptr<const NormalLaw> ContactParameters::law(const std::string &name) const
   {
-    return create_normal_law(normal_law, penalty_amplitude, penalty_exponent);
+    const NormalLawEntry &entry = find_normal_law(name);
+    return entry.make(law_values.numbers(entry.parameters));
+  }
+
+  const FrictionLawEntry &ContactParameters::friction_entry() const
+  {
+    if (!friction_law.empty())
+      return find_friction_law(friction_law);
+    return find_friction_law(law_values.number("Static friction ratio") == 1 ? "coulomb"
+                                                                             : "falling friction");
+  }
+
+  bool ContactParameters::takes_coefficient() const
+  {
+    const std::vector<LawParameter> parameters = friction_entry().parameters;
+    return std::any_of(parameters.begin(), parameters.end(),
+                       [](const LawParameter &one) { return one.name == friction_coefficient().name; });
+  }
+
+  std::shared_ptr<const FrictionLaw> ContactParameters::law_of_friction(const double coefficient) const
+  {
+    const FrictionLawEntry &entry = friction_entry();
+    LawValues values = law_values;
+    values.set(friction_coefficient().name, coefficient);
+    return entry.make(values.numbers(entry.parameters));
   }
 
   std::shared_ptr<const ContactOperator> rolling_operator(const ContactGrid &grid, const HalfSpacePair &pair,
@@ -131,6 +213,7 @@ namespace vibrocontact
       for (unsigned int i = 0; i < 3 * n; ++i)
         problem.b[i] += jump(i, 0);
     }
+    problem.friction_law = parameters.law_of_friction();
     problem.mu.assign(n, parameters.friction);
     problem.normal_law = parameters.law();
     return problem;

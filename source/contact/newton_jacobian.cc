@@ -11,7 +11,7 @@ namespace vibrocontact
       const NormalLaw::Projection normal = problem.normal_law->project(R[i], y[i], rho_normal);
       if (normal.by_force == 0 && normal.by_gap == 0)
         continue;
-      const CoulombLaw::Projection friction = CoulombLaw::project(
+      const DiscProjection friction = project_on_disc(
           {{R[n + i] - rho_t * y[n + i], R[2 * n + i] - rho_t * y[2 * n + i]}}, problem.mu[i] * normal.force);
       active.push_back(i);
       rows.push_back({normal.by_force,

@@ -64,6 +64,18 @@ namespace vibrocontact
       file.write(path + "/x", std::vector<double>(first, first + index.size()), {single, true});
     }
 
+    /// of the normal law; files of earlier versions give an amplitude and an exponent, of the linear spring k and 1
+    std::vector<double> law_numbers(Hdf5Reader &file, const std::string &file_name)
+    {
+      const std::string law = "/vibrocontact/normal_law/";
+      if (file.has(law + "numbers"))
+        return finite_numbers(file, file_name, law + "numbers", 0);
+      if (!file.has(law + "amplitude"))
+        return {};
+      return {finite_numbers(file, file_name, law + "amplitude", 1).front(),
+              finite_numbers(file, file_name, law + "exponent", 1).front()};
+    }
+
     DenseMatrix read_matrix(Hdf5Reader &file, const std::string &file_name, const std::string &path)
     {
       const int m = file.integer(path + "/m"), n = file.integer(path + "/n"), nz = file.integer(path + "/nz"),
@@ -142,11 +154,11 @@ namespace vibrocontact
     file.write(local + "/info/description", options.description);
     file.write(local + "/info/math_info",
                std::string("W is dense and not symmetric; u is the gap [m] and the slip velocity [m/s]"));
-    const NormalLaw::Description law = problem.normal_law->description();
+    const LawDescription law = problem.normal_law->description();
     file.write("/vibrocontact/approach", problem.approach);
     file.write("/vibrocontact/normal_law/name", law.name);
-    file.write("/vibrocontact/normal_law/amplitude", law.amplitude);
-    file.write("/vibrocontact/normal_law/exponent", law.exponent);
+    if (!law.numbers.empty())
+      file.write("/vibrocontact/normal_law/numbers", law.numbers);
     if (!solution.empty())
     {
       file.write("/solution/u", reordered(solution.y), {false, true});
@@ -198,9 +210,7 @@ namespace vibrocontact
       problem.approach = finite_numbers(file, file_name, "/vibrocontact/approach", 1).front();
     if (file.has("/vibrocontact/normal_law/name"))
       problem.normal_law =
-          create_normal_law(file.text("/vibrocontact/normal_law/name"),
-                            finite_numbers(file, file_name, "/vibrocontact/normal_law/amplitude", 1).front(),
-                            finite_numbers(file, file_name, "/vibrocontact/normal_law/exponent", 1).front());
+          create_normal_law(file.text("/vibrocontact/normal_law/name"), law_numbers(file, file_name));
     if (file.has(local + "/V"))
     {
       const DenseMatrix V = read_matrix(file, file_name, local + "/V"),

@@ -23,7 +23,7 @@ namespace vibrocontact
 
   PeriodicBalance::PeriodicBalance(const PeriodicBody &body, std::shared_ptr<const NormalLaw> law,
                                    const BalanceSettings &settings)
-      : settings(settings), body(body), law(law), spring(dynamic_cast<const SpringLaw *>(law.get())),
+      : settings(settings), body(body), law(law), spring(law->is_function_of_gap()),
         trial_basis(create_time_basis(settings.trial, settings.n_functions)),
         weighting_basis(create_time_basis(settings.weighting, settings.n_functions)),
         pairing(pair_time_bases(*trial_basis, *weighting_basis, settings.form, settings.quadrature_points)),
@@ -204,8 +204,9 @@ namespace vibrocontact
         const double gap = body.gap[p] - u_samples[normal + k];
         if (spring)
         {
-          law_samples[normal + k] = law_factor * spring->force(gap);
-          du[k] = law_factor * spring->stiffness(gap);
+          const NormalLaw::GraphPoint at = over_gap(gap);
+          law_samples[normal + k] = law_factor * at.force;
+          du[k] = law_factor * at.force_slope;
         }
         else
         {
@@ -221,10 +222,9 @@ namespace vibrocontact
       const double f = force.frequency;
       for (unsigned int k = 0; k < count; ++k)
       {
-        const CoulombLaw::Vector2 trial = {
-            {c_samples[first + k] - tangential_rho * f * v_samples[first + k],
-             c_samples[second + k] - tangential_rho * f * v_samples[second + k]}};
-        const auto value = CoulombLaw::project(trial, settings.friction * law_samples[normal + k]);
+        const Vector2 trial = {{c_samples[first + k] - tangential_rho * f * v_samples[first + k],
+                                c_samples[second + k] - tangential_rho * f * v_samples[second + k]}};
+        const auto value = project_on_disc(trial, settings.friction * law_samples[normal + k]);
         for (unsigned int a = 0; a < 2; ++a)
         {
           if (is_inert[p * rows + 1 + a])
@@ -279,10 +279,10 @@ namespace vibrocontact
                                                        const std::array<double, 3> &velocity) const
   {
     std::array<double, 3> result{};
-    result[0] = spring ? spring->force(gap) : law->project(given[0], gap, normal_rho).force;
+    result[0] = spring ? over_gap(gap).force : law->project(given[0], gap, normal_rho).force;
     if (settings.friction > 0)
     {
-      const auto value = CoulombLaw::project(
+      const auto value = project_on_disc(
           {{given[1] - tangential_rho * velocity[1], given[2] - tangential_rho * velocity[2]}},
           settings.friction * result[0]);
       result[1] = value.force[0];
@@ -485,14 +485,15 @@ namespace vibrocontact
       const double here = gap(k), there = gap(next);
       if (here < 0 && there < 0)
       {
-        result[k] += 0.5 * spring->stiffness(here);
-        result[next] += 0.5 * spring->stiffness(there);
+        result[k] += 0.5 * over_gap(here).force_slope;
+        result[next] += 0.5 * over_gap(there).force_slope;
       }
       else if (here < 0 || there < 0)
       {
         // a part s of the interval is in contact: shares by linear shape functions
         const unsigned int closed = here < 0 ? k : next, open = here < 0 ? next : k;
-        const double s = gap(closed) / (gap(closed) - gap(open)), stiffness = spring->stiffness(gap(closed));
+        const double s = gap(closed) / (gap(closed) - gap(open)),
+                     stiffness = over_gap(gap(closed)).force_slope;
         result[closed] += stiffness * s * (1 - 0.5 * s);
         result[open] += stiffness * 0.5 * s * s;
       }

@@ -1,4 +1,4 @@
-#include <vibrocontact/contact/laws.h>
+#include <vibrocontact/contact/laws/friction_law.h>
 #include <vibrocontact/periodic/massless_contact.h>
 
 #include <algorithm>
@@ -76,7 +76,7 @@ namespace vibrocontact
           by_p[i * n + j] += N_by_p[j];
       }
       const double rt = 1 / std::max(S(i + 1, i + 1), S(i + 2, i + 2));
-      const auto law = CoulombLaw::project(
+      const auto law = project_on_disc(
           {{p[i + 1] - rt * (u[i + 1] - before[i + 1]), p[i + 2] - rt * (u[i + 2] - before[i + 2])}},
           friction * N);
       for (unsigned int a = 0; a < 2; ++a)

@@ -44,11 +44,12 @@ namespace vibrocontact
 
   PeriodMap::~PeriodMap() = default;
 
-  PeriodMap::PeriodMap(const PeriodicBody &body, const StopLaw &law, const HarmonicForce &force,
-                       const unsigned int n_steps, const unsigned int n_nodes, const double accuracy)
-      : body(body), law(law), force(force), n(body.n_modes()), steps(n_steps), accuracy(accuracy),
-        rule(n_nodes), T(1 / force.frequency), Omega(2 * std::acos(-1.) * force.frequency),
-        gap(body.gap.at(0)), S(body.residual(0, 0))
+  PeriodMap::PeriodMap(const PeriodicBody &body, std::shared_ptr<const NormalLaw> law,
+                       const HarmonicForce &force, const unsigned int n_steps, const unsigned int n_nodes,
+                       const double accuracy)
+      : body(body), law(law), touch_compliance(law->compression(0).compliance), force(force),
+        n(body.n_modes()), steps(n_steps), accuracy(accuracy), rule(n_nodes), T(1 / force.frequency),
+        Omega(2 * std::acos(-1.) * force.frequency), gap(body.gap.at(0)), S(body.residual(0, 0))
   {
     if (body.n_rows() != 1)
       throw InputError(
@@ -58,10 +59,10 @@ namespace vibrocontact
     relaxed = has_residual && body.relaxation > 0;
     if (relaxed)
       beta = body.relaxation;
-    if (law.kind == StopLaw::Kind::rigid && !(S > 0))
+    if (law->is_rigid() && !(S > 0))
       throw InputError("The exact law needs a massless contact node, which this body has not: give it one or "
                        "take a penalty law.");
-    slaved = relaxed && law.kind == StopLaw::Kind::rigid;
+    slaved = relaxed && law->is_rigid();
     R = body.residual_force[0] * force.amplitude / Complex(1, Omega * beta);
     r_load = body.residual_load[0];
     U = R;
@@ -125,11 +126,11 @@ namespace vibrocontact
       if (relaxed)
         step->state_by_force(2 * n, j) = S * step->end.residual[j];
     }
-    if (law.is_linear())
+    if (law->is_linear())
     {
       step->inverse = step->by_force;
       for (unsigned int i = 0; i < s; ++i)
-        step->inverse(i, i) += law.compliance(0);
+        step->inverse(i, i) += touch_compliance;
       step->inverse.invert();
     }
     return step;
@@ -244,17 +245,7 @@ namespace vibrocontact
   double PeriodMap::force_of_drive(const double e) const
   {
     const double direct = relaxed && !slaved ? 0. : S;
-    if (law.is_linear())
-      return e / (direct + law.compliance(0));
-    double f = e * law.stiffness / (1 + direct * law.stiffness);
-    for (unsigned int k = 0; k < 50; ++k)
-    {
-      const double change = (e - direct * f - law.compression(f)) / (direct + law.compliance(f));
-      f += change;
-      if (std::abs(change) <= 1e-15 * std::abs(f))
-        break;
-    }
-    return f;
+    return law->graph(law->parameter_at(direct, 1, e)).force;
   }
 
   void PeriodMap::contact_step(const Step &step, const double t, State &x, State &f) const
@@ -273,7 +264,7 @@ namespace vibrocontact
         e[i] += step.by_state(i, k) * x[k];
     for (unsigned int i = 0; i < s; ++i)
       scale = std::max(scale, std::abs(e[i]));
-    if (law.is_linear())
+    if (law->is_linear())
     {
       f.assign(s, 0.);
       for (unsigned int j = 0; j < s; ++j)
@@ -282,33 +273,50 @@ namespace vibrocontact
     }
     else
     {
-      f.resize(s);
+      // the unknowns are the places on the law's graph at the Gauss points
+      const double direct = relaxed && !slaved ? 0. : S;
+      State along(s);
       for (unsigned int i = 0; i < s; ++i)
-        f[i] = force_of_drive(e[i]);
+        along[i] = law->parameter_at(direct, 1, e[i]);
+      std::vector<NormalLaw::GraphPoint> at(s);
+      const auto follow_graph = [&]
+      {
+        for (unsigned int i = 0; i < s; ++i)
+          at[i] = law->graph(along[i]);
+      };
+      follow_graph();
       DenseVector change(s);
+      DenseMatrix jacobian(s, s);
       bool converged = false;
       for (unsigned int iteration = 0; iteration < 40 && !converged; ++iteration)
       {
-        DenseMatrix jacobian = step.by_force;
         for (unsigned int i = 0; i < s; ++i)
         {
-          change[i] = e[i] - law.compression(f[i]);
+          change[i] = e[i] - at[i].penetration;
           for (unsigned int j = 0; j < s; ++j)
-            change[i] -= step.by_force(i, j) * f[j];
-          jacobian(i, i) += law.compliance(f[i]);
+          {
+            change[i] -= step.by_force(i, j) * at[j].force;
+            jacobian(i, j) = step.by_force(i, j) * at[j].force_slope;
+          }
+          jacobian(i, i) += at[i].penetration_slope;
         }
-        jacobian.compute_lu_factorization();
-        jacobian.solve(change);
-        double largest = 0, largest_force = 0;
+        DenseMatrix lu = jacobian;
+        lu.compute_lu_factorization();
+        lu.solve(change);
+        double largest = 0, farthest = 0;
         for (unsigned int i = 0; i < s; ++i)
         {
-          f[i] += change[i];
+          along[i] += change[i];
           largest = std::max(largest, std::abs(change[i]));
-          largest_force = std::max(largest_force, std::abs(f[i]));
+          farthest = std::max(farthest, std::abs(along[i]));
         }
+        follow_graph();
         // quadratic: what is left is the square of it
-        converged = largest <= 1e-9 * largest_force;
+        converged = largest <= 1e-9 * farthest;
       }
+      f.resize(s);
+      for (unsigned int i = 0; i < s; ++i)
+        f[i] = at[i].force;
       if (!converged)
         throw ConvergenceError("The contact force of a step of the time reference did not converge: take "
                                "more steps per period.");
@@ -339,7 +347,7 @@ namespace vibrocontact
       rest = std::max(rest, std::abs(coefficient));
     }
     // below it the force is the rounding of displacements
-    const double direct = law.compliance(0) + (relaxed && !slaved ? 0. : S);
+    const double direct = touch_compliance + (relaxed && !slaved ? 0. : S);
     const double rounding = 1e-14 * (std::abs(U) + std::abs(gap)) / direct;
     return rest > rounding ? rest / largest : 0.;
   }
@@ -368,11 +376,11 @@ namespace vibrocontact
   {
     const unsigned int m = n_states();
     DenseMatrix inverse = step.inverse;
-    if (!law.is_linear())
+    if (!law->is_linear())
     {
       inverse = step.by_force;
       for (unsigned int i = 0; i < rule.s; ++i)
-        inverse(i, i) += law.compliance(f[i]);
+        inverse(i, i) += law->compression(f[i]).compliance;
       inverse.invert();
     }
     const DenseMatrix forces = product(inverse, product(step.by_state, M));
@@ -548,7 +556,7 @@ namespace vibrocontact
       }
       double size = 0;
       for (const double value : f)
-        size = std::max(size, std::abs(value) * (S + law.compliance(0)));
+        size = std::max(size, std::abs(value) * (S + touch_compliance));
       for (unsigned int pass = 0; pass < 8; ++pass)
       {
         e = drive(next, t + length);
@@ -688,14 +696,14 @@ namespace vibrocontact
       rate = forced * Omega * turn.real();
       // (S + d'(f)) f' = velocity of the drive
       if (f > 0)
-        rate -= S * (modal_rate + rate) / (S + law.compliance(f));
+        rate -= S * (modal_rate + rate) / (S + law->compression(f).compliance);
     }
     s.displacement = modal + s.residual;
     s.velocity = modal_rate + rate;
     if (S > 0)
       s.energy += 0.5 * s.residual * s.residual / S;
     if (f > 0)
-      s.energy += law.energy(f);
+      s.energy += law->potential(-law->compression(f).depth);
     return s;
   }
 

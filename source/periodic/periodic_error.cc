@@ -5,11 +5,11 @@
 
 namespace vibrocontact
 {
-  PeriodicReference periodic_reference(const PeriodicBody &body, const NormalLaw &law,
+  PeriodicReference periodic_reference(const PeriodicBody &body, const std::shared_ptr<const NormalLaw> &law,
                                        const HarmonicForce &force, const unsigned int n_samples)
   {
     PeriodicReference result;
-    result.solution = shoot(body, stop_law(law), force);
+    result.solution = shoot(body, law, force);
     for (unsigned int i = 0; i < n_samples; ++i)
     {
       const MotionSample sample = result.solution.at(double(i) / n_samples);

@@ -173,7 +173,7 @@ namespace vibrocontact
     if (wants_stability && balance.settings.friction > 0)
       throw InputError("The stability of motions with friction is not computed: set "
                        "Periodic/Continuation/Stability = none.");
-    if (wants_stability && !dynamic_cast<const SpringLaw *>(&balance.normal_law()) &&
+    if (wants_stability && !balance.normal_law().is_function_of_gap() &&
         !(balance.linear_body().residual(0, 0) > 0))
       throw InputError(
           "The stability of motions against a rigid stop needs a massless contact point: give the body "

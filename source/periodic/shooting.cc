@@ -27,7 +27,8 @@ namespace vibrocontact
     }
 
     /// steps that follow the slower of the modes and their vibration on the stop
-    unsigned int first_steps(const PeriodicBody &body, const StopLaw &law, const HarmonicForce &force)
+    unsigned int first_steps(const PeriodicBody &body, const std::shared_ptr<const NormalLaw> &law,
+                             const HarmonicForce &force)
     {
       double fastest = 0, mobility = 0;
       for (unsigned int k = 0; k < body.n_modes(); ++k)
@@ -36,7 +37,7 @@ namespace vibrocontact
           fastest = std::max(fastest, body.omega[k]);
           mobility += body.trace(0, k) * body.trace(0, k);
         }
-      const double S = body.residual(0, 0), compliance = law.compliance(0) + S;
+      const double S = body.residual(0, 0), compliance = law->compression(0).compliance + S;
       const double top = std::sqrt(fastest * fastest + (compliance > 0 ? mobility / compliance : 0.));
       return std::clamp(static_cast<unsigned int>(std::min(1e6, 0.25 * top / force.frequency)), 32u,
                         1u << 16);
@@ -174,8 +175,9 @@ namespace vibrocontact
     return solution;
   }
 
-  ShootingSolution shoot(const PeriodicBody &body, const StopLaw &law, const HarmonicForce &force,
-                         const ShootingSettings &settings, const ShootingStart &start)
+  ShootingSolution shoot(const PeriodicBody &body, const std::shared_ptr<const NormalLaw> &law,
+                         const HarmonicForce &force, const ShootingSettings &settings,
+                         const ShootingStart &start)
   {
     const Clock::time_point begin = Clock::now();
     const bool doubles = settings.n_steps == 0;
@@ -240,9 +242,9 @@ namespace vibrocontact
     return multipliers;
   }
 
-  ShootingResidual shooting_residual(const PeriodicBody &body, const StopLaw &law, const HarmonicForce &force,
-                                     const unsigned int n_steps, const double phase,
-                                     const std::vector<double> &x)
+  ShootingResidual shooting_residual(const PeriodicBody &body, const std::shared_ptr<const NormalLaw> &law,
+                                     const HarmonicForce &force, const unsigned int n_steps,
+                                     const double phase, const std::vector<double> &x)
   {
     ShootingResidual residual;
     residual.value =

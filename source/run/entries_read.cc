@@ -79,6 +79,29 @@ namespace vibrocontact
       entries.add_if(holds && !newton, also + "Method is fixed point", section, "Max fixed point iterations");
     }
 
+    void add_normal_law(EntriesRead &entries, const std::string &name, const std::string &entry)
+    {
+      for (const NormalLawEntry &law : normal_laws())
+        for (const LawParameter &parameter : law.parameters)
+          entries.add_if(law.name == name, entry + " is " + law.name, "Contact", parameter.name);
+    }
+
+    /// @param condition in words of what holds where the law acts
+    void add_friction_law(EntriesRead &entries, const ContactParameters &contact, const bool rubs,
+                          const std::string &condition)
+    {
+      entries.add_if(rubs, condition, "Contact", "Friction law");
+      entries.add_if(rubs && contact.friction_law.empty(), condition + " and Contact/Friction law is empty",
+                     "Contact", "Static friction ratio");
+      const std::string own = contact.friction_entry().name;
+      for (const FrictionLawEntry &law : friction_laws())
+        for (const LawParameter &parameter : law.parameters)
+          if (parameter.name != friction_coefficient().name)
+            entries.add_if(rubs && law.name == own,
+                           condition + " and the Contact/Friction law is " + law.name, "Contact",
+                           parameter.name);
+    }
+
     /// Contact of two bodies with friction: grid, laws, solver. @param largest_friction of all cases
     void add_contact(EntriesRead &entries, const Parameters &parameters, const double largest_friction)
     {
@@ -88,21 +111,19 @@ namespace vibrocontact
       add_contact_grid(entries, parameters);
       add_contact_solver(entries, parameters);
       entries.add("Contact", "Normal law");
-      entries.add_if(contact.normal_law != "signorini", "Contact/Normal law is no signorini", "Contact",
-                     "Penalty amplitude, Penalty exponent");
+      add_normal_law(entries, contact.normal_law, "Contact/Normal law");
       entries.add_if(any_body([](const BodyParameters &body) { return body.is_solid(); }),
                      "a body is a solid of finite elements", "Contact", "Local flexibility");
       entries.add_if(parameters.rolling.creepage.speed > 0, "Rolling/Speed is above 0", "Contact",
                      "Creep scheme");
       const std::string rubs = "there is friction";
-      entries.add_if(largest_friction > 0, rubs, "Contact",
-                     "Static friction ratio, Normal-tangential coupling");
-      entries.add_if(largest_friction > 0 && contact.falling.acts(), rubs + " and a Static friction ratio",
-                     "Contact", "Stribeck velocity");
+      entries.add_if(largest_friction > 0, rubs, "Contact", "Normal-tangential coupling");
+      add_friction_law(entries, contact, largest_friction > 0, rubs);
     }
 
     /// Cases of rolling and of the equilibria of stability.
-    void add_rolling_cases(EntriesRead &entries, const RollingParameters &rolling)
+    void add_rolling_cases(EntriesRead &entries, const RollingParameters &rolling,
+                           const ContactParameters &contact)
     {
       const RollingParameters::Sweep &sweep = rolling.sweep;
       const std::vector<std::pair<std::string, const std::vector<double> *>> curves = {
@@ -126,8 +147,10 @@ namespace vibrocontact
       }
       entries.add("Rolling", "Speed, Sliding velocity x, Sliding velocity y");
       entries.add("Rolling/Sweep", "Friction coefficient");
-      entries.add_if(sweep.friction.empty(), "Rolling/Sweep/Friction coefficient is empty", "Contact",
-                     "Friction coefficient");
+      entries.add_if(
+          sweep.friction.empty() && contact.takes_coefficient(),
+          "Rolling/Sweep/Friction coefficient is empty and the Contact/Friction law is scaled by it",
+          "Contact", "Friction coefficient");
     }
 
     /// What becomes of the hub of body 1 once the load has found its place.
@@ -223,7 +246,7 @@ namespace vibrocontact
       use.motion = parameters.contact.replaces_flexibility();
       add_partners(entries, parameters, use);
       add_contact(entries, parameters, largest_friction(parameters));
-      add_rolling_cases(entries, parameters.rolling);
+      add_rolling_cases(entries, parameters.rolling, parameters.contact);
       entries.add("Output", "Contact problems, Contact patches");
       entries.add_if(parameters.output.fields &&
                          std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
@@ -243,7 +266,7 @@ namespace vibrocontact
     {
       add_partners(entries, parameters, moving_in_contact());
       add_contact(entries, parameters, largest_friction(parameters));
-      add_rolling_cases(entries, parameters.rolling);
+      add_rolling_cases(entries, parameters.rolling, parameters.contact);
       add_hub(entries, parameters);
       const std::string section = "Stability";
       const bool paper = parameters.stability.linearisation == "paper",
@@ -313,9 +336,8 @@ namespace vibrocontact
                      "Patch interval");
       entries.add_if(parameters.output.fields && signals.patch_interval > 0,
                      "there is a Transient/Signals/Patch interval", section + "/Signals", "Patch begin");
-      entries.add_if(own.initial_state == "quasi-static" && parameters.contact.normal_law == "signorini" &&
-                         !contact_points_have_mass(parameters),
-                     "the run starts from an equilibrium, with rigid contact without mass",
+      entries.add_if(own.initial_state == "quasi-static" && !contact_points_have_mass(parameters),
+                     "the run starts from an equilibrium, with contact points without mass",
                      section + "/Signals", "Mode amplitudes");
       const bool has_wheel =
           std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(), is_wheel);
@@ -418,8 +440,9 @@ namespace vibrocontact
       if (on_grid)
         add_contact_grid(entries, parameters);
       entries.add("Contact", "Friction coefficient");
-      entries.add_if(own.law != "signorini", "Periodic/Law is no signorini", "Contact",
-                     "Penalty amplitude, Penalty exponent");
+      entries.add_if(own.law.empty(), "Periodic/Law is empty", "Contact", "Normal law");
+      add_normal_law(entries, own.law.empty() ? parameters.contact.normal_law : own.own_law(),
+                     "the normal law of Periodic or Contact");
       entries.add(section, "Trial basis, Weighting basis, Number of functions, Form, Law, Frequency, Force, "
                            "Force point, Contact points, Gap, Model, Samples, "
                            "Quadrature points, Reference, Output samples");

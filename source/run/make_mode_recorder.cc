@@ -19,8 +19,6 @@ namespace vibrocontact
         return "the run does not start from an equilibrium";
       if (contact_points_have_mass(parameters))
         return "the contact points have mass";
-      if (parameters.contact.normal_law != "signorini")
-        return "the normal law is a penalty";
       if (2 * pair.n_modes() > most_states)
         return "there are more than " + std::to_string(most_states) + " states";
       return "";
@@ -29,18 +27,8 @@ namespace vibrocontact
     RollingEquilibrium equilibrium_of(const DynamicState &rest, const ContactParameters &contact,
                                       const Drive &drive)
     {
-      RollingEquilibrium result;
-      result.contact = rest.contact;
-      result.speed = drive.creepage.speed;
-      result.force_given = drive.normal_force > 0;
-      for (const double speed : slip_speed(rest.contact.y))
-      {
-        result.friction.push_back(contact.friction *
-                                  (contact.falling.acts() ? contact.falling.factor(speed) : 1.));
-        if (contact.falling.acts())
-          result.friction_slope.push_back(contact.friction * contact.falling.slope(speed));
-      }
-      return result;
+      return rolling_equilibrium(rest.contact, *contact.law_of_friction(), *contact.law(),
+                                 drive.creepage.speed, drive.normal_force > 0);
     }
   } // namespace
 

@@ -204,9 +204,12 @@ namespace vibrocontact
         throw InputError(entry + body.name +
                          "/Ring/Rolling too: the slip of material that flows through the "
                          "contact points is not known here; set one of them to false.");
-      if (parameters.contact.falling.acts())
-        throw InputError(entry + "Contact/Static friction ratio is not 1: modal convolution knows constant "
-                                 "friction only.");
+      if (parameters.contact.law_of_friction()->depends_on_speed())
+        throw InputError(entry +
+                         (parameters.contact.friction_law.empty()
+                              ? "Contact/Static friction ratio is not 1"
+                              : "Contact/Friction law is " + parameters.contact.friction_law) +
+                         ": modal convolution knows constant friction only.");
       if (parameters.comparison.any())
         throw InputError(entry +
                          "Comparison/Rows asks for a comparison of methods, whose exact motion has none: "
@@ -353,6 +356,14 @@ namespace vibrocontact
             "number in both directions (along x alone with a Contact/Strip length).");
     }
 
+    void check_law_of_periodic(const ContactParameters &contact, const PeriodicParameters &periodic)
+    {
+      const std::string own = periodic.own_law();
+      if (!own.empty() && contact.normal_law != ContactParameters().normal_law && contact.normal_law != own)
+        throw InputError("Periodic/Law is " + periodic.law + " and Contact/Normal law is " +
+                         contact.normal_law + ", but there is one stop: leave one of them out.");
+    }
+
     /// A layer stays where it is; what it slides on is rigid.
     void check_layer(const Scene &scene, const RollingParameters &rolling)
     {
@@ -372,6 +383,12 @@ namespace vibrocontact
         }
     }
   } // namespace
+
+  std::shared_ptr<const NormalLaw> Parameters::periodic_law() const
+  {
+    const std::string own = periodic.own_law();
+    return own.empty() ? contact.law() : contact.law(own);
+  }
 
   void Parameters::check() const
   {
@@ -401,6 +418,10 @@ namespace vibrocontact
     {
       rolling.check(contact.friction == 0 && rolling.sweep.friction.empty() && !scene.runs("stability"));
       check_supports(scene);
+      if (!rolling.sweep.friction.empty() && !contact.takes_coefficient())
+        throw InputError("Rolling/Sweep/Friction coefficient is given, but Contact/Friction law is " +
+                         contact.friction_law +
+                         ", which has its own coefficients: leave the sweep out or take another law.");
       // a single value left at its default is not given; used.prm of a sweep has to be valid
       if (!rolling.sweep.friction.empty() && contact.friction != ContactParameters().friction)
         throw InputError(
@@ -450,6 +471,8 @@ namespace vibrocontact
     if (scene.runs("periodic"))
     {
       periodic.check();
+      check_law_of_periodic(contact, periodic);
+      const bool rigid = periodic_law()->is_rigid();
       if (!scene.bodies[0].is_meshed())
         throw InputError("Analyses lists periodic, but " + scene.bodies[0].name + " is a " +
                          scene.bodies[0].type +
@@ -467,7 +490,7 @@ namespace vibrocontact
         throw InputError(
             "Periodic/Continuation/Stability knows no friction: set it to none or Contact/Friction "
             "coefficient to 0.");
-      if (tells_stability && periodic.law == "signorini" && periodic.model == "finite elements" &&
+      if (tells_stability && rigid && periodic.model == "finite elements" &&
           !scene.bodies[0].bar.massless_contact_node)
         throw InputError(
             "Periodic/Continuation/Stability with the rigid law needs a contact node without mass: set " +
@@ -476,7 +499,7 @@ namespace vibrocontact
       if (periodic.reference && contact.friction > 0)
         throw InputError(
             "Periodic/Reference knows no friction: set Contact/Friction coefficient to 0 or leave it out.");
-      if (periodic.reference && periodic.law == "signorini" && periodic.model == "finite elements" &&
+      if (periodic.reference && rigid && periodic.model == "finite elements" &&
           !scene.bodies[0].bar.massless_contact_node)
         throw InputError("Periodic/Reference with the rigid law needs a contact node without mass: set " +
                          scene.bodies[0].name +
@@ -495,10 +518,10 @@ namespace vibrocontact
                                        "them; give Upper frequency or Count");
     if (scene.runs("stability") && !scene.bodies[0].is_meshed() && !scene.bodies[1].is_meshed())
       throw InputError("Analyses asks for stability, but no body has modes; leave \"stability\" out");
-    if (scene.runs("stability") && stability.second_count && contact.falling.acts())
+    if (scene.runs("stability") && stability.second_count && contact.law_of_friction()->depends_on_speed())
       throw InputError(
-          "Stability/Second count knows constant friction only: set Contact/Static friction ratio to "
-          "1 or leave the count out.");
+          "Stability/Second count knows constant friction only: take the Contact/Friction law coulomb (a "
+          "Static friction ratio of 1) or leave the count out.");
     for (const auto &[section, model] : unreduced_models(*this))
       for (const BodyParameters &body : scene.bodies)
         if (body.type == "half-space" || body.type == "beam rail")
@@ -541,6 +564,8 @@ namespace vibrocontact
           run_log().line(dropped + " of the file is left out: an option gives its alternative.");
       }
       file.parse(prm);
+      if (parameters.has_contact() || parameters.scene.runs("periodic"))
+        parameters.contact.read_curves(parameters.periodic.own_law());
       parameters.check();
       parameters.find_flat_faces();
     }

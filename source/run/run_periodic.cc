@@ -20,11 +20,12 @@ namespace vibrocontact
   {
     /// One solution, for further positions of the force in a cell its errors only.
     PeriodicCase solve(const PeriodicParameters &periodic, const PeriodicBody &body,
-                       const std::shared_ptr<const NormalLaw> &law, const BalanceSettings &settings,
-                       const unsigned int n_phases, const std::optional<PeriodicReference> &reference)
+                       const std::shared_ptr<const NormalLaw> &law, const std::string &law_name,
+                       const BalanceSettings &settings, const unsigned int n_phases,
+                       const std::optional<PeriodicReference> &reference)
     {
       PeriodicBalance balance(body, law, settings);
-      PeriodicCase result{settings, periodic.law, {}, {}, {}, n_phases, 0, 0};
+      PeriodicCase result{settings, law_name, {}, {}, {}, n_phases, 0, 0};
       std::vector<PeriodicErrors> errors;
       for (unsigned int k = 0; k < n_phases; ++k)
       {
@@ -83,9 +84,9 @@ namespace vibrocontact
     const PeriodicParameters &periodic = parameters.periodic;
     run_log().block("Periodic motion");
     const PeriodicBody body = periodic_body(parameters, bodies);
-    const auto law =
-        periodic.normal_law(parameters.contact.penalty_amplitude, parameters.contact.penalty_exponent);
-    if (periodic.law == "signorini" && !(body.residual(0, 0) > 0))
+    const std::shared_ptr<const NormalLaw> law = parameters.periodic_law();
+    const std::string law_name = periodic.law_in_results(parameters.contact.normal_law);
+    if (law->is_rigid() && !(body.residual(0, 0) > 0))
       run_log().warning(
           "the rigid stop meets a contact point with mass: its forces do not converge with the number of "
           "functions; give the body a massless contact node or keep fewer modes");
@@ -95,7 +96,7 @@ namespace vibrocontact
     {
       try
       {
-        reference = periodic_reference(body, *law, {periodic.force, periodic.frequency}, periodic.n_output);
+        reference = periodic_reference(body, law, {periodic.force, periodic.frequency}, periodic.n_output);
         run_log().value("reference by shooting", reference->solution.seconds * 1e3, "ms");
         run_log().value("its periodicity", reference->solution.periodicity);
       }
@@ -129,13 +130,13 @@ namespace vibrocontact
       std::string reason = "choose another number of functions or another pair.";
       try
       {
-        solved = solve(periodic, body, law, settings, json.empty() || !reference ? 1 : periodic.n_phases,
-                       reference);
+        solved = solve(periodic, body, law, law_name, settings,
+                       json.empty() || !reference ? 1 : periodic.n_phases, reference);
       }
       catch (const ConvergenceError &error)
       {
         solved.settings = settings;
-        solved.law = periodic.law;
+        solved.law = law_name;
         solved.solution.excitation = {periodic.force, periodic.frequency};
         solved.failed_phases = solved.n_phases;
         reason = error.what();
@@ -161,6 +162,6 @@ namespace vibrocontact
     if (reference)
       on_first_rank([&] { table.write(folder + "/periodic_errors.csv"); });
     if (periodic.continuation.is_wanted())
-      run_response(periodic, body, law, parameters.contact.friction, folder, results);
+      run_response(periodic, body, law, law_name, parameters.contact.friction, folder, results);
   }
 } // namespace vibrocontact

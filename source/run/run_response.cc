@@ -79,8 +79,8 @@ namespace vibrocontact
   } // namespace
 
   void run_response(const PeriodicParameters &periodic, const PeriodicBody &body,
-                    const std::shared_ptr<const NormalLaw> &law, const double friction,
-                    const std::string &folder, Results &results)
+                    const std::shared_ptr<const NormalLaw> &law, const std::string &law_name,
+                    const double friction, const std::string &folder, Results &results)
   {
     const BranchParameters &response = periodic.continuation;
     const std::string unit = response.parameter == "frequency" ? "Hz"
@@ -91,7 +91,7 @@ namespace vibrocontact
     nlohmann::ordered_json main, variants = nlohmann::ordered_json::array();
     for (unsigned int k = 0; k < asked.size(); ++k)
     {
-      ResponseCase solved{asked[k], periodic.law, {}};
+      ResponseCase solved{asked[k], law_name, {}};
       const auto follow = [&](const BranchSettings &settings)
       {
         PeriodicBalance balance(body, law, asked[k]);

@@ -9,6 +9,7 @@
 
 #include "../unit/axial_bar.h"
 
+#include <vibrocontact/contact/laws/normal_laws.h>
 #include <vibrocontact/periodic/periodic_error.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ namespace
 {
   std::shared_ptr<const NormalLaw> penalty(const AxialBarCase &c)
   {
-    return create_normal_law("exponential penalty", c.amplitude, c.exponent);
+    return create_normal_law("exponential penalty", {c.amplitude, c.exponent});
   }
 
   BalanceSettings settings(const std::string &pair, const unsigned int n, const unsigned int n_samples = 4096)
@@ -127,7 +128,7 @@ namespace
     for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
     {
       const PeriodicBody all = axial_bar(c);
-      const PeriodicReference reference = periodic_reference(all, *penalty(c), c.excitation(), 4096);
+      const PeriodicReference reference = periodic_reference(all, penalty(c), c.excitation(), 4096);
       for (const unsigned int n : {1u, 2u, 3u, 5u, 8u, 12u, 25u})
       {
         const BalanceSettings s = settings("fourier:fourier", 127);
@@ -145,7 +146,7 @@ namespace
     std::printf("| case | samples | displacement | force | impulse | ms |\n|---|---|---|---|---|---|\n");
     for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
     {
-      const PeriodicReference reference = periodic_reference(axial_bar(c), *penalty(c), c.excitation(), 4096);
+      const PeriodicReference reference = periodic_reference(axial_bar(c), penalty(c), c.excitation(), 4096);
       for (unsigned int n = 256; n <= 16384; n *= 2)
       {
         const Measured found =
@@ -164,8 +165,8 @@ namespace
     for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
     {
       const PeriodicBody body = axial_bar(c, true);
-      const auto law = create_normal_law("signorini", 1, 1);
-      const PeriodicReference reference = periodic_reference(body, *law, c.excitation(), 4096);
+      const auto law = create_normal_law("signorini");
+      const PeriodicReference reference = periodic_reference(body, law, c.excitation(), 4096);
       for (const std::string &pair : pairs)
         for (unsigned int n : {15, 16, 31, 32, 63, 64, 127, 128, 255, 256})
         {
@@ -195,7 +196,7 @@ namespace
     for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
     {
       const PeriodicBody body = axial_bar(c);
-      const PeriodicReference reference = periodic_reference(body, *penalty(c), c.excitation(), 4096);
+      const PeriodicReference reference = periodic_reference(body, penalty(c), c.excitation(), 4096);
       for (const std::string &pair : pairs)
         for (const unsigned int n : {8u, 9u, 16u, 17u, 32u, 33u, 63u, 64u, 127u, 128u})
         {

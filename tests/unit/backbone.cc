@@ -2,6 +2,7 @@
 #include "axial_bar.h"
 
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/laws/normal_laws.h>
 #include <vibrocontact/periodic/backbone.h>
 
 #include <gtest/gtest.h>
@@ -78,7 +79,7 @@ TEST(Backbone, NonsmoothModeOfTheClampedBar)
     BalanceSettings settings;
     settings.n_functions = 31; // 15 harmonics
     settings.n_samples = 1024;
-    PeriodicBalance balance(axial_bar(undamped, true, 100), create_normal_law("signorini", 1, 1), settings);
+    PeriodicBalance balance(axial_bar(undamped, true, 100), create_normal_law("signorini"), settings);
     balance.set_force({0, speed / 3.8});
     if (continuous)
       balance.set_condensation([&](const HarmonicForce &force)
@@ -118,7 +119,8 @@ TEST(Backbone, AsksForFourierFunctions)
   BalanceSettings settings;
   settings.trial = settings.weighting = "bspline";
   settings.n_functions = 16;
-  PeriodicBalance balance(axial_bar(axial_bar_1275()), create_normal_law("linear spring", 1e9, 1), settings);
+  PeriodicBalance balance(axial_bar(axial_bar_1275()), create_normal_law("linear spring", {1e9, 1}),
+                          settings);
   balance.set_force({0, 1400});
   EXPECT_THROW(follow_backbone(balance, 1400, 1500, 3), InputError);
 }

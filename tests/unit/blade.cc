@@ -2,6 +2,7 @@
 
 #include "time_stepping.h"
 
+#include <vibrocontact/contact/laws/normal_laws.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/fe/nearest_dof.h>
 #include <vibrocontact/periodic/periodic_motion.h>
@@ -165,12 +166,12 @@ TEST(Blade, RubsItsCasingAsInTime)
       {
         PeriodicBody free = body;
         free.gap.assign(n_corners, 1.);
-        PeriodicBalance balance(free, create_normal_law("signorini", 1, 1), settings);
+        PeriodicBalance balance(free, create_normal_law("signorini"), settings);
         balance.set_force(force);
         peak = sample_motion(balance, balance.solve(), n_steps).tip_max;
       }
       body.gap.assign(n_corners, peak / 2);
-      PeriodicBalance balance(body, create_normal_law("signorini", 1, 1), settings);
+      PeriodicBalance balance(body, create_normal_law("signorini"), settings);
       balance.set_force(force);
       const PeriodicSolution solution = balance.solve();
       ASSERT_TRUE(solution.converged);

@@ -59,8 +59,8 @@ namespace
     contact.friction = number("mu");
     contact.normal_law = d.at("law");
     // a penetration of some micrometres under the mean force of a point
-    contact.penalty_amplitude = 100;
-    contact.penalty_exponent = 1e6;
+    contact.law_values.set("Penalty amplitude", 100);
+    contact.law_values.set("Penalty exponent", 1e6);
     const CreepScheme &scheme = find_creep_scheme(d.at("scheme"));
     ContactInterface interface = wheel_on_crown(contact.grid());
     const ContactGrid &grid = interface.grid;
@@ -265,7 +265,7 @@ TEST(ContactProblemFile, GivesBackWhatWasWritten)
 {
   const std::string file = scratch_file();
   ContactProblem problem = small_problem();
-  problem.normal_law = create_normal_law("exponential penalty", 7., 11.);
+  problem.normal_law = create_normal_law("exponential penalty", {7., 11.});
   for (const bool force_given : {true, false})
   {
     if (!force_given)
@@ -277,8 +277,7 @@ TEST(ContactProblemFile, GivesBackWhatWasWritten)
     EXPECT_EQ(read.normal_force, problem.normal_force);
     EXPECT_EQ(read.approach, problem.approach);
     EXPECT_EQ(read.normal_law->description().name, "exponential penalty");
-    EXPECT_EQ(read.normal_law->description().amplitude, 7.);
-    EXPECT_EQ(read.normal_law->description().exponent, 11.);
+    EXPECT_EQ(read.normal_law->description().numbers, (std::vector<double>{7., 11.}));
     DenseMatrix ours, theirs;
     problem.A->extract({0, 1}, ours);
     read.A->extract({0, 1}, theirs);

@@ -242,6 +242,49 @@ namespace
   }
 } // namespace
 
+// A mass on its spring and on a contact that yields: w^2 = w_0^2 + 1 / (m (W~ + d'(N))), of the penalty d'(N) = 1 / (alpha
+// (a + N)); as a reduced body, and with its contact point as a dof of its own (W~ = 0).
+TEST(YieldingContact, FrequencyOfAMassOnAPenalty)
+{
+  const double omega = 2 * pi * 50, mass = 2, force = 100, a = 300, alpha = 2e4;
+  ContactPair pair = sliding_mass(omega, 0);
+  pair.labels = {"mass:along z"};
+  pair.modal_trace(1, 0) = 0;
+  pair.modal_trace(0, 0) = 1 / std::sqrt(mass);
+  const double residual = 2e-8;
+  pair.residual_flexibility(0, 0) = residual;
+  ContactParameters contact;
+  contact.friction = 0;
+  RollingParameters rolling;
+  rolling.creepage.speed = 0;
+  rolling.normal_force = {force};
+  StabilityParameters parameters;
+  const ContactSolverParameters solver;
+  for (const auto &[law, compliance] :
+       {std::make_pair("signorini", 0.), std::make_pair("linear spring", 1 / (a * alpha)),
+        std::make_pair("exponential penalty", 1 / (alpha * (a + force)))})
+  {
+    contact.normal_law = law;
+    contact.law_values.set("Penalty amplitude", a);
+    contact.law_values.set("Penalty exponent", alpha);
+    const auto frequency = [&](const double flexibility)
+    { return std::sqrt(omega * omega + 1 / (mass * (flexibility + compliance))) / (2 * pi); };
+    const StabilityResult result =
+        stability(parameters, rolling, contact, solver, pair, [](const StabilityResult &) {})[0];
+    EXPECT_NEAR(result.roots[0].frequency / frequency(residual), 1, 1e-9) << law;
+    if (compliance == 0)
+      continue;
+    const InertialPair inertial = inertial_pair(pair);
+    const StabilityResult with_mass = stability(
+        parameters, rolling, contact, solver, pair, [](const StabilityResult &) {},
+        [&](const RollingEquilibrium &about) {
+          return inertial_roots(inertial, find_creep_scheme(contact.creep_scheme), about,
+                                parameters.options());
+        })[0];
+    EXPECT_NEAR(with_mass.roots[0].frequency / frequency(0), 1, 1e-9) << law;
+  }
+}
+
 /// Of a root and in time, about the equilibrium of steady sliding; rising friction damps.
 class SlidingMass : public testing::TestWithParam<double>
 {
@@ -254,8 +297,8 @@ TEST_P(SlidingMass, GrowthUnderFrictionOfTheSlipSpeed)
   const ContactPair pair = sliding_mass(omega, zeta);
   ContactParameters contact;
   contact.friction = 0.3;
-  contact.falling.ratio = ratio;
-  contact.falling.velocity = 0.3;
+  contact.law_values.set("Static friction ratio", ratio);
+  contact.law_values.set("Stribeck velocity", 0.3);
   RollingParameters rolling;
   rolling.creepage.speed = 0;
   rolling.creepage.sliding_x = slip;
@@ -307,8 +350,8 @@ namespace
     const ContactPair pair = sliding_mass(2 * pi * 50, 0.002);
     ContactParameters contact;
     contact.friction = 0.3;
-    contact.falling.ratio = ratio;
-    contact.falling.velocity = velocity;
+    contact.law_values.set("Static friction ratio", ratio);
+    contact.law_values.set("Stribeck velocity", velocity);
     RollingParameters rolling;
     rolling.creepage.speed = 0;
     rolling.creepage.sliding_x = 0.02;

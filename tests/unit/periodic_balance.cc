@@ -4,6 +4,7 @@
 #include "axial_bar.h"
 
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/laws/normal_laws.h>
 #include <vibrocontact/periodic/periodic_error.h>
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ namespace
 {
   std::shared_ptr<const NormalLaw> penalty(const AxialBarCase &c)
   {
-    return create_normal_law("exponential penalty", c.amplitude, c.exponent);
+    return create_normal_law("exponential penalty", {c.amplitude, c.exponent});
   }
 
   BalanceSettings pair(const std::string &trial, const std::string &weighting, const unsigned int n)
@@ -128,7 +129,7 @@ TEST(PeriodicBalance, DerivativesAreThoseOfTheResidual)
         {
           PeriodicBody body = three_directions(2);
           body.relaxation = relaxation;
-          PeriodicBalance balance(body, create_normal_law(law, 3., 2.), settings);
+          PeriodicBalance balance(body, create_normal_law(law, {3., 2.}), settings);
           expect_right_derivatives(balance, {1., 0.4});
         }
       }
@@ -138,7 +139,7 @@ TEST(PeriodicBalance, DerivativesAreThoseOfTheResidual)
 TEST(PeriodicBalance, HaarIsFoundThroughSofterLaws)
 {
   const AxialBarCase c = axial_bar_1275();
-  const PeriodicReference reference = periodic_reference(axial_bar(c), *penalty(c), c.excitation(), 4096);
+  const PeriodicReference reference = periodic_reference(axial_bar(c), penalty(c), c.excitation(), 4096);
   for (const auto &[n, error] : {std::pair(8u, 0.5), std::pair(9u, 0.5)})
   {
     BalanceSettings settings = pair("haar", "fourier", n);
@@ -210,7 +211,7 @@ TEST(PeriodicBalance, DryFrictionAsDenHartog)
     BalanceSettings settings = pair("fourier", "fourier", 201);
     settings.friction = mu_N / 10;
     settings.n_samples = 8192;
-    PeriodicBalance balance(den_hartog(false, 0), create_normal_law("signorini", 1, 1), settings);
+    PeriodicBalance balance(den_hartog(false, 0), create_normal_law("signorini"), settings);
     balance.set_force({P, ratio * omega / (2 * M_PI)});
     const PeriodicSolution solution = balance.solve();
     ASSERT_TRUE(solution.converged) << ratio;
@@ -252,7 +253,7 @@ TEST(PeriodicBalance, DryFrictionAndStops)
   // the point that presses is on a spring, too: its load is not changed by that
   PeriodicBody body = den_hartog(true, gap);
   body.gap[0] = -(10 / stop + 10 * 1e-3);
-  PeriodicBalance balance(body, create_normal_law("linear spring", stop, 1), settings);
+  PeriodicBalance balance(body, create_normal_law("linear spring", {stop, 1}), settings);
   balance.set_force({exciting, omega / (2 * M_PI)});
   const PeriodicSolution solution = balance.solve();
   ASSERT_TRUE(solution.converged);

@@ -4,6 +4,7 @@
 #include "axial_bar.h"
 
 #include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/contact/laws/normal_laws.h>
 #include <vibrocontact/periodic/periodic_motion.h>
 #include <vibrocontact/periodic/shooting.h>
 #include <vibrocontact/response/response.h>
@@ -116,7 +117,7 @@ TEST(PeriodicInTime, ThetaMethodIsOfSecondOrder)
   for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
   {
     const PeriodicBody body = without_relaxation(axial_bar(c, true));
-    const ShootingSolution reference = shoot(body, StopLaw::rigid(), c.excitation());
+    const ShootingSolution reference = shoot(body, create_normal_law("signorini"), c.excitation());
     std::vector<double> errors;
     for (const unsigned int n : {512u, 1024u, 2048u, 4096u})
     {
@@ -150,7 +151,7 @@ TEST(PeriodicInTime, OneBodyByEveryAnalysis)
   for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
   {
     const PeriodicBody body = with_modes(without_relaxation(axial_bar(c, true)), 6, true);
-    const ShootingSolution reference = shoot(body, StopLaw::rigid(), c.excitation());
+    const ShootingSolution reference = shoot(body, create_normal_law("signorini"), c.excitation());
     constexpr unsigned int n = 2048;
     const Period exact = sampled(reference, n);
     const auto compare = [&](const char *const name, const Period &found, const double limit)
@@ -188,7 +189,7 @@ TEST(PeriodicInTime, OneBodyByEveryAnalysis)
     BalanceSettings settings;
     settings.n_functions = 255;
     settings.n_samples = 16384;
-    PeriodicBalance balance(body, create_normal_law("signorini", 1, 1), settings);
+    PeriodicBalance balance(body, create_normal_law("signorini"), settings);
     balance.set_force(c.excitation());
     const PeriodicSolution solution = balance.solve();
     EXPECT_TRUE(solution.converged);

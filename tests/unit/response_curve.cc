@@ -3,6 +3,7 @@
 #include "axial_bar.h"
 
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/laws/normal_laws.h>
 #include <vibrocontact/periodic/floquet.h>
 #include <vibrocontact/periodic/response_curve.h>
 #include <vibrocontact/periodic/shooting.h>
@@ -30,8 +31,8 @@ namespace
     settings.n_functions = n_functions;
     settings.n_samples = n_samples;
     auto balance = std::make_unique<PeriodicBalance>(
-        axial_bar(bar_case), create_normal_law("exponential penalty", bar_case.amplitude, bar_case.exponent),
-        settings);
+        axial_bar(bar_case),
+        create_normal_law("exponential penalty", {bar_case.amplitude, bar_case.exponent}), settings);
     balance->set_force(bar_case.excitation());
     return balance;
   }
@@ -61,7 +62,7 @@ namespace
   struct ShootingCurve : CurveEquations
   {
     const PeriodicBody body = axial_bar(bar_case);
-    const StopLaw law = StopLaw::penalty(bar_case.amplitude, bar_case.exponent);
+    const std::shared_ptr<const NormalLaw> law = create_normal_law("exponential penalty", {bar_case.amplitude, bar_case.exponent});
     static constexpr double phase = 0.75;
     static constexpr unsigned int n_steps = 64;
 
@@ -335,7 +336,9 @@ TEST(ResponseCurve, MultipliersAgainstShooting)
   const PeriodicBody body = axial_bar(bar_case, true);
   for (const bool rigid : {true, false})
   {
-    const StopLaw law = rigid ? StopLaw::rigid() : StopLaw::penalty(bar_case.amplitude, bar_case.exponent);
+    const auto law = rigid
+                         ? create_normal_law("signorini")
+                         : create_normal_law("exponential penalty", {bar_case.amplitude, bar_case.exponent});
     const ShootingSolution solution = shoot(body, law, bar_case.excitation());
     const std::complex<double> exact = floquet_multipliers(solution.monodromy)[0];
     const unsigned int count = 32768;
@@ -386,7 +389,7 @@ TEST(ResponseCurve, HardCases)
     BalanceSettings settings;
     settings.n_functions = 63;
     PeriodicBalance stiff(axial_bar(bar_case, true),
-                          create_normal_law("exponential penalty", amplitude, bar_case.exponent), settings);
+                          create_normal_law("exponential penalty", {amplitude, bar_case.exponent}), settings);
     stiff.set_force(bar_case.excitation());
     judge("stiff penalty", stiff.solve());
   }
@@ -396,7 +399,7 @@ TEST(ResponseCurve, HardCases)
     BalanceSettings settings;
     settings.n_functions = 63;
     PeriodicBalance balance(axial_bar(undamped),
-                            create_normal_law("exponential penalty", bar_case.amplitude, bar_case.exponent),
+                            create_normal_law("exponential penalty", {bar_case.amplitude, bar_case.exponent}),
                             settings);
     balance.set_force(bar_case.excitation());
     judge("no damping", balance.solve());
@@ -480,7 +483,7 @@ TEST(ResponseCurve, RefusesStabilityItCannotTell)
 {
   BalanceSettings settings;
   settings.n_functions = 15;
-  PeriodicBalance balance(axial_bar(bar_case), create_normal_law("signorini", 1, 1), settings);
+  PeriodicBalance balance(axial_bar(bar_case), create_normal_law("signorini"), settings);
   balance.set_force(bar_case.excitation());
   EXPECT_THROW(follow_response(balance, over_frequency(StabilityMethod::monodromy)), InputError);
 }

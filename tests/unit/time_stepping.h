@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/contact/laws.h>
+#include <vibrocontact/contact/laws/friction_law.h>
 #include <vibrocontact/periodic/balance.h>
 #include <vibrocontact/periodic/force_step.h>
 #include <vibrocontact/periodic/time_sampling.h>
@@ -151,11 +151,10 @@ namespace vibrocontact
           if (rows == 1)
             continue;
           const double rho = 1 / std::max(compliance(i + 1, i + 1), compliance(i + 2, i + 2));
-          const auto friction_force =
-              CoulombLaw::project({{p[i + 1] - rho * (motion(i + 1) - before[i + 1]),
-                                    p[i + 2] - rho * (motion(i + 2) - before[i + 2])}},
-                                  friction * normal)
-                  .force;
+          const auto friction_force = project_on_disc({{p[i + 1] - rho * (motion(i + 1) - before[i + 1]),
+                                                        p[i + 2] - rho * (motion(i + 2) - before[i + 2])}},
+                                                      friction * normal)
+                                          .force;
           for (unsigned int a = 0; a < 2; ++a)
           {
             change = std::max(change, std::abs(friction_force[a] - p[i + 1 + a]));

@@ -123,7 +123,6 @@ namespace vibrocontact
     const CreepScheme &scheme;
     const std::vector<ModalStep> steps;
     const double h, speed;
-    const FallingFriction falling;
     const HubDamper damper;
     const StepMatrices matrices;
     /// gap and slip without forces that never change: undeformed gap and loads; 3 n

@@ -22,6 +22,9 @@ namespace vibrocontact
     bool stick = false;
   };
 
+  /// W~ of the pair and, on the diagonal of its gaps, what the normal law yields at the equilibrium; 3 n square [m/N].
+  DenseMatrix compliance_of_contact(const ContactPair &pair, const RollingEquilibrium &equilibrium);
+
   /// The pair linearised about an equilibrium, x' = A x, x = (q, v, z): modal amplitudes and velocities, and
   /// what friction keeps in memory (doc/theory.md, "Steady sliding and its stability", "Time steps").
   ///
@@ -41,9 +44,10 @@ namespace vibrocontact
   ///   -N (dmu/ds) ds_t t,    ds_t = V d/dx (Psi_t q + W~_t R) + Psi_t v  along t,
   ///
   /// a negative damping. The rate of the residual displacements is no part of that slip, as in the law itself
-  /// (contact/falling_friction.h).
+  /// (contact/friction_of_speed.h).
   ///
-  /// The contact law is Signorini's; the hub is fixed, or the normal force is given.
+  /// A normal law that yields adds its compliance at the equilibrium to the normal diagonal of W~; where its force were to
+  /// vanish the contact is taken as closed all the same. The hub is fixed, or the normal force is given.
   /// @throws InputError if points stick and options.stick is false or the residual rate is left out
   DenseMatrix linearised_contact(const ContactPair &pair, const CreepScheme &scheme,
                                  const RollingEquilibrium &equilibrium, const LinearisationOptions &options);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <vibrocontact/analyses/branch.h>
-#include <vibrocontact/contact/laws.h>
 #include <vibrocontact/periodic/balance.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -23,7 +22,8 @@ namespace vibrocontact
     unsigned int n_functions = 127;
     std::string form = "distributional";
     /// penalty, linear or signorini
-    std::string law = "penalty";
+    /// short name of a normal law; empty: that of section Contact
+    std::string law;
     /// f [Hz], F [N], gap of the undeformed body [m]
     double frequency = 100, force = 1, gap = 0;
     /// "x, y, z, direction" or "x, y, z, dx, dy, dz"; empty: at the first contact point, into the stop
@@ -67,7 +67,9 @@ namespace vibrocontact
     std::vector<BalanceSettings> solutions(double friction) const;
     /// of the response curves, the main one first; none if there is no continuation
     std::vector<BalanceSettings> curves(double friction) const;
-    /// @param amplitude [N], @param exponent [1/m] of section Contact
-    std::shared_ptr<const NormalLaw> normal_law(double amplitude, double exponent) const;
+    /// Name of the normal law in the table of laws; empty: that of section Contact.
+    std::string own_law() const;
+    /// What results call the law: by its short name if it has one.
+    std::string law_in_results(const std::string &normal_law) const;
   };
 } // namespace vibrocontact

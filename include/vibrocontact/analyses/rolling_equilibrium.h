@@ -19,5 +19,11 @@ namespace vibrocontact
     bool force_given = false;
     /// dmu/d|s| of each point, n [s/m]; empty: friction is constant
     std::vector<double> friction_slope;
+    /// d'(N) of each point by the normal law, n [m/N]; empty: the law is rigid
+    std::vector<double> normal_compliance;
   };
+
+  /// The equilibrium with the tangents of the contact's laws.
+  RollingEquilibrium rolling_equilibrium(const ContactSolution &contact, const FrictionLaw &friction,
+                                         const NormalLaw &normal, double speed, bool force_given);
 } // namespace vibrocontact

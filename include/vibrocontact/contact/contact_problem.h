@@ -2,7 +2,8 @@
 
 #include <vibrocontact/base/dense.h>
 #include <vibrocontact/contact/contact_operator.h>
-#include <vibrocontact/contact/laws.h>
+#include <vibrocontact/contact/laws/friction_law.h>
+#include <vibrocontact/contact/laws/normal_laws.h>
 
 #include <memory>
 #include <string>
@@ -17,7 +18,8 @@ namespace vibrocontact
   ///   N_i = P(N_i, gap_i)  (normal law)   and   T_i = Proj_disc(mu_i N_i)(T_i - rho s_i)  (Coulomb)
   ///
   /// at every point; e_n is one on every gap. The approach [m] is given, or it is one more unknown that makes
-  /// sum N_i equal to a given normal force. Sizes 3 n by contact_row().
+  /// sum N_i equal to a given normal force. Friction that depends on the slip speed makes mu_i part of the solution
+  /// (friction_of_speed.h). Sizes 3 n by contact_row().
   struct ContactProblem
   {
     std::string title;
@@ -26,7 +28,9 @@ namespace vibrocontact
     DenseVector b;
     /// friction coefficient of each point; n
     std::vector<double> mu;
-    std::shared_ptr<const NormalLaw> normal_law = std::make_shared<SignoriniLaw>();
+    /// what mu follows; null: mu is given
+    std::shared_ptr<const FrictionLaw> friction_law;
+    std::shared_ptr<const NormalLaw> normal_law = create_normal_law("signorini");
     /// resultant N [N] > 0 to be reached, or 0 if the approach is given
     double normal_force = 0;
     /// given approach [m]; the starting value if the normal force is given

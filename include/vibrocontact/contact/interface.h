@@ -2,7 +2,8 @@
 
 #include <vibrocontact/contact/contact_problem.h>
 #include <vibrocontact/contact/creep.h>
-#include <vibrocontact/contact/falling_friction.h>
+#include <vibrocontact/contact/laws/friction_laws.h>
+#include <vibrocontact/contact/laws/normal_laws.h>
 #include <vibrocontact/scene/flat_face.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -12,10 +13,8 @@ namespace vibrocontact
   /// `subsection Contact`: where the two bodies of a scene may touch, and by which laws.
   struct ContactParameters
   {
-    /// mu [-]
+    /// mu [-]; where friction depends on the slip speed its value at high speed
     double friction = 0.3;
-    /// of the slip speed, beside mu as its value at high speed; by default friction is constant
-    FallingFriction falling;
     /// spacing of the contact points along x and y [m]
     double spacing = 1e-3;
     /// the grid covers at least [-half_length, half_length] x [-half_width, half_width] [m]
@@ -36,21 +35,37 @@ namespace vibrocontact
     /// false: normal forces move no point tangentially by the local flexibility, nor tangential ones normally
     bool coupling = true;
     std::string normal_law = "signorini";
-    /// exponential penalty only: a [N], alpha [1/m]
-    double penalty_amplitude = 1e8, penalty_exponent = 50;
+    /// empty: falling friction where a static friction ratio other than 1 is given, otherwise Coulomb's
+    std::string friction_law;
+    /// the other entries that laws are made of
+    LawValues law_values;
 
     /// no entries: flat faces that the bodies touch with, and whether the rolling speed is zero (found once the
     /// bodies are known)
     std::vector<FlatFace> flat_faces;
     bool at_rest = false;
 
+    /// law_values are the defaults of the laws
+    ContactParameters();
     void declare_parameters(dealii::ParameterHandler &prm);
+    /// Reads the curves of the laws that are named here or by another section, before any law is made. Collective.
+    /// @param further normal law that an analysis takes in place of `normal_law`, or empty
+    /// @throws InputError with entry, file and line, or for a curve that makes no law
+    void read_curves(const std::string &further);
     /// Grid with a point on the nominal contact point (offset zero); without what lies beyond a flat face.
     ContactGrid grid() const;
     /// Sides of a grid that a flat face ends with.
     SurfaceEnds ends(const ContactGrid &grid) const;
-    /// The normal law that the entries describe.
-    std::shared_ptr<const NormalLaw> law() const;
+    /// The normal law that the entries describe, or another one of their values.
+    std::shared_ptr<const NormalLaw> law() const { return law(normal_law); }
+    std::shared_ptr<const NormalLaw> law(const std::string &name) const;
+    /// Row of the table that the entries of friction mean.
+    const FrictionLawEntry &friction_entry() const;
+    /// Whether that law is scaled by the entry Friction coefficient.
+    bool takes_coefficient() const;
+    /// @param coefficient in place of the entry's, as in a sweep [-]
+    std::shared_ptr<const FrictionLaw> law_of_friction(double coefficient) const;
+    std::shared_ptr<const FrictionLaw> law_of_friction() const { return law_of_friction(friction); }
     bool half_space_flexibility() const { return local_flexibility == "half-space"; }
     /// Whether the local flexibility is another than the elements', so that modes have to carry the rest.
     bool replaces_flexibility() const { return half_space_flexibility() || !coupling; }

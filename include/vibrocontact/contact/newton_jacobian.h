@@ -24,8 +24,8 @@ namespace vibrocontact
     struct Row
     {
       double by_force, by_gap;
-      std::array<CoulombLaw::Vector2, 2> by_trial;
-      CoulombLaw::Vector2 by_radius;
+      std::array<Vector2, 2> by_trial;
+      Vector2 by_radius;
     };
     using Rows = std::vector<Row>;
 

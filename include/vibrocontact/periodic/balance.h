@@ -1,6 +1,7 @@
 #pragma once
 
-#include <vibrocontact/contact/laws.h>
+#include <vibrocontact/contact/laws/friction_law.h>
+#include <vibrocontact/contact/laws/normal_law.h>
 #include <vibrocontact/periodic/condensation.h>
 #include <vibrocontact/periodic/massless_contact.h>
 #include <vibrocontact/periodic/time_sampling.h>
@@ -146,13 +147,18 @@ namespace vibrocontact
     std::vector<double> linear_excess() const;
     bool follow_gap(std::vector<double> &c, PeriodicSolution &solution);
     bool follow_stiffness(std::vector<double> &c, PeriodicSolution &solution);
+    /// of a law that is a function of the gap: nothing where it is open
+    NormalLaw::GraphPoint over_gap(const double gap) const
+    {
+      return gap < 0 ? law->graph(-gap) : NormalLaw::GraphPoint{0., 0., 0., 1.};
+    }
     bool is_normal(const unsigned int row) const { return row % body.rows_per_point == 0; }
     double sign(const unsigned int row) const { return is_normal(row) ? -1. : 1.; }
 
     PeriodicBody body;
     const std::shared_ptr<const NormalLaw> law;
-    /// the same law if it is a function of the gap, else null
-    const SpringLaw *const spring;
+    /// whether the law gives the force over the gap
+    const bool spring;
     std::unique_ptr<const TimeBasis> trial_basis, weighting_basis;
     TimePairing pairing;
     std::unique_ptr<TimeSampling> samples;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <vibrocontact/base/dense.h>
+#include <vibrocontact/contact/laws/normal_law.h>
 #include <vibrocontact/periodic/force_step.h>
-#include <vibrocontact/periodic/stop_law.h>
 
 #include <complex>
 #include <functional>
@@ -61,8 +61,8 @@ namespace vibrocontact
   public:
     /// @throws InputError if the body has more than one row of contact, if an undamped mode is excited at its own frequency,
     /// or if the stop is rigid and the body has no residual (contact node with mass)
-    PeriodMap(const PeriodicBody &body, const StopLaw &law, const HarmonicForce &force, unsigned int n_steps,
-              unsigned int n_nodes = 8, double accuracy = 1e-9);
+    PeriodMap(const PeriodicBody &body, std::shared_ptr<const NormalLaw> law, const HarmonicForce &force,
+              unsigned int n_steps, unsigned int n_nodes = 8, double accuracy = 1e-9);
     ~PeriodMap();
 
     unsigned int n_states() const { return 2 * n + (relaxed ? 1 : 0); }
@@ -115,7 +115,9 @@ namespace vibrocontact
     MotionSample sample(double t, const State &deviation, double force, bool in_contact) const;
 
     const PeriodicBody body;
-    const StopLaw law;
+    const std::shared_ptr<const NormalLaw> law;
+    /// of the law at touch [m/N]
+    const double touch_compliance;
     const HarmonicForce force;
     const unsigned int n, steps;
     const double accuracy;

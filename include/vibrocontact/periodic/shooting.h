@@ -57,8 +57,9 @@ namespace vibrocontact
   /// Periodic motion by shooting: Newton's method on P(x) - x = 0 with the exact derivative of the period map P.
   ///
   /// @throws ConvergenceError if it does not converge
-  ShootingSolution shoot(const PeriodicBody &body, const StopLaw &law, const HarmonicForce &force,
-                         const ShootingSettings &settings = {}, const ShootingStart &start = {});
+  ShootingSolution shoot(const PeriodicBody &body, const std::shared_ptr<const NormalLaw> &law,
+                         const HarmonicForce &force, const ShootingSettings &settings = {},
+                         const ShootingStart &start = {});
 
   /// The same on a given map and phase, from a state; nothing is settled or refined. For branches of solutions.
   ShootingSolution shoot(std::shared_ptr<const PeriodMap> map, double phase, const std::vector<double> &start,
@@ -74,8 +75,9 @@ namespace vibrocontact
     DenseMatrix by_state;
   };
   /// by_frequency by central differences of 1e-6 f, for which the map is exact enough to leave 1e-9 of it.
-  ShootingResidual shooting_residual(const PeriodicBody &body, const StopLaw &law, const HarmonicForce &force,
-                                     unsigned int n_steps, double phase, const std::vector<double> &x);
+  ShootingResidual shooting_residual(const PeriodicBody &body, const std::shared_ptr<const NormalLaw> &law,
+                                     const HarmonicForce &force, unsigned int n_steps, double phase,
+                                     const std::vector<double> &x);
 
   /// What integrating in time from rest until the motion repeats leaves (stop of the paper: relative rms change of the tip's
   /// displacement between two periods below 1e-7).

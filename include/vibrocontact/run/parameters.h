@@ -66,6 +66,8 @@ namespace vibrocontact
     std::string hub() const { return scene.bodies[0].type == "half-space" ? "none" : rolling.hub; }
     /// Whether data are identified: by the analysis, or for a body.
     bool has_identification() const;
+    /// The normal law of the stop of periodic motion.
+    std::shared_ptr<const NormalLaw> periodic_law() const;
     /// The grid of section Contact, or one point if a body has no more.
     ContactGrid contact_grid() const;
     /// The lateral positions of a stability sweep [m]: those whose contact point lies on the tread of a

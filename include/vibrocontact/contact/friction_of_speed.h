@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vibrocontact/contact/contact_solver.h>
+
+#include <functional>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// |slip| of each point from the rows of y = (gap, slip); n [m/s]
+  std::vector<double> slip_speed(const ContactSolution &solution);
+
+  /// Solves a contact problem whose friction may depend on the slip speed: with problem.mu alone if it does not.
+  ///
+  /// The slip speed in mu is that of rolling and modes; the rate of the residual displacements d(W~ R)/dt is no part of
+  /// it. A contact point without mass on a spring W~ would jump at once under a falling characteristic (its growth rate
+  /// 1 / (W~ N |dmu/ds|) is that of no mode), which the reduction cannot mean.
+  ///
+  /// An outer loop repeats the solution with problem.mu = mu(speed of the last solution) until no mu changes by more than
+  /// 1e-9 of the largest. Its contraction is N |dmu/ds| times the slip per tangential force: in a time step that is of the
+  /// order of the step (theta h N |dmu/ds| Psi_t Psi_t^T), so that the loop converges for small steps. Where more friction
+  /// means less slip and that more friction, mu would jump about the solution: such points go by secants. A loop that does
+  /// not converge within 100 rounds is returned as not converged. problem.mu is left as it was last used, a good start for
+  /// the next step.
+  /// @param speed the slip speed of each point that counts in mu, from a solution
+  ContactSolution solve_with_friction_of_speed(
+      ContactProblem &problem, ContactSolver &solver, const ContactSolution &start,
+      const std::function<std::vector<double>(const ContactSolution &)> &speed = slip_speed);
+} // namespace vibrocontact

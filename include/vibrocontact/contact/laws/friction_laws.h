@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vibrocontact/contact/laws/friction_law.h>
+
+#include <functional>
+
+namespace vibrocontact
+{
+  /// One row of the table of friction laws.
+  struct FrictionLawEntry
+  {
+    /// in the parameter file, and a sentence
+    std::string name, help;
+    std::vector<LawParameter> parameters;
+    /// from the numbers of the parameters; @throws InputError
+    std::function<std::shared_ptr<const FrictionLaw>(const std::vector<double> &)> make;
+  };
+
+  /// All friction laws. Whoever adds one adds its file to this folder and its row to friction_laws.cc.
+  const std::vector<FrictionLawEntry> &friction_laws();
+
+  /// @throws InputError naming the known laws
+  const FrictionLawEntry &find_friction_law(const std::string &name);
+
+  /// @param numbers of the law's parameters, as in LawDescription
+  /// @throws InputError naming the known laws, or for numbers that make none
+  std::shared_ptr<const FrictionLaw> create_friction_law(const std::string &name,
+                                                         const std::vector<double> &numbers);
+
+  /// Contact/Friction coefficient: the first number of laws that are scaled by it.
+  LawParameter friction_coefficient();
+} // namespace vibrocontact

@@ -1,0 +1,24 @@
+#include <vibrocontact/analyses/rolling_equilibrium.h>
+#include <vibrocontact/contact/friction_of_speed.h>
+
+namespace vibrocontact
+{
+  RollingEquilibrium rolling_equilibrium(const ContactSolution &contact, const FrictionLaw &friction,
+                                         const NormalLaw &normal, const double speed, const bool force_given)
+  {
+    RollingEquilibrium result;
+    result.contact = contact;
+    result.speed = speed;
+    result.force_given = force_given;
+    const std::vector<double> slips = slip_speed(contact);
+    for (unsigned int i = 0; i < slips.size(); ++i)
+    {
+      result.friction.push_back(friction.coefficient(slips[i], contact.status[i] == ContactStatus::stick));
+      if (friction.depends_on_speed())
+        result.friction_slope.push_back(friction.coefficient(slips[i]).slope);
+      if (!normal.is_rigid())
+        result.normal_compliance.push_back(normal.compression(contact.R[i]).compliance);
+    }
+    return result;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,39 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/contact/laws/coulomb.h>
+#include <vibrocontact/contact/laws/falling_friction.h>
+#include <vibrocontact/contact/laws/friction_curve.h>
+
+namespace vibrocontact
+{
+  const std::vector<FrictionLawEntry> &friction_laws()
+  {
+    static const std::vector<FrictionLawEntry> table = {coulomb(), falling_friction(), friction_curve()};
+    return table;
+  }
+
+  const FrictionLawEntry &find_friction_law(const std::string &name)
+  {
+    std::vector<std::string> names;
+    for (const FrictionLawEntry &entry : friction_laws())
+    {
+      if (entry.name == name)
+        return entry;
+      names.push_back(entry.name);
+    }
+    throw InputError("There is no friction law called \"" + name + "\"; " + name_suggestion(name, names));
+  }
+
+  std::shared_ptr<const FrictionLaw> create_friction_law(const std::string &name,
+                                                         const std::vector<double> &numbers)
+  {
+    return find_friction_law(name).make(numbers);
+  }
+
+  LawParameter friction_coefficient()
+  {
+    return law_number("Friction coefficient", "0.3",
+                      "Coulomb's mu; with a Static friction ratio its value at high slip speed. Units: none.",
+                      0, 10);
+  }
+} // namespace vibrocontact
