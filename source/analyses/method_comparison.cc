@@ -2,6 +2,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/processor_clock.h>
 #include <vibrocontact/response/paper_methods.h>
+#include <vibrocontact/response/step_weights.h>
 
 #include <algorithm>
 #include <cmath>

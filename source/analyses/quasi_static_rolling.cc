@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/quasi_static_rolling.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/friction_of_speed.h>
 
 #include <algorithm>

@@ -1,6 +1,8 @@
 #include <vibrocontact/analyses/road_friction.h>
 #include <vibrocontact/analyses/road_stepper.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/contact_solvers.h>
+#include <vibrocontact/response/response_methods.h>
 #include <vibrocontact/response/step_weights.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #include <vibrocontact/analyses/stability.h>
+#include <vibrocontact/analyses/suspended_pair.h>
 #include <vibrocontact/base/exceptions.h>
 
 #include <deal.II/base/numbers.h>

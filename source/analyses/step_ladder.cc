@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/step_ladder.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/contact_solvers.h>
 
 #include <cmath>
 

@@ -2,6 +2,7 @@
 #include <vibrocontact/analyses/transient.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/friction_of_speed.h>
 #include <vibrocontact/numerics/doubled_step.h>
 

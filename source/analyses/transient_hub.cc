@@ -1,3 +1,4 @@
+#include <vibrocontact/analyses/suspended_pair.h>
 #include <vibrocontact/analyses/transient.h>
 #include <vibrocontact/analyses/transient_hub.h>
 #include <vibrocontact/base/exceptions.h>

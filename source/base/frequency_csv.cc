@@ -1,18 +1,11 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/frequency_csv.h>
 #include <vibrocontact/base/nearest_names.h>
-#include <vibrocontact/base/number_text.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <fftw3.h>
-#include <optional>
 
 namespace vibrocontact
 {
-  using Complex = std::complex<double>;
-
   std::optional<std::string> without_end(const std::string &name, const std::string &end)
   {
     if (name.size() <= end.size() || name.substr(name.size() - end.size()) != end)
@@ -45,18 +38,6 @@ namespace vibrocontact
             "every point.");
     }
     return result;
-  }
-
-  double equal_time_step(const std::string &source, const std::vector<double> &time, const double rounding,
-                         const std::vector<unsigned int> &lines)
-  {
-    const double step = time.back() / (time.size() - 1);
-    for (std::size_t i = 0; i < time.size(); ++i)
-      if (std::abs(time[i] - i * step) > 1e-4 * step + rounding * time.back())
-        throw InputError(source + (lines.empty() ? "" : ", line " + std::to_string(lines[i]) + ",") +
-                         " leaves at " + number_text(time[i]) +
-                         " s the equal steps from t = 0 on that an impulse response needs: sample it so.");
-    return step;
   }
 
   namespace
@@ -146,39 +127,6 @@ namespace vibrocontact
       data.entries.push_back(entry);
     }
     return data;
-  }
-
-  void integrate_in_frequency(FrequencyData &data, const unsigned int entry, const unsigned int power)
-  {
-    if (power == 0)
-      return;
-    if (data.frequency.front() == 0)
-      throw InputError(
-          "The data \"" + data.file_name +
-          "\" give a velocity or acceleration per force at 0 Hz, which does not tell the displacement "
-          "there: leave that frequency out, or set Identification/Lower frequency above 0.");
-    for (std::size_t l = 0; l < data.frequency.size(); ++l)
-      data.entries[entry].values[l] /= std::pow(Complex(0, 2 * M_PI * data.frequency[l]), power);
-  }
-
-  void transform_to_frequency(FrequencyData &data, const double step)
-  {
-    const int n = data.entries.front().values.size();
-    std::vector<double> samples(n);
-    std::vector<Complex> lines(n / 2 + 1);
-    const fftw_plan plan = fftw_plan_dft_r2c_1d(
-        n, samples.data(), reinterpret_cast<fftw_complex *>(lines.data()), FFTW_ESTIMATE);
-    for (FrequencyData::Entry &entry : data.entries)
-    {
-      for (int i = 0; i < n; ++i)
-        samples[i] = step * (i == 0 ? 0.5 : 1.) * entry.values[i].real();
-      fftw_execute(plan);
-      entry.values = lines;
-    }
-    fftw_destroy_plan(plan);
-    data.frequency.clear();
-    for (unsigned int l = 0; l < lines.size(); ++l)
-      data.frequency.push_back(l / (n * step));
   }
 
   std::string frequency_csv(const FrequencyData &data, const std::vector<std::string> &comments)

@@ -1,5 +1,4 @@
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/base/frequency_csv.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/base/uff58.h>

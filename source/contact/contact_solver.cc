@@ -1,8 +1,4 @@
-#include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/contact/contact_solver.h>
-#include <vibrocontact/contact/fixed_point.h>
-#include <vibrocontact/contact/newton.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +6,13 @@
 
 namespace vibrocontact
 {
-  void ContactSolverParameters::declare_parameters(dealii::ParameterHandler &prm)
+  void ContactSolverParameters::declare_parameters(dealii::ParameterHandler &prm,
+                                                   const std::vector<std::string> &methods)
   {
     using namespace dealii::Patterns;
     std::string names;
-    for (const ContactSolverEntry &entry : contact_solvers())
-      names += (names.empty() ? "" : "|") + entry.name;
+    for (const std::string &name : methods)
+      names += (names.empty() ? "" : "|") + name;
     prm.add_parameter("Method", method, "How the discrete contact problem is solved. Units: none.",
                       Selection(names));
     prm.add_parameter("Tolerance", tolerance,
@@ -30,31 +27,6 @@ namespace vibrocontact
         "Force change", force_change,
         "The fixed point stops when its forces change by less than this, relatively. Units: none.",
         Double(1e-16, 1e-2));
-  }
-
-  const std::vector<ContactSolverEntry> &contact_solvers()
-  {
-    static const std::vector<ContactSolverEntry> table = {
-        {"semi-smooth newton", "Newton on the projections, active points only",
-         [](const ContactSolverParameters &p) -> std::unique_ptr<ContactSolver>
-         { return std::make_unique<NewtonSolver>(p); }},
-        {"fixed point", "the paper's fixed point on the forces with constant rho",
-         [](const ContactSolverParameters &p) -> std::unique_ptr<ContactSolver>
-         { return std::make_unique<FixedPointSolver>(p); }}};
-    return table;
-  }
-
-  std::unique_ptr<ContactSolver> create_contact_solver(const ContactSolverParameters &parameters)
-  {
-    std::vector<std::string> names;
-    for (const ContactSolverEntry &entry : contact_solvers())
-    {
-      if (entry.name == parameters.method)
-        return entry.create(parameters);
-      names.push_back(entry.name);
-    }
-    throw InputError("There is no contact solver called \"" + parameters.method + "\"; " +
-                     name_suggestion(parameters.method, names));
   }
 
   void frictionless_start(const ContactProblem &problem, const double tolerance, ContactSolution &state)

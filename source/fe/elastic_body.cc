@@ -1,6 +1,4 @@
 #include <vibrocontact/fe/elastic_body.h>
-#include <vibrocontact/fe/elasticity.h>
-#include <vibrocontact/fe/trace_assembly.h>
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/mapping_q.h>
@@ -24,21 +22,6 @@ namespace vibrocontact
     for (const types::boundary_id id : model.held)
       DoFTools::make_zero_boundary_constraints(dof_handler, id, constraints);
     constraints.close();
-  }
-
-  template <int dim>
-  std::unique_ptr<SecondOrderSystem> ElasticBody<dim>::assemble(const ContactGrid *grid) const
-  {
-    std::unique_ptr<SecondOrderSystem> system = assemble_elasticity(*this);
-    if (!model.is_supported())
-      system->rigid_motions = rigid_motions(*this);
-    system->n_rigid_modes = system->rigid_motions.size();
-    describe_dofs(*this, *system);
-    system->surface = make_surface_trace(*this);
-    system->follows_hub = !model.held.empty() && model.springs.empty();
-    if (grid)
-      system->trace = make_contact_trace(*this, *grid);
-    return system;
   }
 
   template <int dim>

@@ -1,4 +1,4 @@
-#include <vibrocontact/fe/elastic_body.h>
+#include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/layer_elements.h>
 
 #include <deal.II/base/mpi.h>
@@ -45,7 +45,7 @@ namespace vibrocontact
       ElasticModel<dim> model;
       model.material = material;
       model.held = {mesh.boundary_id("top")};
-      return ElasticBody<dim>(std::move(mesh), model, layer.degree).assemble();
+      return assemble_body(ElasticBody<dim>(std::move(mesh), model, layer.degree));
     }
   } // namespace
 

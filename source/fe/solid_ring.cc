@@ -1,3 +1,4 @@
+#include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/fe/ring_elements.h>
 
@@ -207,7 +208,7 @@ namespace vibrocontact
     model.material.poisson_ratio = 0;
     model.material.density = ring.density;
     const ElasticBody<2> body(annulus(ring, name, communicator), model, ring.degree);
-    auto system = body.assemble();
+    auto system = assemble_body(body);
     system->mass *= ring.width;
     system->stiffness *= ring.width;
     system->total_mass *= ring.width;

@@ -3,6 +3,7 @@
 #include <vibrocontact/fe/dense_system.h>
 #include <vibrocontact/numerics/null_space.h>
 #include <vibrocontact/reduction/all_modes.h>
+#include <vibrocontact/reduction/orient_modes.h>
 #include <vibrocontact/reduction/reduction_parts.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/reduction/modes.h>
+#include <vibrocontact/reduction/orient_modes.h>
 
 #include <deal.II/base/mpi.h>
 

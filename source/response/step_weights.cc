@@ -169,4 +169,48 @@ namespace vibrocontact
           kernel[i * n + j][0] += model.residual(i, j);
     return kernel;
   }
+
+  unsigned long steps_of_memory(const PoleModel &model, const double time_step, const double share,
+                                const unsigned long most_steps)
+  {
+    std::vector<double> size(model.n_poles(), 0.);
+    double sum = 0;
+    for (unsigned int k = 0; k < model.n_poles(); ++k)
+    {
+      for (unsigned int i = 0; i < model.n_rows(); ++i)
+        size[k] = std::max(size[k], std::abs(model.right(i, k) * model.left(i, k)));
+      sum += size[k];
+    }
+    double low = 0, high = most_steps * time_step;
+    const auto envelope = [&](const double t)
+    {
+      double value = 0;
+      for (unsigned int k = 0; k < model.n_poles(); ++k)
+        value += size[k] * std::exp(model.poles[k].real() * t);
+      return value / sum;
+    };
+    // the largest g stays below the envelope at zero, hence the fifth
+    for (unsigned int k = 0; k < 60 && !(envelope(high) > 0.2 * share); ++k)
+    {
+      const double middle = 0.5 * (low + high);
+      (envelope(middle) > 0.2 * share ? low : high) = middle;
+    }
+    // from there on backwards to the last sample above the share
+    const unsigned int n = model.n_rows();
+    PoleModel moving = model;
+    moving.residual.reinit(0, 0);
+    const auto kernel =
+        step_kernel(moving, time_step, ForceShape::impulse,
+                    std::min(most_steps, static_cast<unsigned long>(std::ceil(high / time_step))));
+    double largest = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      for (const double value : kernel[i * n + i])
+        largest = std::max(largest, std::abs(value));
+    unsigned long last = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned long k = last; k < kernel[i * n + i].size(); ++k)
+        if (std::abs(kernel[i * n + i][k]) > share * largest)
+          last = k + 1;
+    return last;
+  }
 } // namespace vibrocontact

@@ -1,18 +1,19 @@
 #include <vibrocontact/analyses/identification.h>
 #include <vibrocontact/analyses/modal_convolution.h>
 #include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/analyses/transient_hub.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
-#include <vibrocontact/fe/surface_trace.h>
+#include <vibrocontact/fe/surface_assembly.h>
 #include <vibrocontact/numerics/lsce.h>
 #include <vibrocontact/output/probes.h>
 #include <vibrocontact/reduction/band_limited.h>
 #include <vibrocontact/reduction/surface_shapes.h>
 #include <vibrocontact/run/check_before_run.h>
 #include <vibrocontact/run/periodic_body.h>
+#include <vibrocontact/run/pole_body.h>
 #include <vibrocontact/run/run_frequency_response.h>
 #include <vibrocontact/run/run_identification.h>
-#include <vibrocontact/run/run_modal_convolution.h>
 #include <vibrocontact/scene/wheel.h>
 
 #include <algorithm>
@@ -166,6 +167,27 @@ namespace vibrocontact
         }
     }
   } // namespace
+
+  void check_transient_files(const Parameters &parameters, const MeshedBodies &bodies)
+  {
+    if (!parameters.scene.runs("transient"))
+      return;
+    const TransientParameters &transient = parameters.transient;
+    transient_hub(parameters.hub(), load_over_time(transient));
+    check_drive(transient, rolling_cases(parameters.rolling, parameters.contact).front(),
+                parameters.contact_grid());
+    if (transient.model != "reduced")
+      return; // its modes are others
+    for (const auto &body : bodies)
+      if (body && body->parameters.name == transient.perturbed_body() &&
+          body->reduction.is_cached(false, true))
+      {
+        std::vector<std::string> labels;
+        for (const std::string &label : body->reduction.modal().labels)
+          labels.push_back(body->parameters.name + ":" + label);
+        perturbed_mode(transient, labels);
+      }
+  }
 
   void check_before_run(const Parameters &parameters, const MeshedBodies &bodies)
   {

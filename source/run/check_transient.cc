@@ -1,5 +1,3 @@
-#include <vibrocontact/analyses/transient.h>
-#include <vibrocontact/analyses/transient_hub.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/base/number_text.h>
@@ -11,18 +9,12 @@ namespace vibrocontact
 {
   namespace
   {
-    /// The body that the name of the perturbed mode begins with.
-    std::string perturbed_body(const TransientParameters &transient)
-    {
-      return transient.perturbed_mode.substr(0, transient.perturbed_mode.find(':'));
-    }
-
     void check_perturbed_body(const TransientParameters &transient, const std::vector<std::string> &bodies)
     {
       if (transient.perturbed_mode.empty())
         return;
       const std::string begin = "Transient/Perturbed mode names '" + transient.perturbed_mode + "', but ",
-                        body = perturbed_body(transient);
+                        body = transient.perturbed_body();
       if (bodies.empty())
         throw InputError(begin + "no body has modes: leave it out.");
       if (std::find(bodies.begin(), bodies.end(), body) == bodies.end())
@@ -45,11 +37,10 @@ namespace vibrocontact
                        "Bodies, or move it by a Hub displacement.");
     }
     /// Reactions of points with mass do not converge with the step.
-    void check_inertia_of_contact(const Parameters &parameters)
+    void check_inertia_of_contact(const TransientParameters &transient, const Scene &scene)
     {
-      if (!contact_points_have_mass(parameters))
+      if (!contact_points_have_mass(transient, scene))
         return;
-      const TransientParameters &transient = parameters.transient;
       if (transient.reaction != "end of step")
         throw InputError(
             "Transient/Model is finite elements, whose contact points have mass: there reactions "
@@ -71,51 +62,26 @@ namespace vibrocontact
     }
   } // namespace
 
-  bool contact_points_have_mass(const Parameters &parameters)
+  bool contact_points_have_mass(const TransientParameters &transient, const Scene &scene)
   {
-    if (parameters.transient.model != "finite elements")
+    if (transient.model != "finite elements")
       return false;
-    for (const BodyParameters &body : parameters.scene.bodies)
+    for (const BodyParameters &body : scene.bodies)
       if (body.is_meshed() && !(body.type == "bar" && body.bar.massless_contact_node))
         return true;
     return false;
   }
 
-  void check_transient(const Parameters &parameters)
+  void check_transient(const TransientParameters &transient, const RollingParameters &rolling,
+                       const Scene &scene, const std::vector<std::string> &with_modes)
   {
-    const TransientParameters &transient = parameters.transient;
     transient.check();
-    if (!parameters.rolling.normal_force.empty() && !parameters.rolling.hub_displacement.empty())
+    if (!rolling.normal_force.empty() && !rolling.hub_displacement.empty())
       throw InputError("Rolling/Normal force and Rolling/Hub displacement are both given, but one follows "
                        "from the other: empty one of them.");
-    std::vector<std::string> bodies;
-    for (const auto &[name, modes] : parameters.modes)
-      bodies.push_back(name);
-    check_perturbed_body(transient, bodies);
-    check_inertia_of_contact(parameters);
-    check_thrown_body(transient, parameters.scene.bodies[0]);
-    check_excited_body(transient, parameters.scene.bodies[0]);
-    parameters.signals.check(bodies, transient);
-  }
-
-  void check_transient_files(const Parameters &parameters, const MeshedBodies &bodies)
-  {
-    if (!parameters.scene.runs("transient"))
-      return;
-    const TransientParameters &transient = parameters.transient;
-    transient_hub(parameters.hub(), load_over_time(transient));
-    check_drive(transient, rolling_cases(parameters.rolling, parameters.contact).front(),
-                parameters.contact_grid());
-    if (transient.model != "reduced")
-      return; // its modes are others
-    for (const auto &body : bodies)
-      if (body && body->parameters.name == perturbed_body(transient) &&
-          body->reduction.is_cached(false, true))
-      {
-        std::vector<std::string> labels;
-        for (const std::string &label : body->reduction.modal().labels)
-          labels.push_back(body->parameters.name + ":" + label);
-        perturbed_mode(transient, labels);
-      }
+    check_perturbed_body(transient, with_modes);
+    check_inertia_of_contact(transient, scene);
+    check_thrown_body(transient, scene.bodies[0]);
+    check_excited_body(transient, scene.bodies[0]);
   }
 } // namespace vibrocontact

@@ -10,33 +10,6 @@
 
 namespace vibrocontact
 {
-  void EntriesRead::add(const std::string &section, const std::string &names)
-  {
-    add_if(true, "", section, names);
-  }
-
-  void EntriesRead::add_if(const bool holds, const std::string &condition, const std::string &section,
-                           const std::string &names)
-  {
-    for (const std::string &name : split_list(names))
-      rows.push_back({joined_path(section, name), holds, condition});
-  }
-
-  bool EntriesRead::contains(const std::string &path) const
-  {
-    return std::any_of(rows.begin(), rows.end(),
-                       [&](const Row &row) { return row.is_read && row.path == path; });
-  }
-
-  std::string EntriesRead::condition(const std::string &path) const
-  {
-    std::string text;
-    for (const Row &row : rows)
-      if (!row.is_read && row.path == path && text.find(row.condition) == std::string::npos)
-        text += (text.empty() ? "" : ", or ") + row.condition;
-    return text;
-  }
-
   namespace
   {
     bool moves_with_the_lateral_position(const Parameters &parameters)
@@ -336,7 +309,7 @@ namespace vibrocontact
                      "Patch interval");
       entries.add_if(parameters.output.fields && signals.patch_interval > 0,
                      "there is a Transient/Signals/Patch interval", section + "/Signals", "Patch begin");
-      entries.add_if(own.initial_state == "quasi-static" && !contact_points_have_mass(parameters),
+      entries.add_if(own.initial_state == "quasi-static" && !contact_points_have_mass(own, parameters.scene),
                      "the run starts from an equilibrium, with contact points without mass",
                      section + "/Signals", "Mode amplitudes");
       const bool has_wheel =

@@ -17,7 +17,7 @@ namespace vibrocontact
     {
       if (parameters.transient.initial_state != "quasi-static")
         return "the run does not start from an equilibrium";
-      if (contact_points_have_mass(parameters))
+      if (contact_points_have_mass(parameters.transient, parameters.scene))
         return "the contact points have mass";
       if (2 * pair.n_modes() > most_states)
         return "there are more than " + std::to_string(most_states) + " states";

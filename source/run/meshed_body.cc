@@ -3,6 +3,7 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/contact/contact_operator.h>
+#include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/bar_elements.h>
 #include <vibrocontact/fe/beam_elements.h>
 #include <vibrocontact/fe/layer_elements.h>
@@ -124,7 +125,7 @@ namespace vibrocontact
     // 20 us per dof on one rank
     const Progress progress(parameters.name + ": assembly of " + number_text(n_dofs) + " dofs", 1,
                             20e-6 * n_dofs / dealii::Utilities::MPI::n_mpi_processes(communicator));
-    std::unique_ptr<SecondOrderSystem> system = elastic_body().assemble();
+    std::unique_ptr<SecondOrderSystem> system = assemble_body(elastic_body());
     if (grid)
     {
       check_contact();

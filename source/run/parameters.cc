@@ -4,6 +4,7 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/base/version.h>
+#include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/problem_file.h>
 #include <vibrocontact/reduction/window.h>
 #include <vibrocontact/run/check_transient.h>
@@ -35,7 +36,9 @@ namespace vibrocontact
     declare("Output", output);
     prm.enter_subsection("Contact");
     contact.declare_parameters(prm);
-    declare("Solver", contact_solver);
+    prm.enter_subsection("Solver");
+    contact_solver.declare_parameters(prm, contact_solver_names());
+    prm.leave_subsection();
     prm.leave_subsection();
     declare("Rolling", rolling);
     prm.enter_subsection("Transient");
@@ -431,7 +434,13 @@ namespace vibrocontact
     if (scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient"))
       check_hub_of_body_1(*this);
     if (scene.runs("transient"))
-      check_transient(*this);
+    {
+      std::vector<std::string> with_modes;
+      for (const auto &[name, mode] : modes)
+        with_modes.push_back(name);
+      check_transient(transient, rolling, scene, with_modes);
+      signals.check(with_modes, transient);
+    }
     if (scene.runs("frequency response"))
       check_frequency_response(scene, modes, frequency_response);
     if (has_identification())

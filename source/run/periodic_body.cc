@@ -3,6 +3,7 @@
 #include <vibrocontact/fe/dense_system.h>
 #include <vibrocontact/fe/nearest_dof.h>
 #include <vibrocontact/reduction/all_modes.h>
+#include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/point_reduction.h>
 #include <vibrocontact/reduction/ring_poles.h>
 #include <vibrocontact/run/periodic_body.h>

@@ -12,7 +12,6 @@
 #include <vibrocontact/output/run_record.h>
 #include <vibrocontact/run/check_before_run.h>
 #include <vibrocontact/run/check_entries.h>
-#include <vibrocontact/run/check_transient.h>
 #include <vibrocontact/run/earlier_run.h>
 #include <vibrocontact/run/prepare_bodies.h>
 #include <vibrocontact/run/run.h>

@@ -3,8 +3,8 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/numerics/wide_loops.h>
 #include <vibrocontact/output/table.h>
+#include <vibrocontact/run/pole_body.h>
 #include <vibrocontact/run/run_method_comparison.h>
-#include <vibrocontact/run/run_modal_convolution.h>
 
 #include <cmath>
 #include <sstream>

@@ -169,7 +169,7 @@ namespace vibrocontact
     void warn_of_ringing(const Parameters &all, const ContactPair &pair, Results &results)
     {
       const TransientParameters &parameters = all.transient;
-      const bool massive = contact_points_have_mass(all);
+      const bool massive = contact_points_have_mass(all.transient, all.scene);
       if (massive && parameters.initial_state == "undeformed" &&
           (parameters.integrator == "exact propagator" || parameters.theta < 0.55))
         warn("The contact points have mass (Transient/Model = finite elements): after an impact "

@@ -9,6 +9,7 @@
 
 #include "../unit/contact_cases.h"
 
+#include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/problem_file.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include <vibrocontact/base/processor_clock.h>
 #include <vibrocontact/contact/unilateral_contact.h>
 #include <vibrocontact/numerics/wide_loops.h>
-#include <vibrocontact/response/response.h>
+#include <vibrocontact/response/response_methods.h>
 
 #include <algorithm>
 #include <cmath>

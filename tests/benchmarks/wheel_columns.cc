@@ -3,6 +3,7 @@
 /// complement, with MUMPS' own ordering. Some minutes, 6 GB; any number of ranks.
 
 #include <vibrocontact/contact/interface.h>
+#include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/reduction/flexibility.h>
 #include <vibrocontact/scene/wheel.h>
@@ -24,7 +25,7 @@ int main(int argc, char **argv)
   ElasticModel<3> model;
   model.held = {mesh.boundary_id("bore")};
   const ElasticBody<3> body(std::move(mesh), model, 2);
-  const auto system = body.assemble(&grid);
+  const auto system = assemble_body(body, &grid);
   DenseMatrix compliance;
   {
     Flexibility flexibility(*system);

@@ -1,9 +1,10 @@
 /// Makes the finite-element problems of this folder: `make_finite_element_problems blocks` (half a minute) or
 /// `make_finite_element_problems wheel_on_rail` (some minutes, 3 GB), written to the working directory.
 
-#include <vibrocontact/contact/contact_solver.h>
+#include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/interface.h>
 #include <vibrocontact/contact/problem_file.h>
+#include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/reduction/flexibility.h>
 #include <vibrocontact/scene/block.h>
@@ -115,7 +116,7 @@ int main(int argc, char **argv)
   for (const bool second : {false, true})
   {
     const ElasticBody<3> body = make_body(blocks, second, grid);
-    const auto system = body.assemble(&grid);
+    const auto system = assemble_body(body, &grid);
     for (unsigned int i = 0; i < grid.n_points(); ++i)
       interface.gap[i] +=
           (second ? -1 : 1) * system->trace.surface_height[i] +

@@ -2,6 +2,7 @@
 // ranks.
 
 #include <vibrocontact/fe/bar_elements.h>
+#include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/reduction_parts.h>
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 // contact, symmetry, damping; on any number of ranks.
 
 #include <vibrocontact/fe/beam_elements.h>
+#include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/reduction_parts.h>
 
 #include <deal.II/base/numbers.h>

@@ -3,9 +3,11 @@
 #include "time_stepping.h"
 
 #include <vibrocontact/contact/laws/normal_laws.h>
+#include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/fe/nearest_dof.h>
 #include <vibrocontact/periodic/periodic_motion.h>
+#include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/modes.h>
 #include <vibrocontact/reduction/point_reduction.h>
 #include <vibrocontact/scene/blade.h>
@@ -43,7 +45,7 @@ namespace
       model.material = material;
       model.held = {mesh.boundary_id("root")};
       elastic = std::make_unique<ElasticBody<3>>(std::move(mesh), model, parameters.element_degree);
-      system = elastic->assemble();
+      system = assemble_body(*elastic);
       flexibility = std::make_unique<Flexibility>(*system);
       ModeParameters asked;
       asked.count = n_modes;

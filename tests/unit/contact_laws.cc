@@ -3,6 +3,7 @@
 #include "contact_cases.h"
 
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/friction_of_speed.h>
 
 #include <gtest/gtest.h>

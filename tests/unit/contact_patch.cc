@@ -3,9 +3,10 @@
 // contact solver. Of half-spaces, whose surface does not stay plane under uniform pressure, the undeformed
 // gap is what Love's rectangle takes away.
 
-#include <vibrocontact/contact/contact_solver.h>
+#include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/half_space.h>
 #include <vibrocontact/contact/interface.h>
+#include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/reduction/flexibility.h>
 #include <vibrocontact/scene/block.h>
@@ -46,7 +47,7 @@ namespace
     model.material.poisson_ratio = 0;
     model.held = {mesh.boundary_id(contact_face == "top" ? "bottom" : "top")};
     const ElasticBody<3> body(std::move(mesh), model, degree);
-    const auto system = body.assemble(&g);
+    const auto system = assemble_body(body, &g);
     Flexibility flexibility(*system);
     return flexibility.contact_compliance();
   }

@@ -1,7 +1,7 @@
 // A contact problem that one run of the program has written is read and solved again by another program,
 // which finds the same forces; the file carries all that determines them.
 
-#include <vibrocontact/contact/contact_solver.h>
+#include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/problem_file.h>
 
 #include <gtest/gtest.h>

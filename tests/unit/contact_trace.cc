@@ -2,6 +2,7 @@
 // consistent load.
 
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/scene/block.h>
 
@@ -86,7 +87,7 @@ TEST(ContactTraceMpi, means_of_linear_fields_are_exact_on_any_grid)
     for (const double spacing : {0.001, 0.0013})
     {
       const ContactGrid g = grid(6, spacing);
-      const auto system = body.assemble(&g);
+      const auto system = assemble_body(body, &g);
       EXPECT_LT(linear_error(body, system->trace), 1e-14) << offset << " " << spacing;
     }
   }
@@ -110,7 +111,7 @@ TEST(ContactTraceMpi, uniform_pressure_arrives_as_consistent_load)
     g.n_x = g.n_y = 20;
     g.spacing_x = g.spacing_y = 0.002;
     g.x_first = g.y_first = -0.019;
-    const auto system = body.assemble(&g);
+    const auto system = assemble_body(body, &g);
     PETScWrappers::MPI::Vector spread(body.locally_owned, MPI_COMM_WORLD);
     const double traction[3] = {-7, 2, 3};
     for (unsigned int c = 0; c < 3; ++c)
@@ -131,7 +132,7 @@ TEST(ContactTraceMpi, wrong_grids_are_refused)
   {
     try
     {
-      body.assemble(&g);
+      assemble_body(body, &g);
     }
     catch (const InputError &error)
     {
@@ -147,7 +148,7 @@ TEST(ContactTraceMpi, means_are_exact_across_hanging_nodes)
 {
   const ElasticBody<3> body(block(0), ElasticModel<3>(), 2);
   const ContactGrid g = grid(7, 0.002);
-  EXPECT_LT(linear_error(body, body.assemble(&g)->trace), 1e-14);
+  EXPECT_LT(linear_error(body, assemble_body(body, &g)->trace), 1e-14);
 }
 
 TEST(ContactTrace, line_contact_of_a_plane_body)
@@ -161,7 +162,7 @@ TEST(ContactTrace, line_contact_of_a_plane_body)
   g.spacing_x = 0.005;
   g.spacing_y = 1;
   g.x_first = -0.01;
-  const auto system = body.assemble(&g);
+  const auto system = assemble_body(body, &g);
   for (unsigned int i = 0; i < 5; ++i)
   {
     double sum = 0;

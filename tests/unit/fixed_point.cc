@@ -1,7 +1,7 @@
 // The fixed point's rho belongs to the points in contact: free points around them must not slow it down.
 
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/contact/contact_solver.h>
+#include <vibrocontact/contact/contact_solvers.h>
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include <vibrocontact/analyses/frequency_response.h>
 #include <vibrocontact/fe/bar_elements.h>
 #include <vibrocontact/fe/beam_elements.h>
+#include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/reduction_parts.h>
 
 #include <deal.II/base/numbers.h>

@@ -1,5 +1,7 @@
 /// Rolling of two half-spaces against Hertz, Carter and the tables of the program CONTACT.
 
+#include <vibrocontact/contact/contact_solvers.h>
+
 #include "contact_cases.h"
 
 #include <gtest/gtest.h>

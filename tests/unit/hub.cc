@@ -3,6 +3,7 @@
 #include "random_structure.h"
 
 #include <vibrocontact/analyses/stability.h>
+#include <vibrocontact/analyses/suspended_pair.h>
 #include <vibrocontact/analyses/transient.h>
 #include <vibrocontact/analyses/transient_hub.h>
 #include <vibrocontact/base/exceptions.h>

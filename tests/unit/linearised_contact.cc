@@ -5,6 +5,7 @@
 #include "random_structure.h"
 
 #include <vibrocontact/analyses/linearised_contact.h>
+#include <vibrocontact/analyses/suspended_pair.h>
 #include <vibrocontact/analyses/transient.h>
 
 #include <gtest/gtest.h>

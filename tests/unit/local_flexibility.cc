@@ -5,6 +5,7 @@
 
 #include <vibrocontact/analyses/rolling_scene.h>
 #include <vibrocontact/contact/half_space.h>
+#include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/make_elastic_body.h>
 #include <vibrocontact/reduction/reduction_parts.h>
 
@@ -59,7 +60,7 @@ namespace
     own.contact_face = above ? "bottom" : "top";
     own.held = {above ? "top" : "bottom"};
     const auto elastic = make_elastic_body(result.parameters, 0, &g, MPI_COMM_WORLD);
-    const auto system = elastic->assemble(&g);
+    const auto system = assemble_body(*elastic, &g);
     Flexibility flexibility(*system);
     result.reduced = combine(reduce_statically(*system, flexibility), nullptr);
     return result;

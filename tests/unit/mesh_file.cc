@@ -2,8 +2,10 @@
 // refused.
 
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/output/field_writer.h>
+#include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/modes.h>
 #include <vibrocontact/scene/body.h>
 #include <vibrocontact/scene/gmsh_file.h>
@@ -83,7 +85,7 @@ namespace
     ElasticModel<3> model;
     model.held = {mesh.boundary_id(held)};
     const ElasticBody<3> body(std::move(mesh), model, degree);
-    const auto system = body.assemble();
+    const auto system = assemble_body(body);
     Flexibility flexibility(*system);
     ModeParameters parameters;
     parameters.count = 8;
@@ -105,7 +107,7 @@ TEST(MeshFile, foreign_block_with_its_own_groups)
   loads.traction = {0, 0, -1e6};
   add_loads(model, loads, mesh);
   const ElasticBody<3> body(std::move(mesh), model, 2);
-  const auto system = body.assemble(&grid);
+  const auto system = assemble_body(body, &grid);
   EXPECT_NEAR(system->total_mass / (7800 * 0.06 * 0.04 * 0.02), 1, 1e-12);
   EXPECT_NEAR(system->trace.surface_height[0], 0, 1e-15);
   PETScWrappers::MPI::Vector ones = rigid_motions(body)[2];
@@ -165,7 +167,7 @@ TEST(MeshFile, foundation_under_a_named_group)
   add_supports(model, parameters, mesh);
   model.gravity[2] = -9.81;
   const ElasticBody<3> body(std::move(mesh), model, 1);
-  const auto system = body.assemble();
+  const auto system = assemble_body(body);
   EXPECT_EQ(system->n_rigid_modes, 0u);
   const double area = 0.06 * 0.04;
   PETScWrappers::MPI::Vector lift = rigid_motions(body)[2], force(lift);

@@ -2,6 +2,7 @@
 
 #include "reduction_bodies.h"
 
+#include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/modes.h>
 
 #include <gtest/gtest.h>

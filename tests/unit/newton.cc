@@ -2,7 +2,7 @@
 // finite. Truth: closed forms, and the fixed point.
 
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/contact/contact_solver.h>
+#include <vibrocontact/contact/contact_solvers.h>
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <vibrocontact/contact/laws/normal_laws.h>
 #include <vibrocontact/periodic/periodic_motion.h>
 #include <vibrocontact/periodic/shooting.h>
-#include <vibrocontact/response/response.h>
+#include <vibrocontact/response/response_methods.h>
 
 #include <gtest/gtest.h>
 

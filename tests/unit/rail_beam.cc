@@ -2,7 +2,9 @@
 // against a Timoshenko beam on the same pads.
 
 #include <vibrocontact/base/dense.h>
+#include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/elastic_body.h>
+#include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/modes.h>
 #include <vibrocontact/scene/rail.h>
 
@@ -49,7 +51,7 @@ namespace
       model.springs.push_back(bed);
     }
     const ElasticBody<3> body(std::move(mesh), model, 2);
-    const auto system = body.assemble();
+    const auto system = assemble_body(body);
     std::vector<PetscInt> fixed;
     for (unsigned int i = 0; i < system->dof_position.size(); ++i)
     {
@@ -122,7 +124,7 @@ namespace
     ContactGrid grid;
     grid.n_x = grid.n_y = 1;
     grid.spacing_x = grid.spacing_y = 0.008;
-    const auto system = body.assemble(&grid);
+    const auto system = assemble_body(body, &grid);
     Flexibility flexibility(*system);
     PETScWrappers::MPI::Vector force(body.locally_owned, MPI_COMM_WORLD), u(force);
     for (const auto &[dof, weight] : system->trace.rows[contact_row(1, 0, 0)])
@@ -201,7 +203,7 @@ TEST(RailBeam, anechoic_ends_damp_what_lives_in_them)
   model.material.loss_factor = 0.02;
   add_supports(model, parameters, mesh);
   const ElasticBody<3> body(std::move(mesh), model, 1);
-  const auto system = body.assemble();
+  const auto system = assemble_body(body);
   const auto shape_of = [&](const std::function<double(double)> &displacement)
   {
     PETScWrappers::MPI::Vector u(system->locally_owned, system->communicator);

@@ -2,6 +2,7 @@
 
 // Small bodies for the tests of the reduction, with a contact made of single dofs of their top face.
 
+#include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/scene/block.h>
 
@@ -64,7 +65,7 @@ namespace reduction_test
       held.held.push_back(mesh.boundary_id(name));
     Body body;
     body.elastic = std::make_unique<vibrocontact::ElasticBody<3>>(std::move(mesh), held, degree);
-    body.system = body.elastic->assemble();
+    body.system = assemble_body(*body.elastic);
     if (n_points > 0)
       add_trace(*body.system, n_points);
     return body;

@@ -5,7 +5,7 @@
 #include <vibrocontact/numerics/phi_functions.h>
 #include <vibrocontact/numerics/piecewise_polynomial.h>
 #include <vibrocontact/numerics/wide_loops.h>
-#include <vibrocontact/response/response.h>
+#include <vibrocontact/response/response_methods.h>
 #include <vibrocontact/response/step_weights.h>
 
 #include <gtest/gtest.h>

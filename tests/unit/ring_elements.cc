@@ -1,5 +1,6 @@
 // Rings of beam and of plane solid elements against closed forms and against polynomials through the thickness.
 #include <vibrocontact/fe/ring_elements.h>
+#include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/reduction_parts.h>
 #include <vibrocontact/reduction/ring_poles.h>
 

@@ -5,7 +5,7 @@
 #include <vibrocontact/numerics/chebyshev_fit.h>
 #include <vibrocontact/reduction/ring_poles.h>
 #include <vibrocontact/response/event_located.h>
-#include <vibrocontact/response/response.h>
+#include <vibrocontact/response/response_methods.h>
 #include <vibrocontact/response/static_load.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,9 @@
 // Labels of a wheel's modes: every mode that the section's description names, on the wheel and on one twice
 // as large.
 
+#include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/elastic_body.h>
+#include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/wheel_labels.h>
 #include <vibrocontact/scene/wheel.h>
 
@@ -29,7 +31,7 @@ namespace
     model.held.push_back(mesh.boundary_id("bore"));
     const ElasticBody<3> body(std::move(mesh), model, 2);
     Solved solved;
-    solved.system = body.assemble();
+    solved.system = assemble_body(body);
     Flexibility flexibility(*solved.system);
     ModeParameters wanted;
     wanted.upper_frequency = 1800;

@@ -1,6 +1,7 @@
 // Built-in wheel and rail: mass, area, moments and surface heights against the values of their outlines.
 
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/fe/trace_assembly.h>
 #include <vibrocontact/scene/rail.h>
@@ -90,7 +91,7 @@ TEST(Wheel, surface_height_over_a_grid_beside_the_taping_line)
   const ContactGrid g = grid(8, 5, 0.001);
   const ElasticBody<3> body(make_wheel(parameters, 0.0123, &g, "wheel", MPI_COMM_WORLD), ElasticModel<3>(),
                             2);
-  const auto system = body.assemble(&g);
+  const auto system = assemble_body(body, &g);
   for (unsigned int i = 0; i < g.n_points(); ++i)
   {
     // Mean of 0.46 - sqrt(0.46^2 - x^2) over the cell.
@@ -129,7 +130,7 @@ TEST(Rail, supports_carry_the_weight_and_the_crown_is_round)
   EXPECT_EQ(model.springs[0].segments.size(), 2u);
   EXPECT_DOUBLE_EQ(model.material_of(2).loss_factor, 1);
   const ElasticBody<3> body(std::move(mesh), model, 2);
-  const auto system = body.assemble(&g);
+  const auto system = assemble_body(body, &g);
   EXPECT_EQ(system->n_rigid_modes, 0u);
   EXPECT_TRUE(system->has_loss);
   // A vertical translation stretches both pads and nothing else.

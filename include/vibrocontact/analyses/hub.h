@@ -11,9 +11,6 @@
 
 namespace vibrocontact
 {
-  struct ContactPair;
-  struct DynamicState;
-
   /// `subsection Rolling/Suspension`: what carries a suspended hub. A translation u of the hub from its place
   /// in the rolling equilibrium obeys, along each of x, y, z,
   ///
@@ -104,15 +101,6 @@ namespace vibrocontact
     /// Takes from q and v what the dampers take of motion with the velocities `by`.
     void act(const DenseVector &by, DenseVector &q, DenseVector &v) const;
   };
-
-  /// The pair with body 1 on a suspended hub instead of a held one: three modes more, those of body 1 first.
-  /// @param reaction sum of the forces on body 1 along x, y, z at the equilibrium, which the preload balances
-  /// @throws InputError if the unsprung mass is less than what the modes of body 1 move
-  ContactPair suspended_pair(const ContactPair &held, const SuspensionParameters &suspension,
-                             const std::vector<double> &reaction);
-
-  /// Amplitudes and velocities of a state of the held pair as those of the suspended one, the hub at rest.
-  void hang(const ContactPair &suspended, DynamicState &state);
 
   /// Words about a hub for the terminal: "held", "massless", "suspended", or "none" of half-spaces.
   std::string hub_text(const std::string &hub);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/base/frequency_data.h>
+#include <vibrocontact/base/frequency_file.h>
 #include <vibrocontact/reduction/identified_model.h>
 #include <vibrocontact/reduction/passive_fit.h>
 #include <vibrocontact/response/contact_readiness.h>

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <vibrocontact/analyses/modal_convolution.h>
+#include <vibrocontact/analyses/modal_convolution_parameters.h>
 #include <vibrocontact/contact/contact_problem.h>
+#include <vibrocontact/contact/contact_solver.h>
 #include <vibrocontact/contact/unilateral_contact.h>
 #include <vibrocontact/response/response.h>
 

@@ -48,6 +48,8 @@ namespace vibrocontact
     /// wall time between checkpoints [s], 0: only when the run is stopped and at its end
     double checkpoint_interval = 300;
 
+    /// the body that perturbed_mode names
+    std::string perturbed_body() const { return perturbed_mode.substr(0, perturbed_mode.find(':')); }
     void declare_parameters(dealii::ParameterHandler &prm);
     /// @throws InputError for combinations that make no sense
     void check() const;

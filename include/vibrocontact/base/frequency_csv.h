@@ -21,17 +21,7 @@ namespace vibrocontact
   /// What stands before `end`, if the name ends so.
   std::optional<std::string> without_end(const std::string &name, const std::string &end);
 
-  /// The times of impulse responses have to go in equal steps from t = 0. @param rounding of the times in the file,
-  /// relative. @return the step [s]
-  /// @throws InputError naming the time, and the line if there are lines
-  double equal_time_step(const std::string &source, const std::vector<double> &time, double rounding,
-                         const std::vector<unsigned int> &lines);
-
-  /// Receptance at multiples of 1 / duration of an impulse response sampled at equal steps from t = 0 on, by trapezoids
-  /// (a jump at 0+ counts half) and FFT; up to half the sampling rate.
-  void transform_to_frequency(FrequencyData &data, double step);
-
-  /// Receptance from mobility (power 1) or accelerance (power 2): divides by (j omega)^power.
-  /// @throws InputError if there is a line at 0 Hz
-  void integrate_in_frequency(FrequencyData &data, unsigned int entry, unsigned int power);
+  /// A table with frequency_Hz, then <response>_<reference>_real_m_N and _imag_m_N per entry, 17 digits: read back bit
+  /// by bit.
+  std::string frequency_csv(const FrequencyData &data, const std::vector<std::string> &comments);
 } // namespace vibrocontact

@@ -17,7 +17,7 @@ namespace vibrocontact
       /// one per frequency [m/N]
       std::vector<std::complex<double>> values;
       /// the file gives 0 displacements, 1 velocities, 2 accelerations per force; values are displacements once
-      /// read_frequency_data() is through
+      /// read_frequency_data() is through (base/frequency_file.h)
       unsigned int derivative = 0;
     };
 
@@ -35,38 +35,23 @@ namespace vibrocontact
     unsigned int label_index(const std::string &label);
   };
 
-  /// How data are to be read.
-  struct DataRules
-  {
-    /// the body turns, G_ij and G_ji differ
-    bool rolling = false;
-    /// lines outside are left out, upper 0: none above [Hz]
-    double lower = 0, upper = 0;
-    /// the responses lag behind by it: values are multiplied by e^{+j omega delay} [s]
-    double delay = 0;
-  };
-
-  /// Reads a table (CSV with frequency_Hz or time_s) or a universal file (datasets 58 and 58b, names ending in .uff or
-  /// .unv) and checks it: axis ascending and without a hole, matrix square, each entry there (one of two
-  /// reciprocal ones is enough unless `rolling`), reciprocal unless `rolling`. Of two reciprocal entries the mean is kept.
-  ///
-  /// - A direction against an axis (label ..._-z) is turned into the axis, with the sign of its entries: all points
-  ///   then count displacements and forces the same way.
-  /// - Reciprocity is judged in the quantity of the file: noise that is even in accelerances is none in
-  ///   receptances, where the lowest lines would count alone.
-  /// - Velocities and accelerations become displacements after the band is cut: a line at 0 Hz may be cut off.
-  /// @param bytes of the file
-  /// @throws InputError with file and line
-  FrequencyData read_frequency_data(const std::string &file_name, const std::string &bytes,
-                                    const DataRules &rules);
-
   /// The checks on an axis in Hz or s: at least 3 values, finite, not negative, ascending; a step that stands out
   /// of equal (or geometric) steps is a gap.
   /// @param unit Hz or s; @param lines of the file, one per value, or empty
   void check_axis(const std::string &file_name, const std::vector<double> &axis, const std::string &unit,
                   const std::vector<unsigned int> &lines);
 
-  /// A table with frequency_Hz, then <response>_<reference>_real_m_N and _imag_m_N per entry, 17 digits: read back bit
-  /// by bit.
-  std::string frequency_csv(const FrequencyData &data, const std::vector<std::string> &comments);
+  /// The times of impulse responses have to go in equal steps from t = 0. @param rounding of the times in the file,
+  /// relative. @return the step [s]
+  /// @throws InputError naming the time, and the line if there are lines
+  double equal_time_step(const std::string &source, const std::vector<double> &time, double rounding,
+                         const std::vector<unsigned int> &lines);
+
+  /// Receptance at multiples of 1 / duration of an impulse response sampled at equal steps from t = 0 on, by trapezoids
+  /// (a jump at 0+ counts half) and FFT; up to half the sampling rate.
+  void transform_to_frequency(FrequencyData &data, double step);
+
+  /// Receptance from mobility (power 1) or accelerance (power 2): divides by (j omega)^power.
+  /// @throws InputError if there is a line at 0 Hz
+  void integrate_in_frequency(FrequencyData &data, unsigned int entry, unsigned int power);
 } // namespace vibrocontact

@@ -4,7 +4,6 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,7 +20,8 @@ namespace vibrocontact
     /// the paper's stop (section 5): relative change of the forces in one iteration
     double force_change = 1e-13;
 
-    void declare_parameters(dealii::ParameterHandler &prm);
+    /// @param methods names that `Method` may have, see contact_solver_names()
+    void declare_parameters(dealii::ParameterHandler &prm, const std::vector<std::string> &methods);
   };
 
   /// Solves a ContactProblem. A solver may keep factorisations between calls and is used for a sequence of
@@ -34,18 +34,6 @@ namespace vibrocontact
     /// match. Returns the best state found with converged = false if the tolerance was not reached.
     virtual ContactSolution solve(const ContactProblem &problem, const ContactSolution &start) = 0;
   };
-
-  struct ContactSolverEntry
-  {
-    std::string name, help;
-    std::unique_ptr<ContactSolver> (*create)(const ContactSolverParameters &);
-  };
-
-  /// fixed point, semi-smooth newton
-  const std::vector<ContactSolverEntry> &contact_solvers();
-
-  /// @throws InputError naming the known methods
-  std::unique_ptr<ContactSolver> create_contact_solver(const ContactSolverParameters &parameters);
 
   /// Frictionless start: the normal forces of problem without tangential forces, by
   /// the constrained conjugate gradients of Polonsky & Keer, Wear 231 (1999) 206. Rough: it serves as a first

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <vibrocontact/fe/second_order_system.h>
 #include <vibrocontact/scene/body_mesh.h>
-#include <vibrocontact/scene/contact_grid.h>
 #include <vibrocontact/scene/elastic_model.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q_cache.h>
 #include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/petsc_vector.h>
 
 namespace vibrocontact
 {
@@ -17,16 +16,13 @@ namespace vibrocontact
   ///
   /// It lives as long as fields are written; the analyses only see the SecondOrderSystem that it assembles.
   ///
-  ///   BodyMesh (block, wheel, rail, mesh file) + ElasticModel -> ElasticBody -> assemble() ->
+  ///   BodyMesh (block, wheel, rail, mesh file) + ElasticModel -> ElasticBody -> assemble_body() ->
   ///   SecondOrderSystem
   template <int dim>
   class ElasticBody
   {
   public:
     ElasticBody(BodyMesh<dim> &&mesh, const ElasticModel<dim> &model, const unsigned int degree = 2);
-
-    /// Matrices and loads; with the trace on @p grid unless that is null.
-    std::unique_ptr<SecondOrderSystem> assemble(const ContactGrid *grid = nullptr) const;
 
     /// Displacement with hanging and held values filled in, ghosted, from a vector of owned values.
     dealii::PETScWrappers::MPI::Vector complete(const dealii::PETScWrappers::MPI::Vector &owned) const;
@@ -45,8 +41,4 @@ namespace vibrocontact
   /// Orthonormal basis of the rigid motions (3 in 2d, 6 in 3d) on the unconstrained dofs.
   template <int dim>
   std::vector<dealii::PETScWrappers::MPI::Vector> rigid_motions(const ElasticBody<dim> &body);
-
-  /// Fills dof_position and dof_direction of the body's system.
-  template <int dim>
-  void describe_dofs(const ElasticBody<dim> &body, SecondOrderSystem &system);
 } // namespace vibrocontact

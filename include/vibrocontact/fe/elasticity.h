@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/fe/elastic_body.h>
+#include <vibrocontact/fe/second_order_system.h>
 
 namespace vibrocontact
 {

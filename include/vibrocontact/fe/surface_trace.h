@@ -9,9 +9,6 @@
 
 namespace vibrocontact
 {
-  template <int dim>
-  class ElasticBody;
-
   /// The surface of a body by the vertices of its boundary faces, and how their displacements follow from the
   /// dofs (hanging and held nodes resolved): what pictures and probes see. Replicated on all ranks; the order
   /// of the points depends on their number.
@@ -25,8 +22,4 @@ namespace vibrocontact
     /// displacement d (0 x, 1 y, 2 z) of point i in rows[3 i + d]; empty: zero
     std::vector<TraceRow> rows;
   };
-
-  /// Collective. A plane body lies in the plane y = 0.
-  template <int dim>
-  SurfaceTrace make_surface_trace(const ElasticBody<dim> &body);
 } // namespace vibrocontact

@@ -55,29 +55,4 @@ namespace vibrocontact
     /// wall time of the count of modes below the limit [s]
     double seconds_count = 0;
   };
-
-  /// Lowest modes from the flexibility: G M phi = phi / w^2, G by the factorisation that the static problem
-  /// needs anyway (shift 0). A free body's G has the rigid modes in its kernel: they are put in front exactly
-  /// and never disturb the others.
-  ///
-  /// - Completeness: one more factorisation, of K - s M without keeping factors, counts the modes below s
-  ///   (Sylvester's law of inertia): before the solution at the frequency limit, which also tells how many
-  ///   modes to ask for, or after it in the gap behind the last mode kept.
-  /// - A frequency that is exactly double shows once in a single Krylov sequence: what the count misses is
-  ///   sought again, deflating the modes found.
-  /// - A pair (frequencies within 1e-3) is never split: the partner of the last mode is kept too.
-  /// - Pairs within 1e-6 are turned until one mode is symmetric and the other antisymmetric to the plane
-  ///   x = 0.
-  /// - Signs: the projection of the shape on a fixed field of no symmetry is positive; they do not depend on
-  ///   ranks.
-  /// @throws ConvergenceError with numbers if modes miss, are not orthonormal or leave a residual
-  Modes compute_modes(const SecondOrderSystem &system, Flexibility &flexibility,
-                      const ModeParameters &parameters);
-
-  /// Modal damping ratios from the hysteretic loss: zeta = phi^T K'' phi / (2 w^2); 0 for rigid modes and
-  /// lossless bodies.
-  std::vector<double> strain_energy_damping(const SecondOrderSystem &system, const Modes &modes);
-
-  /// Turns nearly equal pairs and fixes signs, in place; see compute_modes().
-  void orient_modes(const SecondOrderSystem &system, Modes &modes);
 } // namespace vibrocontact

@@ -79,23 +79,4 @@ namespace vibrocontact
     unsigned long memory = 0;
     unsigned long n_steps = 0;
   };
-
-  struct ResponseMethod
-  {
-    std::string name, help;
-    std::unique_ptr<Response> (*create)(const PoleModel &, const std::vector<std::complex<double>> &state,
-                                        const ResponseSettings &);
-  };
-
-  /// modal recursion, direct convolution, block convolution; direct convolution, scalar
-  const std::vector<ResponseMethod> &response_methods();
-  /// @throws InputError naming the methods
-  std::unique_ptr<Response> create_response(const std::string &name, const PoleModel &model,
-                                            const std::vector<std::complex<double>> &state,
-                                            const ResponseSettings &settings);
-
-  /// Number of steps after which the driving-point g(t) stay below a share of their maximum: the paper's section 2.1
-  /// with 0.01; most_steps, the run's length, if they do not (a pole without damping).
-  unsigned long steps_of_memory(const PoleModel &model, double time_step, double share,
-                                unsigned long most_steps);
 } // namespace vibrocontact

@@ -62,4 +62,9 @@ namespace vibrocontact
   /// @return kernel of rows i, j at [(i * n_rows + j)][lag]
   std::vector<std::vector<double>> step_kernel(const PoleModel &model, double time_step, ForceShape shape,
                                                unsigned long n_lags);
+
+  /// Number of steps after which the driving-point g(t) stay below a share of their maximum: the paper's section 2.1
+  /// with 0.01; most_steps, the run's length, if they do not (a pole without damping).
+  unsigned long steps_of_memory(const PoleModel &model, double time_step, double share,
+                                unsigned long most_steps);
 } // namespace vibrocontact

@@ -10,6 +10,12 @@ namespace vibrocontact
   /// @throws InputError
   void check_before_run(const Parameters &parameters, const MeshedBodies &bodies);
 
+  /// What has to be read or made to be checked, but takes no time: expressions and tables of the drive
+  /// (check_drive()), and the name of the perturbed mode if the modes of its body are in the cache.
+  /// Collective.
+  /// @throws InputError
+  void check_transient_files(const Parameters &parameters, const MeshedBodies &bodies);
+
   /// The same for what needs meshes and matrices, which `--check` makes for it: places of points and probes, contact
   /// surfaces of the cases of a sweep. Collective.
   /// @throws InputError

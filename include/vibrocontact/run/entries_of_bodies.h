@@ -1,6 +1,7 @@
 #pragma once
 
-#include <vibrocontact/run/entries_read.h>
+#include <vibrocontact/run/entry_list.h>
+#include <vibrocontact/run/parameters.h>
 
 namespace vibrocontact
 {

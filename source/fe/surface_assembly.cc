@@ -1,5 +1,4 @@
-#include <vibrocontact/fe/elastic_body.h>
-#include <vibrocontact/fe/surface_trace.h>
+#include <vibrocontact/fe/surface_assembly.h>
 
 #include <map>
 

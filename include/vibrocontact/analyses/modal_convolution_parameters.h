@@ -1,0 +1,38 @@
+#pragma once
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace vibrocontact
+{
+  /// `subsection Modal convolution`
+  struct ModalConvolutionParameters
+  {
+    /// of response_methods(), or event located
+    std::string method = "modal recursion";
+    /// [s]; the event-located method has no steps, this is then the distance of what it shows
+    double time_step = 1e-5, end_time = 0.2;
+    std::string force_shape = "impulse";
+    /// of the convolutions: time after which a force is forgotten, 0: never [s]
+    double memory = 0;
+    /// at rest or equilibrium (under the loads)
+    std::string initial_state = "at rest";
+    /// active set, or common: the solver of section Contact/Solver, which contact with friction has anyway
+    std::string contact_solver = "active set";
+    /// Coulomb's along the road, with Contact/Friction coefficient
+    bool friction = false;
+    /// [s], 0: every step
+    double history_interval = 0;
+    /// [s] of wall time, 0: none but the last
+    double checkpoint_interval = 600;
+    /// whether a second march tells the error of the steps
+    bool error_estimate = true;
+    /// no entry: of the event-located method, shortened where poles ask for it [s]
+    double longest_piece = 1e300;
+
+    void declare_parameters(dealii::ParameterHandler &prm);
+    void check() const;
+    bool is_event_located() const { return method == "event located"; }
+  };
+} // namespace vibrocontact

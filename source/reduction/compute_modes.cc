@@ -1,0 +1,229 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/base/petsc_check.h>
+#include <vibrocontact/reduction/block_product.h>
+#include <vibrocontact/reduction/compute_modes.h>
+#include <vibrocontact/reduction/krylov_schur.h>
+#include <vibrocontact/reduction/orient_modes.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace vibrocontact
+{
+  using Vector = dealii::PETScWrappers::MPI::Vector;
+
+  namespace
+  {
+    constexpr double pair_tolerance = 1e-3;
+    const double two_pi = 2 * dealii::numbers::PI;
+
+    // The mass matrix without the zeros that it inherits from the stiffness's pattern (two thirds of it): a
+    // third of the time. To be destroyed by the caller.
+    Mat compact(Mat mass)
+    {
+      PetscInt begin = 0, end = 0, n = 0;
+      MatGetOwnershipRange(mass, &begin, &end);
+      MatGetSize(mass, &n, nullptr);
+      const PetscInt n_local = end - begin;
+      std::vector<PetscInt> n_own(n_local, 0), n_other(n_local, 0), columns;
+      std::vector<PetscScalar> values;
+      const auto read_row = [&](const PetscInt row)
+      {
+        PetscInt m = 0;
+        const PetscInt *c = nullptr;
+        const PetscScalar *v = nullptr;
+        columns.clear();
+        values.clear();
+        petsc_check(MatGetRow(mass, row, &m, &c, &v), "MatGetRow");
+        for (PetscInt k = 0; k < m; ++k)
+          if (v[k] != 0 || c[k] == row)
+          {
+            columns.push_back(c[k]);
+            values.push_back(v[k]);
+          }
+        MatRestoreRow(mass, row, &m, &c, &v);
+      };
+      for (PetscInt row = begin; row < end; ++row)
+      {
+        read_row(row);
+        for (const PetscInt c : columns)
+          ++(c >= begin && c < end ? n_own : n_other)[row - begin];
+      }
+      Mat result;
+      petsc_check(MatCreateAIJ(PetscObjectComm(reinterpret_cast<PetscObject>(mass)), n_local, n_local, n, n,
+                               0, n_own.data(), 0, n_other.data(), &result),
+                  "MatCreateAIJ");
+      for (PetscInt row = begin; row < end; ++row)
+      {
+        read_row(row);
+        petsc_check(
+            MatSetValues(result, 1, &row, columns.size(), columns.data(), values.data(), INSERT_VALUES),
+            "MatSetValues");
+      }
+      MatAssemblyBegin(result, MAT_FINAL_ASSEMBLY);
+      petsc_check(MatAssemblyEnd(result, MAT_FINAL_ASSEMBLY), "MatAssemblyEnd");
+      return result;
+    }
+
+    // Number of modes below an angular frequency, rigid ones included.
+    unsigned int count_below(const SecondOrderSystem &system, const double omega, Modes &modes)
+    {
+      dealii::Timer timer;
+      SymmetricFactorization::Options options;
+      options.name = system.body + ": count of modes";
+      options.definite = false;
+      options.keep_factors = false;
+      const SymmetricFactorization shifted(system.stiffness, &system.mass, omega * omega, options);
+      modes.seconds_count += timer.wall_time();
+      return shifted.n_negative();
+    }
+
+    // Mass-normalises, then measures orthonormality and residuals.
+    void verify(const SecondOrderSystem &system, Mat mass, Modes &modes)
+    {
+      constexpr unsigned int block_size = 16;
+      const PetscInt n_rows = system.locally_owned.n_elements();
+      Vector mass_shape(system.locally_owned, system.communicator), force(mass_shape);
+      const auto put = [n_rows](Vector &v, const double *const values)
+      {
+        PetscScalar *place = nullptr;
+        VecGetArray(v, &place);
+        std::copy_n(values, n_rows, place);
+        VecRestoreArray(v, &place);
+      };
+      for (unsigned int first = 0; first < modes.shapes.size(); first += block_size)
+      {
+        const unsigned int n = std::min<unsigned int>(block_size, modes.shapes.size() - first);
+        std::vector<double> columns;
+        for (unsigned int k = 0; k < n; ++k)
+        {
+          const PetscScalar *values = nullptr;
+          VecGetArrayRead(modes.shapes[first + k], &values);
+          columns.insert(columns.end(), values, values + n_rows);
+          VecRestoreArrayRead(modes.shapes[first + k], &values);
+        }
+        const auto inertia = block_product(mass, columns, n),
+                   elastic = block_product(system.stiffness, columns, n);
+        for (unsigned int k = 0; k < n; ++k)
+        {
+          const unsigned int i = first + k;
+          put(mass_shape, inertia.data() + k * n_rows);
+          put(force, elastic.data() + k * n_rows);
+          const double norm = std::sqrt(mass_shape * modes.shapes[i]);
+          modes.shapes[i] /= norm;
+          mass_shape /= norm;
+          force /= norm;
+          for (unsigned int j = 0; j <= i; ++j)
+            modes.orthonormality_error = std::max(
+                modes.orthonormality_error, std::abs(mass_shape * modes.shapes[j] - (i == j ? 1. : 0.)));
+          if (i >= modes.n_rigid_modes)
+          {
+            const double lambda = modes.omega[i] * modes.omega[i];
+            force.add(-lambda, mass_shape);
+            modes.residual = std::max(modes.residual, force.l2_norm() / (lambda * mass_shape.l2_norm()));
+          }
+        }
+      }
+      std::ostringstream text;
+      text << "orthonormality error " << modes.orthonormality_error << ", residual " << modes.residual;
+      run_log().line(text.str());
+      if (!(modes.orthonormality_error < 1e-8) || !(modes.residual < 1e-4))
+        throw ConvergenceError("Body '" + system.body + "': the modes are not accurate: " + text.str() + ".");
+    }
+  } // namespace
+
+  Modes compute_modes(const SecondOrderSystem &system, Flexibility &flexibility,
+                      const ModeParameters &parameters)
+  {
+    Modes modes;
+    modes.shapes = flexibility.rigid_modes();
+    modes.n_rigid_modes = modes.shapes.size();
+    modes.omega.assign(modes.n_rigid_modes, 0.);
+    if (!parameters.any())
+      return modes;
+    const unsigned int n_rigid = modes.n_rigid_modes;
+    const double limit = two_pi * parameters.upper_frequency;
+    const bool by_frequency = parameters.upper_frequency > 0;
+
+    unsigned int n_below = 0; // elastic modes wanted
+    if (by_frequency)
+    {
+      const unsigned int n_all = count_below(system, limit, modes);
+      n_below = n_all > n_rigid ? n_all - n_rigid : 0;
+      run_log().line(std::to_string(n_below) + " elastic modes below " +
+                     number_text(parameters.upper_frequency) + " Hz (inertia count, " +
+                     time_text(modes.seconds_count) + ")");
+    }
+    else
+      n_below = parameters.count;
+    const unsigned int n_dynamic = system.stiffness.m() - n_rigid;
+    if (n_below + 2 > n_dynamic)
+      throw InputError("Body '" + system.body + "': " + std::to_string(n_below) +
+                       " modes are more than its " + std::to_string(system.stiffness.m()) +
+                       " dofs can tell; ask for fewer.");
+
+    const auto destroy = [](Mat matrix) { MatDestroy(&matrix); };
+    const std::unique_ptr<std::remove_pointer_t<Mat>, decltype(destroy)> mass(compact(system.mass), destroy);
+
+    // A single Krylov sequence sees one mode of an exactly double frequency: what the count misses is sought
+    // again, next to the modes found so far.
+    unsigned int n_kept = 0, n_missing = n_below;
+    for (unsigned int attempt = 0;; ++attempt)
+    {
+      krylov_schur(system, flexibility, mass.get(), n_missing + 2, modes);
+      // The pair of the last mode comes along.
+      n_kept = n_rigid + n_below;
+      while (n_kept > n_rigid && n_kept + 1 < modes.omega.size() &&
+             modes.omega[n_kept] < modes.omega[n_kept - 1] * (1 + pair_tolerance))
+        ++n_kept;
+      double bound = limit;
+      unsigned int expected = n_rigid + n_below;
+      if (!by_frequency)
+      {
+        bound = (modes.omega[n_kept - 1] + modes.omega[n_kept]) / 2;
+        expected = count_below(system, bound, modes);
+      }
+      const unsigned int found =
+          std::count_if(modes.omega.begin(), modes.omega.end(), [&](double omega) { return omega < bound; });
+      if (found == expected)
+        break;
+      const std::string text = std::to_string(found) + " modes found below " + number_text(bound / two_pi) +
+                               " Hz, but there are " + std::to_string(expected);
+      if (found > expected || attempt == 4)
+        throw ConvergenceError("Body '" + system.body + "': " + text + ".");
+      run_log().line(text + ": the others are sought beside them");
+      n_missing = expected - found;
+    }
+    if (n_kept > n_rigid + n_below)
+      run_log().line(std::to_string(n_kept - n_rigid - n_below) + " more than the " +
+                     std::to_string(n_below) + " asked for: equal frequencies (to " +
+                     number_text(pair_tolerance) + "), at " + number_text(modes.omega[n_kept - 1] / two_pi) +
+                     " Hz, stay together");
+    modes.omega.resize(n_kept);
+    modes.shapes.resize(n_kept);
+    verify(system, mass.get(), modes);
+    orient_modes(system, modes);
+    return modes;
+  }
+
+  std::vector<double> strain_energy_damping(const SecondOrderSystem &system, const Modes &modes)
+  {
+    std::vector<double> zeta(modes.omega.size(), 0.);
+    if (!system.has_loss || modes.shapes.empty())
+      return zeta;
+    Vector force(modes.shapes[0]);
+    for (unsigned int i = modes.n_rigid_modes; i < zeta.size(); ++i)
+    {
+      system.loss_stiffness.vmult(force, modes.shapes[i]);
+      zeta[i] = (force * modes.shapes[i]) / (2 * modes.omega[i] * modes.omega[i]);
+    }
+    return zeta;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,2 @@
+#include <vibrocontact/base/first.h>
+#include <vibrocontact/base/second.h>
