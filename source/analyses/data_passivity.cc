@@ -202,11 +202,6 @@ namespace vibrocontact
       return (delays[best] + delays[end]) / 2;
     }
 
-    std::string percent(const double share)
-    {
-      return number_text(std::round(1e3 * share) / 10) + " %";
-    }
-
     std::string three_digits(const double value)
     {
       char text[32];
@@ -252,7 +247,7 @@ namespace vibrocontact
             " times better without this delay: " + proposal(result.delay->delay) + ", or " + accept;
       return result;
     }
-    result.complaint = "give energy to the force on " + percent(result.gaining) +
+    result.complaint = "give energy to the force on " + percent_text(result.gaining, 1) +
                        " of their lines (most at " + number_text(result.frequency) + " Hz), as no body " +
                        (rolling ? "does at a driving point: " : "at rest does: ");
     const std::string quantity = other_quantity(lines, data);
@@ -266,7 +261,7 @@ namespace vibrocontact
       delay = delay_by_sign(lines, highest);
     if (delay != 0)
       result.complaint += "a delay of " + three_digits(delay) + " s would explain it (" +
-                          percent(without(delay)) + " without): " + proposal(delay) +
+                          percent_text(without(delay), 1) + " without): " + proposal(delay) +
                           ", mend the measurement";
     else
       result.complaint += "neither a delay nor another quantity explains it: mend the measurement, choose a "

@@ -1,25 +1,16 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/run/judge_road_march.h>
+#include <vibrocontact/run/verdict.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace vibrocontact
 {
   namespace
   {
-    constexpr double most_road_error = 0.2, most_open_work = 0.05, most_created_work = 0.01,
-                     most_unseen_road = 0.2;
-
-    std::string per_cent(const double share)
-    {
-      std::ostringstream text;
-      text.precision(2);
-      text << 100 * share << " %";
-      return text.str();
-    }
+    constexpr double most_created_work = 0.01, most_unseen_road = 0.2;
 
     /// of the steps, or of waves between them, which add their square
     double rms_error(const ModalConvolutionResult &result)
@@ -45,9 +36,9 @@ namespace vibrocontact
       json["estimated_error"] = errors.impulse;
       json["estimated_error_rms_force"] = rms_error(result);
       json["estimated_error_worst_point"] = errors.worst_point;
-      log.value("estimated error of the impulse", per_cent(errors.impulse) + " (" + second + ")");
+      log.value("estimated error of the impulse", percent_text(errors.impulse) + " (" + second + ")");
       log.value("of the rms force",
-                per_cent(rms_error(result)) + " of " + number_text(result.rms_force()) + " N");
+                percent_text(rms_error(result)) + " of " + number_text(result.rms_force()) + " N");
     }
 
     void say_work_of(const WorkAccount &work)
@@ -78,27 +69,23 @@ namespace vibrocontact
       json["unseen_road_share"] = result.unseen_share();
     if (!is_whole)
       return;
-    const auto fail = [&](const std::string &text)
-    {
-      run_log().warning(text);
-      results.failures.push_back({"modal convolution", text});
-    };
+    const auto fail = [&](const std::string &text) { refuse("modal convolution", text, results); };
     const std::string shorter =
         parameters.is_event_located() ? "" : " Take a shorter Modal convolution/Time step.";
     const double worst = std::max(errors.impulse, rms_error(result));
     if (!errors.failure.empty())
       fail("The error of the modal convolution is not known: " + motion.second_march() + " ended early, " +
            errors.failure);
-    else if (errors.time > 0 && !(worst <= most_road_error))
+    else if (errors.time > 0 && !(worst <= most_step_error))
       fail("The modal convolution's steps are too long for its result: the error is estimated at " +
-           per_cent(errors.impulse) + " of the impulse and " + per_cent(rms_error(result)) +
+           percent_text(errors.impulse) + " of the impulse and " + percent_text(rms_error(result)) +
            " of the rms force, from " + motion.second_march() + "." + shorter);
     const double unseen = result.unseen_share();
     if (!(unseen <= most_unseen_road))
       fail("The road has waves between the steps of the modal convolution, which do not see them: they would "
            "change the force by " +
-           per_cent(unseen) + " of its rms." + shorter);
-    if (work.has_modes && !(std::abs(work.imbalance()) <= most_open_work * work.available()))
+           percent_text(unseen) + " of its rms." + shorter);
+    if (work.has_modes && !(std::abs(work.imbalance()) <= most_open_energy * work.available()))
       fail("The energy account of the modal convolution does not close: " + number_text(work.initial) +
            " J at the start and " + number_text(work.input) + " J put in, and " +
            number_text(work.imbalance()) + " J of them are not where they went." + shorter);

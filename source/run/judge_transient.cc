@@ -1,6 +1,7 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/run/judge_transient.h>
+#include <vibrocontact/run/verdict.h>
 
 #include <cmath>
 #include <sstream>
@@ -9,31 +10,6 @@ namespace vibrocontact
 {
   namespace
   {
-    /// beyond this share of the energy that there was, what its account leaves open makes a run useless
-    constexpr double most_open_energy = 0.05;
-    /// so does a larger error of the impulse or of the rms force
-    constexpr double most_step_error = 0.2;
-
-    std::string percent(const double share)
-    {
-      std::ostringstream text;
-      text.precision(2);
-      text << 100 * share << " %";
-      return text.str();
-    }
-
-    void doubt(const std::string &text, Results &results)
-    {
-      run_log().warning(text);
-      results.warnings.push_back(text);
-    }
-
-    void refuse(const std::string &text, Results &results)
-    {
-      run_log().warning(text);
-      results.failures.push_back({"transient", text});
-    }
-
     std::string open_energy(const EnergyAccount &energy)
     {
       std::ostringstream text;
@@ -74,11 +50,11 @@ namespace vibrocontact
       json["estimated_error"] = errors.impulse;
       json["estimated_error_rms_force"] = errors.rms_force;
       json["estimated_error_rms_tangential_force"] = errors.rms_tangential;
-      run_log().value("estimated error of the impulse", percent(errors.impulse));
+      run_log().value("estimated error of the impulse", percent_text(errors.impulse));
       run_log().value("of the rms normal force",
-                      percent(errors.rms_force) + " of " + number_text(result.rms_force()) + " N");
+                      percent_text(errors.rms_force) + " of " + number_text(result.rms_force()) + " N");
       if (result.rms_tangential() > 0)
-        run_log().value("of the rms tangential force", percent(errors.rms_tangential) + " of " +
+        run_log().value("of the rms tangential force", percent_text(errors.rms_tangential) + " of " +
                                                            number_text(result.rms_tangential()) + " N");
     }
   } // namespace
@@ -98,12 +74,14 @@ namespace vibrocontact
     if (interrupted)
       return;
     if (!(result.energy.open() <= most_open_energy * result.energy.available))
-      refuse(open_energy(result.energy), results);
+      refuse("transient", open_energy(result.energy), results);
     if (coarse && coarse->errors.time > 0 && !(coarse->errors.largest() <= most_step_error))
       refuse(
+          "transient",
           "The steps of the transient are too long for its result: the error is estimated at " +
-              percent(coarse->errors.impulse) + " of the impulse, " + percent(coarse->errors.rms_force) +
-              " of the rms normal force and " + percent(coarse->errors.rms_tangential) +
+              percent_text(coarse->errors.impulse) + " of the impulse, " +
+              percent_text(coarse->errors.rms_force) + " of the rms normal force and " +
+              percent_text(coarse->errors.rms_tangential) +
               " of the rms tangential force, from a run with twice the step. Take a smaller Transient/Time "
               "step.",
           results);

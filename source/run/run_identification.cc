@@ -9,6 +9,7 @@
 #include <vibrocontact/output/identification_output.h>
 #include <vibrocontact/reduction/band_limited.h>
 #include <vibrocontact/run/run_identification.h>
+#include <vibrocontact/run/verdict.h>
 
 #include <cmath>
 
@@ -94,18 +95,17 @@ namespace vibrocontact
         run_log().warning(std::to_string(one.fit.n_unstable()) + " poles are unstable.");
       if (!one.fit.converged)
         run_log().warning("The poles still move after the last relocation: E may fall with more Iterations.");
-      const auto percent = [](const double share)
-      { return number_text(std::round(1e4 * share) / 100) + " %"; };
       if (one.passivity_refused())
-        run_log().warning("This model gives energy to a force (up to " + percent(one.passivity.gain_before) +
-                          " of |G|), and a passive one would " +
-                          (one.passivity.is_passive() ? "differ from it by " + percent(one.passivity.change) +
-                                                            " of the rms receptance"
-                                                      : "not be found") +
-                          ": contact refuses it; ask for more pole pairs or a narrower band.");
+        run_log().warning(
+            "This model gives energy to a force (up to " + percent_text(one.passivity.gain_before, 2) +
+            " of |G|), and a passive one would " +
+            (one.passivity.is_passive()
+                 ? "differ from it by " + percent_text(one.passivity.change, 2) + " of the rms receptance"
+                 : "not be found") +
+            ": contact refuses it; ask for more pole pairs or a narrower band.");
       else if (one.passivity.n_rounds > 0)
-        run_log().line("  made passive: changed by " + percent(one.passivity.change) +
-                       " of the rms receptance, gained up to " + percent(one.passivity.gain_before) +
+        run_log().line("  made passive: changed by " + percent_text(one.passivity.change, 2) +
+                       " of the rms receptance, gained up to " + percent_text(one.passivity.gain_before, 2) +
                        " of |G|");
       if (!one.checked)
         return;
@@ -142,10 +142,7 @@ namespace vibrocontact
     for (unsigned int k = 0; k < fits.size(); ++k)
     {
       if (!fits[k].target_reached)
-      {
-        results.failures.push_back({"identification", missed_target(fits[k], own)});
-        run_log().warning(results.failures.back().message);
-      }
+        refuse("identification", missed_target(fits[k], own), results);
       nlohmann::ordered_json one = identification_json(fits[k], data);
       const std::string number = "_" + std::to_string(k);
       one["poles"] = "identification_poles" + number + ".csv";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -11,5 +12,20 @@ namespace vibrocontact
     char text[32];
     std::snprintf(text, sizeof text, "%.6g", number);
     return text;
+  }
+
+  /// A share in percent for a message, two significant digits.
+  inline std::string percent_text(const double share)
+  {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+    return text;
+  }
+
+  /// The same rounded to so many digits behind the point.
+  inline std::string percent_text(const double share, const unsigned int n_decimals)
+  {
+    const double scale = std::pow(10, n_decimals);
+    return number_text(std::round(100 * scale * share) / scale) + " %";
   }
 } // namespace vibrocontact

@@ -1,0 +1,17 @@
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/run/verdict.h>
+
+namespace vibrocontact
+{
+  void doubt(const std::string &text, Results &results)
+  {
+    run_log().warning(text);
+    results.warnings.push_back(text);
+  }
+
+  void refuse(const std::string &analysis, const std::string &text, Results &results)
+  {
+    run_log().warning(text);
+    results.failures.push_back({analysis, text});
+  }
+} // namespace vibrocontact
