@@ -1,20 +1,20 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
-#include <vibrocontact/base/stop_signal.h>
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/output/modal_convolution_output.h>
 #include <vibrocontact/run/checkpoint.h>
+#include <vibrocontact/run/checkpoint_schedule.h>
 #include <vibrocontact/run/judge_road_march.h>
 #include <vibrocontact/run/pole_body.h>
 #include <vibrocontact/run/run_method_comparison.h>
 #include <vibrocontact/run/run_modal_convolution.h>
 #include <vibrocontact/run/say_residual_damping.h>
+#include <vibrocontact/run/verdict.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -160,9 +160,8 @@ namespace vibrocontact
     if (found)
       run_log().value("resumed at", motion.result().time, "s");
 
-    const StopSignals signals;
+    CheckpointSchedule schedule(own.checkpoint_interval);
     Progress progress("modal convolution", motion.n_steps() - motion.result().steps);
-    auto last = std::chrono::steady_clock::now();
     std::exception_ptr failure;
     const auto observe = [&](const ModalConvolutionLines &lines)
     {
@@ -199,19 +198,12 @@ namespace vibrocontact
               std::rethrow_exception(failure);
           });
       progress.advance(motion.result().steps - before);
-      const auto now = std::chrono::steady_clock::now();
-      const bool late = first && own.checkpoint_interval > 0 &&
-                        std::chrono::duration<double>(now - last).count() >= own.checkpoint_interval;
-      int both[] = {signals.received(), late};
-      MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-      if (both[0] != 0 || both[1] != 0 || !more)
-      {
-        last = now;
+      const bool due = schedule.is_due();
+      if (due || !more)
         on_first_rank([&] { checkpoints.write(); });
-      }
-      if (both[0] != 0 && more)
+      if (schedule.stopped_by() != 0 && more)
       {
-        results.stopped_by = both[0];
+        results.stopped_by = schedule.stopped_by();
         break;
       }
     }
@@ -247,8 +239,7 @@ namespace vibrocontact
     {
       std::ostringstream text;
       text << "The modal convolution ended at " << result.time << " s: " << message;
-      results.failures.push_back({"modal convolution", text.str()});
-      run_log().warning(text.str());
+      refuse("modal convolution", text.str(), results);
     }
     if (results.stopped_by != 0)
       run_log().warning("Interrupted; a checkpoint is written, --resume continues.");

@@ -3,23 +3,23 @@
 #include <vibrocontact/analyses/transient_hub.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
-#include <vibrocontact/base/stop_signal.h>
 #include <vibrocontact/output/patch_recorder.h>
 #include <vibrocontact/output/signal_recorder.h>
 #include <vibrocontact/output/transient_output.h>
 #include <vibrocontact/run/check_transient.h>
 #include <vibrocontact/run/checkpoint.h>
+#include <vibrocontact/run/checkpoint_schedule.h>
 #include <vibrocontact/run/judge_transient.h>
 #include <vibrocontact/run/make_mode_recorder.h>
 #include <vibrocontact/run/run_transient.h>
 #include <vibrocontact/run/say_residual_damping.h>
 #include <vibrocontact/run/transient_probes.h>
 #include <vibrocontact/run/unreduced_pair.h>
+#include <vibrocontact/run/verdict.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <exception>
 #include <memory>
@@ -59,12 +59,6 @@ namespace vibrocontact
                           parameters.contact_grid());
     }
 
-    void warn(const std::string &text, Results &results)
-    {
-      run_log().warning(text);
-      results.warnings.push_back(text);
-    }
-
     void warn_of_spectrum(const Parameters &parameters, Results &results)
     {
       const double duration = parameters.signals.spectrum_duration, end = parameters.transient.end_time;
@@ -73,39 +67,8 @@ namespace vibrocontact
       std::ostringstream text;
       text << "Transient/Signals/Spectrum duration is " << duration << " s, longer than the run of " << end
            << " s, all of which is taken instead.";
-      warn(text.str(), results);
+      doubt(text.str(), results);
     }
-
-    /// What all ranks agree on where a checkpoint may be: rank 0's clock and any rank's signal.
-    class CheckpointSchedule
-    {
-    public:
-      explicit CheckpointSchedule(const double interval) : interval(interval) {}
-
-      /// Collective. After it, stopped_by() is the same on all ranks.
-      bool is_due()
-      {
-        const bool first = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-        const auto now = std::chrono::steady_clock::now();
-        const bool late =
-            first && interval > 0 && std::chrono::duration<double>(now - last).count() >= interval;
-        int both[] = {signals.received(), late};
-        MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-        signal = both[0];
-        const bool due = signal != 0 || both[1] != 0;
-        if (due)
-          last = now;
-        return due;
-      }
-
-      int stopped_by() const { return signal; }
-
-    private:
-      const StopSignals signals;
-      const double interval;
-      int signal = 0;
-      std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
-    };
 
     /// What follows the run, on rank 0: a new recorder goes into this list.
     struct RunRecorders
@@ -172,10 +135,10 @@ namespace vibrocontact
       const bool massive = contact_points_have_mass(all.transient, all.scene);
       if (massive && parameters.initial_state == "undeformed" &&
           (parameters.integrator == "exact propagator" || parameters.theta < 0.55))
-        warn("The contact points have mass (Transient/Model = finite elements): after an impact "
-             "velocities and forces there ring from step to step; the theta method with Theta = "
-             "1 damps that, and every mode with it.",
-             results);
+        doubt("The contact points have mass (Transient/Model = finite elements): after an impact "
+              "velocities and forces there ring from step to step; the theta method with Theta = "
+              "1 damps that, and every mode with it.",
+              results);
       if (massive)
         return;
       const double quiet = longest_quiet_step(pair);
@@ -184,7 +147,7 @@ namespace vibrocontact
       std::ostringstream text;
       text << "Transient/Time step is " << parameters.time_step << " s, but beyond " << quiet
            << " s reactions that are linear in the step ring: take a smaller one or the theta method.";
-      warn(text.str(), results);
+      doubt(text.str(), results);
     }
 
     /// The state to begin with and the sums up to it: the checkpoint's, or the initial state, recorded.
@@ -345,8 +308,7 @@ namespace vibrocontact
       std::ostringstream text;
       text << "The transient ended at " << result.time << " s: " << result.message
            << (result.message.back() == '.' ? "" : ".");
-      results.failures.push_back({"transient", text.str()});
-      run_log().warning(text.str());
+      refuse("transient", text.str(), results);
     }
     print(result);
     say_residual_damping(parameters, *prepared, pair, dominant_frequencies(results.analyses["transient"]),
