@@ -29,11 +29,9 @@ namespace vibrocontact
     {
       for (const BodyParameters &body : parameters.scene.bodies)
       {
-        const bool is_built_in = body.type == "wheel", is_mesh = body.type == "mesh" && body.mesh.is_wheel();
-        if (!(is_built_in || is_mesh) || !parameters.modes.at(body.name).any())
+        if (!body.is_wheel() || !parameters.modes.at(body.name).any())
           continue;
-        const SectionOutline outline =
-            is_built_in ? body.wheel.section.read_outline(body.wheel.scale) : wheel_outline(body.mesh);
+        const SectionOutline outline = *body.wheel_section();
         double least = 1e300, most = 0;
         for (const SectionOutline::Row &row : outline.rows)
           for (const double radius : {row.start[1], row.end[1]})

@@ -4,28 +4,8 @@
 
 namespace vibrocontact
 {
-  bool is_wheel(const BodyParameters &body)
-  {
-    return body.type == "wheel" || (body.type == "mesh" && body.mesh.is_wheel());
-  }
-
   namespace
   {
-    /// Whether its material or its supports take energy.
-    bool has_loss(const BodyParameters &body)
-    {
-      if (body.type == "ring")
-        return body.ring.damping_ratio > 0;
-      const auto supports = [](const RailSupports &rail)
-      { return !rail.anechoic_lengths.empty() || (rail.has_pads() && rail.pad_loss_factor > 0); };
-      bool lossy = body.materials.empty() && body.material.loss_factor > 0;
-      for (const auto &group : body.materials)
-        lossy = lossy || group.second.loss_factor > 0;
-      return lossy || (body.type == "rail" && supports(body.rail)) ||
-             (body.type == "beam rail" && supports(body.beam_rail)) ||
-             (body.type == "mesh" && body.mesh.foundation_loss_factor > 0);
-    }
-
     void add_supports(EntriesRead &entries, const std::string &section, const RailSupports &rail,
                       const BodyUse &use, const bool pieces_divide)
     {
@@ -121,13 +101,13 @@ namespace vibrocontact
     {
       const std::string section = body.name + "/Modes", moves = "the analysis moves the body by its modes";
       entries.add_if(use.motion, moves, section, "Upper frequency, Count");
-      const bool kept = use.motion && modes.any(), wheel = is_wheel(body);
+      const bool kept = use.motion && modes.any(), wheel = body.is_wheel();
       entries.add_if(kept && wheel, moves + " and it is a wheel", section, "Rim radius");
       entries.add_if(kept && wheel && use.loss, moves + " and it is a wheel", section,
                      "Damping ratio 0 nodal diameters, Damping ratio 1 nodal diameter, "
                      "Damping ratio 2 nodal diameters");
       entries.add_if(kept && use.scaled_damping, moves, section, "Stiffness damping");
-      entries.add_if(kept && use.scaled_damping && (wheel || has_loss(body)), moves + " and it has damping",
+      entries.add_if(kept && use.scaled_damping && (wheel || body.has_loss()), moves + " and it has damping",
                      section, "Damping factor");
     }
   } // namespace

@@ -15,7 +15,7 @@ namespace vibrocontact
     bool moves_with_the_lateral_position(const Parameters &parameters)
     {
       for (const BodyParameters &body : parameters.scene.bodies)
-        if (is_wheel(body) || (&body == &parameters.scene.bodies[0] && body.type == "block"))
+        if (body.is_wheel() || (&body == &parameters.scene.bodies[0] && body.type == "block"))
           return true;
       return parameters.scene.runs("stability") &&
              parameters.stability.sweep.sweeps(ParameterSweep::lateral_position);
@@ -312,8 +312,8 @@ namespace vibrocontact
       entries.add_if(own.initial_state == "quasi-static" && !contact_points_have_mass(own, parameters.scene),
                      "the run starts from an equilibrium, with contact points without mass",
                      section + "/Signals", "Mode amplitudes");
-      const bool has_wheel =
-          std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(), is_wheel);
+      const bool has_wheel = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
+                                         [](const BodyParameters &body) { return body.is_wheel(); });
       entries.add_if(!signals.probes.empty() && (trimmed(signals.probes) != "rim" || has_wheel) &&
                          own.end_time > least_sound,
                      "there are Transient/Signals/Probes (a rim is that of a wheel) for more than 5 ms",

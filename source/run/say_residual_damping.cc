@@ -57,11 +57,7 @@ namespace vibrocontact
         continue;
       const BodyParameters &body = parameters.scene.bodies[k];
       // damping of wheels is given by mode
-      double loss = body.type == "wheel" ? 0 : body.material.loss_factor;
-      // of several materials the one that loses most
-      for (const auto &group : body.materials)
-        if (body.type != "wheel")
-          loss = std::max(loss, group.second.loss_factor);
+      const double loss = body.type == "wheel" ? 0 : body.material_loss_factor();
       const double beta = parameters.modes.at(body.name).stiffness_damping;
       bodies.push_back({reduced[k], beta, loss});
       any = any || beta > 0 || loss > 0;

@@ -145,13 +145,39 @@ namespace vibrocontact
       loads.check(section + "/Loads");
   }
 
-  std::optional<double> BodyParameters::axle_height(const double lateral_position) const
+  bool BodyParameters::has_loss() const
+  {
+    if (type == "ring")
+      return ring.damping_ratio > 0;
+    const auto supports = [](const RailSupports &rail)
+    { return !rail.anechoic_lengths.empty() || (rail.has_pads() && rail.pad_loss_factor > 0); };
+    return material_loss_factor() > 0 || (type == "rail" && supports(rail)) ||
+           (type == "beam rail" && supports(beam_rail)) ||
+           (type == "mesh" && mesh.foundation_loss_factor > 0);
+  }
+
+  double BodyParameters::material_loss_factor() const
+  {
+    double loss = materials.empty() ? material.loss_factor : 0;
+    for (const auto &group : materials)
+      loss = std::max(loss, group.second.loss_factor);
+    return loss;
+  }
+
+  std::optional<SectionOutline> BodyParameters::wheel_section() const
   {
     if (type == "wheel")
-      return tread_radius(wheel.section.read_outline(wheel.scale), lateral_position);
-    if (type == "mesh" && mesh.is_wheel())
-      return tread_radius(wheel_outline(mesh), lateral_position);
+      return wheel.section.read_outline(wheel.scale);
+    if (is_wheel())
+      return wheel_outline(mesh);
     return {};
+  }
+
+  std::optional<double> BodyParameters::axle_height(const double lateral_position) const
+  {
+    if (!is_wheel())
+      return {};
+    return tread_radius(*wheel_section(), lateral_position);
   }
 
   std::optional<FlatFace> BodyParameters::flat_face(const double lateral_position) const
@@ -165,10 +191,8 @@ namespace vibrocontact
 
   std::optional<std::pair<double, double>> BodyParameters::contact_limits() const
   {
-    if (type == "wheel")
-      return tread_limits(wheel.section.read_outline(wheel.scale));
-    if (type == "mesh" && mesh.is_wheel())
-      return tread_limits(wheel_outline(mesh));
-    return {};
+    if (!is_wheel())
+      return {};
+    return tread_limits(*wheel_section());
   }
 } // namespace vibrocontact

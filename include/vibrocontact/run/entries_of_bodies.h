@@ -22,9 +22,6 @@ namespace vibrocontact
     bool tangential = false;
   };
 
-  /// Whether it turns about an axle, built in or from a mesh file.
-  bool is_wheel(const BodyParameters &body);
-
   /// Entries of the section of body @p number.
   void add_body(EntriesRead &entries, const Parameters &parameters, unsigned int number, const BodyUse &use);
 

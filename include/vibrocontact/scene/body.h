@@ -73,6 +73,12 @@ namespace vibrocontact
     bool has_groups() const { return type == "wheel" || type == "rail" || type == "mesh"; }
     /// known by its Green's functions: rolls on a road, cannot be a partner of other contacts
     bool is_green() const { return type == "identified" || type == "ring" || type == "oscillator"; }
+    /// turns about an axle, built in or from a mesh file: its modes have labels and Eq. 23's damping
+    bool is_wheel() const { return type == "wheel" || (type == "mesh" && mesh.is_wheel()); }
+    /// Whether its material or its supports take energy.
+    bool has_loss() const;
+    /// of the material, of several the one that loses most [-]
+    double material_loss_factor() const;
     /// can come into contact in one point only
     bool is_point() const { return type == "bar"; }
 
@@ -80,8 +86,9 @@ namespace vibrocontact
     void declare_parameters(dealii::ParameterHandler &prm);
     void check(const std::string &section) const;
 
-    /// Height of the axle above the contact point [m] if the body is a wheel, built in or from a mesh file
-    /// with Geometry = wheel; nothing for other bodies. Its modes have labels and Eq. 23's damping.
+    /// The outline of a wheel's section; nothing for other bodies. Reads the file.
+    std::optional<SectionOutline> wheel_section() const;
+    /// Height of the axle above the contact point [m] if the body is a wheel; nothing for other bodies.
     std::optional<double> axle_height(double lateral_position) const;
     /// Lateral positions between which the contact of a wheel can lie [m]; nothing for other bodies.
     std::optional<std::pair<double, double>> contact_limits() const;
