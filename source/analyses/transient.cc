@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/step_ladder.h>
 #include <vibrocontact/analyses/transient.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/label_text.h>
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/friction_of_speed.h>
@@ -26,7 +27,7 @@ namespace vibrocontact
       return found - labels.begin();
     std::vector<std::string> known(labels);
     for (std::string &label : known)
-      std::replace(label.begin(), label.end(), '#', '/');
+      label = label_in_a_file(label);
     throw InputError("Transient/Perturbed mode names '" + transient.perturbed_mode +
                      "', but there is no such mode; " + name_suggestion(transient.perturbed_mode, known));
   }

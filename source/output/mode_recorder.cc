@@ -1,3 +1,4 @@
+#include <vibrocontact/base/label_text.h>
 #include <vibrocontact/output/mode_recorder.h>
 #include <vibrocontact/output/table.h>
 
@@ -93,12 +94,10 @@ namespace vibrocontact
                     "the state projected on the left eigenvectors at the equilibrium"};
     for (std::size_t k = 0; k < roots.size(); ++k)
     {
-      std::string label = roots[k].label;
-      std::replace(label.begin(), label.end(), '#', '/');
-      std::replace(label.begin(), label.end(), ',', ';');
       char line[200];
       std::snprintf(line, sizeof line, "%s: %s, %.6g Hz, growth of the root %.6g 1/s",
-                    column_of_mode(k).c_str(), label.c_str(), roots[k].frequency, roots[k].growth);
+                    column_of_mode(k).c_str(), label_in_a_table(roots[k].label).c_str(), roots[k].frequency,
+                    roots[k].growth);
       comments.push_back(line);
       columns.push_back(column_of_mode(k) + "_m_s");
     }

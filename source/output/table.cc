@@ -1,10 +1,10 @@
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/label_text.h>
 #include <vibrocontact/output/table.h>
 
 #include <deal.II/base/exceptions.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -39,13 +39,7 @@ namespace vibrocontact
         content += digits;
       }
       else
-      {
-        // readers take the comma of axial(0,2)#2 for the separator and its # for a comment
-        std::string label = std::get<std::string>(cells[i]);
-        std::replace(label.begin(), label.end(), ',', ';');
-        std::replace(label.begin(), label.end(), '#', '/');
-        content += label;
-      }
+        content += label_in_a_table(std::get<std::string>(cells[i]));
     }
     content += "\n";
     ++rows;
