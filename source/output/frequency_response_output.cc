@@ -1,3 +1,4 @@
+#include <vibrocontact/output/answer_parts.h>
 #include <vibrocontact/output/frequency_response_output.h>
 
 #include <deal.II/base/numbers.h>
@@ -209,5 +210,43 @@ namespace vibrocontact
           }
         });
     return result;
+  }
+
+  std::vector<std::string> frequency_response_answer(const nlohmann::ordered_json &response)
+  {
+    using namespace answer_parts;
+    Lines lines;
+    const bool mobility = word(response, "quantity") == "mobility";
+    const std::string quantity = mobility ? "mobility" : "receptance", unit = mobility ? "m/(N s)" : "m/N";
+    const Json bodies = response.value("bodies", Json::object());
+    for (const auto &[name, body] : bodies.items())
+    {
+      const Json &maxima = list(body, "maxima"), &minima = list(body, "minima");
+      Lines said;
+      if (const Json *const peak = largest(maxima, "magnitude", 1))
+        said.push_back(text("largest %s %.4g %s at %.6g Hz (%s)", quantity.c_str(),
+                            number(*peak, "magnitude"), unit.c_str(), number(*peak, "frequency_Hz"),
+                            word(*peak, "point").c_str()));
+      if (const Json *const dip = largest(minima, "magnitude", -1))
+        said.push_back(text("smallest minimum %.4g %s at %.6g Hz", number(*dip, "magnitude"), unit.c_str(),
+                            number(*dip, "frequency_Hz")));
+      if (maxima.size() + minima.size() > 2)
+        said.push_back(text("%zu maxima and %zu minima in all", maxima.size(), minima.size()));
+      std::string whole = name;
+      for (const std::string &part : said)
+        whole += (&part == &said.front() ? ": " : "; ") + part;
+      if (!said.empty())
+        lines.push_back(whole);
+      if (is_given(body, "n_poles"))
+        lines.push_back(text("%s: Green's functions of %.0f poles", name.c_str(), number(body, "n_poles")));
+      double worst = 0;
+      for (const Json &one : list(body, "checks"))
+        worst = std::max(worst, number(one, "error"));
+      if (!list(body, "checks").empty())
+        lines.push_back(
+            text("%s: modes are up to %.2g %% off the direct solutions, see checks in results.json",
+                 name.c_str(), 100 * worst));
+    }
+    return lines;
   }
 } // namespace vibrocontact

@@ -1,3 +1,4 @@
+#include <vibrocontact/output/answer_parts.h>
 #include <vibrocontact/output/identification_output.h>
 
 #include <algorithm>
@@ -110,5 +111,31 @@ namespace vibrocontact
     if (!readiness.usable())
       result["contact"]["reason"] = readiness.reason();
     return result;
+  }
+
+  std::vector<std::string> identification_answer(const nlohmann::ordered_json &fits)
+  {
+    using namespace answer_parts;
+    Lines lines;
+    const Json *best = largest(fits, "error_E", -1);
+    if (!best)
+      return lines;
+    lines.push_back(text("%s with %.0f pole pairs fits best: E = %.3g (worst entry)%s",
+                         word(*best, "method").c_str(), number(*best, "n_pole_pairs"),
+                         number(*best, "error_E"),
+                         fits.size() > 1 ? text(", of %zu fits", fits.size()).c_str() : ""));
+    if (best->value("target_reached", true) == false)
+      lines.push_back("distrust it: the target error is not reached");
+    if (number(*best, "n_unstable") > 0)
+      lines.push_back(text("distrust it: %.0f poles are unstable", number(*best, "n_unstable")));
+    if (!best->value("converged", true))
+      lines.push_back("distrust its last digits: the poles still moved after the last iteration");
+    const Json contact = best->value("contact", Json::object());
+    if (!contact.empty() && !contact.value("usable", true))
+      lines.push_back("not for contact: " + word(contact, "reason"));
+    else if (contact.value("repaired", false))
+      lines.push_back(
+          text("repaired for contact: E was %.3g before", number(contact, "error_E_before_repair")));
+    return lines;
   }
 } // namespace vibrocontact

@@ -1,5 +1,6 @@
 #include <vibrocontact/base/hdf5_file.h>
 #include <vibrocontact/numerics/third_octaves.h>
+#include <vibrocontact/output/answer_parts.h>
 #include <vibrocontact/output/modal_convolution_output.h>
 #include <vibrocontact/output/table.h>
 
@@ -209,5 +210,26 @@ namespace vibrocontact
       json["sticking_points_mean"] = result.sticking_points / steps;
     }
     return json;
+  }
+
+  std::vector<std::string> modal_convolution_answer(const nlohmann::ordered_json &run)
+  {
+    using namespace answer_parts;
+    Lines lines;
+    double impulse = 0;
+    for (const Json &one : list(run, "impulse_Ns"))
+      impulse += one.get<double>();
+    const std::size_t n_points = list(run, "impulse_Ns").size();
+    lines.push_back(text(
+        "impulse %.6g N s%s in %.4g s, %.0f impacts, %.0f releases; %.3g points closed on average", impulse,
+        n_points > 1 ? text(" of %zu points together", n_points).c_str() : "", number(run, "time_s"),
+        number(run, "n_impacts"), number(run, "n_releases"), number(run, "closed_points_mean")));
+    if (is_given(run, "estimated_error"))
+      lines.push_back(
+          text("estimated error of the steps: %.2g %% of the impulse", 100 * number(run, "estimated_error")) +
+          (is_given(run, "estimated_error_rms_force")
+               ? text(", %.2g %% of the rms force", 100 * number(run, "estimated_error_rms_force"))
+               : ""));
+    return lines;
   }
 } // namespace vibrocontact

@@ -1,3 +1,4 @@
+#include <vibrocontact/output/answer_parts.h>
 #include <vibrocontact/output/periodic_output.h>
 
 #include <cmath>
@@ -135,5 +136,35 @@ namespace vibrocontact
       table.add_row(row);
     }
     table.write(file_name);
+  }
+
+  std::vector<std::string> periodic_answer(const nlohmann::ordered_json &solutions)
+  {
+    using namespace answer_parts;
+    Lines lines;
+    if (solutions.empty())
+      return lines;
+    std::size_t failed = 0;
+    for (const Json &one : solutions)
+      failed += !one.value("converged", false);
+    const Json &one = solutions.front();
+    const std::string name = word(one, "basis") + ":" + word(one, "weighting") +
+                             text(", %.0f functions, ", number(one, "n_functions"));
+    if (!one.value("converged", false))
+      lines.push_back(name + "NO solution found");
+    else
+    {
+      lines.push_back(name + text("%.6g Hz: displacement %.5g to %.5g m", number(one, "frequency_Hz"),
+                                  number(one, "tip_min_m"), number(one, "tip_max_m")));
+      if (const Json &impulse = list(one, "impulse_Ns"); !impulse.empty())
+        lines.back() += text(", impulse of a period %.5g N s", impulse[0].get<double>());
+      if (is_given(one, "error_to_reference"))
+        lines.back() += text("; error %.2g against shooting", number(one, "error_to_reference"));
+    }
+    if (solutions.size() > 1)
+      lines.push_back(
+          text("%zu further solutions%s", solutions.size() - 1,
+               failed > 0 ? (", " + std::to_string(failed) + " of all without result").c_str() : ""));
+    return lines;
   }
 } // namespace vibrocontact

@@ -1,3 +1,4 @@
+#include <vibrocontact/output/answer_parts.h>
 #include <vibrocontact/output/response_output.h>
 #include <vibrocontact/output/table.h>
 
@@ -76,5 +77,42 @@ namespace vibrocontact
                      kind_of(point)});
     }
     table.write(file_name);
+  }
+
+  namespace
+  {
+    void say_numbers(const nlohmann::ordered_json &curve, const std::string &name,
+                     std::vector<std::string> &lines)
+    {
+      using namespace answer_parts;
+      for (const char *const unit : {"Hz", "N", "m"})
+      {
+        const nlohmann::ordered_json &values = list(curve, name + "_" + unit);
+        if (!curve.contains(name + "_" + unit))
+          continue;
+        std::string line =
+            std::to_string(values.size()) + " " + (name == "folds" ? "folds" : "points of grazing");
+        for (std::size_t k = 0; k < std::min(values.size(), most_said); ++k)
+          line += text("%s%.8g", k == 0 ? ": " : ", ", values[k].get<double>());
+        if (!values.empty())
+          line += std::string(values.size() > most_said ? " ... " : " ") + unit;
+        lines.push_back(line);
+      }
+    }
+  } // namespace
+
+  std::vector<std::string> response_answer(const nlohmann::ordered_json &curve)
+  {
+    using namespace answer_parts;
+    Lines lines;
+    if (is_given(curve, "largest_amplitude_m"))
+      lines.push_back(text("largest amplitude %.5g m at %.8g Hz", number(curve, "largest_amplitude_m"),
+                           number(curve, "largest_at_Hz")));
+    say_numbers(curve, "folds", lines);
+    say_numbers(curve, "grazing", lines);
+    lines.push_back(text("%.0f points, %s: ", number(curve, "points"),
+                         curve.value("complete", false) ? "complete" : "NOT complete") +
+                    word(curve, "end"));
+    return lines;
   }
 } // namespace vibrocontact

@@ -1,9 +1,11 @@
 #include <vibrocontact/base/atomic_file.h>
+#include <vibrocontact/output/answer_parts.h>
 #include <vibrocontact/output/contact_patch.h>
 #include <vibrocontact/output/rolling_output.h>
 
 #include <deal.II/base/data_out_base.h>
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -107,5 +109,43 @@ namespace vibrocontact
     std::ostringstream text;
     dealii::DataOutBase::write_pvd_record(text, files);
     write_file(file_name, text.str());
+  }
+
+  std::vector<std::string> rolling_answer(const nlohmann::ordered_json &rolling)
+  {
+    using namespace answer_parts;
+    const Json &cases = list(rolling, "cases");
+    Lines lines;
+    if (cases.empty())
+      return lines;
+    const Json &last = cases.back(), &force = list(last, "tangential_force_N");
+    if (cases.size() > 1)
+    {
+      std::size_t failed = 0;
+      double least = 1e300, most = -1e300;
+      for (const Json &one : cases)
+      {
+        failed += word(one, "status") != "converged";
+        least = std::min(least, number(one, "utilisation"));
+        most = std::max(most, number(one, "utilisation"));
+      }
+      lines.push_back(text("%zu cases, utilisation of friction %.3g to %.3g%s; the last one:", cases.size(),
+                           least, most,
+                           failed > 0 ? (", " + std::to_string(failed) + " NOT converged").c_str() : ""));
+    }
+    if (number(last, "contact_points") == 0)
+    {
+      lines.push_back("the bodies do not touch");
+      return lines;
+    }
+    lines.push_back(
+        text("normal force %.6g N, tangential force (%.6g, %.6g) N, utilisation %.4g of friction %g%s",
+             number(last, "normal_force_N"), force.size() > 0 ? force[0].get<double>() : 0.,
+             force.size() > 1 ? force[1].get<double>() : 0., number(last, "utilisation"),
+             number(last, "friction"), word(last, "status") == "converged" ? "" : ", NOT converged"));
+    lines.push_back(text("largest pressure %.4g MPa, approach %.4g mm; of %.0f points in contact %.0f stick",
+                         1e-6 * number(last, "max_pressure_Pa"), 1e3 * number(last, "approach_m"),
+                         number(last, "contact_points"), number(last, "stick_points")));
+    return lines;
   }
 } // namespace vibrocontact

@@ -1,8 +1,12 @@
+#include <vibrocontact/output/answer_parts.h>
 #include <vibrocontact/output/stability_output.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <set>
+#include <tuple>
+#include <utility>
 
 namespace vibrocontact
 {
@@ -214,5 +218,86 @@ namespace vibrocontact
       json["left_out"].push_back(values_json(outcome.columns, values));
       json["left_out"].back()["reason"] = reason;
     }
+  }
+
+  namespace
+  {
+    std::string root_text(const nlohmann::ordered_json &root)
+    {
+      using namespace answer_parts;
+      std::string line =
+          number(root, "frequency_Hz") > 0
+              ? text("%.2f Hz, growth %+.4g 1/s", number(root, "frequency_Hz"), number(root, "growth_1_s"))
+              : text("without oscillation, growth %+.4g 1/s", number(root, "growth_1_s"));
+      line += ", " + (root.contains("root") ? word(root, "root") : word(root, "label"));
+      return line;
+    }
+
+    /// " at friction 0.3, lateral_creepage -0.01": the swept values of a case
+    std::string case_text(const nlohmann::ordered_json &one)
+    {
+      using namespace answer_parts;
+      Json values = one.value("swept", Json::object());
+      if (values.empty())
+        for (const char *const name : {"friction", "longitudinal_creepage", "lateral_creepage", "spin_1_m"})
+          values[name] = number(one, name);
+      std::string line;
+      for (const auto &[name, value] : values.items())
+        line += (line.empty() ? " at " : ", ") + name + " " +
+                (value.is_number() ? text("%g", value.get<double>()) : value.dump());
+      return line;
+    }
+  } // namespace
+
+  std::vector<std::string> stability_answer(const nlohmann::ordered_json &stability)
+  {
+    using namespace answer_parts;
+    Lines lines;
+    const Json &cases = list(stability, "cases");
+    if (cases.empty())
+      return lines;
+    if (cases.size() > 1)
+    {
+      std::size_t n_unstable = 0;
+      const Json *fastest = nullptr, *fastest_case = nullptr, *nearest = nullptr, *nearest_case = nullptr;
+      for (const Json &one : cases)
+      {
+        const Json &roots = list(one, "unstable");
+        n_unstable += !roots.empty();
+        const Json *const here = largest(roots, "growth_1_s", 1);
+        if (here && (!fastest || number(*here, "growth_1_s") > number(*fastest, "growth_1_s")))
+          std::tie(fastest, fastest_case) = std::make_pair(here, &one);
+        const auto near = one.find("nearest");
+        if (near != one.end() &&
+            (!nearest || number(*near, "divergence_rate") > number(*nearest, "divergence_rate")))
+          std::tie(nearest, nearest_case) = std::make_pair(&*near, &one);
+      }
+      lines.push_back(text("%zu of %zu cases have roots that grow", n_unstable, cases.size()));
+      if (fastest)
+        lines.push_back("the fastest: " + root_text(*fastest) + case_text(*fastest_case));
+      else if (nearest)
+        lines.push_back("nearest to growing: " + root_text(*nearest) + case_text(*nearest_case));
+      if (const std::size_t n = list(stability, "left_out").size(); n > 0)
+        lines.push_back(std::to_string(n) + " cases are left out, see left_out in results.json");
+      return lines;
+    }
+    std::vector<Json> roots = list(cases[0], "unstable").get<std::vector<Json>>();
+    std::stable_sort(roots.begin(), roots.end(),
+                     [](const Json &a, const Json &b)
+                     { return number(a, "growth_1_s") > number(b, "growth_1_s"); });
+    if (roots.empty())
+    {
+      lines.push_back("nothing grows");
+      if (cases[0].contains("nearest"))
+        lines.push_back("nearest to growing: " + root_text(cases[0]["nearest"]));
+      return lines;
+    }
+    lines.push_back(text("%zu root%s, the fastest a thousandfold in %.3g s:", roots.size(),
+                         roots.size() == 1 ? " grows" : "s grow",
+                         std::log(1e3) / number(roots[0], "growth_1_s")));
+    for (std::size_t k = 0; k < std::min(roots.size(), most_said); ++k)
+      lines.push_back(root_text(roots[k]));
+    say_more(roots.size(), "in stability.csv", lines);
+    return lines;
   }
 } // namespace vibrocontact

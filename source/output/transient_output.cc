@@ -1,8 +1,10 @@
 #include <vibrocontact/base/hdf5_file.h>
+#include <vibrocontact/output/answer_parts.h>
 #include <vibrocontact/output/table.h>
 #include <vibrocontact/output/transient_output.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace vibrocontact
@@ -147,5 +149,81 @@ namespace vibrocontact
               {"tangential_force_N", {sum(1), sum(2)}},
               {"approach_m", last.contact.approach}}},
             {"histories", "histories.h5"}};
+  }
+
+  namespace
+  {
+    /// change over the last 20 periods below which a cycle is called steady
+    constexpr double steady_drift = 1e-2;
+    /// spread of the amplitudes from period to period above which it beats
+    constexpr double beating_spread = 5e-2;
+    /// a force that varies less, over the rms normal force, is not said
+    constexpr double least_swing = 1e-4;
+
+    std::string cycle_text(const nlohmann::ordered_json &signal)
+    {
+      using namespace answer_parts;
+      const nlohmann::ordered_json &cycle = signal["cycle"];
+      const double amplitude = number(cycle, "amplitude"), drift = number(cycle, "drift"),
+                   spread = number(cycle, "spread");
+      std::string line = text("%s: %.6g Hz, amplitude %.4g %s", word(signal, "name").c_str(),
+                              number(cycle, "frequency_Hz"), amplitude, word(signal, "unit").c_str());
+      if (is_given(signal, "level_dB"))
+        line += text(", level %.1f dB (rms re %g m/s)", number(signal, "level_dB"),
+                     number(signal, "level_reference_m_s"));
+      if (std::abs(drift) > steady_drift)
+        line +=
+            text("; NOT steady: %+.2g %% over the last %.0f periods", 100 * drift, number(cycle, "periods"));
+      else if (spread > beating_spread)
+        line += text("; not steady: it beats, amplitudes differ by %.2g %%", 100 * spread);
+      else
+        line += text("; steady (%+.1g over the last %.0f periods)", drift, number(cycle, "periods"));
+      return line;
+    }
+  } // namespace
+
+  std::vector<std::string> transient_answer(const nlohmann::ordered_json &transient)
+  {
+    using namespace answer_parts;
+    Lines lines;
+    for (const Json &signal : list(transient, "signals"))
+      if (signal.contains("cycle") && (lines.empty() || word(signal, "name") == "normal_force") &&
+          (word(signal, "unit") != "N" ||
+           number(signal["cycle"], "amplitude") > least_swing * number(transient, "rms_normal_force_N")))
+        lines.push_back(cycle_text(signal));
+    if (lines.empty())
+      lines.push_back(text("nothing oscillates in the last part of the run; normal force at its end %.6g N",
+                           number(transient.value("last", Json::object()), "normal_force_N")));
+    const Json contact = transient.value("contact_states", Json::object());
+    if (is_given(contact, "stick_part"))
+    {
+      const double stick = number(contact, "stick_part"), open = number(contact, "open_part");
+      std::string line = "in that time contact is ";
+      line += open >= 1 ? "open" : open > 0 ? text("open for %.3g %%", 100 * open) : "never open";
+      if (open < 1 && number(transient, "friction") > 0)
+        line += stick > 0 ? text(", points stick for %.3g %% of it, up to %.0f of %.0f", 100 * stick,
+                                 number(contact, "most_stick_points"), number(contact, "most_contact_points"))
+                          : ", no point sticks";
+      lines.push_back(line);
+    }
+    std::string impulse = text("normal impulse %.6g N s, rms normal force %.6g N",
+                               number(transient, "impulse_Ns"), number(transient, "rms_normal_force_N"));
+    impulse += is_given(transient, "estimated_error")
+                   ? text("; estimated error of the steps %.2g and %.2g %%",
+                          100 * number(transient, "estimated_error"),
+                          100 * number(transient, "estimated_error_rms_force")) +
+                         (number(transient, "friction") > 0
+                              ? text(", of the rms tangential force %.2g %%",
+                                     100 * number(transient, "estimated_error_rms_tangential_force"))
+                              : "")
+                   : "; error of the steps not estimated";
+    lines.push_back(impulse);
+    std::size_t n_modes = 0;
+    for (const Json &mode : list(transient, "modes"))
+      if (is_given(mode, "growth_1_s") && number(mode, "growth_1_s") > 0 && ++n_modes <= most_said)
+        lines.push_back(text("%s: %.2f Hz grows by %.4g 1/s (stability: %.4g)", word(mode, "label").c_str(),
+                             number(mode, "frequency_Hz"), number(mode, "growth_1_s"),
+                             number(mode, "root_growth_1_s")));
+    return lines;
   }
 } // namespace vibrocontact

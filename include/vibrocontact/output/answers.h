@@ -18,7 +18,7 @@ namespace vibrocontact
   };
 
   /// Made of the results alone (Results::analyses), so that every analysis, also one that a resumed run found
-  /// done, has its own: a further analysis has a function in the table of answers.cc.
+  /// done, has its own: a further analysis has a function beside the output that writes its results, and a row in the table of answers.cc.
   /// @param folder of the results; files that are not there are not named
   std::vector<Answer> answers(const nlohmann::ordered_json &analyses, const std::string &folder);
 

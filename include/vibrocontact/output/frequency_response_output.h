@@ -5,6 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <string>
+#include <vector>
+
 namespace vibrocontact
 {
   /// One way to compute a response, at some frequencies.
@@ -42,4 +45,7 @@ namespace vibrocontact
   /// by a parabola through three points.
   nlohmann::ordered_json extrema_json(const FrequencyResponseParameters &parameters,
                                       const ResponseVariant &variant);
+
+  /// What the terminal ends with about analyses.frequency_response of results.json, see Answer.
+  std::vector<std::string> frequency_response_answer(const nlohmann::ordered_json &response);
 } // namespace vibrocontact

@@ -5,6 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <string>
+#include <vector>
+
 namespace vibrocontact
 {
   /// Poles: frequency and damping ratio, lambda, residue of every entry, and its constant if there is one. 17 digits:
@@ -16,4 +19,7 @@ namespace vibrocontact
   Table chart_table(const std::vector<ChartPole> &chart);
   /// A member of analyses.identification[] without its files.
   nlohmann::ordered_json identification_json(const Identification &one, const FrequencyData &data);
+
+  /// What the terminal ends with about analyses.identification of results.json, see Answer.
+  std::vector<std::string> identification_answer(const nlohmann::ordered_json &fits);
 } // namespace vibrocontact

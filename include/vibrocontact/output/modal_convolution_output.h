@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 namespace vibrocontact
 {
@@ -48,4 +49,7 @@ namespace vibrocontact
                                                 const ModalConvolutionResult &result);
   /// impacts.csv: time_s, point, impulse_Ns, all of them.
   void write_impacts(const ModalConvolutionResult &result, const std::string &folder);
+
+  /// What the terminal ends with about analyses.modal_convolution of results.json, see Answer.
+  std::vector<std::string> modal_convolution_answer(const nlohmann::ordered_json &run);
 } // namespace vibrocontact

@@ -42,4 +42,7 @@ namespace vibrocontact
   /// periodic_errors.csv, a line per solution.
   Table periodic_error_table();
   void add_line(Table &table, const PeriodicCase &solved);
+
+  /// What the terminal ends with about analyses.periodic of results.json, see Answer.
+  std::vector<std::string> periodic_answer(const nlohmann::ordered_json &solutions);
 } // namespace vibrocontact

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 namespace vibrocontact
 {
@@ -22,4 +23,7 @@ namespace vibrocontact
 
   /// response.csv: frequency_Hz, amplitude_m, stable, multiplier_abs, and more behind them; in order along the branch.
   void write_response_table(const ResponseCase &solved, const std::string &file_name);
+
+  /// What the terminal ends with about analyses.response of results.json, see Answer.
+  std::vector<std::string> response_answer(const nlohmann::ordered_json &curve);
 } // namespace vibrocontact

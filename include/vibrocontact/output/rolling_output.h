@@ -7,6 +7,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace vibrocontact
 {
@@ -21,4 +22,7 @@ namespace vibrocontact
 
   /// The index of a set of fields for ParaView: (case number, file relative to the .pvd).
   void write_pvd(const std::vector<std::pair<double, std::string>> &files, const std::string &file_name);
+
+  /// What the terminal ends with about analyses.quasi_static_rolling of results.json, see Answer.
+  std::vector<std::string> rolling_answer(const nlohmann::ordered_json &rolling);
 } // namespace vibrocontact

@@ -5,6 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <string>
+#include <vector>
+
 namespace vibrocontact
 {
   /// The cases of a run of the analysis `stability`. Without section Stability/Sweep nothing is swept and
@@ -34,4 +37,7 @@ namespace vibrocontact
   nlohmann::ordered_json stability_json(const StabilityOutcome &outcome);
   /// Brings it up to date after more cases.
   void add_new_cases(const StabilityOutcome &outcome, nlohmann::ordered_json &json);
+
+  /// What the terminal ends with about analyses.stability of results.json, see Answer.
+  std::vector<std::string> stability_answer(const nlohmann::ordered_json &stability);
 } // namespace vibrocontact

@@ -43,4 +43,7 @@ namespace vibrocontact
 
   /// analyses.transient of results.json: sums of the run and the forces of its last state.
   nlohmann::ordered_json transient_json(const TransientResult &result, const DynamicState &last);
+
+  /// What the terminal ends with about analyses.transient of results.json, see Answer.
+  std::vector<std::string> transient_answer(const nlohmann::ordered_json &transient);
 } // namespace vibrocontact
