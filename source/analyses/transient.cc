@@ -278,10 +278,10 @@ namespace vibrocontact
                                        doubled_step_error(other.impulse, coarse.sums.impulse) / divisor});
       add(coarse.errors, other.time, impulse, rms_force, end_time);
       constexpr double least_part = 1e-3;
-      const double tangential = std::max(other.rms_tangential(), least_part * other.rms_force()),
-                   difference = other.rms_tangential() - coarse.sums.rms_tangential();
       coarse.errors.rms_tangential =
-          tangential > 0 ? std::abs(difference) / (std::sqrt(3.) * divisor * tangential) : 0;
+          doubled_step_error_of(other.rms_tangential(), coarse.sums.rms_tangential(),
+                                std::max(other.rms_tangential(), least_part * other.rms_force())) /
+          divisor;
     }
   } // namespace
 

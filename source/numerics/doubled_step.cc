@@ -8,7 +8,11 @@ namespace vibrocontact
 {
   double doubled_step_error(const double fine, const double coarse)
   {
-    const double size = std::max(std::abs(fine), std::abs(coarse));
+    return doubled_step_error_of(fine, coarse, std::max(std::abs(fine), std::abs(coarse)));
+  }
+
+  double doubled_step_error_of(const double fine, const double coarse, const double size)
+  {
     if (!std::isfinite(fine) || !std::isfinite(coarse))
       return std::numeric_limits<double>::infinity();
     return size > 0 ? std::abs(fine - coarse) / (std::sqrt(3.) * size) : 0.;

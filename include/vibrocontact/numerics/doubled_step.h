@@ -12,7 +12,10 @@ namespace vibrocontact
   /// numbers, 0 if both are 0. Not finite numbers give infinity.
   double doubled_step_error(double fine, double coarse);
 
-  /// The same with a third march in steps of 4 h, of X(h) - X = a h + b h^2, whatever a and b are:
+  /// The same relative to a size [unit of X] that both numbers may be a small part of; 0 if that is 0.
+  double doubled_step_error_of(double fine, double coarse, double size);
+
+  /// The same as the first with a third march in steps of 4 h, of X(h) - X = a h + b h^2, whatever a and b are:
   ///
   ///   X(h) - X = 1/3 [X(2h) - X(4h)] - 5/3 [X(h) - X(2h)]
   ///
