@@ -1,4 +1,4 @@
-#include <vibrocontact/analyses/step_ladder.h>
+#include <vibrocontact/analyses/step_levels.h>
 #include <vibrocontact/analyses/transient.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/label_text.h>
@@ -139,19 +139,19 @@ namespace vibrocontact
             DynamicState &state, TransientResult &result)
           : pair(pair), contact(contact), law(contact.law()), scheme(find_creep_scheme(contact.creep_scheme)),
             drive(drive), state(state), result(result), now(drive(state.time)),
-            ladder(parameters, contact, solver, pair, now.creepage.speed), next(state),
+            step_levels(parameters, contact, solver, pair, now.creepage.speed), next(state),
             // never beyond the end, where tables may stop
-            last(std::floor(parameters.end_time / ladder.shortest() + 1e-6))
+            last(std::floor(parameters.end_time / step_levels.shortest() + 1e-6))
       {
         if (result.steps > 0)
           return;
         result.energy.initial = result.energy.stored = result.energy.available =
             stored_energy(pair, *law, state);
-        result.rung = ladder.n_rungs() - 1;
+        result.level = step_levels.n_levels() - 1;
       }
 
-      bool is_over() const { return ladder.tick(state) >= last; }
-      void start_afresh() { ladder.start_afresh(); }
+      bool is_over() const { return step_levels.tick(state) >= last; }
+      void start_afresh() { step_levels.start_afresh(); }
 
       /// result.converged = false, and the state as it was, if it does not converge
       void step()
@@ -159,7 +159,7 @@ namespace vibrocontact
         const unsigned int n = pair.n_points();
         try
         {
-          ladder.advance(state, drive, last, next, then, result);
+          step_levels.advance(state, drive, last, next, then, result);
           if (n > 1)
             check_contact_in_grid(pair.interface.grid, contact, then.creepage.speed, next.contact.status);
         }
@@ -215,7 +215,7 @@ namespace vibrocontact
       DynamicState &state;
       TransientResult &result;
       Drive now, then;
-      StepLadder ladder;
+      StepLevels step_levels;
       DynamicState next;
       const long long last;
     };

@@ -59,7 +59,7 @@ namespace vibrocontact
       file(run + "result/fallbacks", result.fallbacks);
       file(run + "result/rejected", result.rejected);
       file(run + "result/above_tolerance", result.above_tolerance);
-      file(run + "result/rung", result.rung);
+      file(run + "result/rung", result.level);
       file(run + "result/time", result.time);
       file(run + "result/seconds", result.seconds);
       file(run + "result/impulse", result.impulse);

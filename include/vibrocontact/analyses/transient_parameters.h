@@ -16,7 +16,7 @@ namespace vibrocontact
     std::string model = "reduced";
     /// h, end of the run [s]
     double time_step = 1e-6, end_time = 1e-2;
-    /// error per step over the size of the vibration, at which the step is halved, see StepLadder; 0: all
+    /// error per step over the size of the vibration, at which the step is halved, see StepLevels; 0: all
     /// steps are equal; otherwise between this and the time step [s]
     double error_tolerance = 0, shortest_step = 0;
     /// march with twice the step beside the run, see CoarseRun

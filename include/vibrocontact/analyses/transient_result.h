@@ -11,11 +11,11 @@ namespace vibrocontact
   struct TransientResult
   {
     unsigned long steps = 0, iterations = 0, factorisations = 0, fallbacks = 0;
-    /// steps that were repeated with half their length; the next step is 2^rung of the shortest
+    /// steps that were repeated with half their length; the next step is 2^level of the shortest
     unsigned long rejected = 0;
     /// steps of the shortest length whose error is above the tolerance all the same
     unsigned long above_tolerance = 0;
-    unsigned int rung = 0;
+    unsigned int level = 0;
     double time = 0, seconds = 0;
     /// normal impulse over the run [Ns] and the integral of the normal force's square [N^2 s]
     double impulse = 0, force_square = 0;

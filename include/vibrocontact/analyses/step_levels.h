@@ -10,25 +10,25 @@
 
 namespace vibrocontact
 {
-  /// Steps of the lengths Time step / 2^k, one rung each: a ContactStepper with its operator and a solver with
-  /// its factorisations, made when first needed and kept. Without an error tolerance there is one rung.
+  /// Steps of the lengths Time step / 2^k, one level each: a ContactStepper with its operator and a solver with
+  /// its factorisations, made when first needed and kept. Without an error tolerance there is one level.
   ///
   /// Times are whole multiples of the shortest step and a step starts at a multiple of its own length, so that
   /// a run that is continued goes the same way and the end is met.
-  class StepLadder
+  class StepLevels
   {
   public:
-    StepLadder(const TransientParameters &parameters, const ContactParameters &contact,
+    StepLevels(const TransientParameters &parameters, const ContactParameters &contact,
                const ContactSolverParameters &solver, const ContactPair &pair, double speed);
 
-    unsigned int n_rungs() const { return rungs.size(); }
+    unsigned int n_levels() const { return levels.size(); }
     /// length of the shortest step [s]
     double shortest() const { return shortest_step; }
     /// time of a state in shortest steps
     long long tick(const DynamicState &state) const;
 
-    /// next <- state after a step of at most the length that result.rung says, then <- its drive. The step is
-    /// halved while its error is above the tolerance or its contact does not converge; afterwards result.rung is
+    /// next <- state after a step of at most the length that result.level says, then <- its drive. The step is
+    /// halved while its error is above the tolerance or its contact does not converge; afterwards result.level is
     /// what the next step may try. Counts iterations, repeated steps and those of the shortest length that
     /// stay above the tolerance; result.converged = false if the
     /// shortest step does not converge.
@@ -39,12 +39,12 @@ namespace vibrocontact
     void start_afresh();
 
   private:
-    struct Rung
+    struct Level
     {
       ContactStepper stepper;
       std::unique_ptr<ContactSolver> solver;
     };
-    Rung &rung(unsigned int k);
+    Level &level(unsigned int k);
 
     const TransientParameters &parameters;
     const ContactParameters &contact;
@@ -53,7 +53,7 @@ namespace vibrocontact
     const double speed;
     double shortest_step;
     /// shortest first
-    std::vector<std::unique_ptr<Rung>> rungs;
+    std::vector<std::unique_ptr<Level>> levels;
   };
 
   /// Error of the modes in a step of h [s] over the size of their vibration [-],

@@ -1,4 +1,4 @@
-#include <vibrocontact/analyses/step_ladder.h>
+#include <vibrocontact/analyses/step_levels.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/contact_solvers.h>
 
@@ -11,7 +11,7 @@ namespace vibrocontact
     /// the error of a step is of third order: twice the step has eight times as much
     constexpr double growth_of_error = 8;
 
-    unsigned int count_rungs(const TransientParameters &parameters)
+    unsigned int count_levels(const TransientParameters &parameters)
     {
       return parameters.error_tolerance > 0
                  ? 1 + std::ceil(std::log2(parameters.time_step / parameters.shortest_step) - 1e-9)
@@ -35,48 +35,48 @@ namespace vibrocontact
     }
   } // namespace
 
-  StepLadder::StepLadder(const TransientParameters &parameters, const ContactParameters &contact,
+  StepLevels::StepLevels(const TransientParameters &parameters, const ContactParameters &contact,
                          const ContactSolverParameters &solver, const ContactPair &pair, const double speed)
       : parameters(parameters), contact(contact), solver(solver), pair(pair), speed(speed),
-        rungs(count_rungs(parameters))
+        levels(count_levels(parameters))
   {
-    if (n_rungs() > 1 && pair.n_modes() == 0)
+    if (n_levels() > 1 && pair.n_modes() == 0)
       throw InputError("Entry Transient/Error tolerance judges the motion of modes, but no body has any: set "
                        "it to 0 and give the Time step.");
-    shortest_step = std::ldexp(parameters.time_step, 1 - static_cast<int>(n_rungs()));
+    shortest_step = std::ldexp(parameters.time_step, 1 - static_cast<int>(n_levels()));
   }
 
-  long long StepLadder::tick(const DynamicState &state) const
+  long long StepLevels::tick(const DynamicState &state) const
   {
     return std::llround(state.time / shortest_step);
   }
 
-  StepLadder::Rung &StepLadder::rung(const unsigned int k)
+  StepLevels::Level &StepLevels::level(const unsigned int k)
   {
-    if (!rungs[k])
+    if (!levels[k])
     {
       const double h = std::ldexp(shortest_step, k);
-      rungs[k].reset(new Rung{{pair, find_creep_scheme(contact.creep_scheme), contact,
-                               modal_steps(parameters, pair, h), h, speed},
-                              nullptr});
+      levels[k].reset(new Level{{pair, find_creep_scheme(contact.creep_scheme), contact,
+                                 modal_steps(parameters, pair, h), h, speed},
+                                nullptr});
     }
-    if (!rungs[k]->solver)
-      rungs[k]->solver = create_contact_solver(solver);
-    return *rungs[k];
+    if (!levels[k]->solver)
+      levels[k]->solver = create_contact_solver(solver);
+    return *levels[k];
   }
 
-  void StepLadder::start_afresh()
+  void StepLevels::start_afresh()
   {
-    for (const auto &one : rungs)
+    for (const auto &one : levels)
       if (one)
         one->solver.reset();
   }
 
-  void StepLadder::advance(const DynamicState &state, const DriveFunction &drive, const long long last,
+  void StepLevels::advance(const DynamicState &state, const DriveFunction &drive, const long long last,
                            DynamicState &next, Drive &then, TransientResult &result)
   {
     const long long now = tick(state);
-    unsigned int k = result.rung;
+    unsigned int k = result.level;
     while (k > 0 && (now % (1ll << k) != 0 || now + (1ll << k) > last))
       --k;
     double error = 0;
@@ -85,7 +85,7 @@ namespace vibrocontact
       const double time = (now + (1ll << k)) * shortest_step;
       then = drive(time);
       next = state;
-      Rung &used = rung(k);
+      Level &used = level(k);
       const ContactSolution &solution = used.stepper.advance(next, then, *used.solver);
       next.time = time;
       result.iterations += solution.iterations;
@@ -101,10 +101,10 @@ namespace vibrocontact
     if (!result.converged)
       result.message =
           std::string("the contact of the next step did not converge; take a smaller Transient/") +
-          (n_rungs() > 1 ? "Shortest time step" : "Time step");
-    result.rung = k;
-    if (k + 1 < n_rungs() && growth_of_error * error <= 0.5 * parameters.error_tolerance)
-      ++result.rung;
+          (n_levels() > 1 ? "Shortest time step" : "Time step");
+    result.level = k;
+    if (k + 1 < n_levels() && growth_of_error * error <= 0.5 * parameters.error_tolerance)
+      ++result.level;
   }
 
   double step_error(const TransientParameters &parameters, const ContactPair &pair,
