@@ -1,5 +1,5 @@
 #include <vibrocontact/numerics/chebyshev_fit.h>
-#include <vibrocontact/numerics/first_fall.h>
+#include <vibrocontact/numerics/zero_crossing.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include <vibrocontact/numerics/chebyshev_fit.h>
-#include <vibrocontact/numerics/first_fall.h>
 #include <vibrocontact/numerics/piecewise_polynomial.h>
 #include <vibrocontact/numerics/polynomial.h>
 #include <vibrocontact/numerics/wide_loops.h>
+#include <vibrocontact/numerics/zero_crossing.h>
 
 #include <algorithm>
 #include <cmath>

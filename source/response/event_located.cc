@@ -1,8 +1,8 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/unilateral_contact.h>
-#include <vibrocontact/numerics/first_fall.h>
 #include <vibrocontact/numerics/polynomial.h>
 #include <vibrocontact/numerics/wide_loops.h>
+#include <vibrocontact/numerics/zero_crossing.h>
 #include <vibrocontact/response/event_located.h>
 
 #include <algorithm>
@@ -136,18 +136,18 @@ namespace vibrocontact
                                      last_road = road.before(i, now + length);
     // what has just opened begins with a gap of zero but for rounding
     const double offset = just_open[i] ? u[0] - first_road.value : 0.;
-    std::array<double, FallSamples::n> values, times, heights;
-    for (unsigned int k = 0; k < FallSamples::n; ++k)
-      times[k] = now + FallSamples::x[k] * length;
-    wide_polynomial(u, n_orders, FallSamples::x.data(), values.data(), FallSamples::n);
-    road.heights(i, times.data(), FallSamples::n, heights.data());
+    std::array<double, CrossingSamples::n> values, times, heights;
+    for (unsigned int k = 0; k < CrossingSamples::n; ++k)
+      times[k] = now + CrossingSamples::x[k] * length;
+    wide_polynomial(u, n_orders, CrossingSamples::x.data(), values.data(), CrossingSamples::n);
+    road.heights(i, times.data(), CrossingSamples::n, heights.data());
     heights.front() = first_road.value;
     heights.back() = last_road.value;
-    for (unsigned int k = 0; k < FallSamples::n; ++k)
+    for (unsigned int k = 0; k < CrossingSamples::n; ++k)
       values[k] -= heights[k] + offset;
     if (just_open[i])
       values[0] = 0;
-    return first_fall(
+    return first_zero_crossing(
         values,
         [&](const double x)
         {
@@ -171,10 +171,10 @@ namespace vibrocontact
     double largest = 0;
     for (unsigned int k = 0; k < n_orders; ++k)
       largest += std::abs(q[k]);
-    std::array<double, FallSamples::n> values;
-    wide_polynomial(q, n_orders, FallSamples::x.data(), values.data(), FallSamples::n);
+    std::array<double, CrossingSamples::n> values;
+    wide_polynomial(q, n_orders, CrossingSamples::x.data(), values.data(), CrossingSamples::n);
     values[0] = std::max(values[0], 0.);
-    return first_fall(
+    return first_zero_crossing(
         values, [&](const double x) { return polynomial(q, n_orders, x); },
         [&](const double x) { return polynomial_slope(q, n_orders, x); }, 1e-13 * largest);
   }

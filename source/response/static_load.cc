@@ -1,7 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/contact/unilateral_contact.h>
-#include <vibrocontact/numerics/first_fall.h>
+#include <vibrocontact/numerics/zero_crossing.h>
 #include <vibrocontact/response/static_load.h>
 
 #include <algorithm>

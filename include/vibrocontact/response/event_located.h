@@ -27,7 +27,7 @@ namespace vibrocontact
   ///   z' = Lambda z + left q + load,  u = 2 Re right z,     q_i = 0 (open)  or  u_i = u_r,i (closed)
   ///
   /// With g(0) = 0 and G1 = g'(0) positive definite the motion between events is linear; on a piece of it displacements,
-  /// forces and states are polynomials (response/piece_series.h). Their roots are the events (numerics/first_fall.h):
+  /// forces and states are polynomials (response/piece_series.h). Their roots are the events (numerics/zero_crossing.h):
   ///
   ///   touch    gap_i = 0 from above:  inelastic impact  0 <= J perp v + G1 J - u_r' >= 0 over all points with gap 0,
   ///            z += left J; for one point J = (u_r' - v) / g'(0). Then the closed points are those with q > 0 in

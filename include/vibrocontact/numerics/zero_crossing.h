@@ -45,24 +45,24 @@ namespace vibrocontact
     return 0.5 * (a + b);
   }
 
-  /// Nine equal samples of [0, 1] for first_fall().
-  struct FallSamples
+  /// Nine equal samples of [0, 1] for first_zero_crossing().
+  struct CrossingSamples
   {
     static constexpr unsigned int n = 9;
     static constexpr std::array<double, n> x = {{0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1}};
   };
 
-  /// Where a smooth function of x, from 0 to 1, first falls below zero by more than rounding; 2: nowhere. Smallest
+  /// The first zero crossing downwards, by more than rounding, of a smooth function of x from 0 to 1; 2: none. Smallest
   /// values between samples are found by its slope.
-  /// @param values f at FallSamples::x; the first has to be 0 if the function starts at zero, which is no fall
+  /// @param values f at CrossingSamples::x; the first has to be 0 if the function starts at zero, which is no crossing
   template <typename Value, typename Slope>
-  double first_fall(const std::array<double, FallSamples::n> &values, const Value &f, const Slope &slope,
-                    const double rounding)
+  double first_zero_crossing(const std::array<double, CrossingSamples::n> &values, const Value &f,
+                             const Slope &slope, const double rounding)
   {
-    constexpr unsigned int last = FallSamples::n - 1;
-    const auto &place = FallSamples::x;
+    constexpr unsigned int last = CrossingSamples::n - 1;
+    const auto &place = CrossingSamples::x;
     // where it passes zero between a sample and a place below zero
-    const auto fall = [&](double x, double value, const double low)
+    const auto crossing = [&](double x, double value, const double low)
     {
       // what begins with zero may rise and fall within the first interval
       for (unsigned int j = 1; j <= 40 && value <= 0; ++j)
@@ -78,7 +78,7 @@ namespace vibrocontact
     for (unsigned int k = 1; k <= last; ++k)
     {
       if (values[k] < -rounding)
-        return fall(place[k - 1], values[k - 1], place[k]);
+        return crossing(place[k - 1], values[k - 1], place[k]);
       // a smallest value between samples
       unsigned int left = last;
       if (k >= 2 && values[k - 1] <= values[k - 2] && values[k - 1] < values[k])
@@ -96,7 +96,7 @@ namespace vibrocontact
         continue;
       const double low = root_between(slope, place[left], place[k]);
       if (f(low) < -rounding)
-        return fall(place[left], values[left], low);
+        return crossing(place[left], values[left], low);
     }
     return 2;
   }
