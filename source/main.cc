@@ -1,7 +1,7 @@
 #include <vibrocontact/base/blas.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/fault.h>
-#include <vibrocontact/base/lone_start.h>
+#include <vibrocontact/base/singleton_start.h>
 #include <vibrocontact/run/run.h>
 
 #include <deal.II/base/mpi.h>
@@ -10,7 +10,7 @@ int main(int argc, char **argv)
 {
   using namespace vibrocontact;
   setlocale(LC_ALL, "C");
-  const LoneStart start;
+  const SingletonStart start;
   // PETSc would take --help and --version for its own: it gets no arguments.
   int n_arguments = 1;
   dealii::Utilities::MPI::MPI_InitFinalize mpi(n_arguments, argv, 1);

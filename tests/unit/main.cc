@@ -1,5 +1,5 @@
 #include <vibrocontact/base/blas.h>
-#include <vibrocontact/base/lone_start.h>
+#include <vibrocontact/base/singleton_start.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -12,7 +12,7 @@ int main(int argc, char **argv)
   if (testing::GTEST_FLAG(list_tests))
     return RUN_ALL_TESTS();
 
-  const vibrocontact::LoneStart start;
+  const vibrocontact::SingletonStart start;
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   // as the program does: tests run beside each other
   vibrocontact::set_one_blas_thread();

@@ -1,4 +1,4 @@
-#include <vibrocontact/base/lone_start.h>
+#include <vibrocontact/base/singleton_start.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -7,7 +7,7 @@ namespace vibrocontact
 {
   namespace fs = std::filesystem;
 
-  LoneStart::LoneStart()
+  SingletonStart::SingletonStart()
   {
     for (const char *name : {"PMIX_RANK", "OMPI_COMM_WORLD_RANK"})
       if (std::getenv(name))
@@ -21,7 +21,7 @@ namespace vibrocontact
     setenv("OMPI_MCA_orte_tmpdir_base", folder.c_str(), 1);
   }
 
-  LoneStart::~LoneStart()
+  SingletonStart::~SingletonStart()
   {
     std::error_code ignored;
     if (!folder.empty())

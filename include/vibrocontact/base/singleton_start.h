@@ -4,17 +4,17 @@
 
 namespace vibrocontact
 {
-  /// To be made before MPI_Init and to outlive MPI_Finalize. A program started without mpirun makes Open MPI
+  /// To be made before MPI_Init and to outlive MPI_Finalize. A singleton (a program started without mpirun) makes Open MPI
   /// start a daemon of its own, which now and then stalls; it needs none to run alone. Open MPI's mode
   /// without the daemon keeps its files under one name for all programs, which then delete each other's: each
   /// gets a temporary folder of its own. Does nothing under mpirun.
-  class LoneStart
+  class SingletonStart
   {
   public:
-    LoneStart();
-    ~LoneStart();
-    LoneStart(const LoneStart &) = delete;
-    LoneStart &operator=(const LoneStart &) = delete;
+    SingletonStart();
+    ~SingletonStart();
+    SingletonStart(const SingletonStart &) = delete;
+    SingletonStart &operator=(const SingletonStart &) = delete;
 
   private:
     std::string folder;
