@@ -203,10 +203,10 @@ namespace vibrocontact
         result.identified = identified_model(result.fit, map, parameters.tolerance);
         result.checked = parameters.contact_step > 0;
         if (result.checked)
-          result.readiness = contact_readiness(result.identified.model, parameters.contact_step);
+          result.well_posedness = well_posedness_of_contact(result.identified.model, parameters.contact_step);
       };
       take(fit_by(method, data, n_pairs, rules, parameters.n_iterations));
-      if (result.checked && parameters.repair && !result.readiness.usable())
+      if (result.checked && parameters.repair && !result.well_posedness.usable())
       {
         const Identification before = result;
         if (rules.direct || (!rules.zero_initial_value && !rules.real_amplitudes))
@@ -215,14 +215,14 @@ namespace vibrocontact
           rules.zero_initial_value = true;
           take(fit_by(method, data, n_pairs, rules, parameters.n_iterations));
         }
-        if (!result.readiness.usable())
+        if (!result.well_posedness.usable())
         {
           rules.initial_slope = raised_slopes(result.fit, map);
           PoleFit again = fit_residues(data, result.fit.poles, rules);
           again.converged = result.fit.converged;
           take(again);
         }
-        result.repaired = result.readiness.usable();
+        result.repaired = result.well_posedness.usable();
         if (!result.repaired)
         {
           result = before;

@@ -96,20 +96,20 @@ namespace vibrocontact
           {"rounds", one.passivity.n_rounds}};
     if (!one.checked)
       return result;
-    const ContactReadiness &readiness = one.readiness;
-    result["contact"] = {{"usable", readiness.usable()},
+    const WellPosedness &well_posedness = one.well_posedness;
+    result["contact"] = {{"usable", well_posedness.usable()},
                          {"repaired", one.repaired},
                          {"repair_failed", one.repair_failed},
-                         {"steps_s", readiness.steps},
-                         {"definiteness", readiness.definiteness},
-                         {"definiteness_limit", readiness.limit},
-                         {"initial_value", readiness.initial_value},
-                         {"impacts", readiness.impacts}};
+                         {"steps_s", well_posedness.steps},
+                         {"definiteness", well_posedness.definiteness},
+                         {"definiteness_limit", well_posedness.limit},
+                         {"initial_value", well_posedness.initial_value},
+                         {"impacts", well_posedness.impacts}};
     if (one.repaired)
       result["contact"]["error_E_before_repair"] =
           *std::max_element(one.errors_before_repair.begin(), one.errors_before_repair.end());
-    if (!readiness.usable())
-      result["contact"]["reason"] = readiness.reason();
+    if (!well_posedness.usable())
+      result["contact"]["reason"] = well_posedness.reason();
     return result;
   }
 

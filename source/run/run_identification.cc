@@ -114,12 +114,12 @@ namespace vibrocontact
             "  repaired for contact: E was " +
             number_text(*std::max_element(one.errors_before_repair.begin(), one.errors_before_repair.end())) +
             " before");
-      if (!one.readiness.usable())
+      if (!one.well_posedness.usable())
         run_log().warning("This model cannot be used in contact" +
                           std::string(one.repair_failed ? ", its repair was tried and failed" : "") + ": " +
-                          one.readiness.reason() + ".");
-      else if (!one.readiness.impacts)
-        run_log().line("  g(0+) is " + number_text(one.readiness.initial_value) +
+                          one.well_posedness.reason() + ".");
+      else if (!one.well_posedness.impacts)
+        run_log().line("  g(0+) is " + number_text(one.well_posedness.initial_value) +
                        " of the largest g: for rigid contact with impacts set Impose zero initial value");
     }
   } // namespace
@@ -253,7 +253,7 @@ namespace vibrocontact
                           : identified_poles(parameters, body, tread > 0 ? 0 : step).poles;
     for (unsigned int i = 0; i < model.n_rows(); ++i)
       model.residual(i, i) += tread;
-    check_contact_readiness(model, step, body.name);
+    check_well_posedness(model, step, body.name);
     return model;
   }
 } // namespace vibrocontact

@@ -6,7 +6,7 @@
 #include <vibrocontact/numerics/lsce.h>
 #include <vibrocontact/numerics/vector_fitting.h>
 #include <vibrocontact/reduction/identified_model.h>
-#include <vibrocontact/response/contact_readiness.h>
+#include <vibrocontact/response/well_posedness.h>
 
 #include <chrono>
 #include <cstdio>
@@ -23,9 +23,9 @@ namespace
   }
 
   /// smallest over largest eigenvalue of the compliance at 20, 10, 2 us and in the limit; |g(0+)| over the largest g
-  void print_readiness(const PoleFit &fit)
+  void print_well_posedness(const PoleFit &fit)
   {
-    const ContactReadiness r = contact_readiness(identified_model(fit, map).model, 20e-6);
+    const WellPosedness r = well_posedness_of_contact(identified_model(fit, map).model, 20e-6);
     std::printf(" | %9.2e %9.2e %9.2e %9.2e g0 %7.1e %s", r.definiteness[0], r.definiteness[1],
                 r.definiteness[2], r.limit, r.initial_value, r.usable() ? "usable" : "refused");
   }
@@ -49,7 +49,7 @@ int main()
     {
       std::printf("  %-42s E %.2e, %g pairs, %u unstable, %.2f s", name, worst_error(clean, fit),
                   fit.n_pairs(), fit.n_unstable(), seconds() - begin);
-      print_readiness(fit);
+      print_well_posedness(fit);
       std::printf("\n");
     };
     double begin = seconds();

@@ -234,12 +234,12 @@ TEST(Identification, OneStepComplianceByQuadrature)
   }
 }
 
-TEST(Identification, ReadinessForContact)
+TEST(Identification, WellPosednessOfContact)
 {
   DenseMatrix trace(1, 1), none(1, 1);
   trace(0, 0) = 1;
-  const ContactReadiness oscillator =
-      contact_readiness(pole_model({632.}, {0.02}, trace, {}, none, {}), 1e-4);
+  const WellPosedness oscillator =
+      well_posedness_of_contact(pole_model({632.}, {0.02}, trace, {}, none, {}), 1e-4);
   EXPECT_TRUE(oscillator.usable());
   EXPECT_TRUE(oscillator.impacts);
 
@@ -249,14 +249,14 @@ TEST(Identification, ReadinessForContact)
   fit.residues = {{0.5}, {1.}};
   fit.direct = {0, 0};
   PoleModel model = identified_model(fit, {2, {0, 1, 1, 0}}).model;
-  const ContactReadiness refused = contact_readiness(model, 1e-4);
+  const WellPosedness refused = well_posedness_of_contact(model, 1e-4);
   EXPECT_FALSE(refused.usable());
   EXPECT_NEAR(refused.definiteness[0], -1. / 3, 1e-3);
-  EXPECT_THROW(check_contact_readiness(model, 1e-4, "tyre"), InputError);
+  EXPECT_THROW(check_well_posedness(model, 1e-4, "tyre"), InputError);
   // the compliance of a tread outweighs it at small steps, h g(0+) < S
   model.residual(0, 0) = model.residual(1, 1) = 1e-3;
-  EXPECT_TRUE(contact_readiness(model, 1e-4).usable());
-  EXPECT_FALSE(contact_readiness(model, 1e-2).usable());
+  EXPECT_TRUE(well_posedness_of_contact(model, 1e-4).usable());
+  EXPECT_FALSE(well_posedness_of_contact(model, 1e-2).usable());
 }
 
 TEST(Identification, FitsOfTheRingAreRepairedForContact)
@@ -277,7 +277,7 @@ TEST(Identification, FitsOfTheRingAreRepairedForContact)
   unsigned int n = 0;
   for (const Identification &one : identify(parameters, data, [&](const Identification &) { ++n; }))
   {
-    EXPECT_TRUE(one.readiness.usable()) << one.readiness.reason();
+    EXPECT_TRUE(one.well_posedness.usable()) << one.well_posedness.reason();
     EXPECT_EQ(one.fit.n_unstable(), 0);
     EXPECT_LT(one.worst(), one.n_asked == 16 ? 1.5e-2 : one.n_asked == 20 ? 6e-3 : 3e-3);
     const bool refused = one.n_asked == 20 || one.n_asked == 30;
@@ -290,7 +290,7 @@ TEST(Identification, FitsOfTheRingAreRepairedForContact)
   parameters.pairs = {20, 30};
   for (const Identification &one : identify(parameters, data, [](const Identification &) {}))
   {
-    EXPECT_FALSE(one.readiness.usable()) << one.n_asked;
+    EXPECT_FALSE(one.well_posedness.usable()) << one.n_asked;
     EXPECT_FALSE(one.repaired);
   }
   parameters.repair = true;

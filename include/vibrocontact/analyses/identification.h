@@ -3,7 +3,7 @@
 #include <vibrocontact/base/frequency_file.h>
 #include <vibrocontact/reduction/identified_model.h>
 #include <vibrocontact/reduction/passive_fit.h>
-#include <vibrocontact/response/contact_readiness.h>
+#include <vibrocontact/response/well_posedness.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -35,7 +35,7 @@ namespace vibrocontact
     unsigned int largest = 40;
     bool direct = false, zero_initial_value = false;
     unsigned int n_iterations = 30;
-    /// of the contact runs to come [s]; 0: readiness for contact is not looked at
+    /// of the contact runs to come [s]; 0: well-posedness of the contact is not looked at
     double contact_step = 20e-6;
     bool repair = true;
     /// share of |G| that may be left out of the residue matrices to save states
@@ -59,7 +59,7 @@ namespace vibrocontact
     /// E per entry (Eq. 9) of what is returned; before the repair if there was one
     std::vector<double> errors, errors_before_repair;
     IdentifiedModel identified;
-    ContactReadiness readiness;
+    WellPosedness well_posedness;
     bool checked = false, repaired = false, repair_failed = false;
     /// of a body at rest: whether the model takes energy at every frequency, what it took, as seen by the last fit;
     /// `fit` is the passive one unless that is refused
@@ -92,7 +92,7 @@ namespace vibrocontact
   /// A model whose one-step compliance is not positive definite at the contact step, its half and tenth and in the limit is
   /// repaired if wanted: the fit is made again without direct term and with g(0+) = 0; if that is not
   /// enough, the residues again with g'(0+) as well, whose eigenvalues are raised to 1e-3 of the largest at least.
-  /// What it costs in E is shown. If that fails, too, the fit before it is kept with repair_failed, readiness says why
+  /// What it costs in E is shown. If that fails, too, the fit before it is kept with repair_failed, well_posedness says why
   /// and contact refuses the model. A Target error that no number of pairs reaches leaves the best fit, marked.
   std::vector<Identification> identify(const IdentificationParameters &parameters, const FrequencyData &data,
                                        const std::function<void(const Identification &)> &finished);

@@ -2,8 +2,8 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/contact/unilateral_contact.h>
 #include <vibrocontact/numerics/least_squares.h>
-#include <vibrocontact/response/contact_readiness.h>
 #include <vibrocontact/response/step_weights.h>
+#include <vibrocontact/response/well_posedness.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,12 +47,12 @@ namespace vibrocontact
     }
   } // namespace
 
-  bool ContactReadiness::usable() const
+  bool WellPosedness::usable() const
   {
     return limit > round_off && *std::min_element(definiteness.begin(), definiteness.end()) > round_off;
   }
 
-  std::string ContactReadiness::reason() const
+  std::string WellPosedness::reason() const
   {
     if (usable())
       return "";
@@ -69,9 +69,9 @@ namespace vibrocontact
            number_text(limit) + " times the largest), so that contact has no unique force" + advice;
   }
 
-  ContactReadiness contact_readiness(const PoleModel &model, const double step)
+  WellPosedness well_posedness_of_contact(const PoleModel &model, const double step)
   {
-    ContactReadiness result;
+    WellPosedness result;
     result.steps = {{step, step / 2, step / 10}};
     double largest = 0;
     for (unsigned int k = 0; k < 3; ++k)
@@ -97,10 +97,10 @@ namespace vibrocontact
     return result;
   }
 
-  void check_contact_readiness(const PoleModel &model, const double step, const std::string &body)
+  void check_well_posedness(const PoleModel &model, const double step, const std::string &body)
   {
-    const ContactReadiness readiness = contact_readiness(model, step);
-    if (!readiness.usable())
-      throw InputError("The body " + body + " cannot be used in contact: " + readiness.reason() + ".");
+    const WellPosedness well_posedness = well_posedness_of_contact(model, step);
+    if (!well_posedness.usable())
+      throw InputError("The body " + body + " cannot be used in contact: " + well_posedness.reason() + ".");
   }
 } // namespace vibrocontact

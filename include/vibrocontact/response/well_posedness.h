@@ -6,9 +6,9 @@
 
 namespace vibrocontact
 {
-  /// Whether contact can be solved with a model: the LCP 0 <= q, u_h + (B + S) q - u_road >= 0 of a step has one
+  /// Well-posedness of the contact problem with a model: the LCP 0 <= q, u_h + (B + S) q - u_road >= 0 of a step has one
   /// solution if the symmetric part of B + S is positive definite. A good fit does not make it so.
-  struct ContactReadiness
+  struct WellPosedness
   {
     /// step, its half and tenth [s]
     std::array<double, 3> steps;
@@ -26,8 +26,8 @@ namespace vibrocontact
     std::string reason() const;
   };
 
-  ContactReadiness contact_readiness(const PoleModel &model, double step);
+  WellPosedness well_posedness_of_contact(const PoleModel &model, double step);
 
   /// @throws InputError with the reason, the name of the body in front, if the model cannot be used at this step
-  void check_contact_readiness(const PoleModel &model, double step, const std::string &body);
+  void check_well_posedness(const PoleModel &model, double step, const std::string &body);
 } // namespace vibrocontact
