@@ -42,7 +42,7 @@ namespace vibrocontact
     last_displacement.assign(displacement.begin(), displacement.begin() + n_points);
     if (has_friction)
     {
-      check_road_friction(model, time_step, force_shape(parameters.force_shape));
+      check_road_friction(model, time_step, force_interpolation(parameters.force_shape));
       results.tangential_impulse.assign(n_points, 0.);
       last_tangential_displacement.assign(displacement.begin() + n_points, displacement.end());
       last_tangential_force.assign(n_points, 0.);
@@ -68,8 +68,8 @@ namespace vibrocontact
       older_gap.assign(n_points, 0.);
       if (parameters.error_estimate && ModalEnergy::applies(model))
       {
-        modal_work =
-            std::make_unique<SteppedModalWork>(model, state, time_step, force_shape(parameters.force_shape));
+        modal_work = std::make_unique<SteppedModalWork>(model, state, time_step,
+                                                        force_interpolation(parameters.force_shape));
         results.work.has_modes = true;
         results.work.initial = modal_work->initial_energy();
       }
@@ -168,7 +168,7 @@ namespace vibrocontact
       }
       observe(lines);
     };
-    if (force_shape(parameters.force_shape) == ForceShape::impulse)
+    if (force_interpolation(parameters.force_shape) == ForceInterpolation::impulse)
       // lines 0 ... of this block, the last displacement waits for its force
       show(results.steps, n_steps, 0, 1);
     else
@@ -195,7 +195,7 @@ namespace vibrocontact
 
   void ModalConvolution::add_up(const unsigned int n_steps)
   {
-    const bool linear = force_shape(parameters.force_shape) == ForceShape::linear;
+    const bool linear = force_interpolation(parameters.force_shape) == ForceInterpolation::linear;
     // the newest step that the second march has as well, and its own second one
     const unsigned int stride = !second || steps_ratio < 2 ? 1 : second->second ? 4 : 2;
     const unsigned long common = (results.steps + n_steps) / stride * stride;
@@ -256,7 +256,7 @@ namespace vibrocontact
   void ModalConvolution::find_events(const unsigned int n_steps, const double *force)
   {
     // an impulse stands at the beginning of its step
-    const double shift = force_shape(parameters.force_shape) == ForceShape::impulse ? 0 : 1;
+    const double shift = force_interpolation(parameters.force_shape) == ForceInterpolation::impulse ? 0 : 1;
     for (unsigned int k = 0; k < n_steps; ++k)
       for (unsigned int i = 0; i < n_points; ++i, ++force)
         if ((*force > 0) != bool(was_closed[i]))

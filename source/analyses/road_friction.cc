@@ -28,9 +28,10 @@ namespace vibrocontact
     return problem;
   }
 
-  void check_road_friction(const PoleModel &model, const double time_step, const ForceShape shape)
+  void check_road_friction(const PoleModel &model, const double time_step,
+                           const ForceInterpolation interpolation)
   {
-    if (!(definiteness(one_step_compliance(model, time_step, shape)) > 0))
+    if (!(definiteness(one_step_compliance(model, time_step, interpolation)) > 0))
       throw InputError(
           "Modal convolution/Friction is true, but unit forces at the contact points, along the "
           "road too, do not make a positive definite matrix of displacements in one step: the body "

@@ -20,7 +20,8 @@ namespace vibrocontact
     /// Linear forces make errors of second order, but for what a cut memory leaves out.
     bool is_of_second_order(const ModalConvolutionParameters &parameters)
     {
-      return force_shape(parameters.force_shape) == ForceShape::linear && parameters.memory == 0;
+      return force_interpolation(parameters.force_shape) == ForceInterpolation::linear &&
+             parameters.memory == 0;
     }
 
     double sum_of_points(const std::vector<double> &values)
@@ -259,7 +260,7 @@ namespace vibrocontact
   void ModalConvolution::account(const unsigned int n_steps)
   {
     const double begin = processor_seconds();
-    const bool impulses = force_shape(parameters.force_shape) == ForceShape::impulse;
+    const bool impulses = force_interpolation(parameters.force_shape) == ForceInterpolation::impulse;
     WorkAccount &work = results.work;
     std::vector<double> rows((has_friction ? 2 : 1) * n_points);
     for (unsigned int k = 0; k < n_steps; ++k)

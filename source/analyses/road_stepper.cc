@@ -34,7 +34,7 @@ namespace vibrocontact
     {
       ResponseSettings settings;
       settings.time_step = parameters.time_step;
-      settings.shape = force_shape(parameters.force_shape);
+      settings.interpolation = force_interpolation(parameters.force_shape);
       settings.n_steps = n_steps;
       settings.memory = std::lround(parameters.memory / parameters.time_step);
       const double kept =
@@ -49,11 +49,11 @@ namespace vibrocontact
                              settings);
     }
 
-    void check_force_shape(const ModalConvolutionParameters &parameters, const PoleModel &model,
-                           const unsigned int n_points)
+    void check_force_interpolation(const ModalConvolutionParameters &parameters, const PoleModel &model,
+                                   const unsigned int n_points)
     {
-      const double longest =
-          longest_step(model.residual, initial_derivative(model, 1), force_shape(parameters.force_shape));
+      const double longest = longest_step(model.residual, initial_derivative(model, 1),
+                                          force_interpolation(parameters.force_shape));
       if (parameters.time_step <= longest)
         return;
       std::ostringstream text;
@@ -82,10 +82,10 @@ namespace vibrocontact
         contact(normal_block(response->compliance(), n_points), at_step(parameters.time_step)), n(n_points),
         step(parameters.time_step), sliding_speed(sliding_speed), solver_parameters(solver_parameters),
         problem(road_contact_problem(response->compliance(), n_points, mu, parameters.time_step)),
-        is_linear(force_shape(parameters.force_shape) == ForceShape::linear),
+        is_linear(force_interpolation(parameters.force_shape) == ForceInterpolation::linear),
         is_common(parameters.contact_solver == "common" || model.n_rows() > n_points)
   {
-    check_force_shape(parameters, model, n_points);
+    check_force_interpolation(parameters, model, n_points);
   }
 
   void RoadStepper::run(const unsigned int n_steps, const double *heights, double *displacements,

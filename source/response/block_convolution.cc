@@ -92,7 +92,7 @@ namespace vibrocontact
   {
     const unsigned long lags = std::max(2ul, settings.memory > 0 ? settings.memory : settings.n_steps);
     const unsigned int n = model.n_rows();
-    const auto kernel = step_kernel(model, settings.time_step, settings.shape, lags);
+    const auto kernel = step_kernel(model, settings.time_step, settings.interpolation, lags);
     one_step.reinit(n, n);
     direct = std::min<std::size_t>(lags, first_block) - 1;
     backwards.resize(n * n * direct);

@@ -23,7 +23,7 @@ namespace vibrocontact
     const unsigned long lags = std::max(2ul, settings.memory > 0 ? settings.memory : settings.n_steps);
     const unsigned int n = model.n_rows();
     memory = lags - 1;
-    const auto kernel = step_kernel(model, settings.time_step, settings.shape, lags);
+    const auto kernel = step_kernel(model, settings.time_step, settings.interpolation, lags);
     one_step.reinit(n, n);
     backwards.resize(n * n * memory);
     for (unsigned int i = 0; i < n; ++i)

@@ -20,9 +20,9 @@ namespace vibrocontact
         constant(model.n_rows(), 0.)
   {
     const unsigned int n = model.n_rows();
-    one_step = one_step_compliance(model, settings.time_step, settings.shape);
+    one_step = one_step_compliance(model, settings.time_step, settings.interpolation);
     free.resize(n);
-    const StepWeights weights = step_weights(model, settings.time_step, settings.shape);
+    const StepWeights weights = step_weights(model, settings.time_step, settings.interpolation);
     const auto put =
         [&](AlignedVector &to, const unsigned int row, const unsigned int k, const Complex &value)
     {

@@ -19,17 +19,17 @@ namespace vibrocontact
     return closed;
   }
 
-  const std::vector<std::string> &force_shape_names()
+  const std::vector<std::string> &force_interpolation_names()
   {
     static const std::vector<std::string> names = {"impulse", "constant", "linear"};
     return names;
   }
 
-  ForceShape force_shape(const std::string &name)
+  ForceInterpolation force_interpolation(const std::string &name)
   {
-    for (unsigned int k = 0; k < force_shape_names().size(); ++k)
-      if (force_shape_names()[k] == name)
-        return static_cast<ForceShape>(k);
+    for (unsigned int k = 0; k < force_interpolation_names().size(); ++k)
+      if (force_interpolation_names()[k] == name)
+        return static_cast<ForceInterpolation>(k);
     throw InputError("There is no force shape \"" + name + "\": choose impulse, constant or linear.");
   }
 

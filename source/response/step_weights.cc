@@ -11,23 +11,24 @@ namespace vibrocontact
 {
   using Complex = std::complex<double>;
 
-  StepWeights step_weights(const PoleModel &model, const double time_step, const ForceShape shape)
+  StepWeights step_weights(const PoleModel &model, const double time_step,
+                           const ForceInterpolation interpolation)
   {
     StepWeights weights;
     for (const Complex &pole : model.poles)
     {
       const Complex x = pole * time_step;
-      switch (shape)
+      switch (interpolation)
       {
-      case ForceShape::impulse:
+      case ForceInterpolation::impulse:
         weights.now.push_back(time_step * std::exp(x));
         weights.later.push_back(0);
         break;
-      case ForceShape::constant:
+      case ForceInterpolation::constant:
         weights.now.push_back(time_step * phi(1, x));
         weights.later.push_back(0);
         break;
-      case ForceShape::linear:
+      case ForceInterpolation::linear:
         weights.now.push_back(time_step * phi(2, x));
         // phi_1 - phi_2 without their difference: int_0^1 e^(x (1 - s)) (1 - s) ds
         weights.later.push_back(time_step *
@@ -38,22 +39,23 @@ namespace vibrocontact
     return weights;
   }
 
-  DenseMatrix one_step_compliance(const PoleModel &model, const double time_step, const ForceShape shape)
+  DenseMatrix one_step_compliance(const PoleModel &model, const double time_step,
+                                  const ForceInterpolation interpolation)
   {
-    DenseMatrix result = sum_over_poles(model, step_weights(model, time_step, shape).now);
+    DenseMatrix result = sum_over_poles(model, step_weights(model, time_step, interpolation).now);
     if (model.residual.m() > 0)
       result.add(1., model.residual);
     return result;
   }
 
-  double longest_step(const DenseMatrix &S, const DenseMatrix &slope, const ForceShape shape)
+  double longest_step(const DenseMatrix &S, const DenseMatrix &slope, const ForceInterpolation interpolation)
   {
-    if (shape == ForceShape::impulse)
+    if (interpolation == ForceInterpolation::impulse)
       return std::numeric_limits<double>::infinity();
     // beyond rounding
     if (S.m() == 0 || !(definiteness(S) > 1e-12))
       return 0;
-    if (shape == ForceShape::constant)
+    if (interpolation == ForceInterpolation::constant)
       return std::numeric_limits<double>::infinity();
     const unsigned int n = S.m();
     DenseMatrix left(n, n), right(n, n);
@@ -142,11 +144,12 @@ namespace vibrocontact
   }
 
   std::vector<std::vector<double>> step_kernel(const PoleModel &model, const double time_step,
-                                               const ForceShape shape, const unsigned long n_lags)
+                                               const ForceInterpolation interpolation,
+                                               const unsigned long n_lags)
   {
     const unsigned int n = model.n_rows();
     std::vector<std::vector<double>> kernel(n * n, std::vector<double>(n_lags, 0.));
-    const StepWeights weights = step_weights(model, time_step, shape);
+    const StepWeights weights = step_weights(model, time_step, interpolation);
     for (unsigned int k = 0; k < model.n_poles(); ++k)
     {
       const Complex x = model.poles[k] * time_step;
@@ -200,7 +203,7 @@ namespace vibrocontact
     PoleModel moving = model;
     moving.residual.reinit(0, 0);
     const auto kernel =
-        step_kernel(moving, time_step, ForceShape::impulse,
+        step_kernel(moving, time_step, ForceInterpolation::impulse,
                     std::min(most_steps, static_cast<unsigned long>(std::ceil(high / time_step))));
     double largest = 0;
     for (unsigned int i = 0; i < n; ++i)

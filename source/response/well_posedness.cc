@@ -77,9 +77,10 @@ namespace vibrocontact
     for (unsigned int k = 0; k < 3; ++k)
     {
       result.definiteness[k] = 1;
-      for (const ForceShape shape : {ForceShape::impulse, ForceShape::constant, ForceShape::linear})
-        result.definiteness[k] = std::min(result.definiteness[k],
-                                          definiteness(one_step_compliance(model, result.steps[k], shape)));
+      for (const ForceInterpolation interpolation :
+           {ForceInterpolation::impulse, ForceInterpolation::constant, ForceInterpolation::linear})
+        result.definiteness[k] = std::min(
+            result.definiteness[k], definiteness(one_step_compliance(model, result.steps[k], interpolation)));
     }
     // the peak of g lies within a few periods of the fastest pole and some of the slowest
     double slowest = 0;

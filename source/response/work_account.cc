@@ -62,9 +62,10 @@ namespace vibrocontact
   }
 
   SteppedModalWork::SteppedModalWork(const PoleModel &model, const std::vector<Complex> &state,
-                                     const double time_step, const ForceShape shape)
-      : model(model), modes(model), h(time_step), shape(shape), z(modes.from_equilibrium(state)), next(z),
-        weights(step_weights(model, time_step, shape)), last(model.n_rows(), 0.)
+                                     const double time_step, const ForceInterpolation interpolation)
+      : model(model), modes(model), h(time_step), interpolation(interpolation),
+        z(modes.from_equilibrium(state)), next(z), weights(step_weights(model, time_step, interpolation)),
+        last(model.n_rows(), 0.)
   {
     for (const Complex &pole : model.poles)
       factor.push_back(std::exp(pole * h));
@@ -90,7 +91,7 @@ namespace vibrocontact
   void SteppedModalWork::add(const double *q)
   {
     const unsigned int n = model.n_rows(), n_poles = model.n_poles();
-    if (shape == ForceShape::impulse)
+    if (interpolation == ForceInterpolation::impulse)
     {
       next = z;
       for (unsigned int i = 0; i < n; ++i)
@@ -104,7 +105,7 @@ namespace vibrocontact
       std::copy_n(q, n, last.begin());
       return;
     }
-    const bool linear = shape == ForceShape::linear;
+    const bool linear = interpolation == ForceInterpolation::linear;
     for (unsigned int k = 0; k < n_poles; ++k)
     {
       Complex now = 0, before = 0;

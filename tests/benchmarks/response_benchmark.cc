@@ -107,7 +107,7 @@ int main(int argc, char *argv[])
       ResponseSettings settings;
       settings.time_step = 2e-5;
       const PoleModel model = modes(n_rows, n_modes, 1e-7);
-      settings.shape = ForceShape::constant;
+      settings.interpolation = ForceInterpolation::constant;
       const auto response = create_response("modal recursion", model, state_at_rest(model), settings);
       const double ns = time_steps(*response, 20000, 2e-5, 1e-4);
       std::printf("%u modes, %u points: %.1f ns per step, %.3f per mode\n", n_modes, n_rows, ns,
@@ -116,7 +116,7 @@ int main(int argc, char *argv[])
   {
     ResponseSettings settings;
     settings.time_step = 1 / 51200.;
-    settings.shape = ForceShape::linear;
+    settings.interpolation = ForceInterpolation::linear;
     PoleModel model = modes(100, 202, 1 / 40320.);
     for (unsigned int k = 0; k < model.n_poles(); ++k)
       for (unsigned int i = 0; i < 100; ++i)

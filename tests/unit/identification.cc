@@ -226,9 +226,9 @@ TEST(Identification, OneStepComplianceByQuadrature)
         constant += g;
         linear += g * (1 - s / h);
       }
-    EXPECT_NEAR(one_step_compliance(model, h, ForceShape::constant)(0, 1) / constant, 1, 1e-9);
-    EXPECT_NEAR(one_step_compliance(model, h, ForceShape::linear)(0, 1) / linear, 1, 1e-9);
-    EXPECT_NEAR(one_step_compliance(model, h, ForceShape::impulse)(0, 1) /
+    EXPECT_NEAR(one_step_compliance(model, h, ForceInterpolation::constant)(0, 1) / constant, 1, 1e-9);
+    EXPECT_NEAR(one_step_compliance(model, h, ForceInterpolation::linear)(0, 1) / linear, 1, 1e-9);
+    EXPECT_NEAR(one_step_compliance(model, h, ForceInterpolation::impulse)(0, 1) /
                     (h * impulse_response(model, h)(0, 1)),
                 1, 1e-12);
   }

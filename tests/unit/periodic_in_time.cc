@@ -167,7 +167,7 @@ TEST(PeriodicInTime, OneBodyByEveryAnalysis)
     // Green's functions: the exciting force acts where the contact's does
     ResponseSettings response_settings;
     const double h = response_settings.time_step = 1 / c.frequency / n;
-    response_settings.shape = ForceShape::linear;
+    response_settings.interpolation = ForceInterpolation::linear;
     response_settings.n_steps = 300 * n;
     const PoleModel model = pole_model(body.omega, body.damping_ratio, body.trace, {}, body.residual, {});
     const auto response = create_response("modal recursion", model, state_at_rest(model), response_settings);

@@ -147,8 +147,8 @@ TEST(PiecewisePolynomial, ValuesDerivativesIntegral)
   }
 }
 
-// The oscillator under forces that are known: closed forms of each force shape.
-TEST(Response, ForceShapesAreExact)
+// The oscillator under forces that are known: closed forms of each force interpolation.
+TEST(Response, ForceInterpolationsAreExact)
 {
   const double w = 300, zeta = 0.1, h = 0.004, wd = w * std::sqrt(1 - zeta * zeta);
   DenseMatrix trace(1, 1), residual(1, 1);
@@ -174,11 +174,12 @@ TEST(Response, ForceShapesAreExact)
   };
   const std::vector<double> forces = {3, -1, 4, 1, 5, -9};
   for (const ResponseMethod &method : response_methods())
-    for (const ForceShape shape : {ForceShape::impulse, ForceShape::constant, ForceShape::linear})
+    for (const ForceInterpolation interpolation :
+         {ForceInterpolation::impulse, ForceInterpolation::constant, ForceInterpolation::linear})
     {
       ResponseSettings settings;
       settings.time_step = h;
-      settings.shape = shape;
+      settings.interpolation = interpolation;
       settings.n_steps = 200;
       const auto response = method.create(model, state_at_rest(model), settings);
       for (unsigned int n = 0; n < 150; ++n)
@@ -188,9 +189,9 @@ TEST(Response, ForceShapesAreExact)
         const double t = (n + 1) * h;
         double exact = 1e-6 * q;
         for (unsigned int m = 0; m < forces.size() && m <= n; ++m)
-          if (shape == ForceShape::impulse)
+          if (interpolation == ForceInterpolation::impulse)
             exact += forces[m] * h * g(t - m * h);
-          else if (shape == ForceShape::constant)
+          else if (interpolation == ForceInterpolation::constant)
             exact += forces[m] * (step_response(t - m * h) - step_response(t - (m + 1) * h));
           else
             exact += forces[m] / h *
@@ -205,12 +206,13 @@ TEST(Response, ForceShapesAreExact)
 TEST(Response, DirectBlockAndModalAreEqual)
 {
   for (const unsigned int n_rows : {1u, 3u, 6u, 17u})
-    for (const ForceShape shape : {ForceShape::impulse, ForceShape::constant, ForceShape::linear})
+    for (const ForceInterpolation interpolation :
+         {ForceInterpolation::impulse, ForceInterpolation::constant, ForceInterpolation::linear})
     {
       const PoleModel model = random_model(n_rows, n_rows == 17 ? 40 : 12, n_rows != 3, 2e-6);
       ResponseSettings settings;
       settings.time_step = 2e-5;
-      settings.shape = shape;
+      settings.interpolation = interpolation;
       settings.n_steps = n_rows == 17 ? 300 : 1500;
       std::vector<std::complex<double>> state = state_in_equilibrium(model);
       state[0] *= 0.3;
@@ -243,11 +245,12 @@ TEST(Response, MemoryOfTheOnePercentRule)
 namespace
 {
   /// Two masses behind springs S of their own, held closed from a disturbance on: the forces' growth over n steps.
-  double growth(const ForceShape shape, const double step, const PoleModel &model, const unsigned int n_steps)
+  double growth(const ForceInterpolation interpolation, const double step, const PoleModel &model,
+                const unsigned int n_steps)
   {
     ResponseSettings settings;
     settings.time_step = step;
-    settings.shape = shape;
+    settings.interpolation = interpolation;
     const auto response = create_response("modal recursion", model, state_at_rest(model), settings);
     DenseMatrix inverse = response->compliance();
     inverse.invert();
@@ -281,18 +284,18 @@ TEST(Response, LongestStep)
   const PoleModel model = pole_model({100., 150.}, {0.02, 0.02}, trace, {}, S, {}),
                   rigid = pole_model({100., 150.}, {0.02, 0.02}, trace, {}, DenseMatrix(2, 2), {});
   const DenseMatrix slope = initial_derivative(model, 1);
-  EXPECT_EQ(longest_step(S, slope, ForceShape::impulse), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(longest_step(S, slope, ForceShape::constant), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(longest_step(DenseMatrix(2, 2), slope, ForceShape::constant), 0);
-  EXPECT_EQ(longest_step(DenseMatrix(2, 2), slope, ForceShape::linear), 0);
+  EXPECT_EQ(longest_step(S, slope, ForceInterpolation::impulse), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(longest_step(S, slope, ForceInterpolation::constant), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(longest_step(DenseMatrix(2, 2), slope, ForceInterpolation::constant), 0);
+  EXPECT_EQ(longest_step(DenseMatrix(2, 2), slope, ForceInterpolation::linear), 0);
   // both together: g'(0) of the translation is (1, 1; 1, 1), eigenvalue 2
-  const double longest = longest_step(S, slope, ForceShape::linear);
+  const double longest = longest_step(S, slope, ForceInterpolation::linear);
   EXPECT_NEAR(longest / (2.7 * std::sqrt(1e-6 / 2)), 1, 1e-12);
   // the motion itself: bounded below, growing above sqrt(12) sqrt(S / g'(0))
-  EXPECT_LT(growth(ForceShape::linear, longest, model, 400), 1);
-  EXPECT_GT(growth(ForceShape::linear, 1.35 * longest, model, 400), 1e3);
-  EXPECT_LT(growth(ForceShape::constant, 10 * longest, model, 400), 1);
-  EXPECT_GT(growth(ForceShape::linear, 1e-4, rigid, 40), 1e3);
+  EXPECT_LT(growth(ForceInterpolation::linear, longest, model, 400), 1);
+  EXPECT_GT(growth(ForceInterpolation::linear, 1.35 * longest, model, 400), 1e3);
+  EXPECT_LT(growth(ForceInterpolation::constant, 10 * longest, model, 400), 1);
+  EXPECT_GT(growth(ForceInterpolation::linear, 1e-4, rigid, 40), 1e3);
 }
 
 TEST(UnilateralContact, AgreesWithTheCommonSolver)
@@ -302,7 +305,7 @@ TEST(UnilateralContact, AgreesWithTheCommonSolver)
     const PoleModel model = random_model(n, 40, n == 3 || n == 30, 3e-6);
     ResponseSettings settings;
     settings.time_step = 5e-5;
-    settings.shape = ForceShape::constant;
+    settings.interpolation = ForceInterpolation::constant;
     const DenseMatrix matrix =
         create_response("modal recursion", model, state_at_rest(model), settings)->compliance();
     UnilateralContact fast(matrix, "in the test");

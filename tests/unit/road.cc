@@ -240,7 +240,7 @@ TEST(StaticLoad, IndentationOfAForce)
   const Road road(flat, places, shapes, 1);
   ResponseSettings settings;
   settings.time_step = 1e-4;
-  settings.shape = ForceShape::linear;
+  settings.interpolation = ForceInterpolation::linear;
   const auto response = create_response("modal recursion", model, state_at_rest(model), settings);
   UnilateralContact contact(response->compliance(), "in the test");
   std::vector<double> gap(5), q(5), height(5);

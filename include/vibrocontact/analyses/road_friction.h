@@ -18,7 +18,7 @@ namespace vibrocontact
   /// that is A = (M_nn, M_nt; M_tn / h, M_tt / h). slip > 0: body 1 moves forward over the road, T > 0 pushes it
   /// forward; W is Road/Sliding speed. Where a point sticks its displacement follows the road exactly, whatever the
   /// number of steps: the friction is a constraint of displacements as the contact is, with the same behaviour of the
-  /// force shapes (doc/theory.md, "Corrections to the tyre paper"). With impulses capture and release are of second order; where
+  /// force interpolations (doc/theory.md, "Corrections to the tyre paper"). With impulses capture and release are of second order; where
   /// slip changes its sign at once the instant is known to a step, amplitudes and energy to second order.
   ///
   /// What slip is not: contact points stand still over the road while the material of a rolling body flows through
@@ -34,5 +34,5 @@ namespace vibrocontact
                                       double time_step);
 
   /// @throws InputError if the tangential motion of the points has no compliance
-  void check_road_friction(const PoleModel &model, double time_step, ForceShape shape);
+  void check_road_friction(const PoleModel &model, double time_step, ForceInterpolation interpolation);
 } // namespace vibrocontact

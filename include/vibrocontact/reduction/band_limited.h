@@ -12,7 +12,7 @@ namespace vibrocontact
   ///
   /// by trapezoids over the data's equally spaced lines. Nothing is taken to be above the band, and g repeats itself
   /// after 1 / spacing, backwards from half of that on. As poles on the imaginary axis it takes the exact integrals
-  /// of force shapes like any other model; n_rows states per line. For comparison: a fit by poles is a hundred times
+  /// of force interpolations like any other model; n_rows states per line. For comparison: a fit by poles is a hundred times
   /// cheaper and, by its behaviour above the band, more accurate.
   /// @throws InputError if the lines are not equally spaced from zero on
   PoleModel band_limited_model(const Spectra &data, const EntryMap &map);

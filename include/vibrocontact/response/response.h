@@ -10,23 +10,23 @@
 
 namespace vibrocontact
 {
-  /// How a contact force runs within a step of length h; one unknown q per row and step (doc/theory.md,
+  /// How a contact force is interpolated within a step of length h (entry Force shape); one unknown q per row and step (doc/theory.md,
   /// corrections to the tyre paper, says which one suits which contact).
-  enum class ForceShape : unsigned char
+  enum class ForceInterpolation : unsigned char
   {
     /// an impulse h q at the beginning of the step: rigid contact
     impulse,
-    /// q all over the step: contact with a compliance, first order, stable for any step
+    /// q all over the step, a zero-order hold: contact with a compliance, first order, stable for any step
     constant,
-    /// linear from the q of the step before, q at the end: contact with a compliance, second order, stable for
+    /// linear from the q of the step before, q at the end, a first-order hold: contact with a compliance, second order, stable for
     /// h < 2.7 sqrt(S / g'(0))
     linear
   };
 
   /// impulse, constant, linear
-  const std::vector<std::string> &force_shape_names();
+  const std::vector<std::string> &force_interpolation_names();
   /// @throws InputError naming the shapes
-  ForceShape force_shape(const std::string &name);
+  ForceInterpolation force_interpolation(const std::string &name);
 
   /// Displacement of a body known by its Green's functions, step by step, under forces that are found on the way:
   ///
@@ -39,7 +39,7 @@ namespace vibrocontact
   ///   }
   ///
   /// Sizes: n_rows; u [m] away from the other body, q [N] > 0 pushes in that direction. B comes from the exact
-  /// integral of g times the force's shape over the step, S is the static residual (tread included).
+  /// integral of g times the interpolated force over the step, S is the static residual (tread included).
   class Response
   {
   public:
@@ -74,7 +74,7 @@ namespace vibrocontact
   {
     /// [s]
     double time_step = 0;
-    ForceShape shape = ForceShape::impulse;
+    ForceInterpolation interpolation = ForceInterpolation::impulse;
     /// convolutions: how many of the newest forces count; 0: as many as the run has steps
     unsigned long memory = 0;
     unsigned long n_steps = 0;

@@ -12,7 +12,7 @@ namespace vibrocontact
   {
     /// step, its half and tenth [s]
     std::array<double, 3> steps;
-    /// smallest over largest eigenvalue of the symmetric part of B + S at each, the worst of the force shapes
+    /// smallest over largest eigenvalue of the symmetric part of B + S at each, the worst of the force interpolations
     std::array<double, 3> definiteness;
     /// the same in the limit of a zero step: of S, and where S has no stiffness of g(0+), or of g'(0+) if g(0+) vanishes
     double limit = 0;

@@ -55,7 +55,7 @@ namespace vibrocontact
     const PoleModel &model;
   };
 
-  /// The modes' own account of a stepped motion, exact for the force shape whatever the length of the step: a second
+  /// The modes' own account of a stepped motion, exact for the force interpolation whatever the length of the step: a second
   /// propagation of their states, that also tells the work W of the forces on them, and so what damping took,
   /// E(0) + W - E. Cost: that of a modal recursion.
   class SteppedModalWork
@@ -63,7 +63,7 @@ namespace vibrocontact
   public:
     using Complex = std::complex<double>;
     SteppedModalWork(const PoleModel &model, const std::vector<Complex> &state, double time_step,
-                     ForceShape shape);
+                     ForceInterpolation interpolation);
 
     /// The next step. @param q forces, n_rows [N]
     void add(const double *q);
@@ -80,7 +80,7 @@ namespace vibrocontact
     const PoleModel &model;
     const ModalEnergy modes;
     const double h;
-    const ForceShape shape;
+    const ForceInterpolation interpolation;
     std::vector<Complex> z, next, factor;
     StepWeights weights;
     /// forces of the step before
