@@ -48,9 +48,9 @@ namespace vibrocontact
     }
 
     /// The inverse transforms of data, which need lines from 0 Hz on.
-    void check_data(const Parameters &parameters)
+    void check_data(const Parameters &parameters, const std::optional<MeasuredData> &measured)
     {
-      if (!parameters.has_identification())
+      if (!measured)
         return;
       const IdentificationParameters &own = parameters.identification;
       bool transformed = false;
@@ -62,7 +62,7 @@ namespace vibrocontact
                       [](const std::string &method) { return method.rfind("lsce", 0) == 0; });
       if (!transformed && !by_lsce)
         return;
-      const FrequencyData data = identification_data(own);
+      const FrequencyData &data = measured->data;
       if (by_lsce && !transformed)
         impulse_responses(spectra(data), 0);
       if (transformed)
@@ -76,7 +76,8 @@ namespace vibrocontact
       return body.type == "oscillator" || (body.type == "ring" && !body.is_meshed());
     }
 
-    void check_modal_convolution(const Parameters &parameters, const MeshedBodies &bodies)
+    void check_modal_convolution(const Parameters &parameters, const MeshedBodies &bodies,
+                                 const std::optional<MeasuredData> &measured)
     {
       const BodyParameters &body = parameters.scene.bodies[0];
       ModalConvolutionParameters own = parameters.modal_convolution;
@@ -96,7 +97,7 @@ namespace vibrocontact
         const Road road(parameters.road, places, std::vector<double>(places.size(), 0.), own.end_time);
         return;
       }
-      const PoleBody made = pole_body(parameters, bodies, 0, parameters.road);
+      const PoleBody made = pole_body(parameters, bodies, measured, 0, parameters.road);
       const Road road(road_of(parameters, made), made.places, made.shapes, own.end_time);
       own.error_estimate = false;
       // what a convolution keeps of its Green's functions is none of the input's concern
@@ -187,16 +188,17 @@ namespace vibrocontact
       }
   }
 
-  void check_before_run(const Parameters &parameters, const MeshedBodies &bodies)
+  void check_before_run(const Parameters &parameters, const MeshedBodies &bodies,
+                        const std::optional<MeasuredData> &measured)
   {
     const Scene &scene = parameters.scene;
     if (scene.runs("modes") || scene.runs("frequency response") || parameters.needs_modes())
       check_rim(parameters);
     if (scene.runs("transient"))
       check_numbered_mode(parameters);
-    check_data(parameters);
+    check_data(parameters, measured);
     if (scene.runs("modal convolution"))
-      check_modal_convolution(parameters, bodies);
+      check_modal_convolution(parameters, bodies, measured);
   }
 
   void check_places(const Parameters &parameters, const MeshedBodies &bodies, const StabilityCases &sweep)

@@ -1,7 +1,6 @@
 #include <vibrocontact/reduction/ring_poles.h>
 #include <vibrocontact/response/static_load.h>
 #include <vibrocontact/run/pole_body.h>
-#include <vibrocontact/run/run_identification.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +41,8 @@ namespace vibrocontact
     }
   } // namespace
 
-  PoleBody pole_body(const Parameters &parameters, const MeshedBodies &bodies, const unsigned int number,
+  PoleBody pole_body(const Parameters &parameters, const MeshedBodies &bodies,
+                     const std::optional<MeasuredData> &measured, const unsigned int number,
                      const RoadParameters &road)
   {
     const BodyParameters &body = parameters.scene.bodies[number];
@@ -53,7 +53,7 @@ namespace vibrocontact
     if (body.type == "identified")
     {
       const IdentifiedParameters &own = body.identified;
-      result.poles = identified_body(parameters, body);
+      result.poles = identified_body(parameters, measured, body);
       result.is_passive = !parameters.identification.rolling && is_reciprocal(result.poles);
       result.places = own.positions.empty() ? std::vector<double>{0.} : own.positions;
       result.shapes = own.positions.empty() ? std::vector<double>{0.} : own.heights();

@@ -72,7 +72,8 @@ namespace vibrocontact
     }
 
     /// @param resume whether an earlier run in the folder is continued
-    void run_analyses(Parameters &parameters, const MeshedBodies &bodies, const StabilityCases &sweep,
+    void run_analyses(Parameters &parameters, const MeshedBodies &bodies,
+                      const std::optional<MeasuredData> &measured, const StabilityCases &sweep,
                       RunRecord &record, Results &results, const bool resume, const Clock &clock)
     {
       const OutputParameters &output = parameters.output;
@@ -97,7 +98,7 @@ namespace vibrocontact
       }
       if (due("frequency response"))
       {
-        run_frequency_response(parameters, bodies, record.folder, results);
+        run_frequency_response(parameters, bodies, measured, record.folder, results);
         save("frequency response");
       }
       if (due("quasi-static rolling"))
@@ -110,7 +111,7 @@ namespace vibrocontact
       }
       if (due("identification"))
       {
-        run_identification(parameters, record.folder, results);
+        run_identification(parameters, measured.value(), record.folder, results);
         save("identification");
       }
       if (due("periodic"))
@@ -140,7 +141,7 @@ namespace vibrocontact
       {
         results.finished.erase("modal convolution");
         const std::size_t n_failures = results.failures.size();
-        run_modal_convolution(parameters, bodies, record.folder, resume, results);
+        run_modal_convolution(parameters, bodies, measured, record.folder, resume, results);
         const bool at_the_end = results.stopped_by == 0 && results.failures.size() == n_failures;
         save(at_the_end ? "modal convolution" : "");
       }
@@ -205,6 +206,7 @@ namespace vibrocontact
     const DeclaredParameters used = declared_parameters(prm).without(out_of_use);
     const ContactGrid grid = parameters.contact_grid();
     MeshedBodies bodies;
+    std::optional<MeasuredData> measured;
     try
     {
       check_reach_of_sweeps(parameters);
@@ -213,8 +215,8 @@ namespace vibrocontact
       check_meshes(parameters, bodies, command_line.check);
       if (parameters.scene.runs("transient") && parameters.transient.model == "finite elements")
         check_unreduced_size(bodies);
-      check_identification(parameters);
-      check_before_run(parameters, bodies);
+      measured = measured_data(parameters);
+      check_before_run(parameters, bodies, measured);
       if (command_line.check)
       {
         check_places(parameters, bodies, sweep);
@@ -252,7 +254,7 @@ namespace vibrocontact
     RunRecord record(folder, file, used, command_line.resume ? &results : nullptr);
     try
     {
-      run_analyses(parameters, bodies, sweep, record, results, command_line.resume, clock);
+      run_analyses(parameters, bodies, measured, sweep, record, results, command_line.resume, clock);
     }
     catch (const MachineError &)
     {

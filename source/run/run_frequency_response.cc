@@ -296,7 +296,8 @@ namespace vibrocontact
   } // namespace
 
   void run_frequency_response(const Parameters &parameters, const MeshedBodies &bodies,
-                              const std::string &folder, Results &results)
+                              const std::optional<MeasuredData> &measured, const std::string &folder,
+                              Results &results)
   {
     const FrequencyResponseParameters &own = parameters.frequency_response;
     const std::vector<std::string> wanted = split_list(own.bodies);
@@ -309,7 +310,7 @@ namespace vibrocontact
       if (bodies[k])
         all[body.name] = respond(*bodies[k], own, folder, tables);
       else if (body.is_green())
-        all[body.name] = run_green_functions(parameters, body, folder, tables);
+        all[body.name] = run_green_functions(parameters, measured, body, folder, tables);
     }
     results.analyses["frequency_response"] = {{"quantity", own.quantity},
                                               {"load_length_m", own.load_length},

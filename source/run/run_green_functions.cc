@@ -35,7 +35,8 @@ namespace vibrocontact
       return n <= 26 ? std::string(1, char('A' + i)) : "P" + std::to_string(i);
     }
 
-    GreenBody green_body(const Parameters &parameters, const BodyParameters &body)
+    GreenBody green_body(const Parameters &parameters, const std::optional<MeasuredData> &measured,
+                         const BodyParameters &body)
     {
       GreenBody result;
       std::vector<std::string> &labels = result.names.labels;
@@ -43,7 +44,7 @@ namespace vibrocontact
       if (body.type == "identified")
       {
         IdentifiedPoles identified =
-            identified_poles(parameters, body, parameters.identification.contact_step);
+            identified_poles(parameters, measured, body, parameters.identification.contact_step);
         labels = identified.labels;
         both_ways = identified.both_ways;
         result.poles = identified.poles;
@@ -223,12 +224,12 @@ namespace vibrocontact
     }
   } // namespace
 
-  Json run_green_functions(const Parameters &parameters, const BodyParameters &own, const std::string &folder,
-                           Json &tables)
+  Json run_green_functions(const Parameters &parameters, const std::optional<MeasuredData> &measured,
+                           const BodyParameters &own, const std::string &folder, Json &tables)
   {
     const FrequencyResponseParameters &asked = parameters.frequency_response;
     run_log().block("Green's functions of " + own.name);
-    const GreenBody body = green_body(parameters, own);
+    const GreenBody body = green_body(parameters, measured, own);
     run_log().value("poles", body.poles.n_poles());
     run_log().value("points and directions", (unsigned int)(body.names.labels.size()));
     const auto write = [&](const Table &table, const std::string &name)

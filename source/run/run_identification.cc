@@ -1,4 +1,3 @@
-#include <vibrocontact/analyses/data_passivity.h>
 #include <vibrocontact/analyses/pole_file.h>
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/collective.h>
@@ -15,13 +14,6 @@
 
 namespace vibrocontact
 {
-  FrequencyData identification_data(const IdentificationParameters &parameters)
-  {
-    return read_frequency_data(parameters.data_file,
-                               read_file_on_all_ranks(parameters.data_file, "data file"),
-                               parameters.data_rules());
-  }
-
   namespace
   {
     PoleFile pole_file(const BodyParameters &body)
@@ -47,10 +39,7 @@ namespace vibrocontact
                          std::to_string(body.identified.positions.size()) + " places, but the data \"" +
                          file + "\" have " + std::to_string(n_points) + " points; give one for each.");
     }
-  } // namespace
 
-  namespace
-  {
     /// @throws InputError for data that create energy, unless they are to be taken so
     DataJudgement judge(const IdentificationParameters &own, const FrequencyData &data)
     {
@@ -61,20 +50,23 @@ namespace vibrocontact
     }
   } // namespace
 
-  void check_identification(const Parameters &parameters)
+  std::optional<MeasuredData> measured_data(const Parameters &parameters)
   {
     const bool in_contact = parameters.scene.runs("modal convolution");
     for (const BodyParameters &body : parameters.scene.bodies)
       if (body.type == "identified" && !body.identified.poles_file.empty())
         check_positions(body, in_contact, pole_file(body).names.labels.size(), body.identified.poles_file);
     if (!parameters.has_identification())
-      return;
-    const FrequencyData data = identification_data(parameters.identification);
-    judge(parameters.identification, data);
-    const unsigned int n_points = data.labels.size();
+      return {};
+    const IdentificationParameters &own = parameters.identification;
+    MeasuredData measured;
+    measured.data = read_frequency_data(own.data_file, read_file_on_all_ranks(own.data_file, "data file"),
+                                        own.data_rules());
+    measured.judgement = judge(own, measured.data);
     for (const BodyParameters &body : parameters.scene.bodies)
       if (body.type == "identified" && body.identified.poles_file.empty())
-        check_positions(body, in_contact, n_points, parameters.identification.data_file);
+        check_positions(body, in_contact, measured.data.labels.size(), own.data_file);
+    return measured;
   }
 
   namespace
@@ -124,16 +116,17 @@ namespace vibrocontact
     }
   } // namespace
 
-  void run_identification(const Parameters &parameters, const std::string &folder, Results &results)
+  void run_identification(const Parameters &parameters, const MeasuredData &measured,
+                          const std::string &folder, Results &results)
   {
     const IdentificationParameters &own = parameters.identification;
     run_log().block("Identification");
-    const FrequencyData data = identification_data(own);
+    const FrequencyData &data = measured.data;
     run_log().value("points", (unsigned int)(data.labels.size()));
     run_log().value("frequencies", (unsigned int)(data.frequency.size()));
     if (data.n_skipped > 0)
       run_log().value("functions left aside, neither frequency nor impulse responses", data.n_skipped);
-    const DataJudgement judgement = judge(own, data);
+    const DataJudgement &judgement = measured.judgement;
     run_log().value("lines on which forces gain energy", 100 * judgement.gaining, "%");
     if (!judgement.complaint.empty())
       run_log().warning("The data " + judgement.complaint + ".");
@@ -191,8 +184,8 @@ namespace vibrocontact
     results.analyses["identification"] = list;
   }
 
-  IdentifiedPoles identified_poles(const Parameters &parameters, const BodyParameters &body,
-                                   const double contact_step)
+  IdentifiedPoles identified_poles(const Parameters &parameters, const std::optional<MeasuredData> &measured,
+                                   const BodyParameters &body, const double contact_step)
   {
     if (body.identified.inverse_transform)
       throw InputError(body.name +
@@ -203,7 +196,7 @@ namespace vibrocontact
       return {file.names.labels, goes_both_ways(file.names),
               identified_model(file.fit, entry_map(file.names), parameters.identification.tolerance).model};
     }
-    const FrequencyData data = identification_data(parameters.identification);
+    const FrequencyData &data = measured.value().data;
     IdentificationParameters first = parameters.identification;
     first.methods = first.method_list().front();
     first.pairs = {first.pairs.front()};
@@ -226,9 +219,9 @@ namespace vibrocontact
 
   namespace
   {
-    PoleModel transformed_body(const Parameters &parameters, const BodyParameters &body)
+    PoleModel transformed_body(const Parameters &parameters, const FrequencyData &data,
+                               const BodyParameters &body)
     {
-      const FrequencyData data = identification_data(parameters.identification);
       const ModalConvolutionParameters &run = parameters.modal_convolution;
       const double remembered = run.memory > 0 ? std::min(run.memory, run.end_time) : run.end_time,
                    longest = band_limited_memory(spectra(data));
@@ -244,13 +237,14 @@ namespace vibrocontact
     }
   } // namespace
 
-  PoleModel identified_body(const Parameters &parameters, const BodyParameters &body)
+  PoleModel identified_body(const Parameters &parameters, const std::optional<MeasuredData> &measured,
+                            const BodyParameters &body)
   {
     const double step = parameters.modal_convolution.time_step,
                  tread = body.identified.tread_stiffness > 0 ? 1 / body.identified.tread_stiffness : 0;
     PoleModel model = body.identified.inverse_transform
-                          ? transformed_body(parameters, body)
-                          : identified_poles(parameters, body, tread > 0 ? 0 : step).poles;
+                          ? transformed_body(parameters, measured.value().data, body)
+                          : identified_poles(parameters, measured, body, tread > 0 ? 0 : step).poles;
     for (unsigned int i = 0; i < model.n_rows(); ++i)
       model.residual(i, i) += tread;
     check_well_posedness(model, step, body.name);

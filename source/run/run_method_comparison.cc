@@ -14,6 +14,7 @@ namespace vibrocontact
   namespace
   {
     std::vector<ComparedMethod> compare_body(const Parameters &parameters, const MeshedBodies &bodies,
+                                             const std::optional<MeasuredData> &measured,
                                              const unsigned int number)
     {
       const ComparisonParameters &comparison = parameters.comparison;
@@ -23,7 +24,7 @@ namespace vibrocontact
       {
         if (rows.empty())
           return std::vector<ComparedMethod>();
-        const PoleBody body = pole_body(parameters, bodies, number, road);
+        const PoleBody body = pole_body(parameters, bodies, measured, number, road);
         return compare_methods(read_comparison_rows(rows, name), comparison.repetitions, own, body.poles,
                                number == 0 ? road_of(parameters, body) : road, body.places, body.shapes);
       };
@@ -38,6 +39,7 @@ namespace vibrocontact
   } // namespace
 
   nlohmann::ordered_json run_method_comparison(const Parameters &parameters, const MeshedBodies &bodies,
+                                               const std::optional<MeasuredData> &measured,
                                                const std::string &folder)
   {
     run_log().block("Comparison of methods");
@@ -50,7 +52,7 @@ namespace vibrocontact
          "steps may be coarse on purpose: rows are exempt from what ends a run with exit code 2"});
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (unsigned int number = 0; number < parameters.scene.bodies.size(); ++number)
-      for (const ComparedMethod &method : compare_body(parameters, bodies, number))
+      for (const ComparedMethod &method : compare_body(parameters, bodies, measured, number))
       {
         const std::string &body = parameters.scene.bodies[number].name;
         nlohmann::ordered_json entry = {{"body", body},

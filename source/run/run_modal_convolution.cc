@@ -130,9 +130,10 @@ namespace vibrocontact
   } // namespace
 
   void run_modal_convolution(const Parameters &parameters, const MeshedBodies &bodies,
-                             const std::string &folder, const bool resume, Results &results)
+                             const std::optional<MeasuredData> &measured, const std::string &folder,
+                             const bool resume, Results &results)
   {
-    const PoleBody body = pole_body(parameters, bodies, 0, parameters.road);
+    const PoleBody body = pole_body(parameters, bodies, measured, 0, parameters.road);
     const ModalConvolutionParameters &own = parameters.modal_convolution;
     run_log().block("Modal convolution");
     run_log().value("poles", body.poles.n_poles());
@@ -244,6 +245,6 @@ namespace vibrocontact
     if (results.stopped_by != 0)
       run_log().warning("Interrupted; a checkpoint is written, --resume continues.");
     else if (parameters.comparison.any() && message.empty())
-      json["method_comparison"] = run_method_comparison(parameters, bodies, folder);
+      json["method_comparison"] = run_method_comparison(parameters, bodies, measured, folder);
   }
 } // namespace vibrocontact

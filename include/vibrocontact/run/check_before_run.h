@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/run/run_identification.h>
 #include <vibrocontact/run/stability_cases.h>
 
 namespace vibrocontact
@@ -8,7 +9,8 @@ namespace vibrocontact
   /// computed: the road and the contact points of a modal convolution (bodies whose poles cost nothing are made), the
   /// rim of a wheel, the frequencies of data. Collective.
   /// @throws InputError
-  void check_before_run(const Parameters &parameters, const MeshedBodies &bodies);
+  void check_before_run(const Parameters &parameters, const MeshedBodies &bodies,
+                        const std::optional<MeasuredData> &measured);
 
   /// What has to be read or made to be checked, but takes no time: expressions and tables of the drive
   /// (check_drive()), and the name of the perturbed mode if the modes of its body are in the cache.

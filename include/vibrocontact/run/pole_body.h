@@ -2,6 +2,7 @@
 
 #include <vibrocontact/reduction/pole_model.h>
 #include <vibrocontact/run/prepare_bodies.h>
+#include <vibrocontact/run/run_identification.h>
 
 #include <vector>
 
@@ -20,7 +21,8 @@ namespace vibrocontact
 
   /// Oscillator and analytic ring by their closed forms, meshed bodies by their reduction. Collective.
   /// @param number of the body in the scene, from 0; @param road whose speed a rolling ring has
-  PoleBody pole_body(const Parameters &parameters, const MeshedBodies &bodies, unsigned int number,
+  PoleBody pole_body(const Parameters &parameters, const MeshedBodies &bodies,
+                     const std::optional<MeasuredData> &measured, unsigned int number,
                      const RoadParameters &road);
 
   /// The road of body 1: section Road, with the indentation at which a flat road presses with Rolling/Normal force if that

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/run/prepare_bodies.h>
+#include <vibrocontact/run/run_identification.h>
 
 #include <string>
 
@@ -12,7 +13,8 @@ namespace vibrocontact
   /// loss, static answers, direct solutions) is kept in the cache. Every rank computes, rank 0 writes.
   /// Collective.
   void run_frequency_response(const Parameters &parameters, const MeshedBodies &bodies,
-                              const std::string &folder, Results &results);
+                              const std::optional<MeasuredData> &measured, const std::string &folder,
+                              Results &results);
 
   /// Whether the points lie on the bodies asked for, whose matrices are made for it. Collective. @throws InputError
   void check_response_points(const Parameters &parameters, const MeshedBodies &bodies);

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/run/parameters.h>
+#include <vibrocontact/run/run_identification.h>
 
 #include <string>
 
@@ -15,6 +16,8 @@ namespace vibrocontact
   /// rings, by inversion of the 2 x 2 system of each order), impulse_response_<body>.csv, poles_<body>.csv;
   /// frequency_response_<body>.csv and impulse_response_<body>.csv are data for the analysis identification, poles_<body>.csv
   /// for Identified/Poles file. Collective.
-  nlohmann::ordered_json run_green_functions(const Parameters &parameters, const BodyParameters &body,
-                                             const std::string &folder, nlohmann::ordered_json &tables);
+  nlohmann::ordered_json run_green_functions(const Parameters &parameters,
+                                             const std::optional<MeasuredData> &measured,
+                                             const BodyParameters &body, const std::string &folder,
+                                             nlohmann::ordered_json &tables);
 } // namespace vibrocontact

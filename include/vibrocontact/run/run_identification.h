@@ -1,23 +1,32 @@
 #pragma once
 
+#include <vibrocontact/analyses/data_passivity.h>
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/run/parameters.h>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace vibrocontact
 {
-  /// Reads the data of section Identification on all ranks. @throws InputError with file and line
-  FrequencyData identification_data(const IdentificationParameters &parameters);
+  /// The data of section Identification.
+  struct MeasuredData
+  {
+    FrequencyData data;
+    DataJudgement judgement;
+  };
 
-  /// Reads and checks the data if the analysis or a body needs them, before anything is written.
-  /// @throws InputError, also if a body gives another number of positions than the data have points
-  void check_identification(const Parameters &parameters);
+  /// Reads and checks the data on all ranks if the analysis or a body needs them (Parameters::has_identification()),
+  /// before anything is written.
+  /// @throws InputError with file and line, also if a body gives another number of positions than the data have points
+  std::optional<MeasuredData> measured_data(const Parameters &parameters);
 
   /// The analysis `identification` with its output: results and identification_data.csv, per fit
   /// identification_poles_<k>.csv, identification_fit_<k>.csv and .uff, identification_chart.csv. Every rank computes the
   /// same, rank 0 writes. Collective.
-  void run_identification(const Parameters &parameters, const std::string &folder, Results &results);
+  void run_identification(const Parameters &parameters, const MeasuredData &measured,
+                          const std::string &folder, Results &results);
 
   /// A body of type `identified` as poles, without its tread.
   struct IdentifiedPoles
@@ -32,10 +41,11 @@ namespace vibrocontact
   /// From its Poles file, or the first fit that section Identification asks for.
   /// @param contact_step the fit is repaired if contact cannot be solved with it at this step; 0: it is not [s]
   /// @throws InputError; also for an inverse transform, which has no poles
-  IdentifiedPoles identified_poles(const Parameters &parameters, const BodyParameters &body,
-                                   double contact_step);
+  IdentifiedPoles identified_poles(const Parameters &parameters, const std::optional<MeasuredData> &measured,
+                                   const BodyParameters &body, double contact_step);
 
   /// The model for modal convolution, with the compliance of a tread under each point, usable in contact at its step.
   /// @throws InputError
-  PoleModel identified_body(const Parameters &parameters, const BodyParameters &body);
+  PoleModel identified_body(const Parameters &parameters, const std::optional<MeasuredData> &measured,
+                            const BodyParameters &body);
 } // namespace vibrocontact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/run/prepare_bodies.h>
+#include <vibrocontact/run/run_identification.h>
 
 #include <nlohmann/json.hpp>
 
@@ -13,5 +14,6 @@ namespace vibrocontact
   /// `error_displacement_m`, `error_force_N`, `error_impulse` (in their place `broke_down` if a method ends without
   /// finite numbers), `seconds_per_step`. Collective.
   nlohmann::ordered_json run_method_comparison(const Parameters &parameters, const MeshedBodies &bodies,
+                                               const std::optional<MeasuredData> &measured,
                                                const std::string &folder);
 } // namespace vibrocontact

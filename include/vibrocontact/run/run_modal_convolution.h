@@ -2,6 +2,7 @@
 
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/run/prepare_bodies.h>
+#include <vibrocontact/run/run_identification.h>
 
 #include <string>
 
@@ -12,5 +13,6 @@ namespace vibrocontact
   /// Comparison/Rows method_comparison.csv. Every rank steps, rank 0 writes. Collective.
   /// @param resume continue from the checkpoint in the folder; from the beginning if there is none
   void run_modal_convolution(const Parameters &parameters, const MeshedBodies &bodies,
-                             const std::string &folder, bool resume, Results &results);
+                             const std::optional<MeasuredData> &measured, const std::string &folder,
+                             bool resume, Results &results);
 } // namespace vibrocontact
