@@ -17,4 +17,11 @@ namespace vibrocontact
             {{e0, e1}},
             false};
   }
+
+  LawParameter friction_coefficient()
+  {
+    return law_number("Friction coefficient", "0.3",
+                      "Coulomb's mu; with a Static friction ratio its value at high slip speed. Units: none.",
+                      0, 10);
+  }
 } // namespace vibrocontact

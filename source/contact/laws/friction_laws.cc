@@ -3,6 +3,7 @@
 #include <vibrocontact/contact/laws/coulomb.h>
 #include <vibrocontact/contact/laws/falling_friction.h>
 #include <vibrocontact/contact/laws/friction_curve.h>
+#include <vibrocontact/contact/laws/friction_laws.h>
 
 namespace vibrocontact
 {
@@ -28,12 +29,5 @@ namespace vibrocontact
                                                          const std::vector<double> &numbers)
   {
     return find_friction_law(name).make(numbers);
-  }
-
-  LawParameter friction_coefficient()
-  {
-    return law_number("Friction coefficient", "0.3",
-                      "Coulomb's mu; with a Static friction ratio its value at high slip speed. Units: none.",
-                      0, 10);
   }
 } // namespace vibrocontact

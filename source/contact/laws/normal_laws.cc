@@ -2,6 +2,7 @@
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/contact/laws/exponential_penalty.h>
 #include <vibrocontact/contact/laws/linear_spring.h>
+#include <vibrocontact/contact/laws/normal_laws.h>
 #include <vibrocontact/contact/laws/signorini.h>
 #include <vibrocontact/contact/laws/spring_curve.h>
 

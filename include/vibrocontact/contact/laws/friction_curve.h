@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/contact/laws/friction_laws.h>
+#include <vibrocontact/contact/laws/friction_law.h>
 
 namespace vibrocontact
 {

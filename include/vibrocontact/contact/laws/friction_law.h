@@ -3,6 +3,7 @@
 #include <vibrocontact/contact/laws/law_parameter.h>
 
 #include <array>
+#include <functional>
 
 namespace vibrocontact
 {
@@ -50,4 +51,17 @@ namespace vibrocontact
 
   /// Projection of a trial force [N] onto the disc of the given radius [N] >= 0.
   DiscProjection project_on_disc(const Vector2 &trial, double radius);
+
+  /// One row of the table of friction laws.
+  struct FrictionLawEntry
+  {
+    /// in the parameter file, and a sentence
+    std::string name, help;
+    std::vector<LawParameter> parameters;
+    /// from the numbers of the parameters; @throws InputError
+    std::function<std::shared_ptr<const FrictionLaw>(const std::vector<double> &)> make;
+  };
+
+  /// Contact/Friction coefficient: the first number of laws that are scaled by it.
+  LawParameter friction_coefficient();
 } // namespace vibrocontact

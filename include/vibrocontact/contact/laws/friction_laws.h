@@ -2,20 +2,8 @@
 
 #include <vibrocontact/contact/laws/friction_law.h>
 
-#include <functional>
-
 namespace vibrocontact
 {
-  /// One row of the table of friction laws.
-  struct FrictionLawEntry
-  {
-    /// in the parameter file, and a sentence
-    std::string name, help;
-    std::vector<LawParameter> parameters;
-    /// from the numbers of the parameters; @throws InputError
-    std::function<std::shared_ptr<const FrictionLaw>(const std::vector<double> &)> make;
-  };
-
   /// All friction laws. Whoever adds one adds its file to this folder and its row to friction_laws.cc.
   const std::vector<FrictionLawEntry> &friction_laws();
 
@@ -26,7 +14,4 @@ namespace vibrocontact
   /// @throws InputError naming the known laws, or for numbers that make none
   std::shared_ptr<const FrictionLaw> create_friction_law(const std::string &name,
                                                          const std::vector<double> &numbers);
-
-  /// Contact/Friction coefficient: the first number of laws that are scaled by it.
-  LawParameter friction_coefficient();
 } // namespace vibrocontact

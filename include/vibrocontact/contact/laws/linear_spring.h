@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/contact/laws/normal_laws.h>
+#include <vibrocontact/contact/laws/normal_law.h>
 
 namespace vibrocontact
 {

@@ -2,6 +2,8 @@
 
 #include <vibrocontact/contact/laws/law_parameter.h>
 
+#include <functional>
+
 namespace vibrocontact
 {
   /// A contact law for the normal force N >= 0 (compression) and the gap g (open: > 0), written once as its graph:
@@ -89,5 +91,15 @@ namespace vibrocontact
     };
     /// f(d) and f'(d), continued to d < 0
     virtual Spring spring(double penetration) const = 0;
+  };
+
+  /// One row of the table of normal laws.
+  struct NormalLawEntry
+  {
+    /// in the parameter file, and a sentence
+    std::string name, help;
+    std::vector<LawParameter> parameters;
+    /// from the numbers of the parameters; @throws InputError
+    std::function<std::shared_ptr<const NormalLaw>(const std::vector<double> &)> make;
   };
 } // namespace vibrocontact

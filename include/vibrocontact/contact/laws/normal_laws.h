@@ -2,20 +2,8 @@
 
 #include <vibrocontact/contact/laws/normal_law.h>
 
-#include <functional>
-
 namespace vibrocontact
 {
-  /// One row of the table of normal laws.
-  struct NormalLawEntry
-  {
-    /// in the parameter file, and a sentence
-    std::string name, help;
-    std::vector<LawParameter> parameters;
-    /// from the numbers of the parameters; @throws InputError
-    std::function<std::shared_ptr<const NormalLaw>(const std::vector<double> &)> make;
-  };
-
   /// All normal laws. Whoever adds one adds its file to this folder and its row to normal_laws.cc.
   const std::vector<NormalLawEntry> &normal_laws();
 
