@@ -1,14 +1,5 @@
 #include <vibrocontact/output/answer_parts.h>
 #include <vibrocontact/output/answers.h>
-#include <vibrocontact/output/frequency_response_output.h>
-#include <vibrocontact/output/identification_output.h>
-#include <vibrocontact/output/modal_convolution_output.h>
-#include <vibrocontact/output/modal_output.h>
-#include <vibrocontact/output/periodic_output.h>
-#include <vibrocontact/output/response_output.h>
-#include <vibrocontact/output/rolling_output.h>
-#include <vibrocontact/output/stability_output.h>
-#include <vibrocontact/output/transient_output.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -19,48 +10,6 @@ namespace vibrocontact
   namespace
   {
     using Lines = std::vector<std::string>;
-
-    struct Kind
-    {
-      const char *key, *analysis;
-      Lines (*answer)(const nlohmann::ordered_json &);
-      /// where to look next
-      std::vector<std::string> files;
-    };
-
-    const std::vector<Kind> kinds = {
-        {"modes", "modes", modes_answer, {"modes_*.csv", "figures/mode_shapes_*.png"}},
-        {"frequency_response",
-         "frequency response",
-         frequency_response_answer,
-         {"frequency_response_*.csv", "figures/frequency_response*.png"}},
-        {"quasi_static_rolling",
-         "quasi-static rolling",
-         rolling_answer,
-         {"rolling.csv", "contact_patch_0.csv", "figures/contact_patch_0.png", "figures/creep_curves.png"}},
-        {"identification",
-         "identification",
-         identification_answer,
-         {"identification_poles_0.csv", "identification_fit_0.csv", "figures/identification.png"}},
-        {"periodic",
-         "periodic",
-         periodic_answer,
-         {"periodic_0.csv", "periodic_errors.csv", "figures/periodic_motion.png"}},
-        {"response", "response curve", response_answer, {"response.csv", "figures/response.png"}},
-        {"stability",
-         "stability",
-         stability_answer,
-         {"stability.csv", "stability_map.csv", "stability_sweep.csv", "figures/divergence_rates.png",
-          "figures/stability_map.png", "figures/unstable_shapes.png"}},
-        {"transient",
-         "transient",
-         transient_answer,
-         {"histories.h5", "mode_amplitudes.csv", "figures/transient_*.png", "figures/mode_growth.png",
-          "figures/spectrum_*.png", "*.wav"}},
-        {"modal_convolution",
-         "modal convolution",
-         modal_convolution_answer,
-         {"histories.h5", "impacts.csv", "third_octaves.csv", "figures/modal_convolution*.png"}}};
 
     /// Those there of a name with at most one *.
     Lines matching(const std::string &folder, const std::string &name)
@@ -96,10 +45,11 @@ namespace vibrocontact
     }
   } // namespace
 
-  std::vector<Answer> answers(const nlohmann::ordered_json &analyses, const std::string &folder)
+  std::vector<Answer> answers(const std::vector<AnswerKind> &kinds, const nlohmann::ordered_json &analyses,
+                              const std::string &folder)
   {
     std::vector<Answer> result;
-    for (const Kind &kind : kinds)
+    for (const AnswerKind &kind : kinds)
     {
       if (!analyses.contains(kind.key) || analyses[kind.key].empty())
         continue;

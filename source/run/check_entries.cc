@@ -1,8 +1,8 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/base/parameter_text.h>
+#include <vibrocontact/run/analyses.h>
 #include <vibrocontact/run/check_entries.h>
-#include <vibrocontact/run/entries_read.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -112,7 +112,7 @@ namespace vibrocontact
           {
             Parameters parameters;
             dealii::ParameterHandler prm;
-            parameters.scene = read_scene_lists(alone);
+            parameters.scene = read_scene_lists(alone, analysis_types());
             parameters.declare(prm);
             alone.parse(prm);
             readers.emplace_back(parameters);

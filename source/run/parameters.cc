@@ -558,11 +558,12 @@ namespace vibrocontact
     }
   }
 
-  void read_parameters(ParameterFile &file, dealii::ParameterHandler &prm, Parameters &parameters)
+  void read_parameters(ParameterFile &file, dealii::ParameterHandler &prm, Parameters &parameters,
+                       const std::vector<AnalysisType> &known_analyses)
   {
     try
     {
-      parameters.scene = read_scene_lists(file);
+      parameters.scene = read_scene_lists(file, known_analyses);
       parameters.declare(prm);
       for (const auto &[entry, alternative] :
            {std::make_pair("Rolling/Normal force", "Rolling/Hub displacement"),
@@ -614,7 +615,7 @@ namespace vibrocontact
     }
   } // namespace
 
-  std::string all_parameters()
+  std::string all_parameters(const std::vector<AnalysisType> &known_analyses)
   {
     ParameterFile file("", "set Title = Wheel on rail\n"
                            "set Bodies = wheel, rail\n"
@@ -625,7 +626,7 @@ namespace vibrocontact
                            "subsection Rolling\n set Hub displacement = 0.35e-3\nend\n");
     Parameters parameters;
     dealii::ParameterHandler prm;
-    read_parameters(file, prm, parameters);
+    read_parameters(file, prm, parameters, known_analyses);
     std::string text = "# Every parameter of vibrocontact " + version() + ", for a wheel on a rail.\n\n" +
                        print_parameters(declared_parameters(prm), ParameterStyle::documented);
     for (const BodyType &type : body_types())

@@ -1,6 +1,7 @@
 #include <vibrocontact/reduction/ring_poles.h>
 #include <vibrocontact/response/static_load.h>
 #include <vibrocontact/run/pole_body.h>
+#include <vibrocontact/run/run_identification.h>
 
 #include <algorithm>
 #include <cmath>

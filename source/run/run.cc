@@ -10,19 +10,13 @@
 #include <vibrocontact/output/answers.h>
 #include <vibrocontact/output/figures.h>
 #include <vibrocontact/output/run_record.h>
+#include <vibrocontact/run/analyses.h>
 #include <vibrocontact/run/check_before_run.h>
 #include <vibrocontact/run/check_entries.h>
 #include <vibrocontact/run/earlier_run.h>
 #include <vibrocontact/run/prepare_bodies.h>
 #include <vibrocontact/run/run.h>
-#include <vibrocontact/run/run_frequency_response.h>
 #include <vibrocontact/run/run_identification.h>
-#include <vibrocontact/run/run_modal_convolution.h>
-#include <vibrocontact/run/run_modes.h>
-#include <vibrocontact/run/run_periodic.h>
-#include <vibrocontact/run/run_rolling.h>
-#include <vibrocontact/run/run_stability.h>
-#include <vibrocontact/run/run_transient.h>
 #include <vibrocontact/run/unreduced_pair.h>
 
 #include <deal.II/base/mpi.h>
@@ -51,7 +45,7 @@ namespace vibrocontact
     {
       const std::string text = command_line.help      ? command_line_help()
                                : command_line.version ? "vibrocontact " + version() + " (" + commit() + ")\n"
-                                                      : all_parameters();
+                                                      : all_parameters(analysis_types());
       on_first_rank([&] { std::cout << text; });
     }
 
@@ -72,79 +66,41 @@ namespace vibrocontact
     }
 
     /// @param resume whether an earlier run in the folder is continued
-    void run_analyses(Parameters &parameters, const MeshedBodies &bodies,
+    void run_analyses(const Parameters &parameters, const MeshedBodies &bodies,
                       const std::optional<MeasuredData> &measured, const StabilityCases &sweep,
                       RunRecord &record, Results &results, const bool resume, const Clock &clock)
     {
-      const OutputParameters &output = parameters.output;
-      const auto due = [&](const std::string &analysis)
-      { return parameters.scene.runs(analysis) && results.finished.count(analysis) == 0; };
-      const auto save = [&](const std::string &finished = "")
+      const auto save = [&]
       {
-        if (!finished.empty())
-          results.finished.insert(finished);
         results.reductions = reductions_json(bodies);
         record.save(results, clock.seconds());
       };
-      if (due("modes"))
+      const AnalysisRun on{
+          parameters, bodies,        measured,
+          sweep,      record.folder, resume,
+          results,    save,          [&] { record.save_sometimes(results, clock.seconds()); }};
+      for (const Analysis &analysis : analyses())
       {
-        for (const auto &body : bodies)
-          if (body && parameters.modes[body->parameters.name].any())
-          {
-            run_modes(*body, output.fields, record.folder, results);
-            save();
-          }
-        save("modes");
-      }
-      if (due("frequency response"))
-      {
-        run_frequency_response(parameters, bodies, measured, record.folder, results);
-        save("frequency response");
-      }
-      if (due("quasi-static rolling"))
-      {
-        const RollingResult last = run_rolling(parameters, bodies, record.folder, results,
-                                               [&] { record.save_sometimes(results, clock.seconds()); });
-        if (output.fields && output.deformation != "never")
-          write_deformation(last, parameters, bodies, record.folder);
-        save("quasi-static rolling");
-      }
-      if (due("identification"))
-      {
-        run_identification(parameters, measured.value(), record.folder, results);
-        save("identification");
-      }
-      if (due("periodic"))
-      {
-        run_periodic(parameters, bodies, record.folder, results);
-        save("periodic");
-      }
-      if (due("stability"))
-      {
-        if (sweep.cases.empty())
-          run_stability(parameters, bodies, record.folder, results);
-        else
-          run_stability_sweep(sweep, bodies, record.folder, results,
-                              [&] { record.save_sometimes(results, clock.seconds()); });
-        save("stability");
-      }
-      // a resumed transient may have a later end, and one that did not converge goes on from its checkpoint
-      if (parameters.scene.runs("transient"))
-      {
-        results.finished.erase("transient");
+        const std::string &name = analysis.type.name;
+        if (analysis.continues)
+          results.finished.erase(name);
+        if (!parameters.scene.runs(name) || results.finished.count(name) > 0)
+          continue;
         const std::size_t n_failures = results.failures.size();
-        run_transient(parameters, bodies, record.folder, resume, results);
-        const bool at_the_end = results.stopped_by == 0 && results.failures.size() == n_failures;
-        save(at_the_end ? "transient" : "");
+        analysis.run(on);
+        // one that continues and did not converge or was stopped goes on from its checkpoint
+        if (!analysis.continues || (results.stopped_by == 0 && results.failures.size() == n_failures))
+          results.finished.insert(name);
+        save();
       }
-      if (parameters.scene.runs("modal convolution"))
-      {
-        results.finished.erase("modal convolution");
-        const std::size_t n_failures = results.failures.size();
-        run_modal_convolution(parameters, bodies, measured, record.folder, resume, results);
-        const bool at_the_end = results.stopped_by == 0 && results.failures.size() == n_failures;
-        save(at_the_end ? "modal convolution" : "");
-      }
+    }
+
+    std::vector<AnswerKind> kinds_of_answers()
+    {
+      std::vector<AnswerKind> kinds;
+      for (const Analysis &analysis : analyses())
+        kinds.insert(kinds.end(), analysis.answers.begin(), analysis.answers.end());
+      return kinds;
     }
 
     /// The end of the record: final results, then the figures, which read them, then the time with these and the
@@ -166,7 +122,7 @@ namespace vibrocontact
                                 : results.converged()   ? "converged"
                                                         : "not converged");
       run_log().value("wall time", time_text(clock.seconds()));
-      const std::vector<Answer> said = answers(results.analyses, record.folder);
+      const std::vector<Answer> said = answers(kinds_of_answers(), results.analyses, record.folder);
       for (const Answer &answer : said)
       {
         run_log().block("Answer of " + answer.analysis);
@@ -191,7 +147,7 @@ namespace vibrocontact
     ParameterFile file(command_line.file, read_file_on_all_ranks(command_line.file), command_line.overrides);
     Parameters parameters;
     dealii::ParameterHandler prm;
-    read_parameters(file, prm, parameters);
+    read_parameters(file, prm, parameters, analysis_types());
     const StabilityCases sweep = stability_cases(parameters, file, command_line.overrides);
     const std::vector<std::string> out_of_use =
         entries_out_of_use(file, command_line.overrides, parameters, declared_parameters(prm), sweep);

@@ -9,6 +9,7 @@
 #include <vibrocontact/fe/trace_assembly.h>
 #include <vibrocontact/output/frequency_response_output.h>
 #include <vibrocontact/reduction/reduction_cache.h>
+#include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/run_frequency_response.h>
 #include <vibrocontact/run/run_green_functions.h>
 
@@ -325,5 +326,70 @@ namespace vibrocontact
     for (const auto &body : bodies)
       if (body && (wanted.empty() || std::count(wanted.begin(), wanted.end(), body->parameters.name) > 0))
         response_rows(*body, parameters.frequency_response);
+  }
+
+  namespace
+  {
+    void frequency_response_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      const FrequencyResponseParameters &own = parameters.frequency_response;
+      const std::vector<std::string> wanted = split_list(own.bodies);
+      const std::string section = "Frequency response";
+      bool meshed = false, green = false, ring = false, rolls = false, tangential = false;
+      for (unsigned int k = 0; k < parameters.scene.bodies.size(); ++k)
+      {
+        const BodyParameters &body = parameters.scene.bodies[k];
+        if (!wanted.empty() && std::count(wanted.begin(), wanted.end(), body.name) == 0)
+          continue;
+        BodyUse use;
+        use.motion = use.loss = use.points = true;
+        if (body.is_meshed())
+          meshed = true;
+        else if (body.is_green())
+        {
+          green = true;
+          ring = ring || body.type == "ring";
+          rolls = rolls || (body.type == "ring" && body.ring.rolling);
+          // the points of a ring are those of its contact
+          use.contact = body.type == "ring";
+          use.tangential = tangential = own.tangential;
+        }
+        else
+          continue;
+        add_body(entries, parameters, k, use);
+      }
+      entries.add(section, "Bodies, Quantity, Method, Frequencies");
+      entries.add_if(own.list.empty(), section + "/Frequencies is empty", section,
+                     "First frequency, Last frequency, Number of frequencies, Spacing");
+      entries.add_if(
+          meshed, "a body has a mesh", section,
+          "Points, Load length, Load width, Check frequencies, Cut frequencies, Refined frequencies");
+      entries.add_if(green, "a body is given by its Green's functions", section, "Impulse response time");
+      entries.add_if(green && own.impulse_time > 0, section + "/Impulse response time is above 0", section,
+                     "Impulse response step");
+      entries.add_if(ring, "a body is an analytic ring", section, "Tangential, Truncated orders");
+      entries.add_if(rolls, "a ring is Rolling", "Road", "Speed");
+      add_lateral_position(entries, parameters);
+    }
+
+    void do_frequency_response(const AnalysisRun &on)
+    {
+      run_frequency_response(on.parameters, on.bodies, on.measured, on.folder, on.results);
+    }
+  } // namespace
+
+  Analysis frequency_response_analysis()
+  {
+    return {{"frequency response",
+             "point and transfer mobilities of meshed bodies, with hysteretic loss, and of bodies known by "
+             "their Green's functions",
+             1},
+            frequency_response_read,
+            do_frequency_response,
+            false,
+            {{"frequency_response",
+              "frequency response",
+              frequency_response_answer,
+              {"frequency_response_*.csv", "figures/frequency_response*.png"}}}};
   }
 } // namespace vibrocontact

@@ -7,6 +7,7 @@
 #include <vibrocontact/base/uff58.h>
 #include <vibrocontact/output/identification_output.h>
 #include <vibrocontact/reduction/band_limited.h>
+#include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/run_identification.h>
 #include <vibrocontact/run/verdict.h>
 
@@ -16,58 +17,11 @@ namespace vibrocontact
 {
   namespace
   {
-    PoleFile pole_file(const BodyParameters &body)
-    {
-      const std::string &file = body.identified.poles_file;
-      return read_poles(read_csv(file, read_file_on_all_ranks(file, "poles file")));
-    }
-
     bool goes_both_ways(const FrequencyData &names)
     {
       return names.entries.size() == names.labels.size() * names.labels.size() && names.labels.size() > 1;
     }
-
-    /// @param in_contact the points lie over a road
-    void check_positions(const BodyParameters &body, const bool in_contact, const unsigned int n_points,
-                         const std::string &file)
-    {
-      if (in_contact && body.identified.positions.empty() && n_points > 1)
-        throw InputError(body.name + "/Identified/Positions is not set, but the data \"" + file + "\" have " +
-                         std::to_string(n_points) + " points: say where each lies along the road.");
-      if (!body.identified.positions.empty() && body.identified.positions.size() != n_points)
-        throw InputError(body.name + "/Identified/Positions gives " +
-                         std::to_string(body.identified.positions.size()) + " places, but the data \"" +
-                         file + "\" have " + std::to_string(n_points) + " points; give one for each.");
-    }
-
-    /// @throws InputError for data that create energy, unless they are to be taken so
-    DataJudgement judge(const IdentificationParameters &own, const FrequencyData &data)
-    {
-      const DataJudgement judgement = judge_data(data, own.rolling, own.delay);
-      if (!judgement.complaint.empty() && own.passive_data)
-        throw InputError("The data \"" + data.file_name + "\" " + judgement.complaint + ".");
-      return judgement;
-    }
   } // namespace
-
-  std::optional<MeasuredData> measured_data(const Parameters &parameters)
-  {
-    const bool in_contact = parameters.scene.runs("modal convolution");
-    for (const BodyParameters &body : parameters.scene.bodies)
-      if (body.type == "identified" && !body.identified.poles_file.empty())
-        check_positions(body, in_contact, pole_file(body).names.labels.size(), body.identified.poles_file);
-    if (!parameters.has_identification())
-      return {};
-    const IdentificationParameters &own = parameters.identification;
-    MeasuredData measured;
-    measured.data = read_frequency_data(own.data_file, read_file_on_all_ranks(own.data_file, "data file"),
-                                        own.data_rules());
-    measured.judgement = judge(own, measured.data);
-    for (const BodyParameters &body : parameters.scene.bodies)
-      if (body.type == "identified" && body.identified.poles_file.empty())
-        check_positions(body, in_contact, measured.data.labels.size(), own.data_file);
-    return measured;
-  }
 
   namespace
   {
@@ -249,5 +203,37 @@ namespace vibrocontact
       model.residual(i, i) += tread;
     check_well_posedness(model, step, body.name);
     return model;
+  }
+
+  namespace
+  {
+    void identification_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      const std::string section = "Identification";
+      entries.add(section, "Data file, Rolling data, Lower frequency, Upper frequency, Delay, "
+                           "Passive data, Enforce passivity, Method, Target error, Direct term, "
+                           "Impose zero initial value, Contact time step, Residue tolerance, "
+                           "Stabilisation chart");
+      add_pole_numbers(entries, parameters.identification, true, "poles are fitted");
+      entries.add_if(parameters.identification.contact_step > 0, section + "/Contact time step is above 0",
+                     section, "Repair for contact");
+    }
+
+    void do_identification(const AnalysisRun &on)
+    {
+      run_identification(on.parameters, on.measured.value(), on.folder, on.results);
+    }
+  } // namespace
+
+  Analysis identification_analysis()
+  {
+    return {{"identification", "poles of a body known by measured or computed Green's functions", 1},
+            identification_read,
+            do_identification,
+            false,
+            {{"identification",
+              "identification",
+              identification_answer,
+              {"identification_poles_0.csv", "identification_fit_0.csv", "figures/identification.png"}}}};
   }
 } // namespace vibrocontact

@@ -5,6 +5,7 @@
 #include <vibrocontact/output/modal_convolution_output.h>
 #include <vibrocontact/run/checkpoint.h>
 #include <vibrocontact/run/checkpoint_schedule.h>
+#include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/judge_road_march.h>
 #include <vibrocontact/run/pole_body.h>
 #include <vibrocontact/run/run_method_comparison.h>
@@ -246,5 +247,100 @@ namespace vibrocontact
       run_log().warning("Interrupted; a checkpoint is written, --resume continues.");
     else if (parameters.comparison.any() && message.empty())
       json["method_comparison"] = run_method_comparison(parameters, bodies, measured, folder);
+  }
+
+  namespace
+  {
+    /// @param section Road of body 1 or of a further one
+    void add_road(EntriesRead &entries, const std::string &section, const RoadParameters &road,
+                  const bool rolls, const bool friction, const bool by_force = false)
+    {
+      const bool flat = road.profile == "flat", waves = road.profile == "ISO 8608";
+      entries.add(section, "Profile, Expression, Table, Indentation");
+      entries.add_if(road.profile == "table", section + "/Profile is table", section, "Table interpolation");
+      entries.add_if(waves, section + "/Profile is ISO 8608", section,
+                     "Class, First wavenumber, Last wavenumber, Wavenumber step, Seed");
+      entries.add_if(!flat || rolls, section + "/Profile is not flat", section, "Speed");
+      entries.add_if(!flat, section + "/Profile is not flat", section, "Speed expression, Speed table");
+      entries.add_if(!flat || road.indentation != 0 || by_force,
+                     "there is a profile, an Indentation or a Rolling/Normal force", section, "Loading time");
+      entries.add_if(friction, "Modal convolution/Friction is true", section, "Sliding speed");
+    }
+
+    bool is_rolling_ring(const BodyParameters &body)
+    {
+      return body.type == "ring" && body.ring.rolling;
+    }
+
+    /// Whether its contact points may have a tread or residual flexibility.
+    bool gives_way(const BodyParameters &body)
+    {
+      return body.type == "ring" ? body.ring.tread_stiffness > 0 || body.ring.residual
+                                 : body.type != "oscillator";
+    }
+
+    void modal_convolution_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      const ModalConvolutionParameters &own = parameters.modal_convolution;
+      const std::string section = "Modal convolution";
+      const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
+      BodyUse use = moving_in_contact();
+      use.tangential = own.friction;
+      add_body(entries, parameters, 0, use);
+      if (bodies[0].is_meshed() && bodies[0].type != "ring")
+        add_contact_grid(entries, parameters);
+      entries.add("Rolling", "Normal force");
+      add_road(entries, "Road", parameters.road, is_rolling_ring(bodies[0]), own.friction,
+               !parameters.rolling.normal_force.empty());
+
+      const bool steps = !own.is_event_located(), convolution = steps && own.method != "modal recursion";
+      entries.add(
+          section,
+          "Method, Time step, End time, Friction, History interval, Checkpoint interval, Error estimate");
+      entries.add_if(steps, section + "/Method is no event located", section, "Force shape");
+      entries.add_if(steps && !own.friction, section + "/Method is no event located and Friction is false",
+                     section, "Contact solver");
+      entries.add_if(convolution, section + "/Method is a convolution", section, "Memory");
+      entries.add_if(stands_under_loads(bodies[0]), "body 1 stands under a load", section, "Initial state");
+      entries.add_if(own.friction, section + "/Friction is true", "Contact", "Friction coefficient");
+      add_contact_solver(entries, parameters, own.friction || own.contact_solver == "common",
+                         section + "/Contact solver is common");
+
+      const std::string comparison = section + "/Comparison";
+      entries.add(comparison, "Rows");
+      entries.add_if(parameters.comparison.any(), "there are rows of a comparison", comparison,
+                     "Repetitions");
+      for (unsigned int k = 1; k < bodies.size(); ++k)
+      {
+        const auto further = parameters.comparison.further_bodies.find(bodies[k].name);
+        if (further == parameters.comparison.further_bodies.end())
+          continue;
+        const std::string of_body = comparison + "/" + bodies[k].name;
+        entries.add(of_body, "Rows");
+        if (further->second.rows.empty())
+          continue;
+        entries.add_if(gives_way(bodies[k]), "its points are not rigid", of_body, "Force shape");
+        add_body(entries, parameters, k, use);
+        add_road(entries, of_body + "/Road", further->second.road, is_rolling_ring(bodies[k]), own.friction);
+      }
+    }
+
+    void do_modal_convolution(const AnalysisRun &on)
+    {
+      run_modal_convolution(on.parameters, on.bodies, on.measured, on.folder, on.resume, on.results);
+    }
+  } // namespace
+
+  Analysis modal_convolution_analysis()
+  {
+    return {{"modal convolution",
+             "a body known by its Green's functions rolls over a road in unilateral contact", 1},
+            modal_convolution_read,
+            do_modal_convolution,
+            true,
+            {{"modal_convolution",
+              "modal convolution",
+              modal_convolution_answer,
+              {"histories.h5", "impacts.csv", "third_octaves.csv", "figures/modal_convolution*.png"}}}};
   }
 } // namespace vibrocontact

@@ -4,6 +4,7 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/output/field_writer.h>
 #include <vibrocontact/output/modal_output.h>
+#include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/run_modes.h>
 
 #include <filesystem>
@@ -75,5 +76,37 @@ namespace vibrocontact
     on_first_rank([&] { modal_table(modes).write(folder + "/modes_" + name + ".csv"); });
     if (fields && body.parameters.is_solid())
       write_shapes(body, modes, folder);
+  }
+
+  namespace
+  {
+    void modes_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      BodyUse use;
+      use.motion = use.loss = use.scaled_damping = true;
+      for (unsigned int k = 0; k < parameters.scene.bodies.size(); ++k)
+        if (parameters.scene.bodies[k].is_meshed())
+          add_body(entries, parameters, k, use);
+      add_lateral_position(entries, parameters);
+    }
+
+    void run_all_modes(const AnalysisRun &on)
+    {
+      for (const auto &body : on.bodies)
+        if (body && on.parameters.modes.at(body->parameters.name).any())
+        {
+          run_modes(*body, on.parameters.output.fields, on.folder, on.results);
+          on.save();
+        }
+    }
+  } // namespace
+
+  Analysis modes_analysis()
+  {
+    return {{"modes", "natural frequencies, shapes and damping of every meshed body", 1},
+            modes_read,
+            run_all_modes,
+            false,
+            {{"modes", "modes", modes_answer, {"modes_*.csv", "figures/mode_shapes_*.png"}}}};
   }
 } // namespace vibrocontact

@@ -2,6 +2,8 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/output/periodic_output.h>
+#include <vibrocontact/output/response_output.h>
+#include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/periodic_body.h>
 #include <vibrocontact/run/run_periodic.h>
 #include <vibrocontact/run/run_response.h>
@@ -163,5 +165,71 @@ namespace vibrocontact
       on_first_rank([&] { table.write(folder + "/periodic_errors.csv"); });
     if (periodic.continuation.is_wanted())
       run_response(periodic, body, law, law_name, parameters.contact.friction, folder, results);
+  }
+
+  namespace
+  {
+    void periodic_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      const PeriodicParameters &own = parameters.periodic;
+      const std::string section = "Periodic";
+      const bool on_grid = own.contact_points.empty();
+      BodyUse use = moving_in_contact();
+      use.contact = on_grid;
+      use.tangential = parameters.contact.friction > 0;
+      if (parameters.scene.bodies[0].is_meshed())
+        add_body(entries, parameters, 0, use);
+      if (on_grid)
+        add_contact_grid(entries, parameters);
+      entries.add("Contact", "Friction coefficient");
+      entries.add_if(own.law.empty(), "Periodic/Law is empty", "Contact", "Normal law");
+      add_normal_law(entries, own.law.empty() ? parameters.contact.normal_law : own.own_law(),
+                     "the normal law of Periodic or Contact");
+      entries.add(section, "Trial basis, Weighting basis, Number of functions, Form, Law, Frequency, Force, "
+                           "Force point, Contact points, Gap, Model, Samples, "
+                           "Quadrature points, Reference, Output samples");
+      entries.add_if(!on_grid || own.stop_axis().first != 2 || !own.force_point.empty() ||
+                         stands_under_loads(parameters.scene.bodies[0]),
+                     "there are Contact points, a Force point or a load, which tell one side from the other",
+                     section, "Stop direction");
+      entries.add(section + "/Comparison", "Numbers");
+      entries.add_if(!own.numbers.empty(), "there are Periodic/Comparison/Numbers", section + "/Comparison",
+                     "Pairs");
+      entries.add_if(own.reference && !own.numbers.empty(),
+                     "Periodic/Reference is true and there are Periodic/Comparison/Numbers",
+                     section + "/Comparison", "Force phases");
+
+      const BranchParameters &branch = own.continuation;
+      const std::string continuation = section + "/Continuation",
+                        followed = "Periodic/Continuation/Parameter is not none";
+      const bool wanted = branch.is_wanted(), tells = wanted && branch.stability != "none";
+      entries.add(continuation, "Parameter");
+      entries.add_if(wanted, followed, continuation,
+                     "First value, Last value, Start value, Scale, Largest step, Smallest step, Most points, "
+                     "Location tolerance, Stability, Pairs");
+      entries.add_if(wanted && !branch.parsed_pairs().empty(), "there are Periodic/Continuation/Pairs",
+                     continuation, "Numbers");
+      entries.add_if(tells, "Periodic/Continuation/Stability is not none", continuation, "Mode limit");
+      entries.add_if(tells && branch.stability == "hill", "Periodic/Continuation/Stability is hill",
+                     continuation, "Hill harmonics");
+    }
+
+    void do_periodic(const AnalysisRun &on)
+    {
+      run_periodic(on.parameters, on.bodies, on.folder, on.results);
+    }
+  } // namespace
+
+  Analysis periodic_analysis()
+  {
+    return {{"periodic", "periodic motions of body 1 against a stop, by weighted residuals in time", 1},
+            periodic_read,
+            do_periodic,
+            false,
+            {{"periodic",
+              "periodic",
+              periodic_answer,
+              {"periodic_0.csv", "periodic_errors.csv", "figures/periodic_motion.png"}},
+             {"response", "response curve", response_answer, {"response.csv", "figures/response.png"}}}};
   }
 } // namespace vibrocontact

@@ -5,6 +5,7 @@
 #include <vibrocontact/output/contact_patch.h>
 #include <vibrocontact/output/field_writer.h>
 #include <vibrocontact/output/rolling_output.h>
+#include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/run_rolling.h>
 
 #include <filesystem>
@@ -182,5 +183,46 @@ namespace vibrocontact
                      {{&displacement, 0., follows_hub ? -result.solution.approach : 0.}}, folder,
                      "deformation_" + name);
       }
+  }
+
+  namespace
+  {
+    void rolling_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      BodyUse use;
+      use.contact = use.loads = true;
+      use.motion = parameters.contact.replaces_flexibility();
+      add_partners(entries, parameters, use);
+      add_contact(entries, parameters, largest_friction(parameters));
+      add_rolling_cases(entries, parameters.rolling, parameters.contact);
+      entries.add("Output", "Contact problems, Contact patches");
+      entries.add_if(parameters.output.fields &&
+                         std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
+                                     [](const BodyParameters &body) { return body.is_solid(); }),
+                     "Output/Fields is true and a body is a solid of finite elements", "Output",
+                     "Deformation");
+    }
+
+    void do_rolling(const AnalysisRun &on)
+    {
+      const OutputParameters &output = on.parameters.output;
+      const RollingResult last =
+          run_rolling(on.parameters, on.bodies, on.folder, on.results, on.save_sometimes);
+      if (output.fields && output.deformation != "never")
+        write_deformation(last, on.parameters, on.bodies, on.folder);
+    }
+  } // namespace
+
+  Analysis rolling_analysis()
+  {
+    return {{"quasi-static rolling", "steady rolling contact of body 1 on body 2 with friction", 2},
+            rolling_read,
+            do_rolling,
+            false,
+            {{"quasi_static_rolling",
+              "quasi-static rolling",
+              rolling_answer,
+              {"rolling.csv", "contact_patch_0.csv", "figures/contact_patch_0.png",
+               "figures/creep_curves.png"}}}};
   }
 } // namespace vibrocontact

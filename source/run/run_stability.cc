@@ -4,6 +4,7 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/output/stability_output.h>
 #include <vibrocontact/reduction/attachment_inertia.h>
+#include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/run_stability.h>
 #include <vibrocontact/run/say_residual_damping.h>
 #include <vibrocontact/run/unstable_shapes.h>
@@ -118,5 +119,55 @@ namespace vibrocontact
                            results);
     if (parameters.output.fields)
       write_unstable_shapes(all.front(), pair, bodies, folder);
+  }
+
+  namespace
+  {
+    void stability_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      add_partners(entries, parameters, moving_in_contact());
+      add_contact(entries, parameters, largest_friction(parameters));
+      add_rolling_cases(entries, parameters.rolling, parameters.contact);
+      add_hub(entries, parameters);
+      const std::string section = "Stability";
+      const bool paper = parameters.stability.linearisation == "paper",
+                 rolls = parameters.rolling.creepage.speed > 0,
+                 plane = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
+                                     [](const BodyParameters &body)
+                                     { return body.type == "layer" && body.layer.plane_strain(); });
+      const std::string by_paper = "Stability/Linearisation is paper", rolling = "Rolling/Speed is above 0",
+                        across = "the bodies move across the slip";
+      entries.add(section, "Model, Second count");
+      entries.add_if(rolls || !plane, rolling + " or " + across, section, "Linearisation");
+      entries.add_if(paper && !plane, by_paper + " and " + across, section, "Lateral damping");
+      entries.add_if(paper && rolls, by_paper + " and " + rolling, section, "Convective slip");
+      // without rolling all points slide
+      entries.add_if(!paper && rolls, "Stability/Linearisation is consistent and " + rolling, section,
+                     "Linearise sticking points");
+      entries.add_if(parameters.stability.model == "finite elements", "Stability/Model is finite elements",
+                     section, "Number of roots");
+      entries.add(section + "/Sweep", "Entry, Values, Range, Second entry, Second values, Second range");
+    }
+
+    void do_stability(const AnalysisRun &on)
+    {
+      if (on.sweep.cases.empty())
+        run_stability(on.parameters, on.bodies, on.folder, on.results);
+      else
+        run_stability_sweep(on.sweep, on.bodies, on.folder, on.results, on.save_sometimes);
+    }
+  } // namespace
+
+  Analysis stability_analysis()
+  {
+    return {{"stability", "complex eigenvalues about the rolling equilibrium: which modes squeal", 2},
+            stability_read,
+            do_stability,
+            false,
+            {{"stability",
+              "stability",
+              stability_answer,
+              {"stability.csv", "stability_map.csv", "stability_sweep.csv", "figures/divergence_rates.png",
+               "figures/stability_map.png", "figures/unstable_shapes.png"}}}};
   }
 } // namespace vibrocontact

@@ -1,14 +1,17 @@
 #include <vibrocontact/analyses/contact_pair.h>
+#include <vibrocontact/analyses/drive.h>
 #include <vibrocontact/analyses/transient.h>
 #include <vibrocontact/analyses/transient_hub.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/output/patch_recorder.h>
 #include <vibrocontact/output/signal_recorder.h>
 #include <vibrocontact/output/transient_output.h>
 #include <vibrocontact/run/check_transient.h>
 #include <vibrocontact/run/checkpoint.h>
 #include <vibrocontact/run/checkpoint_schedule.h>
+#include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/judge_transient.h>
 #include <vibrocontact/run/make_mode_recorder.h>
 #include <vibrocontact/run/run_transient.h>
@@ -314,5 +317,85 @@ namespace vibrocontact
     say_residual_damping(parameters, *prepared, pair, dominant_frequencies(results.analyses["transient"]),
                          "transient", results);
     judge_transient(result, coarse, results.stopped_by != 0, results);
+  }
+
+  namespace
+  {
+    void transient_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      add_partners(entries, parameters, moving_in_contact());
+      add_contact(entries, parameters, parameters.contact.friction);
+      entries.add("Contact", "Friction coefficient");
+      add_hub(entries, parameters);
+
+      const TransientParameters &own = parameters.transient;
+      const std::vector<std::string> driven = driven_entries(own);
+      const bool rolls = parameters.rolling.creepage.speed > 0;
+      const auto is_driven = [&](const std::string &name)
+      { return std::count(driven.begin(), driven.end(), name) > 0; };
+      for (const std::string name : {"Longitudinal creepage", "Lateral creepage", "Spin"})
+      {
+        entries.add_if(rolls && !is_driven(name),
+                       "Rolling/Speed is above 0 and section Transient drives no " + name, "Rolling", name);
+        entries.add_if(rolls, "Rolling/Speed is above 0", "Transient", name);
+      }
+      const bool loaded = is_driven("Normal force") || is_driven("Hub displacement");
+      entries.add_if(!loaded, "section Transient drives no load", "Rolling",
+                     "Normal force, Hub displacement");
+      const bool rubs = largest_friction(parameters) > 0;
+      entries.add("Rolling", "Speed");
+      entries.add_if(rubs, "there is friction", "Rolling", "Sliding velocity x, Sliding velocity y");
+
+      const std::string section = "Transient";
+      entries.add(section,
+                  "Model, Time step, Error tolerance, End time, Integrator, Reaction, Initial state, "
+                  "Perturbed mode, Normal force, Hub displacement, Exciting force, Drive table, "
+                  "Error estimate, "
+                  "History interval, Checkpoint interval");
+      entries.add_if(own.error_tolerance > 0, "Transient/Error tolerance is above 0", section,
+                     "Shortest time step");
+      entries.add_if(own.integrator == "theta method", "Transient/Integrator is theta method", section,
+                     "Theta");
+      entries.add_if(own.initial_state == "undeformed", "Transient/Initial state is undeformed", section,
+                     "Initial gap, Initial velocity");
+      entries.add_if(!own.perturbed_mode.empty(), "there is a Transient/Perturbed mode", section,
+                     "Perturbation, Perturbation velocity");
+      entries.add(section + "/Roughness", "Expression, Table, Spectrum");
+      entries.add_if(!own.roughness.spectrum.empty(), "there is a Transient/Roughness/Spectrum",
+                     section + "/Roughness", "Seed");
+      const SignalParameters &signals = parameters.signals;
+      entries.add(section + "/Signals", "Probes, Table, Spectrum duration, Growth begin, Growth end");
+      entries.add_if(parameters.output.fields, "Output/Fields is true", section + "/Signals",
+                     "Patch interval");
+      entries.add_if(parameters.output.fields && signals.patch_interval > 0,
+                     "there is a Transient/Signals/Patch interval", section + "/Signals", "Patch begin");
+      entries.add_if(own.initial_state == "quasi-static" && !contact_points_have_mass(own, parameters.scene),
+                     "the run starts from an equilibrium, with contact points without mass",
+                     section + "/Signals", "Mode amplitudes");
+      const bool has_wheel = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
+                                         [](const BodyParameters &body) { return body.is_wheel(); });
+      entries.add_if(!signals.probes.empty() && (trimmed(signals.probes) != "rim" || has_wheel) &&
+                         own.end_time > least_sound,
+                     "there are Transient/Signals/Probes (a rim is that of a wheel) for more than 5 ms",
+                     section + "/Signals", "Sound");
+    }
+
+    void do_transient(const AnalysisRun &on)
+    {
+      run_transient(on.parameters, on.bodies, on.folder, on.resume, on.results);
+    }
+  } // namespace
+
+  Analysis transient_analysis()
+  {
+    return {{"transient", "motion in time of body 1 on body 2", 2},
+            transient_read,
+            do_transient,
+            true,
+            {{"transient",
+              "transient",
+              transient_answer,
+              {"histories.h5", "mode_amplitudes.csv", "figures/transient_*.png", "figures/mode_growth.png",
+               "figures/spectrum_*.png", "*.wav"}}}};
   }
 } // namespace vibrocontact

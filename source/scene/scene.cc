@@ -84,32 +84,15 @@ namespace vibrocontact
     }
   } // namespace
 
-  const std::vector<AnalysisType> &analysis_types()
-  {
-    static const std::vector<AnalysisType> types = {
-        {"modes", "natural frequencies, shapes and damping of every meshed body", 1},
-        {"frequency response",
-         "point and transfer mobilities of meshed bodies, with hysteretic loss, and of "
-         "bodies known by their Green's functions",
-         1},
-        {"identification", "poles of a body known by measured or computed Green's functions", 1},
-        {"quasi-static rolling", "steady rolling contact of body 1 on body 2 with friction", 2},
-        {"modal convolution", "a body known by its Green's functions rolls over a road in unilateral contact",
-         1},
-        {"periodic", "periodic motions of body 1 against a stop, by weighted residuals in time", 1},
-        {"stability", "complex eigenvalues about the rolling equilibrium: which modes squeal", 2},
-        {"transient", "motion in time of body 1 on body 2", 2}};
-    return types;
-  }
-
   bool Scene::runs(const std::string &analysis) const
   {
     return contains(analyses, analysis);
   }
 
-  Scene read_scene_lists(const ParameterFile &file)
+  Scene read_scene_lists(const ParameterFile &file, const std::vector<AnalysisType> &known_analyses)
   {
     Scene scene;
+    scene.known_analyses = known_analyses;
     const std::vector<std::string> names = file.list("Bodies");
     if (names.empty())
       throw InputError(file.where("", "Bodies") +
@@ -137,7 +120,7 @@ namespace vibrocontact
     }
 
     scene.analyses = file.list("Analyses");
-    const std::vector<std::string> known = names_of(analysis_types());
+    const std::vector<std::string> known = names_of(known_analyses);
     if (scene.analyses.empty())
       throw InputError(file.where("", "Analyses") +
                        ": no analysis is listed; write \"set Analyses = ...\" with one or more of " +
@@ -162,7 +145,7 @@ namespace vibrocontact
     for (const auto &analysis : analyses)
       analyses_entry += (analyses_entry.empty() ? "" : ", ") + analysis;
     std::string help;
-    for (const auto &type : analysis_types())
+    for (const auto &type : known_analyses)
       help += (help.empty() ? "" : "; ") + type.name + ": " + type.help;
 
     using dealii::Patterns::Anything;
@@ -187,7 +170,7 @@ namespace vibrocontact
   {
     for (const auto &body : bodies)
       body.check(body.name);
-    for (const auto &type : analysis_types())
+    for (const auto &type : known_analyses)
       if (runs(type.name) && type.n_bodies == 2 && bodies.size() != 2)
         throw InputError("Bodies lists " + std::to_string(bodies.size()) + " (" + bodies_entry +
                          "), but the analysis \"" + type.name +

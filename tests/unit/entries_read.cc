@@ -1,8 +1,8 @@
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/parameter_text.h>
+#include <vibrocontact/run/analyses.h>
 #include <vibrocontact/run/check_entries.h>
-#include <vibrocontact/run/entries_read.h>
 #include <vibrocontact/run/run.h>
 
 #include <gtest/gtest.h>
@@ -281,7 +281,7 @@ TEST_P(EntriesRead_, ChangeTheResultOrAreRefused)
   ParameterFile parameter_file(file, file_content(file), {});
   Parameters parameters;
   dealii::ParameterHandler prm;
-  read_parameters(parameter_file, prm, parameters);
+  read_parameters(parameter_file, prm, parameters, analysis_types());
   const EntryOutcome base = entry_outcome(file, folder, {});
   ASSERT_EQ(base.refused, "");
   ASSERT_TRUE(base.print == entry_outcome(file, folder, {}).print) << "two runs differ";

@@ -10,16 +10,16 @@
 
 namespace vibrocontact
 {
-  /// How a contact force is interpolated within a step of length h (entry Force shape); one unknown q per row and step (doc/theory.md,
-  /// corrections to the tyre paper, says which one suits which contact).
+  /// How a contact force is interpolated within a step of length h (entry Force shape); one unknown q per row and
+  /// step (doc/theory.md, corrections to the tyre paper, says which one suits which contact).
   enum class ForceInterpolation : unsigned char
   {
     /// an impulse h q at the beginning of the step: rigid contact
     impulse,
     /// q all over the step, a zero-order hold: contact with a compliance, first order, stable for any step
     constant,
-    /// linear from the q of the step before, q at the end, a first-order hold: contact with a compliance, second order, stable for
-    /// h < 2.7 sqrt(S / g'(0))
+    /// linear from the q of the step before, q at the end, a first-order hold: contact with a compliance, second
+    /// order, stable for h < 2.7 sqrt(S / g'(0))
     linear
   };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/run/run_identification.h>
+#include <vibrocontact/run/measured_data.h>
 #include <vibrocontact/run/stability_cases.h>
 
 namespace vibrocontact

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <vibrocontact/reduction/pole_model.h>
+#include <vibrocontact/run/measured_data.h>
 #include <vibrocontact/run/prepare_bodies.h>
-#include <vibrocontact/run/run_identification.h>
 
 #include <vector>
 

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <vibrocontact/output/results.h>
+#include <vibrocontact/run/analysis.h>
+#include <vibrocontact/run/measured_data.h>
 #include <vibrocontact/run/prepare_bodies.h>
-#include <vibrocontact/run/run_identification.h>
 
 #include <string>
 
@@ -18,4 +19,7 @@ namespace vibrocontact
 
   /// Whether the points lie on the bodies asked for, whose matrices are made for it. Collective. @throws InputError
   void check_response_points(const Parameters &parameters, const MeshedBodies &bodies);
+
+  /// Its row of the table of analyses.
+  Analysis frequency_response_analysis();
 } // namespace vibrocontact

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <vibrocontact/output/results.h>
+#include <vibrocontact/run/measured_data.h>
 #include <vibrocontact/run/parameters.h>
-#include <vibrocontact/run/run_identification.h>
 
 #include <string>
 

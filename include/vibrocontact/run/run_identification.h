@@ -1,8 +1,6 @@
 #pragma once
 
-#include <vibrocontact/analyses/data_passivity.h>
-#include <vibrocontact/output/results.h>
-#include <vibrocontact/run/parameters.h>
+#include <vibrocontact/run/analysis.h>
 
 #include <optional>
 #include <string>
@@ -10,18 +8,6 @@
 
 namespace vibrocontact
 {
-  /// The data of section Identification.
-  struct MeasuredData
-  {
-    FrequencyData data;
-    DataJudgement judgement;
-  };
-
-  /// Reads and checks the data on all ranks if the analysis or a body needs them (Parameters::has_identification()),
-  /// before anything is written.
-  /// @throws InputError with file and line, also if a body gives another number of positions than the data have points
-  std::optional<MeasuredData> measured_data(const Parameters &parameters);
-
   /// The analysis `identification` with its output: results and identification_data.csv, per fit
   /// identification_poles_<k>.csv, identification_fit_<k>.csv and .uff, identification_chart.csv. Every rank computes the
   /// same, rank 0 writes. Collective.
@@ -48,4 +34,7 @@ namespace vibrocontact
   /// @throws InputError
   PoleModel identified_body(const Parameters &parameters, const std::optional<MeasuredData> &measured,
                             const BodyParameters &body);
+
+  /// Its row of the table of analyses.
+  Analysis identification_analysis();
 } // namespace vibrocontact

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <vibrocontact/run/measured_data.h>
 #include <vibrocontact/run/prepare_bodies.h>
-#include <vibrocontact/run/run_identification.h>
 
 #include <nlohmann/json.hpp>
 

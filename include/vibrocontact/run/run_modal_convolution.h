@@ -1,8 +1,9 @@
 #pragma once
 
 #include <vibrocontact/output/results.h>
+#include <vibrocontact/run/analysis.h>
+#include <vibrocontact/run/measured_data.h>
 #include <vibrocontact/run/prepare_bodies.h>
-#include <vibrocontact/run/run_identification.h>
 
 #include <string>
 
@@ -15,4 +16,7 @@ namespace vibrocontact
   void run_modal_convolution(const Parameters &parameters, const MeshedBodies &bodies,
                              const std::optional<MeasuredData> &measured, const std::string &folder,
                              bool resume, Results &results);
+
+  /// Its row of the table of analyses.
+  Analysis modal_convolution_analysis();
 } // namespace vibrocontact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/output/results.h>
+#include <vibrocontact/run/analysis.h>
 #include <vibrocontact/run/prepare_bodies.h>
 
 #include <string>
@@ -11,4 +12,7 @@ namespace vibrocontact
   /// solution; what did not converge is kept and marked. Every rank computes, rank 0 writes. Collective.
   void run_periodic(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
                     Results &results);
+
+  /// Its row of the table of analyses.
+  Analysis periodic_analysis();
 } // namespace vibrocontact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/output/results.h>
+#include <vibrocontact/run/analysis.h>
 #include <vibrocontact/run/prepare_bodies.h>
 
 #include <functional>
@@ -23,4 +24,7 @@ namespace vibrocontact
   /// reduction came from the cache only with Output/Deformation = always, since they have to be factorised for it. Collective.
   void write_deformation(const RollingResult &result, const Parameters &parameters,
                          const MeshedBodies &bodies, const std::string &folder);
+
+  /// Its row of the table of analyses.
+  Analysis rolling_analysis();
 } // namespace vibrocontact

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/analyses/stability.h>
 #include <vibrocontact/output/results.h>
+#include <vibrocontact/run/analysis.h>
 #include <vibrocontact/run/prepare_bodies.h>
 #include <vibrocontact/run/stability_cases.h>
 
@@ -27,4 +28,7 @@ namespace vibrocontact
   /// @throws InputError if no case is left
   void run_stability_sweep(const StabilityCases &sweep, const MeshedBodies &bodies, const std::string &folder,
                            Results &results, const std::function<void()> &save);
+
+  /// Its row of the table of analyses.
+  Analysis stability_analysis();
 } // namespace vibrocontact

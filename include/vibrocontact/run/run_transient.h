@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/output/results.h>
+#include <vibrocontact/run/analysis.h>
 #include <vibrocontact/run/prepare_bodies.h>
 
 #include <string>
@@ -17,4 +18,7 @@ namespace vibrocontact
   /// @param resume continue from the checkpoint in the folder; from the beginning if there is none
   void run_transient(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
                      bool resume, Results &results);
+
+  /// Its row of the table of analyses.
+  Analysis transient_analysis();
 } // namespace vibrocontact

@@ -16,8 +16,6 @@ namespace vibrocontact
     unsigned int n_bodies;
   };
 
-  const std::vector<AnalysisType> &analysis_types();
-
   /// What a parameter file describes, before any mesh is made: bodies in the order of the entry Bodies, the
   /// first being body 1 (above), the second body 2 (below), and what to compute.
   struct Scene
@@ -25,6 +23,8 @@ namespace vibrocontact
     std::string title;
     std::vector<BodyParameters> bodies;
     std::vector<std::string> analyses;
+    /// that the program has
+    std::vector<AnalysisType> known_analyses;
 
     bool runs(const std::string &analysis) const;
 
@@ -40,5 +40,5 @@ namespace vibrocontact
   /// First pass over a file: only the lists of bodies and analyses and the bodies' types, which decide what
   /// sections there are. @throws InputError if a list is empty, names something unknown or a section is
   /// missing
-  Scene read_scene_lists(const ParameterFile &file);
+  Scene read_scene_lists(const ParameterFile &file, const std::vector<AnalysisType> &known_analyses);
 } // namespace vibrocontact

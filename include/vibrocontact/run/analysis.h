@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vibrocontact/output/answers.h>
+#include <vibrocontact/output/results.h>
+#include <vibrocontact/run/entry_list.h>
+#include <vibrocontact/run/measured_data.h>
+#include <vibrocontact/run/prepare_bodies.h>
+#include <vibrocontact/run/stability_cases.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// What an analysis runs on.
+  struct AnalysisRun
+  {
+    const Parameters &parameters;
+    const MeshedBodies &bodies;
+    /// of section Identification, if something needs them
+    const std::optional<MeasuredData> &measured;
+    const StabilityCases &sweep;
+    /// of the results
+    const std::string &folder;
+    /// whether an earlier run in the folder is continued
+    bool resume;
+    Results &results;
+    /// write what there is, at once or if the last time is a while ago
+    std::function<void()> save, save_sometimes;
+  };
+
+  /// One row of the table of analyses (run/analyses.h).
+  struct Analysis
+  {
+    /// name, help and number of bodies, as the entry Analyses knows it
+    AnalysisType type;
+    /// Adds the entries that it reads: those whose value can change what it computes, given the others.
+    void (*reads)(EntriesRead &, const Parameters &);
+    /// Computes and writes; failures stand in the results. Collective.
+    void (*run)(const AnalysisRun &);
+    /// A resumed run goes on from its checkpoint, also if it had come to its end: that may be later now.
+    bool continues;
+    /// what its objects in results.json answer
+    std::vector<AnswerKind> answers;
+  };
+} // namespace vibrocontact

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vibrocontact/run/entries_of_bodies.h>
+
+#include <string>
+
+namespace vibrocontact
+{
+  // What several analyses read of bodies in contact.
+
+  /// A body in contact that moves in its modes.
+  BodyUse moving_in_contact();
+  /// Two bodies in contact; none of them is known by its Green's functions.
+  void add_partners(EntriesRead &entries, const Parameters &parameters, const BodyUse &use);
+  /// Whether a force stands on it: gravity or a traction.
+  bool stands_under_loads(const BodyParameters &body);
+
+  void add_lateral_position(EntriesRead &entries, const Parameters &parameters);
+  /// Section Contact: places of the points.
+  void add_contact_grid(EntriesRead &entries, const Parameters &parameters);
+  /// Section Contact/Solver. @param condition in words of what has to hold
+  void add_contact_solver(EntriesRead &entries, const Parameters &parameters, bool holds = true,
+                          const std::string &condition = "");
+  /// What a normal law is made of. @param entry that names it, for messages
+  void add_normal_law(EntriesRead &entries, const std::string &name, const std::string &entry);
+  /// Contact of two bodies with friction: grid, laws, solver. @param largest_friction of all cases
+  void add_contact(EntriesRead &entries, const Parameters &parameters, double largest_friction);
+  /// Cases of rolling and of the equilibria of stability.
+  void add_rolling_cases(EntriesRead &entries, const RollingParameters &rolling,
+                         const ContactParameters &contact);
+  /// Of all cases of a sweep [-].
+  double largest_friction(const Parameters &parameters);
+  /// What becomes of the hub of body 1 once the load has found its place.
+  void add_hub(EntriesRead &entries, const Parameters &parameters);
+} // namespace vibrocontact

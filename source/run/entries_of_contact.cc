@@ -1,0 +1,152 @@
+#include <vibrocontact/run/entries_of_contact.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    bool moves_with_the_lateral_position(const Parameters &parameters)
+    {
+      for (const BodyParameters &body : parameters.scene.bodies)
+        if (body.is_wheel() || (&body == &parameters.scene.bodies[0] && body.type == "block"))
+          return true;
+      return parameters.scene.runs("stability") &&
+             parameters.stability.sweep.sweeps(ParameterSweep::lateral_position);
+    }
+
+    /// @param condition in words of what holds where the law acts
+    void add_friction_law(EntriesRead &entries, const ContactParameters &contact, const bool rubs,
+                          const std::string &condition)
+    {
+      entries.add_if(rubs, condition, "Contact", "Friction law");
+      entries.add_if(rubs && contact.friction_law.empty(), condition + " and Contact/Friction law is empty",
+                     "Contact", "Static friction ratio");
+      const std::string own = contact.friction_entry().name;
+      for (const FrictionLawEntry &law : friction_laws())
+        for (const LawParameter &parameter : law.parameters)
+          if (parameter.name != friction_coefficient().name)
+            entries.add_if(rubs && law.name == own,
+                           condition + " and the Contact/Friction law is " + law.name, "Contact",
+                           parameter.name);
+    }
+  } // namespace
+
+  void add_lateral_position(EntriesRead &entries, const Parameters &parameters)
+  {
+    entries.add_if(moves_with_the_lateral_position(parameters), "body 1 is a wheel or a block", "Contact",
+                   "Lateral position");
+  }
+
+  void add_contact_grid(EntriesRead &entries, const Parameters &parameters)
+  {
+    const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
+    const bool own = std::none_of(bodies.begin(), bodies.end(),
+                                  [](const BodyParameters &body)
+                                  { return body.is_point() || body.type == "layer" || body.type == "ring"; });
+    const std::string whose = "no body (bar, layer, ring) brings its own contact points";
+    entries.add_if(own, whose, "Contact", "Grid spacing, Half length, Strip length, Offset x, Quadrature");
+    entries.add_if(own && parameters.contact.strip_length == 0, whose + " and Strip length is 0", "Contact",
+                   "Half width, Offset y");
+    add_lateral_position(entries, parameters);
+  }
+
+  void add_contact_solver(EntriesRead &entries, const Parameters &parameters, const bool holds,
+                          const std::string &condition)
+  {
+    const std::string section = "Contact/Solver", also = condition.empty() ? "" : condition + " and ";
+    const bool newton = parameters.contact_solver.method == "semi-smooth newton";
+    entries.add_if(holds, condition, section, "Method, Tolerance, Force change");
+    entries.add_if(holds && newton, also + "Method is semi-smooth newton", section, "Max Newton iterations");
+    entries.add_if(holds && !newton, also + "Method is fixed point", section, "Max fixed point iterations");
+  }
+
+  void add_normal_law(EntriesRead &entries, const std::string &name, const std::string &entry)
+  {
+    for (const NormalLawEntry &law : normal_laws())
+      for (const LawParameter &parameter : law.parameters)
+        entries.add_if(law.name == name, entry + " is " + law.name, "Contact", parameter.name);
+  }
+
+  void add_contact(EntriesRead &entries, const Parameters &parameters, const double largest_friction)
+  {
+    const ContactParameters &contact = parameters.contact;
+    const auto any_body = [&](const auto &is)
+    { return std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(), is); };
+    add_contact_grid(entries, parameters);
+    add_contact_solver(entries, parameters);
+    entries.add("Contact", "Normal law");
+    add_normal_law(entries, contact.normal_law, "Contact/Normal law");
+    entries.add_if(any_body([](const BodyParameters &body) { return body.is_solid(); }),
+                   "a body is a solid of finite elements", "Contact", "Local flexibility");
+    entries.add_if(parameters.rolling.creepage.speed > 0, "Rolling/Speed is above 0", "Contact",
+                   "Creep scheme");
+    const std::string rubs = "there is friction";
+    entries.add_if(largest_friction > 0, rubs, "Contact", "Normal-tangential coupling");
+    add_friction_law(entries, contact, largest_friction > 0, rubs);
+  }
+
+  void add_rolling_cases(EntriesRead &entries, const RollingParameters &rolling,
+                         const ContactParameters &contact)
+  {
+    const RollingParameters::Sweep &sweep = rolling.sweep;
+    const std::vector<std::pair<std::string, const std::vector<double> *>> curves = {
+        {"Longitudinal creepage", &sweep.longitudinal},
+        {"Lateral creepage", &sweep.lateral},
+        {"Spin", &sweep.spin},
+        {"Normal force", &sweep.normal_force},
+        {"Hub displacement", &sweep.hub_displacement}};
+    const unsigned int n_curves =
+        std::count_if(curves.begin(), curves.end(), [](const auto &curve) { return !curve.second->empty(); });
+    const bool rolls = rolling.creepage.speed > 0;
+    for (const auto &[name, values] : curves)
+    {
+      const bool is_load = name == "Normal force" || name == "Hub displacement",
+                 is_single = n_curves == 0 || n_curves > 1 || values->empty();
+      entries.add_if(is_single && (rolls || is_load),
+                     std::string(is_load ? "" : "Rolling/Speed is above 0 and ") +
+                         "no sweep of its own takes its place",
+                     "Rolling", name);
+      entries.add_if(rolls || is_load, "Rolling/Speed is above 0", "Rolling/Sweep", name);
+    }
+    entries.add("Rolling", "Speed, Sliding velocity x, Sliding velocity y");
+    entries.add("Rolling/Sweep", "Friction coefficient");
+    entries.add_if(sweep.friction.empty() && contact.takes_coefficient(),
+                   "Rolling/Sweep/Friction coefficient is empty and the Contact/Friction law is scaled by it",
+                   "Contact", "Friction coefficient");
+  }
+
+  void add_hub(EntriesRead &entries, const Parameters &parameters)
+  {
+    entries.add_if(parameters.hub() != "none", "body 1 has a hub", "Rolling", "Hub");
+    entries.add_if(parameters.hub() == "suspended", "Rolling/Hub is suspended", "Rolling/Suspension",
+                   "Unsprung mass, Stiffness x, Stiffness y, Stiffness z, Damping x, Damping y, Damping z");
+  }
+
+  void add_partners(EntriesRead &entries, const Parameters &parameters, const BodyUse &use)
+  {
+    for (unsigned int k = 0; k < parameters.scene.bodies.size(); ++k)
+      if (!parameters.scene.bodies[k].is_green())
+        add_body(entries, parameters, k, use);
+  }
+
+  double largest_friction(const Parameters &parameters)
+  {
+    const std::vector<double> &swept = parameters.rolling.sweep.friction;
+    return swept.empty() ? parameters.contact.friction : *std::max_element(swept.begin(), swept.end());
+  }
+
+  BodyUse moving_in_contact()
+  {
+    BodyUse use;
+    use.contact = use.loads = use.motion = use.loss = use.scaled_damping = true;
+    return use;
+  }
+
+  bool stands_under_loads(const BodyParameters &body)
+  {
+    return body.type == "oscillator" ? body.oscillator.gravity != 0
+                                     : body.loads.gravity != 0 || !body.loads.traction_boundary.empty();
+  }
+} // namespace vibrocontact

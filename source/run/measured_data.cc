@@ -1,0 +1,56 @@
+#include <vibrocontact/base/atomic_file.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/run/measured_data.h>
+
+namespace vibrocontact
+{
+  PoleFile pole_file(const BodyParameters &body)
+  {
+    const std::string &file = body.identified.poles_file;
+    return read_poles(read_csv(file, read_file_on_all_ranks(file, "poles file")));
+  }
+
+  namespace
+  {
+    /// @param in_contact the points lie over a road
+    void check_positions(const BodyParameters &body, const bool in_contact, const unsigned int n_points,
+                         const std::string &file)
+    {
+      if (in_contact && body.identified.positions.empty() && n_points > 1)
+        throw InputError(body.name + "/Identified/Positions is not set, but the data \"" + file + "\" have " +
+                         std::to_string(n_points) + " points: say where each lies along the road.");
+      if (!body.identified.positions.empty() && body.identified.positions.size() != n_points)
+        throw InputError(body.name + "/Identified/Positions gives " +
+                         std::to_string(body.identified.positions.size()) + " places, but the data \"" +
+                         file + "\" have " + std::to_string(n_points) + " points; give one for each.");
+    }
+
+    /// @throws InputError for data that create energy, unless they are to be taken so
+    DataJudgement judge(const IdentificationParameters &own, const FrequencyData &data)
+    {
+      const DataJudgement judgement = judge_data(data, own.rolling, own.delay);
+      if (!judgement.complaint.empty() && own.passive_data)
+        throw InputError("The data \"" + data.file_name + "\" " + judgement.complaint + ".");
+      return judgement;
+    }
+  } // namespace
+
+  std::optional<MeasuredData> measured_data(const Parameters &parameters)
+  {
+    const bool in_contact = parameters.scene.runs("modal convolution");
+    for (const BodyParameters &body : parameters.scene.bodies)
+      if (body.type == "identified" && !body.identified.poles_file.empty())
+        check_positions(body, in_contact, pole_file(body).names.labels.size(), body.identified.poles_file);
+    if (!parameters.has_identification())
+      return {};
+    const IdentificationParameters &own = parameters.identification;
+    MeasuredData measured;
+    measured.data = read_frequency_data(own.data_file, read_file_on_all_ranks(own.data_file, "data file"),
+                                        own.data_rules());
+    measured.judgement = judge(own, measured.data);
+    for (const BodyParameters &body : parameters.scene.bodies)
+      if (body.type == "identified" && body.identified.poles_file.empty())
+        check_positions(body, in_contact, measured.data.labels.size(), own.data_file);
+    return measured;
+  }
+} // namespace vibrocontact
