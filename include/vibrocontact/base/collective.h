@@ -11,8 +11,8 @@ namespace vibrocontact
   /// a rank that fails alone (a full disk meets rank 0 only) leaves the others waiting in their next
   /// communication.
   ///
-  /// InputError, OutputError and ConvergenceError keep their class, anything else becomes a
-  /// std::runtime_error. The action itself must not communicate: a rank that throws would leave it.
+  /// What becomes of the classes: see Failure. The action itself must not communicate: a rank that throws
+  /// would leave it.
   void on_all_ranks(const std::function<void()> &action, MPI_Comm communicator = MPI_COMM_WORLD);
 
   /// The same for work of rank 0 alone, such as writing a file.
