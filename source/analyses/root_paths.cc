@@ -53,20 +53,21 @@ namespace vibrocontact
     }
   } // namespace
 
-  void RootPaths::follow(const ContactPair &pair, std::vector<StabilityRoot> &roots)
+  void RootPaths::follow(const std::vector<std::string> &mode_labels, const std::vector<double> &omega,
+                         std::vector<StabilityRoot> &roots)
   {
     unsigned int n_now = 0;
     while (n_now < roots.size() && roots[n_now].frequency > 0)
       ++n_now;
     std::vector<Shape> now;
     for (unsigned int b = 0; b < n_now; ++b)
-      now.push_back(weighted(roots[b], pair.omega));
+      now.push_back(weighted(roots[b], omega));
 
-    const bool begins = labels != pair.labels;
+    const bool begins = labels != mode_labels;
     std::vector<Match> matches;
     if (begins)
     {
-      labels = names = pair.labels;
+      labels = names = mode_labels;
       for (unsigned int b = 0; b < n_now; ++b)
         for (unsigned int i = 0; i < labels.size(); ++i)
           if (std::norm(now[b][i]) > 1e-3)

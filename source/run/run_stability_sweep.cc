@@ -1,7 +1,9 @@
 #include <vibrocontact/analyses/root_paths.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/failure.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/shared_cases.h>
 #include <vibrocontact/output/stability_output.h>
 #include <vibrocontact/reduction/window.h>
 #include <vibrocontact/run/run_stability.h>
@@ -15,50 +17,62 @@ namespace vibrocontact
 {
   namespace
   {
-    /// The reduced bodies of a sweep, each reduced once.
+    /// The reduced bodies of a sweep, each reduced once: by all ranks together, before the cases are shared out.
     class ReducedBodies
     {
     public:
-      explicit ReducedBodies(const MeshedBodies &bodies) : bodies(bodies) {}
-
-      /// Body k of a case; null if it has no mesh.
-      const ReducedBody *find(const StabilityCase &one, const unsigned int k)
-      {
-        if (one.keys[k].empty())
-          return nullptr;
-        const ModeParameters &modes = one.parameters.modes.at(one.parameters.scene.bodies[k].name);
-        const std::string key = one.keys[k] + "\n" + modes.key();
-        const auto found = reduced.find(key);
-        if (found != reduced.end())
-          return &found->second;
-        const ReductionRequest &own = bodies[k]->reduction.request();
-        if (own.key + "\n" + own.modes.key() == key)
-          return &(reduced[key] = bodies[k]->reduction.reduced(true));
-        return &(reduced[key] = meshed_body(one.parameters, one.keys[k], k)->reduction.reduced(true));
-      }
-
-      /// Before the first case, so that what is wrong with a body is heard of then.
-      void reduce_all(const StabilityCases &sweep)
+      /// What is wrong with a body is heard of here. One that cannot be reduced is thrown where its case comes,
+      /// which is left out.
+      ReducedBodies(const StabilityCases &sweep, const MeshedBodies &bodies)
       {
         for (const StabilityCase &one : sweep.cases)
           for (unsigned int k = 0; k < 2; ++k)
-            try
-            {
-              find(one, k);
-            }
-            catch (const InputError &error)
-            {
-              throw InputError("Stability/Sweep, " + case_text(sweep, one) + ": " + error.what());
-            }
-            catch (const ConvergenceError &)
-            {
-              // said again where the case comes, which is left out
-            }
+            if (!one.keys[k].empty() && all.count(key(one, k)) == 0)
+              try
+              {
+                all[key(one, k)] = {reduce(one, bodies, k), {}};
+              }
+              catch (const InputError &error)
+              {
+                throw InputError("Stability/Sweep, " + case_text(sweep, one) + ": " + error.what());
+              }
+              catch (const ConvergenceError &error)
+              {
+                all[key(one, k)].failure = {Failure::Kind::convergence, error.what()};
+              }
+      }
+
+      /// Body k of a case; null if it has no mesh.
+      const ReducedBody *find(const StabilityCase &one, const unsigned int k) const
+      {
+        if (one.keys[k].empty())
+          return nullptr;
+        const Reduced &found = all.at(key(one, k));
+        found.failure.rethrow();
+        return &found.body;
       }
 
     private:
-      const MeshedBodies &bodies;
-      std::map<std::string, ReducedBody> reduced;
+      struct Reduced
+      {
+        ReducedBody body;
+        Failure failure;
+      };
+
+      static std::string key(const StabilityCase &one, const unsigned int k)
+      {
+        return one.keys[k] + "\n" + one.parameters.modes.at(one.parameters.scene.bodies[k].name).key();
+      }
+
+      static ReducedBody reduce(const StabilityCase &one, const MeshedBodies &bodies, const unsigned int k)
+      {
+        const ReductionRequest &own = bodies[k]->reduction.request();
+        if (own.key + "\n" + own.modes.key() == key(one, k))
+          return bodies[k]->reduction.reduced(true);
+        return meshed_body(one.parameters, one.keys[k], k)->reduction.reduced(true);
+      }
+
+      std::map<std::string, Reduced> all;
     };
 
     ContactGrid grid_of_case(const StabilityCase &one)
@@ -68,7 +82,7 @@ namespace vibrocontact
                  : one.parameters.contact_grid();
     }
 
-    ContactPair pair_of_case(const StabilityCase &one, ReducedBodies &reduced_bodies)
+    ContactPair pair_of_case(const StabilityCase &one, const ReducedBodies &reduced_bodies)
     {
       const Parameters &parameters = one.parameters;
       const ContactGrid grid = grid_of_case(one);
@@ -96,6 +110,36 @@ namespace vibrocontact
       return contact_pair(bodies[0], bodies[1], parameters.contact, grid);
     }
 
+    /// A case with what its roots are followed by.
+    struct SolvedCase
+    {
+      StabilityResult result;
+      /// of the modes that the shapes of the roots are amplitudes of
+      std::vector<std::string> labels;
+      std::vector<double> omega;
+
+      template <typename Archive>
+      void serialize(Archive &archive, const unsigned int)
+      {
+        archive &result &labels &omega;
+      }
+    };
+
+    SolvedCase solve(const StabilityCase &one, const ReducedBodies &reduced)
+    {
+      const ContactPair pair = pair_of_case(one, reduced);
+      RollingParameters rolling = one.parameters.rolling;
+      rolling.hub = one.parameters.hub();
+      SolvedCase solved;
+      solved.result = stability(one.parameters.stability, rolling, one.parameters.contact,
+                                one.parameters.contact_solver, pair, [](const StabilityResult &) {})
+                          .front();
+      const ContactPair &moving = solved.result.suspended ? *solved.result.suspended : pair;
+      solved.labels = moving.labels;
+      solved.omega = moving.omega;
+      return solved;
+    }
+
     void print(const std::string &text, const StabilityResult &result)
     {
       char line[200];
@@ -121,7 +165,6 @@ namespace vibrocontact
   void run_stability_sweep(const StabilityCases &sweep, const MeshedBodies &bodies, const std::string &folder,
                            Results &results, const std::function<void()> &save)
   {
-    ReducedBodies reduced(bodies);
     StabilityOutcome outcome;
     outcome.entries = sweep.entries;
     outcome.columns = sweep.columns;
@@ -135,14 +178,16 @@ namespace vibrocontact
                         "rows of points from its ends: " +
                         text.str() + " mm.");
     }
-    reduced.reduce_all(sweep);
+    const ReducedBodies reduced(sweep, bodies);
     results.analyses["stability"] = stability_json(outcome);
     Progress progress("stability cases", sweep.cases.size());
     RootPaths paths, begin_of_row;
     bool row_has_begun = false;
     std::string failure;
-    for (const StabilityCase &one : sweep.cases)
+    const auto solve_case = [&](const unsigned int k) { return solve(sweep.cases[k], reduced); };
+    const auto arrived = [&](const unsigned int k, const std::function<SolvedCase()> &solved_case)
     {
+      const StabilityCase &one = sweep.cases[k];
       // a row follows the beginning of the row before, whichever cases were left out
       if (one.second == 0)
       {
@@ -158,15 +203,9 @@ namespace vibrocontact
       };
       try
       {
-        const ContactPair pair = pair_of_case(one, reduced);
-        RollingParameters rolling = one.parameters.rolling;
-        rolling.hub = one.parameters.hub();
-        StabilityResult result =
-            stability(one.parameters.stability, rolling, one.parameters.contact,
-                      one.parameters.contact_solver, pair, [](const StabilityResult &) {})
-                .front();
-        paths.follow(result.suspended ? *result.suspended : pair, result.roots);
-        result.suspended.reset();
+        SolvedCase solved = solved_case();
+        StabilityResult &result = solved.result;
+        paths.follow(solved.labels, solved.omega, result.roots);
         if (!row_has_begun)
           begin_of_row = paths;
         row_has_begun = true;
@@ -189,7 +228,9 @@ namespace vibrocontact
       add_new_cases(outcome, results.analyses["stability"]);
       progress.advance();
       save();
-    }
+    };
+    share_cases<SolvedCase>(
+        sweep.cases.size(), 1, [&] { return solve_case; }, arrived, MPI_COMM_WORLD);
     if (outcome.results.empty())
       throw InputError("Stability/Sweep/Entry: none of the cases has a result. " + failure);
     const Parameters &first = sweep.cases.front().parameters;

@@ -16,9 +16,8 @@ using namespace vibrocontact;
 TEST(RootPaths, NamesFollowShapesThroughACrossing)
 {
   // one root falls, the other rises; in the crossing their shapes hold a tenth of each other
-  ContactPair pair;
-  pair.omega = {2 * dealii::numbers::PI * 100, 2 * dealii::numbers::PI * 110};
-  pair.labels = {"a:one", "a:two"};
+  const std::vector<double> omega = {2 * dealii::numbers::PI * 100, 2 * dealii::numbers::PI * 110};
+  const std::vector<std::string> labels = {"a:one", "a:two"};
   RootPaths paths;
   for (int step = 0; step <= 10; ++step)
   {
@@ -33,7 +32,7 @@ TEST(RootPaths, NamesFollowShapesThroughACrossing)
     std::vector<StabilityRoot> roots = {rising, falling};
     if (falling.frequency < rising.frequency)
       std::swap(roots[0], roots[1]);
-    paths.follow(pair, roots);
+    paths.follow(labels, omega, roots);
     for (const StabilityRoot &root : roots)
       EXPECT_EQ(root.path, std::abs(root.shape[0]) > 0.5 ? "a:one" : "a:two") << "step " << step;
   }
@@ -41,9 +40,7 @@ TEST(RootPaths, NamesFollowShapesThroughACrossing)
 
 TEST(RootPaths, RootsWithoutOscillationAndNewModes)
 {
-  ContactPair pair;
-  pair.omega = {600};
-  pair.labels = {"a:one"};
+  const std::vector<double> omega = {600};
   StabilityRoot root, still;
   root.frequency = 95;
   root.shape = still.shape = {{1, 0}};
@@ -52,10 +49,10 @@ TEST(RootPaths, RootsWithoutOscillationAndNewModes)
   RootPaths paths;
   for (const char *label : {"a:one", "b:one"})
   {
-    pair.labels = {label};
+    const std::vector<std::string> labels = {label};
     root.label = label;
     std::vector<StabilityRoot> roots = {root, still};
-    paths.follow(pair, roots);
+    paths.follow(labels, omega, roots);
     EXPECT_EQ(roots[0].path, label);
     EXPECT_EQ(roots[1].path, "no oscillation");
   }

@@ -66,6 +66,12 @@ namespace vibrocontact
     std::string path;
     /// modal amplitudes; n_modes
     std::vector<std::complex<double>> shape;
+
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &frequency &growth &divergence_rate &label &share &path &shape;
+    }
   };
 
   /// Eigenvalues of a real matrix, and right eigenvectors (x, A x = lambda x) as dgeev lays them out (conjugate

@@ -50,6 +50,12 @@ namespace vibrocontact
     double friction = 0;
     /// one of the two is zero [N], [m]
     double normal_force = 0, hub_displacement = 0;
+
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &curve &creepage &friction &normal_force &hub_displacement;
+    }
   };
 
   /// Cases of a run in the order in which they are solved: curve by curve, each friction from its first to

@@ -14,6 +14,12 @@ namespace vibrocontact
     unsigned int evaluations = 0;
     /// wall time [s]
     double seconds = 0;
+
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &unstable &remainder &evaluations &seconds;
+    }
   };
 
   /// The argument principle on the contact's own equations in the frequency domain: the receptance of both

@@ -21,7 +21,9 @@ namespace vibrocontact
   public:
     /// Fills `path` of the roots of a case, which follow those of the case before. Other modes than before
     /// begin new paths.
-    void follow(const ContactPair &pair, std::vector<StabilityRoot> &roots);
+    /// @param mode_labels, omega of the modes that the shapes are amplitudes of [rad/s]
+    void follow(const std::vector<std::string> &mode_labels, const std::vector<double> &omega,
+                std::vector<StabilityRoot> &roots);
 
   private:
     /// labels of the modes of the case before, and its roots: names, [Hz], weighted shapes of unit length

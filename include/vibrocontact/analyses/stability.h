@@ -61,6 +61,17 @@ namespace vibrocontact
     std::vector<const StabilityRoot *> unstable() const;
     /// the root with the largest divergence rate: how near the next instability is
     const StabilityRoot &nearest() const;
+
+    /// all but `suspended`
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &rolling_case &contact_points &stick_points &normal_force &approach &hub &roots &seconds;
+      bool has_second_count = second_count.has_value();
+      archive &has_second_count;
+      if (has_second_count)
+        archive &(second_count ? *second_count : second_count.emplace());
+    }
   };
 
   /// The roots of another model about an equilibrium.

@@ -19,6 +19,12 @@ namespace vibrocontact
     double spin = 0;
     /// velocity of body 1 - velocity of body 2 along x and y, beside the creepages [m/s]
     double sliding_x = 0, sliding_y = 0;
+
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &speed &longitudinal &lateral &spin &sliding_x &sliding_y;
+    }
   };
 
   /// Eulerian slip velocity (Lai et al. 2018, Eq. 1), body 1 minus body 2:
