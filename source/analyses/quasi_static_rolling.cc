@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/quasi_static_rolling.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/shared_cases.h>
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/friction_of_speed.h>
 
@@ -180,10 +181,7 @@ namespace vibrocontact
       result.solution = std::move(solution);
       return result;
     }
-  } // namespace
 
-  namespace
-  {
     /// What stands for a solution that the solver did not find: no forces, and a residual as wrong as can be.
     ContactSolution no_solution(const ContactProblem &problem)
     {
@@ -195,71 +193,129 @@ namespace vibrocontact
       none.residual = 1;
       return none;
     }
+
+    /// Longer chunks save cold starts (one more iteration or two), shorter ones are shared more evenly.
+    constexpr unsigned int cases_per_chunk = 4;
+
+    /// What all cases have in common.
+    struct RollingSweep
+    {
+      const RollingParameters &rolling;
+      const ContactParameters &contact;
+      const ContactSolverParameters &solver_parameters;
+      const ContactInterface &interface;
+      const CreepScheme &scheme;
+      const std::shared_ptr<const ContactOperator> A;
+      const std::vector<RollingCase> cases;
+
+      ContactProblem problem(const unsigned int k) const
+      {
+        const RollingCase &one = cases[k];
+        ContactParameters laws = contact;
+        laws.friction = one.friction;
+        ContactProblem result = rolling_problem(A, interface, scheme, one.creepage, laws);
+        result.title = "case " + std::to_string(k) + " of quasi-static rolling";
+        result.normal_force = one.normal_force;
+        result.approach = one.hub_displacement;
+        return result;
+      }
+    };
+
+    /// The cases of a chunk, one after the other.
+    class RollingChunk
+    {
+    public:
+      explicit RollingChunk(const RollingSweep &sweep)
+          : sweep(sweep), solver(create_contact_solver(sweep.solver_parameters))
+      {
+      }
+
+      RollingResult solve(const unsigned int k)
+      {
+        const RollingCase &one = sweep.cases[k];
+        ContactProblem problem = sweep.problem(k);
+        const bool continues = !last.solution.empty() && last.rolling_case.curve == one.curve &&
+                               last.rolling_case.friction == one.friction && last.solution.converged;
+        std::string failure;
+        const auto solve_from = [&](const ContactSolution &start)
+        {
+          failure.clear();
+          try
+          {
+            return solve_with_friction_of_speed(problem, *solver, start);
+          }
+          catch (const ConvergenceError &error)
+          {
+            failure = error.what();
+            return no_solution(problem);
+          }
+        };
+        ContactSolution solution = solve_from(continues ? last.solution : ContactSolution());
+        if (continues && !solution.converged)
+        {
+          // declared: a warm start that fails is followed by a cold one, and counts as a fallback
+          const ContactSolution warm = solution;
+          solution = solve_from({});
+          solution.fallbacks += warm.fallbacks + 1;
+          solution.iterations += warm.iterations;
+          solution.seconds += warm.seconds;
+        }
+        if (solution.converged)
+          try
+          {
+            check_contact_in_grid(sweep.interface.grid, sweep.contact, sweep.rolling.creepage.speed,
+                                  solution.status);
+          }
+          catch (const InputError &error)
+          {
+            // in a sweep the other cases are worth keeping
+            if (sweep.cases.size() == 1)
+              throw;
+            failure = error.what();
+            solution.converged = false;
+          }
+        last = resultants(one, sweep.interface, std::move(solution));
+        last.failure = failure;
+        last.point_friction = problem.mu;
+        return last;
+      }
+
+    private:
+      const RollingSweep &sweep;
+      const std::unique_ptr<ContactSolver> solver;
+      RollingResult last;
+    };
   } // namespace
 
   std::vector<RollingResult>
   quasi_static_rolling(const RollingParameters &rolling, const ContactParameters &contact,
                        const ContactSolverParameters &solver_parameters, const ContactInterface &interface,
                        const std::function<std::shared_ptr<const ContactOperator>(double)> &operator_at,
-                       const std::function<void(const RollingResult &, const ContactProblem &)> &finished)
+                       const std::function<void(const RollingResult &, const ContactProblem &)> &finished,
+                       const MPI_Comm communicator)
   {
-    const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
-    const std::shared_ptr<const ContactOperator> A = operator_at(rolling.creepage.speed);
-    const std::unique_ptr<ContactSolver> solver = create_contact_solver(solver_parameters);
+    const RollingSweep sweep = {rolling,
+                                contact,
+                                solver_parameters,
+                                interface,
+                                find_creep_scheme(contact.creep_scheme),
+                                operator_at(rolling.creepage.speed),
+                                rolling_cases(rolling, contact)};
     std::vector<RollingResult> results;
-    const std::vector<RollingCase> cases = rolling_cases(rolling, contact);
-    for (const RollingCase &one : cases)
-    {
-      ContactParameters laws = contact;
-      laws.friction = one.friction;
-      ContactProblem problem = rolling_problem(A, interface, scheme, one.creepage, laws);
-      problem.title = "case " + std::to_string(results.size()) + " of quasi-static rolling";
-      problem.normal_force = one.normal_force;
-      problem.approach = one.hub_displacement;
-      const bool continues = !results.empty() && results.back().rolling_case.curve == one.curve &&
-                             results.back().rolling_case.friction == one.friction &&
-                             results.back().solution.converged;
-      std::string failure;
-      const auto solve = [&](const ContactSolution &start)
-      {
-        failure.clear();
-        try
+    share_cases<RollingResult>(
+        sweep.cases.size(), cases_per_chunk,
+        [&] {
+          return [chunk = std::make_shared<RollingChunk>(sweep)](const unsigned int k)
+          { return chunk->solve(k); };
+        },
+        [&](const unsigned int k, const std::function<RollingResult()> &solved)
         {
-          return solve_with_friction_of_speed(problem, *solver, start);
-        }
-        catch (const ConvergenceError &error)
-        {
-          failure = error.what();
-          return no_solution(problem);
-        }
-      };
-      ContactSolution solution = solve(continues ? results.back().solution : ContactSolution());
-      if (continues && !solution.converged)
-      {
-        // declared: a warm start that fails is followed by a cold one, and counts as a fallback
-        const ContactSolution warm = solution;
-        solution = solve({});
-        solution.fallbacks += warm.fallbacks + 1;
-        solution.iterations += warm.iterations;
-        solution.seconds += warm.seconds;
-      }
-      if (solution.converged)
-        try
-        {
-          check_contact_in_grid(interface.grid, contact, rolling.creepage.speed, solution.status);
-        }
-        catch (const InputError &error)
-        {
-          // in a sweep the other cases are worth keeping
-          if (cases.size() == 1)
-            throw;
-          failure = error.what();
-          solution.converged = false;
-        }
-      results.push_back(resultants(one, interface, std::move(solution)));
-      results.back().failure = failure;
-      finished(results.back(), problem);
-    }
+          results.push_back(solved());
+          ContactProblem problem = sweep.problem(k);
+          problem.mu = results.back().point_friction;
+          finished(results.back(), problem);
+        },
+        communicator);
     return results;
   }
 } // namespace vibrocontact

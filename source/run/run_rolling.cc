@@ -135,7 +135,7 @@ namespace vibrocontact
     };
     const RollingResult last =
         quasi_static_rolling(parameters.rolling, parameters.contact, parameters.contact_solver, interface,
-                             scene.operator_at, finished)
+                             scene.operator_at, finished, MPI_COMM_WORLD)
             .back();
     on_first_rank(
         [&]

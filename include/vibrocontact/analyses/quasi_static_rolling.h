@@ -6,6 +6,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <mpi.h>
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -62,6 +64,14 @@ namespace vibrocontact
   /// its last value.
   std::vector<RollingCase> rolling_cases(const RollingParameters &rolling, const ContactParameters &contact);
 
+  template <typename Archive>
+  void serialize(Archive &archive, ContactSolution &solution, const unsigned int)
+  {
+    archive &solution.R &solution.y &solution.status &solution.approach &solution.response_known;
+    archive &solution.converged &solution.residual &solution.iterations &solution.factorisations;
+    archive &solution.linear_iterations &solution.fallbacks &solution.seconds;
+  }
+
   /// Resultants of one case; forces and moment act on body 1.
   struct RollingResult
   {
@@ -79,18 +89,30 @@ namespace vibrocontact
     double approach = 0;
     double max_pressure = 0;
     unsigned int contact_points = 0, stick_points = 0, slip_points = 0;
+    /// friction coefficient of each point, that of its slip speed if friction falls; n
+    std::vector<double> point_friction;
+
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &rolling_case &solution &failure &normal_force &tangential_force &spin_moment &utilisation;
+      archive &approach &max_pressure &contact_points &stick_points &slip_points &point_friction;
+    }
   };
 
   /// Quasi-static rolling (Lai et al. 2018, section 4.1, Eq. 15): normal and tangential contact fully
-  /// coupled, the solution of one case being the start of the next of its curve. A case whose solver throws
-  /// ConvergenceError counts as not converged, and the others go on.
+  /// coupled, the solution of one case being the start of the next of its curve; every fourth case starts
+  /// cold, so that the cases can be shared out over ranks. A case whose solver throws ConvergenceError counts
+  /// as not converged, and the others go on.
   ///
   /// @param operator_at makes the contact operator for a rolling speed; called once, all cases share it
-  /// @param finished called after each case, in order, whether it converged or not
+  /// @param finished called after each case, in order, whether it converged or not; on all ranks
+  /// @param communicator the ranks that the cases are shared out over, see share_cases()
   /// @throws InputError if the contact reaches the edge of the grid
   std::vector<RollingResult>
   quasi_static_rolling(const RollingParameters &rolling, const ContactParameters &contact,
                        const ContactSolverParameters &solver, const ContactInterface &interface,
                        const std::function<std::shared_ptr<const ContactOperator>(double speed)> &operator_at,
-                       const std::function<void(const RollingResult &, const ContactProblem &)> &finished);
+                       const std::function<void(const RollingResult &, const ContactProblem &)> &finished,
+                       MPI_Comm communicator = MPI_COMM_SELF);
 } // namespace vibrocontact
