@@ -2,6 +2,7 @@
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/frequency_csv.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/uff58.h>
