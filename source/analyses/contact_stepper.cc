@@ -11,11 +11,11 @@ namespace vibrocontact
   namespace
   {
     /// no choice among so few points
-    constexpr unsigned int always_watched = 16;
-    /// points are watched below this share of the median gap, until they are beyond twice that
-    constexpr double watched_share = 0.1;
+    constexpr unsigned int always_nearby = 16;
+    /// points are nearby below this share of the median gap, until they are beyond twice that
+    constexpr double nearby_share = 0.1;
     /// steps after which W~ R is computed anew: the round-off of its changes grows with the steps^(3/2)
-    constexpr unsigned int longest_without_look = 64;
+    constexpr unsigned int longest_without_search = 64;
 
     // W~ R, loaded columns only
     void residual_displacement(const DenseMatrix &W, const DenseVector &R, DenseVector &result)
@@ -85,7 +85,7 @@ namespace vibrocontact
       set_powers(state.R, state.contact.y, rigid_slip, n, rate, state);
   }
 
-  double longest_quiet_step(const ContactPair &pair)
+  double critical_time_step(const ContactPair &pair)
   {
     double longest = std::numeric_limits<double>::infinity();
     for (unsigned int i = 0; i < pair.n_points(); ++i)
@@ -100,12 +100,12 @@ namespace vibrocontact
     return longest;
   }
 
-  bool ContactStepper::unwatched_within(const DynamicState &state, const double distance) const
+  bool ContactStepper::another_within(const DynamicState &state, const double distance) const
   {
-    auto watched = state.watched.begin();
+    auto nearby = state.nearby.begin();
     for (unsigned int i = 0; i < pair.n_points(); ++i)
-      if (watched != state.watched.end() && *watched == i)
-        ++watched;
+      if (nearby != state.nearby.end() && *nearby == i)
+        ++nearby;
       else if (state.contact.y[i] <= distance)
         return true;
     return false;
@@ -127,7 +127,7 @@ namespace vibrocontact
     return gap;
   }
 
-  void ContactStepper::look(DynamicState &state)
+  void ContactStepper::search_proximity(DynamicState &state)
   {
     const unsigned int n = pair.n_points();
     residual_displacement(pair.residual_flexibility, state.R, state.residual_displacement);
@@ -140,25 +140,25 @@ namespace vibrocontact
     std::vector<double> sorted(gap);
     std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
     const double least = std::max(0., *std::min_element(gap.begin(), gap.end())),
-                 threshold = least + watched_share * std::max(0., sorted[n / 2] - least);
-    std::vector<bool> was_watched(n, false);
-    for (const unsigned int i : state.watched)
-      was_watched[i] = true;
-    state.watched.clear();
+                 threshold = least + nearby_share * std::max(0., sorted[n / 2] - least);
+    std::vector<bool> was_nearby(n, false);
+    for (const unsigned int i : state.nearby)
+      was_nearby[i] = true;
+    state.nearby.clear();
     for (unsigned int i = 0; i < n; ++i)
     {
       state.contact.y[i] = gap[i];
-      if (n <= always_watched || state.R[i] != 0 || state.force_change[i] != 0 ||
-          gap[i] <= (was_watched[i] ? 2 * threshold - least : threshold))
-        state.watched.push_back(i);
+      if (n <= always_nearby || state.R[i] != 0 || state.force_change[i] != 0 ||
+          gap[i] <= (was_nearby[i] ? 2 * threshold - least : threshold))
+        state.nearby.push_back(i);
       else
         state.contact.y[n + i] = state.contact.y[2 * n + i] = 0;
     }
-    state.travel = 0;
-    state.steps_since_look = 0;
+    state.moved_since_search = 0;
+    state.steps_since_search = 0;
   }
 
-  void ContactStepper::watch(const std::vector<unsigned int> &points)
+  void ContactStepper::take_points(const std::vector<unsigned int> &points)
   {
     if (step_operator && step_operator->points() == points)
       return;
@@ -184,9 +184,10 @@ namespace vibrocontact
     return any_open ? motion : std::numeric_limits<double>::infinity();
   }
 
-  bool ContactStepper::closes_unwatched(DynamicState &state, const double force)
+  bool ContactStepper::closes_another(DynamicState &state, const double force)
   {
-    if (!solution.converged || !unwatched_within(state, state.travel + 2 * motion_of_open_points(state)))
+    if (!solution.converged ||
+        !another_within(state, state.moved_since_search + 2 * motion_of_open_points(state)))
       return false;
     const std::vector<unsigned int> &points = step_operator->points();
     const unsigned int n = pair.n_points(), m = points.size();
@@ -208,11 +209,11 @@ namespace vibrocontact
     if (closed.empty())
       return false;
     closed.insert(closed.end(), points.begin(), points.end());
-    look(state);
-    closed.insert(closed.end(), state.watched.begin(), state.watched.end());
+    search_proximity(state);
+    closed.insert(closed.end(), state.nearby.begin(), state.nearby.end());
     std::sort(closed.begin(), closed.end());
     closed.erase(std::unique(closed.begin(), closed.end()), closed.end());
-    state.watched = closed;
+    state.nearby = closed;
     return true;
   }
 
@@ -228,15 +229,15 @@ namespace vibrocontact
     for (unsigned int i = 0; i < drive.gap.size(); ++i)
       state.contact.y[i] += drive.gap[i] - (state.roughness.empty() ? 0 : state.roughness[i]);
     state.roughness = drive.gap;
-    if (state.watched.empty() || state.steps_since_look >= longest_without_look ||
-        unwatched_within(state, state.travel))
-      look(state);
+    if (state.nearby.empty() || state.steps_since_search >= longest_without_search ||
+        another_within(state, state.moved_since_search))
+      search_proximity(state);
 
     const DenseVector rigid = rigid_slip(pair.interface.grid, scheme, drive.creepage);
     unsigned int iterations = 0;
     do
     {
-      watch(state.watched);
+      take_points(state.nearby);
       advance_modes(state, drive);
       set_problem(state, drive, rigid);
       if (problem.friction_law->depends_on_speed())
@@ -244,7 +245,7 @@ namespace vibrocontact
       else
         solution = solver.solve(problem, solution);
       iterations += solution.iterations;
-    } while (closes_unwatched(state, drive.force));
+    } while (closes_another(state, drive.force));
     solution.iterations = iterations;
     take_over(state, rigid);
     state.hub_acceleration = drive.hub_acceleration;
@@ -352,8 +353,8 @@ namespace vibrocontact
     // without open points nobody knows how gaps change; a fallback computes W~ R anew, but not its change
     const double motion = motion_of_open_points(state);
     const bool unknown = !std::isfinite(motion) || solution.fallbacks > 0;
-    state.travel += unknown ? 0 : 2 * motion;
-    state.steps_since_look = unknown ? longest_without_look : state.steps_since_look + 1;
+    state.moved_since_search += unknown ? 0 : 2 * motion;
+    state.steps_since_search = unknown ? longest_without_search : state.steps_since_search + 1;
     double rate = 0;
     for (unsigned int i = 0; i < m; ++i)
       state.contact.status[points[i]] = solution.status[i];

@@ -88,14 +88,14 @@ namespace vibrocontact
   }
 
   StepOperator::StepOperator(const StepMatrices &matrices, std::vector<unsigned int> points)
-      : matrices(matrices), watched(std::move(points)), basis(rows_of_points(matrices.shapes.basis, watched)),
-        by_motion(3 * watched.size(), 2 * basis.n()), c_normal(basis.n()), c_tangential(basis.n()),
+      : matrices(matrices), nearby(std::move(points)), basis(rows_of_points(matrices.shapes.basis, nearby)),
+        by_motion(3 * nearby.size(), 2 * basis.n()), c_normal(basis.n()), c_tangential(basis.n()),
         displacement(basis.n()), velocity(basis.n())
   {
     for (unsigned int part = 0; part < 2; ++part)
     {
       const DenseMatrix rows =
-          rows_of_points(part == 0 ? matrices.by_displacement : matrices.by_velocity, watched);
+          rows_of_points(part == 0 ? matrices.by_displacement : matrices.by_velocity, nearby);
       for (unsigned int k = 0; k < basis.n(); ++k)
         std::copy_n(&rows(0, k), rows.m(), &by_motion(0, part * basis.n() + k));
     }
@@ -105,7 +105,7 @@ namespace vibrocontact
     const auto coefficients = [&](const unsigned int point) -> const std::vector<double> &
     { return matrices.scheme.at_column(point % grid.n_x); };
     std::vector<unsigned int> wet;
-    for (const unsigned int point : watched)
+    for (const unsigned int point : nearby)
     {
       for (unsigned int k = 0; k < coefficients(point).size(); ++k)
         wet.push_back(point - k);
@@ -115,7 +115,7 @@ namespace vibrocontact
     std::sort(wet.begin(), wet.end());
     wet.erase(std::unique(wet.begin(), wet.end()), wet.end());
     n_wet = wet.size();
-    for (const unsigned int point : watched)
+    for (const unsigned int point : nearby)
     {
       const std::vector<double> &c = coefficients(point);
       transport.emplace_back();
@@ -125,12 +125,12 @@ namespace vibrocontact
                                           (k == 0 ? 1 / matrices.step : 0));
     }
 
-    rows = watched;
+    rows = nearby;
     for (unsigned int c = 1; c < 3; ++c)
       for (const unsigned int point : wet)
         rows.push_back(contact_row(n, c, point));
     residual.reinit(rows.size());
-    // of the whole grid: rho does not move with the points that are watched
+    // of the whole grid: rho does not move with the points that are nearby
     for (unsigned int c = 0; c < 3; ++c)
     {
       diagonal[c] = 0;
@@ -152,8 +152,7 @@ namespace vibrocontact
       for (unsigned int c = 0; c < 3; ++c)
         for (unsigned int j = 0; j < n_sources; ++j)
         {
-          const double *const from =
-              &matrices.residual_flexibility(0, contact_row(n, c, watched[sources[j]]));
+          const double *const from = &matrices.residual_flexibility(0, contact_row(n, c, nearby[sources[j]]));
           double *const to = &residual_columns(0, contact_row(n_sources, c, j));
           for (unsigned int i = 0; i < rows.size(); ++i)
             to[i] = from[rows[i]];
@@ -219,11 +218,11 @@ namespace vibrocontact
     for (unsigned int component = 0; component < 3; ++component)
       for (unsigned int j = 0; j < m; ++j)
       {
-        const double *const from = &matrices.response(0, contact_row(n, component, watched[points[j]]));
+        const double *const from = &matrices.response(0, contact_row(n, component, nearby[points[j]]));
         double *const to = &block(0, contact_row(m, component, j));
         for (unsigned int c = 0; c < 3; ++c)
           for (unsigned int i = 0; i < m; ++i)
-            to[contact_row(m, c, i)] = from[contact_row(n, c, watched[points[i]])];
+            to[contact_row(m, c, i)] = from[contact_row(n, c, nearby[points[i]])];
       }
   }
 } // namespace vibrocontact

@@ -73,7 +73,7 @@ namespace vibrocontact
       }
 
       /// @param stiffness by point [N/m]
-      void kick(const std::vector<double> &stiffness)
+      void impulse_update(const std::vector<double> &stiffness)
       {
         // (beta + dt + S k dt) r = beta r - S k dt z, the same for all columns
         DenseMatrix coupling(points), inverse(points);
@@ -183,7 +183,7 @@ namespace vibrocontact
       if (touches)
       {
         variation.fly(modes_behind * dt, residual_behind * dt);
-        variation.kick(k);
+        variation.impulse_update(k);
         modes_behind = residual_behind = 0;
       }
       else

@@ -504,7 +504,7 @@ namespace vibrocontact
     bool released = false;
     if (e < 0 || *std::min_element(f.begin(), f.end()) < 0)
     {
-      // first fall of the polynomial of the force below zero
+      // first zero crossing of the polynomial of the force
       const unsigned int n_places = 4 * rule.s;
       const auto value = [&](const double y)
       {

@@ -39,9 +39,9 @@ namespace vibrocontact
       file(run + "state/creepage_power", state.creepage_power);
       file(run + "state/transport_power", state.transport_power);
       file(run + "state/roughness", state.roughness);
-      file(run + "state/watched", state.watched);
-      file(run + "state/travel", state.travel);
-      file(run + "state/steps_since_look", state.steps_since_look);
+      file(run + "state/watched", state.nearby);
+      file(run + "state/travel", state.moved_since_search);
+      file(run + "state/steps_since_look", state.steps_since_search);
       ContactSolution &contact = state.contact;
       file(run + "contact/R", contact.R);
       file(run + "contact/y", contact.y);

@@ -185,6 +185,17 @@ namespace vibrocontact
                            "frequency or Count, or set Method to direct");
     }
 
+    /// @param before in front of the message
+    void check_constant_friction(const ContactParameters &contact, const std::string &before,
+                                 const std::string &analysis)
+    {
+      if (contact.law_of_friction()->depends_on_speed())
+        throw InputError(before +
+                         (contact.friction_law.empty() ? "Contact/Static friction ratio is not 1"
+                                                       : "Contact/Friction law is " + contact.friction_law) +
+                         ": " + analysis + " knows constant friction only.");
+    }
+
     void check_road_friction(const Parameters &parameters)
     {
       const BodyParameters &body = parameters.scene.bodies[0];
@@ -207,12 +218,7 @@ namespace vibrocontact
         throw InputError(entry + body.name +
                          "/Ring/Rolling too: the slip of material that flows through the "
                          "contact points is not known here; set one of them to false.");
-      if (parameters.contact.law_of_friction()->depends_on_speed())
-        throw InputError(entry +
-                         (parameters.contact.friction_law.empty()
-                              ? "Contact/Static friction ratio is not 1"
-                              : "Contact/Friction law is " + parameters.contact.friction_law) +
-                         ": modal convolution knows constant friction only.");
+      check_constant_friction(parameters.contact, entry, "modal convolution");
       if (parameters.comparison.any())
         throw InputError(entry +
                          "Comparison/Rows asks for a comparison of methods, whose exact motion has none: "
@@ -481,6 +487,8 @@ namespace vibrocontact
     {
       periodic.check();
       check_law_of_periodic(contact, periodic);
+      if (contact.friction > 0)
+        check_constant_friction(contact, "", "periodic motion");
       const bool rigid = periodic_law()->is_rigid();
       if (!scene.bodies[0].is_meshed())
         throw InputError("Analyses lists periodic, but " + scene.bodies[0].name + " is a " +

@@ -302,7 +302,8 @@ namespace vibrocontact
                      section, "Contact solver");
       entries.add_if(convolution, section + "/Method is a convolution", section, "Memory");
       entries.add_if(stands_under_loads(bodies[0]), "body 1 stands under a load", section, "Initial state");
-      entries.add_if(own.friction, section + "/Friction is true", "Contact", "Friction coefficient");
+      entries.add_if(own.friction, section + "/Friction is true", "Contact",
+                     "Friction coefficient, Friction law");
       add_contact_solver(entries, parameters, own.friction || own.contact_solver == "common",
                          section + "/Contact solver is common");
 

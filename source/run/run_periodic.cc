@@ -182,6 +182,7 @@ namespace vibrocontact
       if (on_grid)
         add_contact_grid(entries, parameters);
       entries.add("Contact", "Friction coefficient");
+      entries.add_if(parameters.contact.friction > 0, "there is friction", "Contact", "Friction law");
       entries.add_if(own.law.empty(), "Periodic/Law is empty", "Contact", "Normal law");
       add_normal_law(entries, own.law.empty() ? parameters.contact.normal_law : own.own_law(),
                      "the normal law of Periodic or Contact");

@@ -144,11 +144,11 @@ namespace vibrocontact
               results);
       if (massive)
         return;
-      const double quiet = longest_quiet_step(pair);
-      if (parameters.integrator != "exact propagator" || parameters.time_step <= quiet)
+      const double critical = critical_time_step(pair);
+      if (parameters.integrator != "exact propagator" || parameters.time_step <= critical)
         return;
       std::ostringstream text;
-      text << "Transient/Time step is " << parameters.time_step << " s, but beyond " << quiet
+      text << "Transient/Time step is " << parameters.time_step << " s, but beyond " << critical
            << " s reactions that are linear in the step ring: take a smaller one or the theta method.";
       doubt(text.str(), results);
     }

@@ -41,6 +41,7 @@ namespace
       {"Contact/Solver/Force change", "a solve has to meet it before it counts"},
       {"Contact/Solver/Max Newton iterations", "a solve that needs more is not converged"},
       {"Contact/Solver/Max fixed point iterations", "a solve that needs more is not converged"},
+      {"Contact/Friction law", "names the law that the other entries of friction mean already"},
       {"Transient/Checkpoint interval", "a matter of wall time"},
       {"Modal convolution/Checkpoint interval", "a matter of wall time"},
       {"Contact/Half length",

@@ -16,7 +16,7 @@ namespace vibrocontact
     double time = 0;
     /// modal amplitudes [m sqrt(kg)] and velocities; n_modes
     std::vector<double> q, v;
-    /// forces on body 1 [N]; residual displacements W~ R [m], kept at the watched points and their
+    /// forces on body 1 [N]; residual displacements W~ R [m], kept at the nearby points and their
     /// neighbours up- and downstream;
     /// 3 n
     DenseVector R, residual_displacement;
@@ -30,15 +30,15 @@ namespace vibrocontact
     /// Drive::hub_acceleration and Drive::force at this instant
     double hub_acceleration = 0, force = 0;
     /// how the contact was solved at this instant: status, gap and slip, approach. At points that are not
-    /// watched, the gap is that of the last look at all points (roughness kept up to date), the slip is zero.
+    /// nearby, the gap is that of the last proximity search of all points (roughness kept up to date), the slip is zero.
     ContactSolution contact;
     /// roughness that the gap holds [m]; n, empty: none
     std::vector<double> roughness;
     /// points in the contact problem of a step, ascending; empty: to be found
-    std::vector<unsigned int> watched;
-    /// how far open points may have moved since the last look at all of them [m], and the steps since
-    double travel = 0;
-    unsigned int steps_since_look = 0;
+    std::vector<unsigned int> nearby;
+    /// how far open points may have moved since the last proximity search of all of them [m], and the steps since
+    double moved_since_search = 0;
+    unsigned int steps_since_search = 0;
   };
 
   /// Fills what follows from q, v, R and the slip (contact.y) of an initial state, at rest in the moving frame
@@ -48,7 +48,7 @@ namespace vibrocontact
   /// Longest step for which reactions that are linear in the step do not ring, 2.7 sqrt(W~ / (Psi Psi^T)),
   /// the least over the normal rows of the contact points (doc/theory.md, "Time steps") [s]; infinite without
   /// modes, 0 for a rigid point.
-  double longest_quiet_step(const ContactPair &pair);
+  double critical_time_step(const ContactPair &pair);
 
   /// What moves the bodies during a step, at its end.
   struct Drive
@@ -83,8 +83,8 @@ namespace vibrocontact
   /// rate of W~ R is differenced backwards: a trapezoidal rate rings.
   ///
   /// What a step costs follows from what can matter in it: modes and contact meet in few shapes (PatchShapes),
-  /// and only watched points enter the contact problem (StepOperator): those loaded or with a small gap. The
-  /// gaps of all are looked at again when any of the others could have closed, for which open watched points
+  /// and only nearby points enter the contact problem (StepOperator): those loaded or with a small gap. The
+  /// gaps of all are searched again when any of the others could have closed, for which open nearby points
   /// show how far gaps have changed, taken twice; a step that closes one is solved again with it.
   class ContactStepper
   {
@@ -98,19 +98,19 @@ namespace vibrocontact
     const ContactSolution &advance(DynamicState &state, const Drive &drive, ContactSolver &solver);
 
   private:
-    /// Whether a point that is not watched had, at the last look, a gap of at most the distance [m].
-    bool unwatched_within(const DynamicState &state, double distance) const;
+    /// Whether a point that is not nearby had, at the last search, a gap of at most the distance [m].
+    bool another_within(const DynamicState &state, double distance) const;
     /// Gaps of all points [m]; n. @param force Drive::force; @param residual W~ R, 3 n [m]; @param shapes amplitudes of the shapes
     std::vector<double> gaps(const DynamicState &state, const DenseVector &residual,
                              const DenseVector &shapes, double approach, double force) const;
     /// Gaps of all points at the beginning of the step, and from them the points to watch.
-    void look(DynamicState &state);
-    /// How far open watched points move in the step [m]; infinite if there is none.
+    void search_proximity(DynamicState &state);
+    /// How far open nearby points move in the step [m]; infinite if there is none.
     double motion_of_open_points(const DynamicState &state) const;
-    /// Whether the solution closes points that are not watched; then they are watched as well.
-    bool closes_unwatched(DynamicState &state, double force);
-    /// Operator and friction of the watched points into the problem.
-    void watch(const std::vector<unsigned int> &points);
+    /// Whether the solution closes points that are not nearby; then they are nearby as well.
+    bool closes_another(DynamicState &state, double force);
+    /// Operator and friction of the nearby points into the problem.
+    void take_points(const std::vector<unsigned int> &points);
     /// q, v at the end of the step without the forces there.
     void advance_modes(const DynamicState &state, const Drive &drive);
     /// The problem of the step, and where its solution starts: forces that go on changing as they did.
@@ -130,7 +130,7 @@ namespace vibrocontact
     /// mu of all points; n
     std::vector<double> friction;
     std::shared_ptr<const StepOperator> step_operator;
-    /// of the watched points
+    /// of the nearby points
     ContactProblem problem;
     ContactSolution solution;
     /// modes without the forces at the end of the step; n_modes

@@ -49,18 +49,18 @@ namespace vibrocontact
     /// @param points of the grid, ascending; the matrices have to outlive the operator
     StepOperator(const StepMatrices &matrices, std::vector<unsigned int> points);
 
-    unsigned int n_points() const override { return watched.size(); }
+    unsigned int n_points() const override { return nearby.size(); }
     void vmult(DenseVector &y, const DenseVector &R, const std::vector<unsigned int> &sources) const override;
     void extract(const std::vector<unsigned int> &points, DenseMatrix &block) const override;
     double mean_diagonal(unsigned int component) const override { return diagonal[component]; }
     bool fast_product() const override { return false; }
 
     /// the points of the grid, in the operator's order
-    const std::vector<unsigned int> &points() const { return watched; }
+    const std::vector<unsigned int> &points() const { return nearby; }
     /// rows of the grid whose residual displacements stand behind the 3 n_points() rows of y
     const std::vector<unsigned int> &residual_rows() const { return rows; }
     /// size of y
-    unsigned int n_rows() const { return 3 * watched.size() + rows.size(); }
+    unsigned int n_rows() const { return 3 * nearby.size() + rows.size(); }
     /// Rows of y for displacements and velocities of the shapes and the residual displacements that y already
     /// has behind them.
     void respond(const DenseVector &displacement, const DenseVector &velocity, DenseVector &y) const;
@@ -69,15 +69,15 @@ namespace vibrocontact
 
   private:
     const StepMatrices &matrices;
-    const std::vector<unsigned int> watched;
+    const std::vector<unsigned int> nearby;
     std::vector<unsigned int> rows;
-    /// points whose tangential residual displacements count: the watched ones, those upstream and the next
+    /// points whose tangential residual displacements count: the nearby ones, those upstream and the next
     /// one downstream (for the energy account)
     unsigned int n_wet = 0;
-    /// V d/dx + 1/h at each watched point: places among the wet points and their factors [1/s]
+    /// V d/dx + 1/h at each nearby point: places among the wet points and their factors [1/s]
     std::vector<std::vector<std::pair<unsigned int, double>>> transport;
     double diagonal[3];
-    /// of the watched points: basis, and StepMatrices::by_displacement and by_velocity side by side; 3
+    /// of the nearby points: basis, and StepMatrices::by_displacement and by_velocity side by side; 3
     /// n_points x rank, twice the rank
     DenseMatrix basis, by_motion;
     /// columns of W~ of the sources of the last product, and their forces

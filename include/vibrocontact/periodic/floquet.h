@@ -25,7 +25,7 @@ namespace vibrocontact
   /// Modes up to an angular frequency; the others answer statically (with the body's relaxation), in its residual.
   PeriodicBody slow_part(const PeriodicBody &body, double omega);
 
-  /// Multipliers by the monodromy matrix, the largest first: a kick by k dt at every sample in contact (second order in the
+  /// Multipliers by the monodromy matrix, the largest first: an impulse k dt at every sample in contact (second order in the
   /// sample), exact motion of the modes from one to the next, one exponential for each flight.
   std::vector<std::complex<double>> monodromy_multipliers(const PeriodicBody &body,
                                                           const TangentContact &contact);

@@ -28,6 +28,8 @@ namespace vibrocontact
   std::shared_ptr<const FrictionLaw> create_friction_law(const std::string &name,
                                                          const std::vector<double> &numbers)
   {
-    return find_friction_law(name).make(numbers);
+    const FrictionLawEntry &entry = find_friction_law(name);
+    check_numbers(name, entry.parameters, numbers.size());
+    return entry.make(numbers);
   }
 } // namespace vibrocontact

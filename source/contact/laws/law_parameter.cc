@@ -26,6 +26,23 @@ namespace vibrocontact
             ordinate};
   }
 
+  void check_numbers(const std::string &law, const std::vector<LawParameter> &parameters,
+                     const std::size_t n_numbers)
+  {
+    std::size_t n_expected = parameters.size();
+    bool has_curve = false;
+    for (const LawParameter &parameter : parameters)
+      if (parameter.is_curve())
+      {
+        has_curve = true;
+        --n_expected;
+      }
+    if (has_curve ? n_numbers < n_expected || (n_numbers - n_expected) % 2 != 0 : n_numbers != n_expected)
+      throw InputError("The contact law \"" + law + "\" is given " + std::to_string(n_numbers) +
+                       " numbers, but takes " + std::to_string(n_expected) +
+                       (has_curve ? " and pairs of a curve" : "") + ": write the contact problem anew.");
+  }
+
   void LawValues::set(const std::string &name, const double value)
   {
     std::ostringstream text;

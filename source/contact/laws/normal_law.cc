@@ -15,7 +15,7 @@ namespace vibrocontact
     double s = value / (a * touch.force_slope + b * touch.penetration_slope);
     if (value == 0 || is_linear())
       return s;
-    // the graph rises through zero at s = 0: what is found lies between 0 and `far`, once that is known
+    // the graph rises through zero at s = 0
     const double infinite = std::numeric_limits<double>::infinity();
     double low = value > 0 ? 0 : -infinite, high = value > 0 ? infinite : 0;
     for (unsigned int iteration = 0; iteration < 200 && std::isfinite(s); ++iteration)

@@ -31,6 +31,8 @@ namespace vibrocontact
   std::shared_ptr<const NormalLaw> create_normal_law(const std::string &name,
                                                      const std::vector<double> &numbers)
   {
-    return find_normal_law(name).make(numbers);
+    const NormalLawEntry &entry = find_normal_law(name);
+    check_numbers(name, entry.parameters, numbers.size());
+    return entry.make(numbers);
   }
 } // namespace vibrocontact

@@ -28,6 +28,10 @@ namespace vibrocontact
     std::vector<double> numbers;
   };
 
+  /// @throws InputError if a law of these parameters cannot be made of so many numbers
+  void check_numbers(const std::string &law, const std::vector<LawParameter> &parameters,
+                     std::size_t n_numbers);
+
   /// A number of Contact, or the file of a curve, as the entry stands.
   LawParameter law_number(const std::string &name, const std::string &default_value, const std::string &help,
                           double smallest, double largest);
