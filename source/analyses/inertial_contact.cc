@@ -124,7 +124,7 @@ namespace vibrocontact
       if (equilibrium.force_given)
         throw InputError(
             "Stability/Model gives the contact points mass and Contact/Normal law yields, which needs "
-            "a hub that is held: give Rolling/Hub displacement, or set Model to reduced.");
+            "a hub that is held: set Rolling/Hub to held, or Model to reduced.");
       DenseMatrix forces(N, c), gaps(c, N);
       if (c > 0)
         trace.Tmmult(forces, frame.normal);

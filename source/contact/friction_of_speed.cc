@@ -23,7 +23,8 @@ namespace vibrocontact
     constexpr unsigned int max_rounds = 100;
     const FrictionLaw &law = *problem.friction_law;
     ContactSolution solution = start;
-    unsigned int iterations = 0, factorisations = 0, fallbacks = 0;
+    unsigned int iterations = 0, factorisations = 0, linear_iterations = 0, fallbacks = 0;
+    double seconds = 0;
     std::vector<double> share(problem.mu.size(), 1.), missing(problem.mu.size(), 0.), step(missing);
     for (unsigned int round = 0; round < max_rounds; ++round)
     {
@@ -32,7 +33,9 @@ namespace vibrocontact
       solution = solver.solve(problem, solution);
       solution.iterations = iterations += solution.iterations;
       solution.factorisations = factorisations += solution.factorisations;
+      solution.linear_iterations = linear_iterations += solution.linear_iterations;
       solution.fallbacks = fallbacks += solution.fallbacks;
+      solution.seconds = seconds += solution.seconds;
       if (!solution.converged)
         return solution;
       const std::vector<double> now = speed(solution);

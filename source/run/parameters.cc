@@ -486,7 +486,8 @@ namespace vibrocontact
     if (scene.runs("periodic"))
     {
       periodic.check();
-      check_law_of_periodic(contact, periodic);
+      if (!has_contact())
+        check_law_of_periodic(contact, periodic);
       if (contact.friction > 0)
         check_constant_friction(contact, "", "periodic motion");
       const bool rigid = periodic_law()->is_rigid();

@@ -88,6 +88,7 @@ namespace vibrocontact
     const PeriodicBody body = periodic_body(parameters, bodies);
     const std::shared_ptr<const NormalLaw> law = parameters.periodic_law();
     const std::string law_name = periodic.law_in_results(parameters.contact.normal_law);
+    run_log().value("normal law", law->description().name);
     if (law->is_rigid() && !(body.residual(0, 0) > 0))
       run_log().warning(
           "the rigid stop meets a contact point with mass: its forces do not converge with the number of "
@@ -181,7 +182,8 @@ namespace vibrocontact
         add_body(entries, parameters, 0, use);
       if (on_grid)
         add_contact_grid(entries, parameters);
-      entries.add("Contact", "Friction coefficient");
+      entries.add_if(parameters.contact.takes_coefficient(), "the Contact/Friction law is scaled by it",
+                     "Contact", "Friction coefficient");
       entries.add_if(parameters.contact.friction > 0, "there is friction", "Contact", "Friction law");
       entries.add_if(own.law.empty(), "Periodic/Law is empty", "Contact", "Normal law");
       add_normal_law(entries, own.law.empty() ? parameters.contact.normal_law : own.own_law(),

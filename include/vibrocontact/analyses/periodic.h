@@ -21,7 +21,6 @@ namespace vibrocontact
     std::string trial = "fourier", weighting = "fourier";
     unsigned int n_functions = 127;
     std::string form = "distributional";
-    /// penalty, linear or signorini
     /// short name of a normal law; empty: that of section Contact
     std::string law;
     /// f [Hz], F [N], gap of the undeformed body [m]

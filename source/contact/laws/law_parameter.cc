@@ -20,7 +20,7 @@ namespace vibrocontact
   {
     return {name,
             "",
-            help + " CSV: " + abscissa + ", " + ordinate + ". Units: none.",
+            help + " CSV: " + abscissa + ", " + ordinate + ". Units: those of its columns.",
             std::make_shared<const dealii::Patterns::FileName>(),
             abscissa,
             ordinate};
