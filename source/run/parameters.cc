@@ -486,7 +486,8 @@ namespace vibrocontact
     if (scene.runs("periodic"))
     {
       periodic.check();
-      if (!has_contact())
+      // an analysis beside it may have the other law
+      if (!scene.runs("quasi-static rolling") && !scene.runs("stability") && !scene.runs("transient"))
         check_law_of_periodic(contact, periodic);
       if (contact.friction > 0)
         check_constant_friction(contact, "", "periodic motion");
