@@ -70,7 +70,7 @@ namespace vibrocontact
       const std::string law = "/vibrocontact/normal_law/";
       if (file.has(law + "numbers"))
         return finite_numbers(file, file_name, law + "numbers", 0);
-      if (!file.has(law + "amplitude"))
+      if (!file.has(law + "amplitude") || find_normal_law(file.text(law + "name")).parameters.empty())
         return {};
       return {finite_numbers(file, file_name, law + "amplitude", 1).front(),
               finite_numbers(file, file_name, law + "exponent", 1).front()};

@@ -119,9 +119,10 @@ TEST(PeriodicBalance, DerivativesAreThoseOfTheResidual)
 {
   for (const char *basis : {"fourier", "bspline", "daubechies6"})
     for (const unsigned int n : {9u, 8u})
-      for (const char *law : {"exponential penalty", "signorini"})
+      for (const auto &law :
+           {create_normal_law("exponential penalty", {3., 2.}), create_normal_law("signorini")})
       {
-        SCOPED_TRACE(std::string(basis) + " " + std::to_string(n) + " " + law);
+        SCOPED_TRACE(std::string(basis) + " " + std::to_string(n) + " " + law->description().name);
         BalanceSettings settings = pair(basis, basis, n);
         settings.n_samples = 1024;
         settings.friction = 0.3;
@@ -129,7 +130,7 @@ TEST(PeriodicBalance, DerivativesAreThoseOfTheResidual)
         {
           PeriodicBody body = three_directions(2);
           body.relaxation = relaxation;
-          PeriodicBalance balance(body, create_normal_law(law, {3., 2.}), settings);
+          PeriodicBalance balance(body, law, settings);
           expect_right_derivatives(balance, {1., 0.4});
         }
       }
