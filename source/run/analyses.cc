@@ -14,10 +14,10 @@ namespace vibrocontact
 {
   const std::vector<Analysis> &analyses()
   {
-    static const std::vector<Analysis> table = {modes_analysis(),     frequency_response_analysis(),
-                                                rolling_analysis(),   identification_analysis(),
-                                                periodic_analysis(),  stability_analysis(),
-                                                transient_analysis(), modal_convolution_analysis()};
+    static const std::vector<Analysis> table = {modes_analysis(),          frequency_response_analysis(),
+                                                identification_analysis(), rolling_analysis(),
+                                                periodic_analysis(),       stability_analysis(),
+                                                transient_analysis(),      modal_convolution_analysis()};
     return table;
   }
 
