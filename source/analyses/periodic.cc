@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/periodic.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/named_table.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
 
@@ -63,18 +64,10 @@ namespace vibrocontact
 
     std::string short_names_pattern()
     {
-      std::string names;
+      std::vector<std::string> names;
       for (const auto &[short_name, name] : short_names)
-        names += (names.empty() ? "" : "|") + short_name;
-      return names;
-    }
-
-    std::string basis_pattern()
-    {
-      std::string names;
-      for (const TimeBasisEntry &entry : time_bases())
-        names += (names.empty() ? "" : "|") + entry.name;
-      return names;
+        names.push_back(short_name);
+      return selection(names);
     }
   } // namespace
 
@@ -82,10 +75,10 @@ namespace vibrocontact
   {
     using namespace dealii::Patterns;
     prm.add_parameter("Trial basis", trial, "Functions of time that the motion is made of. Units: none.",
-                      Selection(basis_pattern()));
+                      Selection(selection(names_of(time_bases()))));
     prm.add_parameter("Weighting basis", weighting,
                       "Functions of time that the residual is orthogonal to. Units: none.",
-                      Selection(basis_pattern()));
+                      Selection(selection(names_of(time_bases()))));
     prm.add_parameter("Number of functions", n_functions,
                       "Functions in each basis; odd numbers leave no undamped last function. Units: none.",
                       Integer(1, 5000));

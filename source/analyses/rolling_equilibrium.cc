@@ -13,9 +13,11 @@ namespace vibrocontact
     const std::vector<double> slips = slip_speed(contact);
     for (unsigned int i = 0; i < slips.size(); ++i)
     {
-      result.friction.push_back(friction.coefficient(slips[i], contact.status[i] == ContactStatus::stick));
+      const FrictionLaw::Coefficient mu = friction.coefficient(slips[i]);
+      const bool sticks = contact.status[i] == ContactStatus::stick;
+      result.friction.push_back(mu.value + (sticks ? friction.jump() : 0.));
       if (friction.depends_on_speed())
-        result.friction_slope.push_back(friction.coefficient(slips[i]).slope);
+        result.friction_slope.push_back(mu.slope);
       if (!normal.is_rigid())
         result.normal_compliance.push_back(normal.compression(contact.R[i]).compliance);
     }

@@ -9,9 +9,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 namespace vibrocontact
 {
@@ -29,12 +31,18 @@ namespace vibrocontact
       return "process " + std::to_string(getpid()) + " on " + host + " since " + time + ", " + purpose;
     }
 
+    /// The holder writes its name just after it has taken the lock: it is given a second.
     std::string holder_of_lock(const std::string &file_name)
     {
-      std::ifstream file(file_name);
-      std::string line;
-      std::getline(file, line);
-      return line.empty() ? "it has just begun" : line;
+      for (unsigned int trial = 0; trial < 50; ++trial)
+      {
+        std::ifstream file(file_name);
+        std::string line;
+        if (std::getline(file, line) && !file.eof())
+          return line;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      }
+      return "it has just begun";
     }
   } // namespace
 

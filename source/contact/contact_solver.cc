@@ -1,3 +1,4 @@
+#include <vibrocontact/base/named_table.h>
 #include <vibrocontact/contact/contact_solver.h>
 
 #include <algorithm>
@@ -10,11 +11,8 @@ namespace vibrocontact
                                                    const std::vector<std::string> &methods)
   {
     using namespace dealii::Patterns;
-    std::string names;
-    for (const std::string &name : methods)
-      names += (names.empty() ? "" : "|") + name;
     prm.add_parameter("Method", method, "How the discrete contact problem is solved. Units: none.",
-                      Selection(names));
+                      Selection(selection(methods)));
     prm.add_parameter("Tolerance", tolerance,
                       "Relative residual of the projections to be reached. Units: none.",
                       Double(1e-15, 1e-2));

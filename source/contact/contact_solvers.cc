@@ -1,5 +1,4 @@
-#include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/base/named_table.h>
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/fixed_point.h>
 #include <vibrocontact/contact/newton.h>
@@ -20,18 +19,11 @@ namespace vibrocontact
 
   std::vector<std::string> contact_solver_names()
   {
-    std::vector<std::string> names;
-    for (const ContactSolverEntry &entry : contact_solvers())
-      names.push_back(entry.name);
-    return names;
+    return names_of(contact_solvers());
   }
 
   std::unique_ptr<ContactSolver> create_contact_solver(const ContactSolverParameters &parameters)
   {
-    for (const ContactSolverEntry &entry : contact_solvers())
-      if (entry.name == parameters.method)
-        return entry.create(parameters);
-    throw InputError("There is no contact solver called \"" + parameters.method + "\"; " +
-                     name_suggestion(parameters.method, contact_solver_names()));
+    return find_named(contact_solvers(), parameters.method, "contact solver").create(parameters);
   }
 } // namespace vibrocontact

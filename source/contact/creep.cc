@@ -1,5 +1,4 @@
-#include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/base/named_table.h>
 #include <vibrocontact/contact/creep.h>
 
 #include <algorithm>
@@ -24,14 +23,7 @@ namespace vibrocontact
 
   const CreepScheme &find_creep_scheme(const std::string &name)
   {
-    std::vector<std::string> names;
-    for (const CreepScheme &scheme : creep_schemes())
-    {
-      if (scheme.name == name)
-        return scheme;
-      names.push_back(scheme.name);
-    }
-    throw InputError("There is no creep scheme called \"" + name + "\"; " + name_suggestion(name, names));
+    return find_named(creep_schemes(), name, "creep scheme");
   }
 
   DenseVector rigid_slip(const ContactGrid &grid, const CreepScheme &scheme, const Creepage &creepage)

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/named_table.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/contact/interface.h>
 
@@ -10,17 +11,14 @@ namespace vibrocontact
 {
   namespace
   {
-    /// "a|b" for a pattern and "a (what it is), b (...)" for the help of an entry
+    /// "a (what it is), b (...)", for the help of an entry
     template <typename Entry>
-    std::pair<std::string, std::string> names_and_help(const std::vector<Entry> &table)
+    std::string help_of(const std::vector<Entry> &table)
     {
-      std::string names, help;
+      std::string help;
       for (const Entry &entry : table)
-      {
-        names += (names.empty() ? "" : "|") + entry.name;
         help += (help.empty() ? "" : ", ") + entry.name + " (" + entry.help + ")";
-      }
-      return {names, help};
+      return help;
     }
 
     /// Entries of all laws, each once, beside the coefficient of friction.
@@ -75,12 +73,9 @@ namespace vibrocontact
     prm.add_parameter("Lateral position", lateral_position,
                       "Lateral coordinate of the nominal contact point in the section of body 1. Units: m.",
                       Double(-1, 1));
-    std::string schemes;
-    for (const CreepScheme &scheme : creep_schemes())
-      schemes += (schemes.empty() ? "" : "|") + scheme.name;
     prm.add_parameter("Creep scheme", creep_scheme,
                       "Upwind difference of the convective part of the slip. Units: none.",
-                      Selection(schemes));
+                      Selection(selection(names_of(creep_schemes()))));
     prm.add_parameter(
         "Quadrature", quadrature,
         "Traction constant on each contact cell (lumped) or bilinear between the contact points "
@@ -95,16 +90,14 @@ namespace vibrocontact
                       "Whether the local flexibility couples normal and tangential directions; the coupling "
                       "by the modes stays. Units: none.",
                       Bool());
-    const auto [normal_names, normal_help] = names_and_help(normal_laws());
     prm.add_parameter("Normal law", normal_law,
-                      "Law between gap and normal force: " + normal_help + ". Units: none.",
-                      Selection(normal_names));
-    const auto [friction_names, friction_help] = names_and_help(friction_laws());
+                      "Law between gap and normal force: " + help_of(normal_laws()) + ". Units: none.",
+                      Selection(selection(names_of(normal_laws()))));
     prm.add_parameter("Friction law", friction_law,
-                      "Coefficient of friction over the slip speed: " + friction_help +
+                      "Coefficient of friction over the slip speed: " + help_of(friction_laws()) +
                           "; empty: falling friction where Static friction ratio is not 1, else coulomb. "
                           "Units: none.",
-                      Selection("|" + friction_names));
+                      Selection("|" + selection(names_of(friction_laws()))));
     for (const LawParameter &parameter : law_parameters())
       prm.add_parameter(parameter.name, law_values.text(parameter), parameter.help, *parameter.pattern);
   }
@@ -178,9 +171,7 @@ namespace vibrocontact
   std::shared_ptr<const FrictionLaw> ContactParameters::law_of_friction(const double coefficient) const
   {
     const FrictionLawEntry &entry = friction_entry();
-    LawValues values = law_values;
-    values.set(friction_coefficient().name, coefficient);
-    return entry.make(values.numbers(entry.parameters));
+    return entry.make(law_values.numbers(entry.parameters, {{friction_coefficient().name, coefficient}}));
   }
 
   std::shared_ptr<const ContactOperator> rolling_operator(const ContactGrid &grid, const HalfSpacePair &pair,

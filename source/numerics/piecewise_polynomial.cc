@@ -172,7 +172,11 @@ namespace vibrocontact
   unsigned int PiecewisePolynomial::find(const double x) const
   {
     const double place = (x - ends.front()) * per_length;
-    unsigned int k = first[place <= 0 ? 0 : std::min<std::size_t>(place, first.size() - 1)];
+    const std::size_t interval = place <= 0 ? 0 : std::min<std::size_t>(place, first.size() - 1);
+    // among the pieces that begin in the interval, of which uneven points make many
+    const std::size_t last = first[std::min(interval + 1, first.size() - 1)];
+    unsigned int k =
+        std::upper_bound(ends.begin() + first[interval] + 1, ends.begin() + last + 1, x) - ends.begin() - 1;
     while (k > 0 && x < ends[k])
       --k;
     while (k + 1 < pieces.size() && x >= ends[k + 1])

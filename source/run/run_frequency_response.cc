@@ -371,11 +371,6 @@ namespace vibrocontact
       entries.add_if(rolls, "a ring is Rolling", "Road", "Speed");
       add_lateral_position(entries, parameters);
     }
-
-    void do_frequency_response(const AnalysisRun &on)
-    {
-      run_frequency_response(on.parameters, on.bodies, on.measured, on.folder, on.results);
-    }
   } // namespace
 
   Analysis frequency_response_analysis()
@@ -385,7 +380,8 @@ namespace vibrocontact
              "their Green's functions",
              1},
             frequency_response_read,
-            do_frequency_response,
+            [](const AnalysisRun &on)
+            { run_frequency_response(on.parameters, on.bodies, on.measured, on.folder, on.results); },
             false,
             {{"frequency_response",
               "frequency response",

@@ -219,18 +219,14 @@ namespace vibrocontact
       entries.add_if(parameters.identification.contact_step > 0, section + "/Contact time step is above 0",
                      section, "Repair for contact");
     }
-
-    void do_identification(const AnalysisRun &on)
-    {
-      run_identification(on.parameters, on.measured.value(), on.folder, on.results);
-    }
   } // namespace
 
   Analysis identification_analysis()
   {
     return {{"identification", "poles of a body known by measured or computed Green's functions", 1},
             identification_read,
-            do_identification,
+            [](const AnalysisRun &on)
+            { run_identification(on.parameters, on.measured.value(), on.folder, on.results); },
             false,
             {{"identification",
               "identification",

@@ -325,11 +325,6 @@ namespace vibrocontact
         add_road(entries, of_body + "/Road", further->second.road, is_rolling_ring(bodies[k]), own.friction);
       }
     }
-
-    void do_modal_convolution(const AnalysisRun &on)
-    {
-      run_modal_convolution(on.parameters, on.bodies, on.measured, on.folder, on.resume, on.results);
-    }
   } // namespace
 
   Analysis modal_convolution_analysis()
@@ -337,7 +332,9 @@ namespace vibrocontact
     return {{"modal convolution",
              "a body known by its Green's functions rolls over a road in unilateral contact", 1},
             modal_convolution_read,
-            do_modal_convolution,
+            [](const AnalysisRun &on) {
+              run_modal_convolution(on.parameters, on.bodies, on.measured, on.folder, on.resume, on.results);
+            },
             true,
             {{"modal_convolution",
               "modal convolution",

@@ -216,18 +216,13 @@ namespace vibrocontact
       entries.add_if(tells && branch.stability == "hill", "Periodic/Continuation/Stability is hill",
                      continuation, "Hill harmonics");
     }
-
-    void do_periodic(const AnalysisRun &on)
-    {
-      run_periodic(on.parameters, on.bodies, on.folder, on.results);
-    }
   } // namespace
 
   Analysis periodic_analysis()
   {
     return {{"periodic", "periodic motions of body 1 against a stop, by weighted residuals in time", 1},
             periodic_read,
-            do_periodic,
+            [](const AnalysisRun &on) { run_periodic(on.parameters, on.bodies, on.folder, on.results); },
             false,
             {{"periodic",
               "periodic",

@@ -380,18 +380,14 @@ namespace vibrocontact
                      "there are Transient/Signals/Probes (a rim is that of a wheel) for more than 5 ms",
                      section + "/Signals", "Sound");
     }
-
-    void do_transient(const AnalysisRun &on)
-    {
-      run_transient(on.parameters, on.bodies, on.folder, on.resume, on.results);
-    }
   } // namespace
 
   Analysis transient_analysis()
   {
     return {{"transient", "motion in time of body 1 on body 2", 2},
             transient_read,
-            do_transient,
+            [](const AnalysisRun &on)
+            { run_transient(on.parameters, on.bodies, on.folder, on.resume, on.results); },
             true,
             {{"transient",
               "transient",

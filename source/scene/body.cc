@@ -1,3 +1,4 @@
+#include <vibrocontact/base/named_table.h>
 #include <vibrocontact/scene/body.h>
 
 #include <algorithm>
@@ -41,14 +42,11 @@ namespace vibrocontact
 
   void BodyParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
-    std::string names, help;
+    std::string help;
     for (const auto &candidate : body_types())
-    {
-      names += (names.empty() ? "" : "|") + candidate.name;
       help += (help.empty() ? "" : "; ") + candidate.name + ": " + candidate.help;
-    }
     prm.add_parameter("Type", type, "Kind of body. " + help + ". Units: none.",
-                      dealii::Patterns::Selection(names));
+                      dealii::Patterns::Selection(selection(names_of(body_types()))));
     const auto declare = [&](const std::string &section, auto &group)
     {
       prm.enter_subsection(section);

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/named_table.h>
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/scene/scene.h>
 
@@ -22,15 +23,6 @@ namespace vibrocontact
                                                      "Modal convolution",
                                                      "Periodic",
                                                      "Stability"};
-
-    template <typename Family>
-    std::vector<std::string> names_of(const Family &family)
-    {
-      std::vector<std::string> names;
-      for (const auto &member : family)
-        names.push_back(member.name);
-      return names;
-    }
 
     bool contains(const std::vector<std::string> &names, const std::string &name)
     {

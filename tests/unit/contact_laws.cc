@@ -148,6 +148,11 @@ TEST(ContactLaws, PotentialsAreThoseOfClosedForms)
   EXPECT_NEAR(create_normal_law("linear spring", {a, alpha})->potential(-2e-6), 0.5 * a * alpha * 4e-12,
               1e-18);
   EXPECT_EQ(create_normal_law("signorini")->potential(-1e-9), 0);
+  // what a member writes by hand is the integral of its force
+  for (const auto &law : all_normal_laws())
+    for (const double d : {1e-8, 2e-7, 7e-7, 1.5e-6, 4e-6, 1e-5})
+      EXPECT_NEAR(law->potential(-d), law->integrated_force(-d), 1e-11 * law->potential(-d))
+          << law->description().name << " " << d;
 }
 
 // Derivatives of graphs, resolvents and coefficients against central differences at random states; about a corner the

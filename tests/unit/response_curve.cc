@@ -62,7 +62,8 @@ namespace
   struct ShootingCurve : CurveEquations
   {
     const PeriodicBody body = axial_bar(bar_case);
-    const std::shared_ptr<const NormalLaw> law = create_normal_law("exponential penalty", {bar_case.amplitude, bar_case.exponent});
+    const std::shared_ptr<const NormalLaw> law =
+        create_normal_law("exponential penalty", {bar_case.amplitude, bar_case.exponent});
     static constexpr double phase = 0.75;
     static constexpr unsigned int n_steps = 64;
 

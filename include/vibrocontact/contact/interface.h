@@ -48,7 +48,8 @@ namespace vibrocontact
     /// law_values are the defaults of the laws
     ContactParameters();
     void declare_parameters(dealii::ParameterHandler &prm);
-    /// Reads the curves of the laws that are named here or by another section, before any law is made. Collective.
+    /// Reads the curves of the laws that are named here or by another section, before any law is made, and takes `friction`
+    /// from a law that the entry does not scale. Collective.
     /// @param further normal law that an analysis takes in place of `normal_law`, or empty
     /// @throws InputError with entry, file and line, or for a curve that makes no law
     void read_curves(const std::string &further);

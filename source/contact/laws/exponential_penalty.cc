@@ -2,6 +2,7 @@
 #include <vibrocontact/contact/laws/derivative.h>
 #include <vibrocontact/contact/laws/exponential_penalty.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace vibrocontact
@@ -23,7 +24,17 @@ namespace vibrocontact
                            "give Contact/Penalty amplitude and Contact/Penalty exponent.");
       }
       LawDescription description() const override { return {"exponential penalty", {amplitude, exponent}}; }
-      std::vector<double> corners() const override { return {linear_beyond / exponent}; }
+      std::vector<double> breaks() const override { return {linear_beyond / exponent}; }
+      /// written out, as every point in contact is asked for it in every time step
+      double potential(const double gap) const override
+      {
+        const double x = -gap * exponent;
+        if (x <= 0)
+          return 0;
+        const double at = std::min(x, linear_beyond), beyond = (x - at) / exponent;
+        return amplitude * (std::expm1(at) - at) / exponent + amplitude * std::expm1(at) * beyond +
+               0.5 * amplitude * exponent * std::exp(at) * beyond * beyond;
+      }
 
     protected:
       Spring spring(const double penetration) const override

@@ -31,13 +31,12 @@ namespace vibrocontact
         for (const double value : mu)
           if (!(value > 0))
             refuse("has the coefficient " + number_text(value));
-        rest = mu[0];
         if (speeds.size() > 1 && speeds[1] == 0)
         {
+          step = std::max(0., mu[0] - mu[1]);
           speeds.erase(speeds.begin());
           mu.erase(mu.begin());
         }
-        rest = std::max(rest, mu[0]);
         for (std::size_t k = 1; k < speeds.size(); ++k)
           if (!(speeds[k] > speeds[k - 1]))
             refuse("goes from the slip speed " + number_text(speeds[k - 1]) + " to " +
@@ -55,12 +54,12 @@ namespace vibrocontact
         const PiecewisePolynomial::Value at = curve.at(speed);
         return {at.value, at.first};
       }
-      double at_rest() const override { return rest; }
+      double jump() const override { return step; }
 
     private:
       const std::vector<double> points;
       PiecewisePolynomial curve;
-      double rest = 0, last = 0;
+      double step = 0, last = 0;
     };
   } // namespace
 

@@ -1,5 +1,4 @@
-#include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/base/named_table.h>
 #include <vibrocontact/contact/laws/coulomb.h>
 #include <vibrocontact/contact/laws/falling_friction.h>
 #include <vibrocontact/contact/laws/friction_curve.h>
@@ -15,14 +14,7 @@ namespace vibrocontact
 
   const FrictionLawEntry &find_friction_law(const std::string &name)
   {
-    std::vector<std::string> names;
-    for (const FrictionLawEntry &entry : friction_laws())
-    {
-      if (entry.name == name)
-        return entry;
-      names.push_back(entry.name);
-    }
-    throw InputError("There is no friction law called \"" + name + "\"; " + name_suggestion(name, names));
+    return find_named(friction_laws(), name, "friction law");
   }
 
   std::shared_ptr<const FrictionLaw> create_friction_law(const std::string &name,

@@ -76,11 +76,14 @@ namespace vibrocontact
     }
   }
 
-  std::vector<double> LawValues::numbers(const std::vector<LawParameter> &parameters) const
+  std::vector<double> LawValues::numbers(const std::vector<LawParameter> &parameters,
+                                         const std::map<std::string, double> &given) const
   {
     std::vector<double> result;
     for (const LawParameter &parameter : parameters)
-      if (!parameter.is_curve())
+      if (given.count(parameter.name) > 0)
+        result.push_back(given.at(parameter.name));
+      else if (!parameter.is_curve())
         result.push_back(number(parameter.name));
       else if (curves.count(parameter.name) == 0)
         throw InputError("The law of the contact needs Contact/" + parameter.name +

@@ -55,28 +55,26 @@ namespace vibrocontact
     return {at.penetration, at.penetration_slope / at.force_slope};
   }
 
-  double NormalLaw::potential(const double gap) const
+  double NormalLaw::integrated_force(const double gap) const
   {
     if (!(gap < 0) || is_rigid())
       return 0;
     static const dealii::QGauss<1> rule(8);
-    std::vector<double> ends = {0};
-    for (const double corner : corners())
-      if (corner < -gap)
-        ends.push_back(corner);
-    ends.push_back(-gap);
-    double sum = 0;
-    for (unsigned int k = 0; k + 1 < ends.size(); ++k)
+    double sum = 0, begin = 0;
+    const auto add_up_to = [&](const double end)
     {
-      // the parameters at which the penetration is reached: they are the same where the force is a function of the gap
-      const double length = ends[k + 1] - ends[k];
       for (unsigned int i = 0; i < rule.size(); ++i)
       {
-        const double depth = ends[k] + length * rule.point(i)[0];
-        sum +=
-            length * rule.weight(i) * graph(is_function_of_gap() ? depth : parameter_at(0, 1, depth)).force;
+        const double depth = begin + (end - begin) * rule.point(i)[0];
+        sum += (end - begin) * rule.weight(i) *
+               graph(is_function_of_gap() ? depth : parameter_at(0, 1, depth)).force;
       }
-    }
+      begin = end;
+    };
+    for (const double depth : breaks())
+      if (depth < -gap)
+        add_up_to(depth);
+    add_up_to(-gap);
     return sum;
   }
 } // namespace vibrocontact

@@ -1,5 +1,4 @@
-#include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/base/named_table.h>
 #include <vibrocontact/contact/laws/exponential_penalty.h>
 #include <vibrocontact/contact/laws/linear_spring.h>
 #include <vibrocontact/contact/laws/normal_laws.h>
@@ -17,15 +16,7 @@ namespace vibrocontact
 
   const NormalLawEntry &find_normal_law(const std::string &name)
   {
-    std::vector<std::string> names;
-    for (const NormalLawEntry &entry : normal_laws())
-    {
-      if (entry.name == name)
-        return entry;
-      names.push_back(entry.name);
-    }
-    throw InputError("There is no normal contact law called \"" + name + "\"; " +
-                     name_suggestion(name, names));
+    return find_named(normal_laws(), name, "normal contact law");
   }
 
   std::shared_ptr<const NormalLaw> create_normal_law(const std::string &name,

@@ -39,6 +39,7 @@ namespace vibrocontact
           forces.push_back(by_depth[k].second);
         }
         curve = PiecewisePolynomial::monotone(depths, forces);
+        energy = curve.integral();
         first_slope = curve.after(0).first;
         last_slope = curve.before(depths.back()).first;
         // a flat end would never carry more
@@ -49,7 +50,15 @@ namespace vibrocontact
               (forces.back() - forces[forces.size() - 2]) / (depths.back() - depths[depths.size() - 2]);
       }
       LawDescription description() const override { return {"spring curve", points}; }
-      std::vector<double> corners() const override { return {depths.begin() + 1, depths.end()}; }
+      std::vector<double> breaks() const override { return {depths.begin() + 1, depths.end()}; }
+      /// of the cubics: a table may have many intervals
+      double potential(const double gap) const override
+      {
+        if (!(gap < 0))
+          return 0;
+        const double within = std::min(-gap, depths.back()), beyond = -gap - within;
+        return energy.value(within) + forces.back() * beyond + 0.5 * last_slope * beyond * beyond;
+      }
 
     protected:
       Spring spring(const double d) const override
@@ -65,7 +74,7 @@ namespace vibrocontact
     private:
       const std::vector<double> points;
       std::vector<double> depths, forces;
-      PiecewisePolynomial curve;
+      PiecewisePolynomial curve, energy;
       /// [N/m]
       double first_slope = 0, last_slope = 0;
     };

@@ -26,14 +26,15 @@ namespace vibrocontact
     virtual LawDescription description() const = 0;
     /// of sliding at a speed >= 0 [m/s]; at zero its limit
     virtual Coefficient coefficient(double speed) const = 0;
-    /// what a point at rest holds [-]: never less than what slow sliding carries
-    virtual double at_rest() const { return coefficient(0).value; }
+    /// by how much a point at rest holds more than slow sliding carries [-], >= 0
+    virtual double jump() const { return 0; }
+    double at_rest() const { return coefficient(0).value + jump(); }
     virtual bool depends_on_speed() const { return true; }
 
     /// Of a point that sticks or slides; sticking points may move by what the slip speed of the law does not see.
     double coefficient(const double speed, const bool sticks) const
     {
-      return coefficient(speed).value + (sticks ? at_rest() - coefficient(0).value : 0.);
+      return coefficient(speed).value + (sticks ? jump() : 0.);
     }
   };
 

@@ -50,8 +50,10 @@ namespace vibrocontact
 
     /// Reads the files of a law's curves. Collective. @throws InputError with entry, file and line
     void read_curves(const std::vector<LawParameter> &parameters);
+    /// @param given numbers in place of entries
     /// @throws InputError if the law needs a curve that is not given
-    std::vector<double> numbers(const std::vector<LawParameter> &parameters) const;
+    std::vector<double> numbers(const std::vector<LawParameter> &parameters,
+                                const std::map<std::string, double> &given = {}) const;
 
   private:
     std::map<std::string, std::string> texts;

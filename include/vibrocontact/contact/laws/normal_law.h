@@ -51,8 +51,10 @@ namespace vibrocontact
     virtual bool is_function_of_gap() const { return false; }
     /// Whether force and penetration are proportional (or the penetration zero): one compliance for all forces.
     virtual bool is_linear() const { return false; }
-    /// Penetrations at which the slope of the graph jumps, ascending [m]; without zero.
-    virtual std::vector<double> corners() const { return {}; }
+    /// Penetrations at which pieces of the graph join that are smooth by themselves, ascending [m]; without zero.
+    virtual std::vector<double> breaks() const { return {}; }
+    /// energy that the law itself stores at a gap [J]; members replace the integral only where that pays
+    virtual double potential(double gap) const { return integrated_force(gap); }
     /// The resolvent; members replace it only where that pays (measured in doc/contact.md).
     virtual Projection project(double force, double gap, double rho) const
     {
@@ -68,8 +70,8 @@ namespace vibrocontact
     Compression compression(double force) const;
     /// Whether the stop does not yield at all.
     bool is_rigid() const { return graph(0).penetration_slope == 0; }
-    /// energy that the law itself stores at a gap, int N dd [J]
-    double potential(double gap) const;
+    /// int N dd by Gauss points between the breaks [J]
+    double integrated_force(double gap) const;
   };
 
   /// A law whose force is a function of the gap: a spring behind the surface, open gaps without force.
