@@ -102,7 +102,7 @@ namespace vibrocontact
     {
     public:
       Comparison(const ComparisonRow &row, const unsigned int repetitions,
-                 const ModalConvolutionParameters &parameters, const PoleModel &model,
+                 const ModalConvolutionParameters &parameters, const BodyInContact &model,
                  const RoadParameters &road, const std::vector<double> &places,
                  const std::vector<double> &shapes)
           : row(row), repetitions(repetitions), parameters(parameters), model(model),
@@ -263,7 +263,7 @@ namespace vibrocontact
       const ComparisonRow row;
       const unsigned int repetitions;
       const ModalConvolutionParameters &parameters;
-      const PoleModel &model;
+      const BodyInContact &model;
       const Road road;
       const unsigned int n;
       /// the contact has no compliance; the exact motion is known from event to event
@@ -277,7 +277,7 @@ namespace vibrocontact
   std::vector<ComparedMethod> compare_methods(const std::vector<ComparisonRow> &rows,
                                               const unsigned int repetitions,
                                               const ModalConvolutionParameters &parameters,
-                                              const PoleModel &model, const RoadParameters &road,
+                                              const BodyInContact &model, const RoadParameters &road,
                                               const std::vector<double> &places,
                                               const std::vector<double> &shapes)
   {

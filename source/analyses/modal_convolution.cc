@@ -1,5 +1,5 @@
 #include <vibrocontact/analyses/modal_convolution.h>
-#include <vibrocontact/analyses/road_friction.h>
+#include <vibrocontact/analyses/road_contact.h>
 #include <vibrocontact/analyses/road_stepper.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/processor_clock.h>
@@ -25,8 +25,8 @@ namespace vibrocontact
   } // namespace
 
   ModalConvolution::ModalConvolution(const ModalConvolutionParameters &parameters,
-                                     const ContactSolverParameters &solver, const PoleModel &model,
-                                     const Road &road, const double mu)
+                                     const ContactSolverParameters &solver, const BodyInContact &model,
+                                     const Road &road, const RoadLaws &laws)
       : parameters(parameters), road(road), n_points(road.n_points()), time_step(parameters.time_step),
         last_step(std::lround(parameters.end_time / parameters.time_step)), was_closed(n_points, 0),
         has_friction(model.n_rows() > n_points)
@@ -47,18 +47,23 @@ namespace vibrocontact
       last_tangential_displacement.assign(displacement.begin() + n_points, displacement.end());
       last_tangential_force.assign(n_points, 0.);
     }
-    residual.assign(n_points, 0.);
+    residual.assign(n_points, laws.normal->compression(0).compliance);
     for (unsigned int i = 0; i < n_points && model.residual.m() > 0; ++i)
-      residual[i] = model.residual(i, i);
+      residual[i] += model.residual(i, i);
     is_rigid = has_rigid_points();
     if (parameters.is_event_located())
     {
+      if (!laws.normal->is_rigid())
+        throw InputError(
+            "Contact/Normal law is " + laws.normal->description().name +
+            ", but Modal convolution/Method is event located, which knows rigid points only: take modal "
+            "recursion or signorini.");
       events = std::make_unique<EventLocated>(model, state, road, parameters.longest_piece);
       check_number_of_pieces();
     }
     else
     {
-      stepper = std::make_unique<RoadStepper>(parameters, solver, model, n_points, last_step, mu,
+      stepper = std::make_unique<RoadStepper>(parameters, solver, model, n_points, last_step, laws,
                                               road.sliding_speed());
       for (unsigned int i = 0; i < n_points; ++i)
         stiffness.push_back(1 / stepper->response->compliance()(i, i));
@@ -66,7 +71,7 @@ namespace vibrocontact
       road.heights(0, last_height.data());
       older_displacement = last_displacement;
       older_gap.assign(n_points, 0.);
-      if (parameters.error_estimate && ModalEnergy::applies(model))
+      if (parameters.error_estimate && parameters.method != "theta method" && ModalEnergy::applies(model))
       {
         modal_work = std::make_unique<SteppedModalWork>(model, state, time_step,
                                                         force_interpolation(parameters.force_shape));
@@ -75,7 +80,7 @@ namespace vibrocontact
       }
     }
     if (parameters.error_estimate)
-      begin_second_march(solver, model, mu);
+      begin_second_march(solver, model, laws);
   }
 
   ModalConvolution::~ModalConvolution() = default;
@@ -365,6 +370,7 @@ namespace vibrocontact
       file("last/tangential_force", last_tangential_force);
       file("stepper/dissipation", stepper->dissipation);
       file("stepper/sticking_points", stepper->sticking_points);
+      file("stepper/forces", stepper->forces_before);
       r.dissipation = stepper->dissipation;
       r.sticking_points = stepper->sticking_points;
     }

@@ -28,6 +28,11 @@ namespace vibrocontact
         "from step to step (contact with tread or residual flexibility: more accurate, but only below "
         "a longest step). Units: none.",
         Selection("impulse|constant|linear"));
+    prm.add_parameter(
+        "Theta", theta,
+        "Of the theta method: 1/2 has no numerical damping, more subtracts (theta - 1/2) omega^2 h from "
+        "growth rates. Units: none.",
+        Double(0.5, 1));
     prm.add_parameter("Memory", memory,
                       "Of the convolutions: time after which a force is forgotten; 0: never. Units: s.",
                       Double(0, 1e9));
@@ -73,10 +78,9 @@ namespace vibrocontact
       throw InputError(
           "Modal convolution/Memory is shorter than Modal convolution/Time step: give the time that "
           "forces are kept, or 0 for all of them.");
-    if (memory > 0 && method == "modal recursion")
-      throw InputError(
-          "Modal convolution/Memory is given, but the modal recursion forgets nothing: leave it out or "
-          "take a convolution.");
+    if (memory > 0 && !is_event_located() && !response_method(method).is_convolution)
+      throw InputError("Modal convolution/Memory is given, but the " + method +
+                       " forgets nothing: leave it out or take a convolution.");
     if (friction && is_event_located())
       throw InputError(
           "Modal convolution/Friction is true, but Method is event located, which finds touches and "

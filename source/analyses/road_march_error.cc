@@ -3,6 +3,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/processor_clock.h>
 #include <vibrocontact/numerics/doubled_step.h>
+#include <vibrocontact/response/response_methods.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ namespace vibrocontact
     bool is_of_second_order(const ModalConvolutionParameters &parameters)
     {
       return force_interpolation(parameters.force_shape) == ForceInterpolation::linear &&
-             parameters.memory == 0;
+             parameters.memory == 0 && !(parameters.method == "theta method" && parameters.theta > 0.5);
     }
 
     double sum_of_points(const std::vector<double> &values)
@@ -48,8 +49,8 @@ namespace vibrocontact
                              : "a march with half the step";
   }
 
-  void ModalConvolution::begin_second_march(const ContactSolverParameters &solver, const PoleModel &model,
-                                            const double mu)
+  void ModalConvolution::begin_second_march(const ContactSolverParameters &solver, const BodyInContact &model,
+                                            const RoadLaws &laws)
   {
     second_parameters = std::make_unique<ModalConvolutionParameters>(parameters);
     ModalConvolutionParameters &own = *second_parameters;
@@ -67,7 +68,7 @@ namespace vibrocontact
       // the recursion forgets nothing, so that what a memory cuts off is seen, unless the Green's functions never end
       const bool ends = std::all_of(model.poles.begin(), model.poles.end(),
                                     [](const std::complex<double> &pole) { return pole.real() < 0; });
-      if (parameters.memory == 0 || ends)
+      if (response_method(parameters.method).is_convolution && (parameters.memory == 0 || ends))
       {
         own.method = "modal recursion";
         own.memory = 0;
@@ -80,7 +81,7 @@ namespace vibrocontact
         own.time_step = ratio * time_step;
       if (own.memory > 0)
         own.memory = std::max(parameters.memory, own.time_step);
-      second = std::make_unique<ModalConvolution>(own, solver, model, road, mu);
+      second = std::make_unique<ModalConvolution>(own, solver, model, road, laws);
       // what is left of steps twice as long ends between two of them
       second->last_step = std::floor(last_step / ratio + 1e-9);
     };
@@ -102,7 +103,7 @@ namespace vibrocontact
     {
       make(events ? 1 : 2);
       if (is_first && !events && !is_of_second_order(parameters))
-        second->begin_second_march(solver, model, mu);
+        second->begin_second_march(solver, model, laws);
     }
     catch (const InputError &)
     {

@@ -1,7 +1,8 @@
-#include <vibrocontact/analyses/road_friction.h>
+#include <vibrocontact/analyses/road_contact.h>
 #include <vibrocontact/analyses/road_stepper.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/contact_solvers.h>
+#include <vibrocontact/contact/friction_of_speed.h>
 #include <vibrocontact/response/response_methods.h>
 #include <vibrocontact/response/step_weights.h>
 
@@ -30,16 +31,21 @@ namespace vibrocontact
     }
 
     std::unique_ptr<Response> make_response(const ModalConvolutionParameters &parameters,
-                                            const PoleModel &model, const unsigned long n_steps)
+                                            const BodyInContact &model, const unsigned long n_steps)
     {
       ResponseSettings settings;
       settings.time_step = parameters.time_step;
       settings.interpolation = force_interpolation(parameters.force_shape);
       settings.n_steps = n_steps;
+      settings.theta = parameters.theta;
       settings.memory = std::lround(parameters.memory / parameters.time_step);
+      if (settings.memory > 0 && std::any_of(model.poles.begin(), model.poles.end(), is_rigid_motion))
+        throw InputError(
+            "Modal convolution/Memory is given, but the body is free and forgets no force that has moved "
+            "it: leave it out.");
       const double kept =
           double(settings.memory > 0 ? settings.memory : n_steps) * model.n_rows() * model.n_rows();
-      if (parameters.method != "modal recursion" && kept > 2e8)
+      if (response_method(parameters.method).is_convolution && kept > 2e8)
         throw InputError(
             "Modal convolution/Memory asks for more than 200 million samples of the Green's functions: "
             "give a shorter one or take the modal recursion.");
@@ -49,11 +55,28 @@ namespace vibrocontact
                              settings);
     }
 
-    void check_force_interpolation(const ModalConvolutionParameters &parameters, const PoleModel &model,
-                                   const unsigned int n_points)
+    /// S with the least compliance of the normal law on its diagonal: that of all forces if it is linear; what yields at all does for
+    /// constant forces.
+    DenseMatrix least_compliance(const BodyInContact &model, const unsigned int n_points,
+                                 const NormalLaw &law, const ForceInterpolation interpolation)
     {
-      const double longest = longest_step(model.residual, initial_derivative(model, 1),
-                                          force_interpolation(parameters.force_shape));
+      DenseMatrix S = model.residual;
+      if (S.m() == 0)
+        S.reinit(model.n_rows(), model.n_rows());
+      if (law.is_linear() || interpolation == ForceInterpolation::constant)
+        for (unsigned int i = 0; i < n_points; ++i)
+          S(i, i) += law.compression(0).compliance;
+      return S;
+    }
+
+    void check_force_interpolation(const ModalConvolutionParameters &parameters, const BodyInContact &model,
+                                   const unsigned int n_points, const NormalLaw &law)
+    {
+      const ForceInterpolation interpolation = force_interpolation(parameters.force_shape);
+      const DenseMatrix S = least_compliance(model, n_points, law, interpolation);
+      const double longest = parameters.method == "theta method"
+                                 ? longest_theta_step(S, interpolation, parameters.theta)
+                                 : longest_step(S, initial_derivative(model, 1), interpolation);
       if (parameters.time_step <= longest)
         return;
       std::ostringstream text;
@@ -64,7 +87,7 @@ namespace vibrocontact
       else
       {
         unsigned int rigid = 0;
-        while (rigid + 1 < model.residual.m() && model.residual(rigid, rigid) > 0)
+        while (rigid + 1 < S.m() && S(rigid, rigid) > 0)
           ++rigid;
         text << "as contact point " << rigid % n_points << " is rigid"
              << (rigid < n_points ? "" : " along the road") << ": take Force shape = impulse, or give a "
@@ -75,17 +98,20 @@ namespace vibrocontact
   } // namespace
 
   RoadStepper::RoadStepper(const ModalConvolutionParameters &parameters,
-                           const ContactSolverParameters &solver_parameters, const PoleModel &model,
-                           const unsigned int n_points, const unsigned long n_steps, const double mu,
+                           const ContactSolverParameters &solver_parameters, const BodyInContact &model,
+                           const unsigned int n_points, const unsigned long n_steps, const RoadLaws &laws,
                            const double sliding_speed)
       : response(make_response(parameters, model, n_steps)),
-        contact(normal_block(response->compliance(), n_points), at_step(parameters.time_step)), n(n_points),
-        step(parameters.time_step), sliding_speed(sliding_speed), solver_parameters(solver_parameters),
-        problem(road_contact_problem(response->compliance(), n_points, mu, parameters.time_step)),
+        contact(normal_block(response->compliance(), n_points), at_step(parameters.time_step)),
+        forces_before(model.n_rows(), 0.), n(n_points), step(parameters.time_step),
+        sliding_speed(sliding_speed), solver_parameters(solver_parameters),
+        problem(road_contact_problem(response->compliance(), n_points, laws, parameters.time_step)),
         is_linear(force_interpolation(parameters.force_shape) == ForceInterpolation::linear),
-        is_common(parameters.contact_solver == "common" || model.n_rows() > n_points)
+        is_common(parameters.contact_solver == "common" || model.n_rows() > n_points ||
+                  !laws.normal->is_rigid()),
+        residual_flexibility(model.residual)
   {
-    check_force_interpolation(parameters, model, n_points);
+    check_force_interpolation(parameters, model, n_points, *laws.normal);
   }
 
   void RoadStepper::run(const unsigned int n_steps, const double *heights, double *displacements,
@@ -103,6 +129,8 @@ namespace vibrocontact
                                double *forces, double *tangential_displacements, double *tangential_forces)
   {
     // nothing is left of the steps before: a resumed run, which begins with a block, has the same solver
+    if (problem.friction_law)
+      problem.mu.assign(n, problem.friction_law->at_rest());
     const std::unique_ptr<ContactSolver> solver = create_contact_solver(solver_parameters);
     ContactSolution solution;
     std::vector<double> q(response->n_rows());
@@ -115,7 +143,8 @@ namespace vibrocontact
         problem.b[i] = free[i] - heights[i];
       for (unsigned int i = 0; has_friction && i < n; ++i)
         problem.b[n + i] = (free[n + i] - before[i]) / step + sliding_speed;
-      solution = solver->solve(problem, solution);
+      solution = solve_with_friction_of_speed(
+          problem, *solver, solution, [this](const ContactSolution &found) { return law_speed(found); });
       if (!solution.converged)
         throw ConvergenceError("The contact of a step did not converge, relative residual " +
                                std::to_string(solution.residual) + ".");
@@ -141,9 +170,25 @@ namespace vibrocontact
         tangential_forces += n;
       }
       response->advance(q.data());
+      forces_before = q;
       iterations += solution.iterations;
       residual = std::max(residual, solution.residual);
     }
+  }
+
+  /// The slip speed that counts in the coefficient of friction: without the rate of what has no inertia
+  /// (contact/friction_of_speed.h).
+  std::vector<double> RoadStepper::law_speed(const ContactSolution &solution) const
+  {
+    std::vector<double> speed(n);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      double slip = solution.y[n + i];
+      for (unsigned int j = 0; j < forces_before.size() && residual_flexibility.m() > 0; ++j)
+        slip -= residual_flexibility(n + i, j) * (solution.R[j] - forces_before[j]) / step;
+      speed[i] = std::abs(slip);
+    }
+    return speed;
   }
 
   void RoadStepper::run_one(const unsigned int n_steps, const double *heights, double *displacements,

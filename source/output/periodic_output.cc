@@ -28,7 +28,8 @@ namespace vibrocontact
       return json;
     json["tip_max_m"] = motion.tip_max;
     json["tip_min_m"] = motion.tip_min;
-    json["energy_norm_J"] = motion.energy_norm;
+    if (!motion.energy.empty())
+      json["energy_norm_J"] = motion.energy_norm;
     json["penetration_m"] = motion.penetration;
     json["impulse_Ns"] = motion.impulse;
     if (solved.errors)

@@ -53,6 +53,8 @@ namespace vibrocontact
                       {"commit", commit()},
                       {"dealii", dealii_version()},
                       {"ranks", dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)}};
+    if (!results.input_files.empty())
+      top["input_files"] = results.input_files;
     top["status"] = results.converged() && results.complete ? "converged" : "not converged";
     top["complete"] = results.complete;
     top["wall_s"] = wall_seconds;
@@ -91,6 +93,7 @@ namespace vibrocontact
             "The results.json in the output folder is damaged or was changed: run the file without "
             "--resume");
       Results results;
+      results.input_files = top.value("input_files", results.input_files);
       results.finished = top.at("finished").get<std::set<std::string>>();
       for (const auto &failure : top.value("not_converged", nlohmann::ordered_json::array()))
       {

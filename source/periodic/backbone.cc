@@ -75,7 +75,7 @@ namespace vibrocontact
           "A backbone needs Fourier functions, three at least: set Periodic/Trial basis and Weighting "
           "basis to fourier.");
     const unsigned int n = balance.n_unknowns(), N = balance.settings.n_functions,
-                       rows = balance.linear_body().n_rows(), count = balance.sampling().n_samples();
+                       rows = balance.linear_body().n_contact_rows(), count = balance.sampling().n_samples();
     FreeMotion equations(balance);
     // a pulse on the first point, smooth enough for the harmonics there are
     const auto pulse = [&](const double f)

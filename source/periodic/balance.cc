@@ -21,7 +21,7 @@ namespace vibrocontact
     }
   } // namespace
 
-  PeriodicBalance::PeriodicBalance(const PeriodicBody &body, std::shared_ptr<const NormalLaw> law,
+  PeriodicBalance::PeriodicBalance(const ForcedBody &body, std::shared_ptr<const NormalLaw> law,
                                    const BalanceSettings &settings)
       : settings(settings), body(body), law(law), spring(law->is_function_of_gap()),
         trial_basis(create_time_basis(settings.trial, settings.n_functions)),
@@ -33,7 +33,9 @@ namespace vibrocontact
       if (std::abs(pairing.a0[m]) < 1e-10)
       {
         const bool residual_singular = body.residual(0, 0) > 0 && body.relaxation == 0;
-        if (residual_singular || *std::min_element(body.damping_ratio.begin(), body.damping_ratio.end()) <= 0)
+        const auto is_undamped = [](const double zeta) { return zeta <= 0; };
+        if (residual_singular ||
+            std::any_of(body.damping_ratio.begin(), body.damping_ratio.end(), is_undamped))
           throw ConvergenceError("The last order of " + std::to_string(settings.n_functions) + " functions " +
                                  settings.trial + ":" + settings.weighting +
                                  " has neither stiffness nor damping: take an odd number of functions.");
@@ -44,7 +46,7 @@ namespace vibrocontact
     if (settings.friction > 0 && trial_basis->n_derivatives() == 0)
       throw InputError("Friction needs the velocity of the trial functions; those of " + trial_basis->name() +
                        " have none: choose another Periodic/Trial basis.");
-    const std::size_t size = std::size_t(body.n_rows()) * samples->n_samples();
+    const std::size_t size = std::size_t(body.n_contact_rows()) * samples->n_samples();
     u_samples.resize(size);
     v_samples.resize(size);
     c_samples.resize(size);
@@ -54,11 +56,11 @@ namespace vibrocontact
     by_v.resize(by_u.size());
     by_c.resize(by_u.size());
     bool is_massless = settings.friction > 0 && !spring && body.relaxation == 0;
-    for (unsigned int i = 0; i < body.n_rows(); ++i)
+    for (unsigned int i = 0; i < body.n_contact_rows(); ++i)
       is_massless = is_massless && body.residual(i, i) > 0;
     if (!is_massless)
       return;
-    massless = std::make_unique<MasslessContact>(body.residual, settings.friction);
+    massless = std::make_unique<MasslessContact>(body.contact_residual(), settings.friction);
     trial_values = sampled(*trial_basis, samples->phases(), 0);
     moment_weights = sampled(*weighting_basis, samples->phases(), 0);
     const unsigned int N = settings.n_functions;
@@ -97,7 +99,7 @@ namespace vibrocontact
     force = new_force;
     linear = condensed_at(force);
     double normal = 0, tangential = 0;
-    const unsigned int n = body.n_rows();
+    const unsigned int n = body.n_contact_rows();
     for (unsigned int m = 0; m < pairing.a0.size(); ++m)
       for (unsigned int i = 0; i < n; ++i)
       {
@@ -135,7 +137,7 @@ namespace vibrocontact
                                           const std::vector<Complex> &compliance,
                                           std::vector<double> &u) const
   {
-    const unsigned int n = body.n_rows(), N = settings.n_functions;
+    const unsigned int n = body.n_contact_rows(), N = settings.n_functions;
     u.resize(n * N);
     for (unsigned int m = 0; 2 * m <= N; ++m)
     {
@@ -164,7 +166,7 @@ namespace vibrocontact
   std::vector<double> PeriodicBalance::body_forces(const std::vector<double> &c) const
   {
     std::vector<double> p = c;
-    for (unsigned int i = 0; i < body.n_rows(); ++i)
+    for (unsigned int i = 0; i < body.n_contact_rows(); ++i)
       for (unsigned int k = 0; k < settings.n_functions; ++k)
         p[i * settings.n_functions + k] *= sign(i);
     return p;
@@ -185,7 +187,7 @@ namespace vibrocontact
       apply_massless(c);
       return;
     }
-    for (unsigned int i = 0; i < body.n_rows(); ++i)
+    for (unsigned int i = 0; i < body.n_contact_rows(); ++i)
     {
       if (is_normal(i))
         samples->samples(Quantity::displacement, &u[i * N], &u_samples[i * count]);
@@ -246,7 +248,7 @@ namespace vibrocontact
   void PeriodicBalance::apply_massless(const std::vector<double> &c)
   {
     const unsigned int N = settings.n_functions, count = samples->n_samples(), rows = body.rows_per_point,
-                       n = body.n_rows();
+                       n = body.n_contact_rows();
     std::vector<double> w = u;
     for (unsigned int i = 0; i < n; ++i)
     {
@@ -295,7 +297,7 @@ namespace vibrocontact
   {
     const unsigned int N = settings.n_functions, count = samples->n_samples();
     residual.assign(c.size(), 0.);
-    for (unsigned int i = 0; i < body.n_rows(); ++i)
+    for (unsigned int i = 0; i < body.n_contact_rows(); ++i)
       if (is_normal(i) || settings.friction > 0)
         samples->moments(&law_samples[i * count], &residual[i * N]);
     for (unsigned int k = 0; k < c.size(); ++k)
@@ -304,7 +306,7 @@ namespace vibrocontact
 
   void PeriodicBalance::assemble(DenseMatrix &jacobian)
   {
-    const unsigned int N = settings.n_functions, n = body.n_rows(), count = samples->n_samples(),
+    const unsigned int N = settings.n_functions, n = body.n_contact_rows(), count = samples->n_samples(),
                        rows = body.rows_per_point;
     const bool friction = settings.friction > 0;
     jacobian.reinit(n * N, n * N);
@@ -387,7 +389,7 @@ namespace vibrocontact
     {
       // a wider gap is a motion away from the stop; the first function is the constant one
       slope.assign(c.size(), 0.);
-      for (unsigned int i = 0; i < body.n_rows(); ++i)
+      for (unsigned int i = 0; i < body.n_contact_rows(); ++i)
         if (is_normal(i))
           slope[i * settings.n_functions] = -1;
     }

@@ -132,7 +132,7 @@ namespace vibrocontact
     double stiffness = 0, compliance = 0;
     for (unsigned int p = 0; p < body.n_points(); ++p)
     {
-      const unsigned int n = body.n_rows(), row = p * body.rows_per_point;
+      const unsigned int n = body.n_contact_rows(), row = p * body.rows_per_point;
       stiffness = std::max(stiffness, over_gap(-excess[p]).force_slope);
       for (unsigned int m = 0; m < pairing.a0.size(); ++m)
         compliance = std::max(compliance, std::abs(linear.compliance[(m * n + row) * n + row]));

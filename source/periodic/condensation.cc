@@ -32,9 +32,9 @@ namespace vibrocontact
     }
   } // namespace
 
-  CondensedBody condense(const PeriodicBody &body, const TimePairing &pairing, const HarmonicForce &force)
+  CondensedBody condense(const ForcedBody &body, const TimePairing &pairing, const HarmonicForce &force)
   {
-    const unsigned int n = body.n_rows(), orders = pairing.a0.size();
+    const unsigned int n = body.n_contact_rows(), force_row = body.force_row, orders = pairing.a0.size();
     const double f = force.frequency;
     CondensedBody result;
     result.n_rows = n;
@@ -54,7 +54,7 @@ namespace vibrocontact
       {
         const DynamicStiffness d(body.omega[k], body.damping_ratio[k], pairing, m, f);
         const Complex inverse = 1. / d.value, slope = -d.slope * inverse * inverse;
-        const Complex load = body.modal_force[k] * exciting + body.modal_load[k] * constant;
+        const Complex load = body.modal_force(k) * exciting + body.modal_load[k] * constant;
         for (unsigned int i = 0; i < n; ++i)
         {
           linear[i] += body.trace(i, k) * inverse * load;
@@ -67,11 +67,32 @@ namespace vibrocontact
           }
         }
       }
+      for (unsigned int k = 0; k < 2 * body.n_poles(); ++k)
+      {
+        // of each pole, then of its conjugate
+        const unsigned int p = k / 2;
+        const auto own = [k](const Complex &value) { return k % 2 == 0 ? value : std::conj(value); };
+        const Complex inverse = 1. / (f * pairing.a1[m] - own(body.poles[p]) * pairing.a0[m]),
+                      slope = -pairing.a1[m] * inverse * inverse,
+                      load = own(body.left(force_row, p)) * exciting +
+                             (body.pole_load.empty() ? 0. : own(body.pole_load[p]) * constant);
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          const Complex shape = own(body.right(i, p));
+          linear[i] += shape * inverse * load;
+          linear_slope[i] += shape * slope * load;
+          for (unsigned int j = 0; j < n; ++j)
+          {
+            compliance[i * n + j] += shape * own(body.left(j, p)) * inverse;
+            compliance_slope[i * n + j] += shape * own(body.left(j, p)) * slope;
+          }
+        }
+      }
       const Complex relaxed = 1. / (pairing.a0[m] + f * body.relaxation * pairing.a1[m]);
       const Complex relaxed_slope = -body.relaxation * pairing.a1[m] * relaxed * relaxed;
       for (unsigned int i = 0; i < n; ++i)
       {
-        const Complex load = body.residual_force[i] * exciting + body.residual_load[i] * constant;
+        const Complex load = body.residual_force(i) * exciting + body.residual_load[i] * constant;
         linear[i] += relaxed * load;
         linear_slope[i] += relaxed_slope * load;
         for (unsigned int j = 0; j < n; ++j)
@@ -84,7 +105,7 @@ namespace vibrocontact
     return result;
   }
 
-  DenseMatrix modal_coefficients(const PeriodicBody &body, const TimePairing &pairing,
+  DenseMatrix modal_coefficients(const ForcedBody &body, const TimePairing &pairing,
                                  const HarmonicForce &force, const std::vector<double> &p)
   {
     const unsigned int n = pairing.n_functions, orders = pairing.a0.size();
@@ -96,8 +117,8 @@ namespace vibrocontact
       const Complex exciting = exciting_moment(pairing, m, force), constant = constant_moment(pairing, m);
       for (unsigned int k = 0; k < body.n_modes(); ++k)
       {
-        Complex load = body.modal_force[k] * exciting + body.modal_load[k] * constant;
-        for (unsigned int i = 0; i < body.n_rows(); ++i)
+        Complex load = body.modal_force(k) * exciting + body.modal_load[k] * constant;
+        for (unsigned int i = 0; i < body.n_contact_rows(); ++i)
           load += body.trace(i, k) * Complex(p[i * n + at], is_real ? 0. : p[i * n + at + 1]);
         const Complex q =
             load / DynamicStiffness(body.omega[k], body.damping_ratio[k], pairing, m, force.frequency).value;

@@ -29,7 +29,7 @@ namespace vibrocontact
     class Variation
     {
     public:
-      Variation(const PeriodicBody &body, const double dt)
+      Variation(const ForcedBody &body, const double dt)
           : body(body), n(body.n_modes()), points(body.n_points()), rows(body.rows_per_point), dt(dt),
             beta(body.relaxation)
       {
@@ -124,7 +124,7 @@ namespace vibrocontact
       DenseMatrix X;
 
     private:
-      const PeriodicBody &body;
+      const ForcedBody &body;
       const unsigned int n, points, rows;
       const double dt, beta;
       bool has_residual = false, has_state = false;
@@ -135,9 +135,9 @@ namespace vibrocontact
     };
   } // namespace
 
-  PeriodicBody slow_part(const PeriodicBody &body, const double omega)
+  ForcedBody slow_part(const ForcedBody &body, const double omega)
   {
-    PeriodicBody slow = body;
+    ForcedBody slow = body;
     std::vector<unsigned int> kept;
     for (unsigned int k = 0; k < body.n_modes(); ++k)
       if (body.omega[k] <= omega || kept.empty())
@@ -150,13 +150,11 @@ namespace vibrocontact
     slow.trace.reinit(body.n_rows(), n);
     slow.omega.clear();
     slow.damping_ratio.clear();
-    slow.modal_force.clear();
     slow.modal_load.clear();
     for (unsigned int k = 0; k < n; ++k)
     {
       slow.omega.push_back(body.omega[kept[k]]);
       slow.damping_ratio.push_back(body.damping_ratio[kept[k]]);
-      slow.modal_force.push_back(body.modal_force[kept[k]]);
       slow.modal_load.push_back(body.modal_load[kept[k]]);
       for (unsigned int i = 0; i < body.n_rows(); ++i)
         slow.trace(i, k) = body.trace(i, kept[k]);
@@ -164,7 +162,7 @@ namespace vibrocontact
     return slow;
   }
 
-  std::vector<Complex> monodromy_multipliers(const PeriodicBody &body, const TangentContact &contact)
+  std::vector<Complex> monodromy_multipliers(const ForcedBody &body, const TangentContact &contact)
   {
     const unsigned int count = contact.stiffness[0].size(), points = body.n_points();
     const double dt = 1 / (contact.frequency * count);
@@ -200,7 +198,7 @@ namespace vibrocontact
     class HillDeterminant
     {
     public:
-      HillDeterminant(const PeriodicBody &body, const TangentContact &contact, const int n_harmonics)
+      HillDeterminant(const ForcedBody &body, const TangentContact &contact, const int n_harmonics)
           : body(body), H(n_harmonics), points(body.n_points()), Omega(2 * M_PI * contact.frequency),
             spectrum(points * (4 * H + 1))
       {
@@ -253,7 +251,7 @@ namespace vibrocontact
       }
 
     private:
-      const PeriodicBody &body;
+      const ForcedBody &body;
       const int H;
       const unsigned int points;
       const double Omega;
@@ -262,7 +260,7 @@ namespace vibrocontact
     };
   } // namespace
 
-  Complex hill_multiplier(const PeriodicBody &body, const TangentContact &contact,
+  Complex hill_multiplier(const ForcedBody &body, const TangentContact &contact,
                           const unsigned int n_harmonics, const Complex start)
   {
     const auto is_open = [](const std::vector<double> &k)

@@ -112,7 +112,7 @@ namespace vibrocontact
     return d;
   }
 
-  ForceAnswer answer_to_force(const PeriodicBody &body, const GaussRule &rule, const double h, const double x,
+  ForceAnswer answer_to_force(const ForcedBody &body, const GaussRule &rule, const double h, const double x,
                               const double beta)
   {
     const unsigned int n = body.n_modes(), s = rule.s;

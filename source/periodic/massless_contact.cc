@@ -1,150 +1,42 @@
-#include <vibrocontact/contact/laws/friction_law.h>
+#include <vibrocontact/contact/laws/normal_laws.h>
 #include <vibrocontact/periodic/massless_contact.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace vibrocontact
 {
   namespace
   {
-    constexpr unsigned int most_newton_steps = 30, most_sweeps = 2000;
-    constexpr double accuracy = 1e-11;
-
-    /// columns of b <- A^-1 b, n x n and n x m by rows; false if A is singular
-    bool eliminate(std::vector<double> A, std::vector<double> &b, const unsigned int n, const unsigned int m)
+    /// p_n = -N: forces on the body and motions into the stop by those of the contact problem
+    double sign(const unsigned int row)
     {
-      for (unsigned int k = 0; k < n; ++k)
-      {
-        unsigned int pivot = k;
-        for (unsigned int i = k + 1; i < n; ++i)
-          if (std::abs(A[i * n + k]) > std::abs(A[pivot * n + k]))
-            pivot = i;
-        if (!(std::abs(A[pivot * n + k]) > 0))
-          return false;
-        std::swap_ranges(&A[k * n], &A[k * n] + n, &A[pivot * n]);
-        std::swap_ranges(&b[k * m], &b[k * m] + m, &b[pivot * m]);
-        for (unsigned int i = 0; i < n; ++i)
-        {
-          const double factor = A[i * n + k] / A[k * n + k];
-          if (i == k || factor == 0)
-            continue;
-          for (unsigned int j = k; j < n; ++j)
-            A[i * n + j] -= factor * A[k * n + j];
-          for (unsigned int j = 0; j < m; ++j)
-            b[i * m + j] -= factor * b[k * m + j];
-        }
-      }
-      for (unsigned int k = 0; k < n; ++k)
-        for (unsigned int j = 0; j < m; ++j)
-          b[k * m + j] /= A[k * n + k];
-      return true;
+      return row % 3 == 0 ? -1. : 1.;
+    }
+
+    /// A in y = A R + b, rows by contact_row(), from S point by point
+    DenseMatrix contact_matrix(const DenseMatrix &S)
+    {
+      const unsigned int n_rows = S.m(), n = n_rows / 3;
+      DenseMatrix matrix(n_rows, n_rows);
+      for (unsigned int i = 0; i < n_rows; ++i)
+        for (unsigned int j = 0; j < n_rows; ++j)
+          matrix(i % 3 * n + i / 3, j % 3 * n + j / 3) = sign(i) * sign(j) * S(i, j);
+      return matrix;
     }
   } // namespace
 
   MasslessContact::MasslessContact(const DenseMatrix &residual, const double friction)
-      : S(residual), friction(friction), n(residual.m())
+      : S(residual), contact(contact_matrix(S), friction, create_normal_law("signorini")), n(residual.m())
   {
-  }
-
-  double MasslessContact::linearise(const double *const w, const std::vector<double> &before,
-                                    const std::vector<double> &gap, const std::vector<double> &p)
-  {
-    G.assign(n, 0.);
-    by_p.assign(n * n, 0.);
-    by_w.assign(n * n, 0.);
-    by_before.assign(n * n, 0.);
-    double size = 0, error = 0;
-    std::vector<double> u(w, w + n);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        u[i] += S(i, j) * p[j];
-    for (unsigned int i = 0; i < n; i += 3)
-    {
-      // compression N = max(-p + r (u - gap), 0), r = 1 / S
-      const double r = 1 / S(i, i), trial = -p[i] + r * (u[i] - gap[i / 3]), N = std::max(trial, 0.);
-      G[i] = p[i] + N;
-      by_p[i * n + i] = 1;
-      std::vector<double> N_by_p(n, 0.);
-      if (trial > 0)
-      {
-        N_by_p[i] = -1;
-        for (unsigned int j = 0; j < n; ++j)
-          N_by_p[j] += r * S(i, j);
-        by_w[i * n + i] = r;
-        for (unsigned int j = 0; j < n; ++j)
-          by_p[i * n + j] += N_by_p[j];
-      }
-      const double rt = 1 / std::max(S(i + 1, i + 1), S(i + 2, i + 2));
-      const auto law = project_on_disc(
-          {{p[i + 1] - rt * (u[i + 1] - before[i + 1]), p[i + 2] - rt * (u[i + 2] - before[i + 2])}},
-          friction * N);
-      for (unsigned int a = 0; a < 2; ++a)
-      {
-        const unsigned int row = i + 1 + a;
-        G[row] = p[row] - law.force[a];
-        by_p[row * n + row] += 1;
-        for (unsigned int b = 0; b < 2; ++b)
-        {
-          const unsigned int column = i + 1 + b;
-          by_p[row * n + column] -= law.by_trial[a][b];
-          for (unsigned int j = 0; j < n; ++j)
-            by_p[row * n + j] += law.by_trial[a][b] * rt * S(column, j);
-          by_w[row * n + column] += law.by_trial[a][b] * rt;
-          by_before[row * n + column] -= law.by_trial[a][b] * rt;
-        }
-        if (trial > 0)
-        {
-          for (unsigned int j = 0; j < n; ++j)
-            by_p[row * n + j] -= friction * law.by_radius[a] * N_by_p[j];
-          by_w[row * n + i] -= friction * law.by_radius[a] * r;
-        }
-      }
-      size = std::max({size, N, r * std::abs(gap[i / 3])});
-      for (unsigned int a = 0; a < 3; ++a)
-        error = std::max(error, std::abs(G[i + a]));
-    }
-    return error / std::max(size, 1e-300);
-  }
-
-  bool MasslessContact::solve(const double *const w, const std::vector<double> &before,
-                              const std::vector<double> &gap, std::vector<double> &p)
-  {
-    unsigned int sweeps = 0;
-    for (double error = linearise(w, before, gap, p); sweeps < most_sweeps; ++sweeps)
-    {
-      for (unsigned int k = 0; k < most_newton_steps && error > accuracy; ++k)
-      {
-        std::vector<double> step = G, trial = p;
-        if (!eliminate(by_p, step, n, 1))
-          break;
-        for (unsigned int i = 0; i < n; ++i)
-          trial[i] -= step[i];
-        const double next = linearise(w, before, gap, trial);
-        if (!(next < error))
-          break;
-        p = trial;
-        error = next;
-      }
-      if (error <= accuracy)
-        return true;
-      // point after point where Newton's method gets no further
-      for (unsigned int i = 0; i < n; i += 3)
-      {
-        linearise(w, before, gap, p);
-        for (unsigned int a = 0; a < 3; ++a)
-          p[i + a] -= G[i + a];
-      }
-      error = linearise(w, before, gap, p);
-    }
-    return false;
   }
 
   bool MasslessContact::march(const std::vector<double> &w, const std::vector<double> &gap,
                               std::vector<double> &p)
   {
     const unsigned int count = w.size() / n;
-    std::vector<double> here(n), before(n), force(n, 0.);
+    std::vector<double> here(n), before(n), force(n, 0.), b(n), R(n, 0.), rates(n * n);
+    // place of a row in the contact problem
+    const auto at = [this](const unsigned int row) { return row % 3 * (n / 3) + row / 3; };
     const auto load = [&](const unsigned int k)
     {
       bool is_open = true;
@@ -173,15 +65,25 @@ namespace vibrocontact
         std::fill(force.begin(), force.end(), 0.);
       else
       {
-        solved = solve(here.data(), before, gap, force) && solved;
-        linearise(here.data(), before, gap, force);
-        for (double &x : by_w)
-          x = -x;
-        for (double &x : by_before)
-          x = -x;
-        solved = eliminate(by_p, by_w, n, n) && eliminate(by_p, by_before, n, n) && solved;
-        rate_w[k] = by_w;
-        rate_before[k] = by_before;
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          b[at(i)] = i % 3 == 0 ? gap[i / 3] - here[i] : here[i] - before[i];
+          R[at(i)] = sign(i) * force[i];
+        }
+        solved = contact.solve(b.data(), R.data()) && solved;
+        solved = contact.sensitivity(rates.data()) && solved;
+        rate_w[k].resize(n * n);
+        rate_before[k].assign(n * n, 0.);
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          force[i] = sign(i) * R[at(i)];
+          for (unsigned int j = 0; j < n; ++j)
+          {
+            rate_w[k][i * n + j] = sign(i) * sign(j) * rates[at(j) * n + at(i)];
+            if (j % 3 != 0)
+              rate_before[k][i * n + j] = -rate_w[k][i * n + j];
+          }
+        }
       }
       for (unsigned int i = 0; i < n; ++i)
       {

@@ -44,18 +44,18 @@ namespace vibrocontact
 
   PeriodMap::~PeriodMap() = default;
 
-  PeriodMap::PeriodMap(const PeriodicBody &body, std::shared_ptr<const NormalLaw> law,
+  PeriodMap::PeriodMap(const ForcedBody &body, std::shared_ptr<const NormalLaw> law,
                        const HarmonicForce &force, const unsigned int n_steps, const unsigned int n_nodes,
                        const double accuracy)
       : body(body), law(law), touch_compliance(law->compression(0).compliance), force(force),
         n(body.n_modes()), steps(n_steps), accuracy(accuracy), rule(n_nodes), T(1 / force.frequency),
         Omega(2 * std::acos(-1.) * force.frequency), gap(body.gap.at(0)), S(body.residual(0, 0))
   {
-    if (body.n_rows() != 1)
+    if (body.n_contact_rows() != 1)
       throw InputError(
           "References in time by shooting take one contact point without friction, but the body has " +
-          std::to_string(body.n_rows()) + " contact rows: keep one point, friction 0.");
-    const bool has_residual = S != 0 || body.residual_force[0] != 0 || body.residual_load[0] != 0;
+          std::to_string(body.n_contact_rows()) + " contact rows: keep one point, friction 0.");
+    const bool has_residual = S != 0 || body.residual_force(0) != 0 || body.residual_load[0] != 0;
     relaxed = has_residual && body.relaxation > 0;
     if (relaxed)
       beta = body.relaxation;
@@ -63,16 +63,16 @@ namespace vibrocontact
       throw InputError("The exact law needs a massless contact node, which this body has not: give it one or "
                        "take a penalty law.");
     slaved = relaxed && law->is_rigid();
-    R = body.residual_force[0] * force.amplitude / Complex(1, Omega * beta);
+    R = body.residual_force(0) * force.amplitude / Complex(1, Omega * beta);
     r_load = body.residual_load[0];
     U = R;
-    E = slaved ? body.residual_force[0] * force.amplitude : R;
+    E = slaved ? body.residual_force(0) * force.amplitude : R;
     u_load = e_load = r_load;
     for (unsigned int k = 0; k < n; ++k)
     {
       const double w = body.omega[k], b = body.trace(0, k);
       const Complex stiffness(w * w - Omega * Omega, 2 * body.damping_ratio[k] * w * Omega);
-      const double p = body.modal_force[k] * force.amplitude;
+      const double p = body.modal_force(k) * force.amplitude;
       if (p != 0 && std::abs(stiffness) < 1e-12 * Omega * Omega)
         throw InputError("An undamped mode is excited at its own frequency: damp it or move the force.");
       Q.push_back(p == 0 ? Complex(0) : p / stiffness);
@@ -678,7 +678,7 @@ namespace vibrocontact
       modal += body.trace(0, k) * s.q[k];
       modal_rate += body.trace(0, k) * s.v[k];
     }
-    const double forced = body.residual_force[0] * force.amplitude, without = forced * turn.imag() + r_load;
+    const double forced = body.residual_force(0) * force.amplitude, without = forced * turn.imag() + r_load;
     double rate = 0;
     if (slaved && in_contact)
     {

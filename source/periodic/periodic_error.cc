@@ -5,7 +5,7 @@
 
 namespace vibrocontact
 {
-  PeriodicReference periodic_reference(const PeriodicBody &body, const std::shared_ptr<const NormalLaw> &law,
+  PeriodicReference periodic_reference(const ForcedBody &body, const std::shared_ptr<const NormalLaw> &law,
                                        const HarmonicForce &force, const unsigned int n_samples)
   {
     PeriodicReference result;

@@ -31,11 +31,11 @@ namespace vibrocontact
   namespace
   {
     /// r^T S^-1 r / 2 of the rows that have a residual, r their motion less the modes' part of it
-    void add_residual_energy(const PeriodicBody &body, const DenseMatrix &values, const DenseMatrix &q,
+    void add_residual_energy(const ForcedBody &body, const DenseMatrix &values, const DenseMatrix &q,
                              const std::vector<double> &displacement, std::vector<double> &energy)
     {
       std::vector<unsigned int> rows;
-      for (unsigned int i = 0; i < body.n_rows(); ++i)
+      for (unsigned int i = 0; i < body.n_contact_rows(); ++i)
         if (body.residual(i, i) > 0)
           rows.push_back(i);
       DenseMatrix S(rows.size());
@@ -80,7 +80,7 @@ namespace vibrocontact
   PeriodicMotion sample_motion(const PeriodicBalance &balance, const PeriodicSolution &solution,
                                const unsigned int n_samples)
   {
-    const PeriodicBody &body = balance.linear_body();
+    const ForcedBody &body = balance.linear_body();
     const unsigned int N = balance.settings.n_functions, rows = body.rows_per_point;
     const double f = solution.excitation.frequency;
     PeriodicMotion motion;
@@ -137,6 +137,11 @@ namespace vibrocontact
     motion.tip_min = *least;
     motion.tip_max = *most;
 
+    if (body.n_poles() > 0)
+    {
+      motion.energy.clear();
+      return motion;
+    }
     const DenseMatrix q = modal_coefficients(body, balance.integrals(), solution.excitation,
                                              balance.body_forces(solution.force)),
                       x = product(values, q), v = product(slopes, q);

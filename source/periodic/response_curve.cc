@@ -49,7 +49,7 @@ namespace vibrocontact
       /// largest displacement beyond the gap [m]; between samples by the parabola through three of them
       double approach() const
       {
-        const PeriodicBody &body = balance.linear_body();
+        const ForcedBody &body = balance.linear_body();
         const unsigned int count = balance.sampling().n_samples();
         double result = -1e300;
         for (unsigned int p = 0; p < body.n_points(); ++p)
@@ -88,12 +88,12 @@ namespace vibrocontact
     /// force that closes the gap at rest
     double force_scale(const PeriodicBalance &balance)
     {
-      const PeriodicBody &body = balance.linear_body();
+      const ForcedBody &body = balance.linear_body();
       double scale = balance.excitation().amplitude;
       for (unsigned int p = 0; p < body.n_points(); ++p)
       {
         const unsigned int row = p * body.rows_per_point;
-        const double compliance = std::abs(balance.condensed().compliance[row * body.n_rows() + row]);
+        const double compliance = std::abs(balance.condensed().compliance[row * body.n_contact_rows() + row]);
         if (compliance > 0)
           scale = std::max(scale, std::abs(body.gap[p]) / compliance);
       }
@@ -104,7 +104,7 @@ namespace vibrocontact
   std::complex<double> largest_multiplier(const PeriodicBalance &balance, const StabilityMethod method,
                                           const double mode_limit, const unsigned int hill_harmonics)
   {
-    const PeriodicBody &body = balance.linear_body();
+    const ForcedBody &body = balance.linear_body();
     TangentContact contact;
     contact.frequency = balance.excitation().frequency;
     for (unsigned int p = 0; p < body.n_points(); ++p)

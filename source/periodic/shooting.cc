@@ -27,7 +27,7 @@ namespace vibrocontact
     }
 
     /// steps that follow the slower of the modes and their vibration on the stop
-    unsigned int first_steps(const PeriodicBody &body, const std::shared_ptr<const NormalLaw> &law,
+    unsigned int first_steps(const ForcedBody &body, const std::shared_ptr<const NormalLaw> &law,
                              const HarmonicForce &force)
     {
       double fastest = 0, mobility = 0;
@@ -175,7 +175,7 @@ namespace vibrocontact
     return solution;
   }
 
-  ShootingSolution shoot(const PeriodicBody &body, const std::shared_ptr<const NormalLaw> &law,
+  ShootingSolution shoot(const ForcedBody &body, const std::shared_ptr<const NormalLaw> &law,
                          const HarmonicForce &force, const ShootingSettings &settings,
                          const ShootingStart &start)
   {
@@ -242,7 +242,7 @@ namespace vibrocontact
     return multipliers;
   }
 
-  ShootingResidual shooting_residual(const PeriodicBody &body, const std::shared_ptr<const NormalLaw> &law,
+  ShootingResidual shooting_residual(const ForcedBody &body, const std::shared_ptr<const NormalLaw> &law,
                                      const HarmonicForce &force, const unsigned int n_steps,
                                      const double phase, const std::vector<double> &x)
   {

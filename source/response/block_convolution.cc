@@ -86,7 +86,8 @@ namespace vibrocontact
     fftw_plan forward, backward;
   };
 
-  BlockConvolution::BlockConvolution(const PoleModel &model, const std::vector<std::complex<double>> &state,
+  BlockConvolution::BlockConvolution(const BodyInContact &model,
+                                     const std::vector<std::complex<double>> &state,
                                      const ResponseSettings &settings)
       : motion(model, state, settings.time_step)
   {

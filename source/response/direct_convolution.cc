@@ -16,7 +16,8 @@ namespace vibrocontact
     }
   } // namespace
 
-  DirectConvolution::DirectConvolution(const PoleModel &model, const std::vector<std::complex<double>> &state,
+  DirectConvolution::DirectConvolution(const BodyInContact &model,
+                                       const std::vector<std::complex<double>> &state,
                                        const ResponseSettings &settings, const bool wide)
       : motion(model, state, settings.time_step), dot(wide ? &wide_dot : &scalar_dot)
   {

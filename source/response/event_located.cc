@@ -52,7 +52,7 @@ namespace vibrocontact
       wide_polynomial(series.force(i), series.n_orders(), times.data(), forces.data(), times.size());
   }
 
-  EventLocated::EventLocated(const PoleModel &model, const std::vector<Complex> &state, const Road &road,
+  EventLocated::EventLocated(const BodyInContact &model, const std::vector<Complex> &state, const Road &road,
                              const double longest_piece)
       : impulse(model.n_rows(), 0.), model(model), road(road), n(model.n_rows()), n_poles(model.n_poles()),
         piece(longest_piece), first(initial_derivative(model, 1)), second(initial_derivative(model, 2)),
@@ -120,7 +120,7 @@ namespace vibrocontact
     {
       Complex value = z[k];
       for (unsigned int j = 0; j < order; ++j)
-        value = model.poles[k] * value + (j == 0 && !model.load.empty() ? model.load[k] : 0.);
+        value = model.poles[k] * value + (j == 0 && !model.pole_load.empty() ? model.pole_load[k] : 0.);
       sum += 2 * (model.right(i, k) * value).real();
     }
     return sum;

@@ -13,16 +13,15 @@ namespace vibrocontact
     constexpr unsigned int few = 4;
   }
 
-  ModalRecursion::ModalRecursion(const PoleModel &model, const std::vector<Complex> &state,
-                                 const ResponseSettings &settings)
+  ModalRecursion::ModalRecursion(const BodyInContact &model, const std::vector<Complex> &state,
+                                 const ResponseSettings &settings, const StepWeights &weights)
       : n_poles(model.n_poles()), n_states(padded(model.n_poles())), n_padded(padded(model.n_rows())),
         p(2 * n_states), e(2 * n_states), w(2 * n_states * model.n_rows()), c(2 * n_states * model.n_rows()),
-        constant(model.n_rows(), 0.)
+        constant(model.n_rows(), 0.), fall(model, settings.time_step)
   {
     const unsigned int n = model.n_rows();
-    one_step = one_step_compliance(model, settings.time_step, settings.interpolation);
+    one_step = one_step_compliance(model, weights);
     free.resize(n);
-    const StepWeights weights = step_weights(model, settings.time_step, settings.interpolation);
     const auto put =
         [&](AlignedVector &to, const unsigned int row, const unsigned int k, const Complex &value)
     {
@@ -31,8 +30,8 @@ namespace vibrocontact
     };
     for (unsigned int k = 0; k < n_poles; ++k)
     {
-      const Complex factor = std::exp(model.poles[k] * settings.time_step);
-      const Complex rest = model.load.empty() ? 0. : -model.load[k] / model.poles[k];
+      const Complex factor = weights.factor[k];
+      const Complex rest = rest_of_state(model, k);
       put(e, 0, k, factor);
       put(p, 0, k, factor * (state[k] - rest));
       for (unsigned int i = 0; i < n; ++i)
@@ -75,9 +74,10 @@ namespace vibrocontact
       for (std::size_t k = 0; k < n_states; ++k)
         free[i] += c[2 * n_states * i + k] * p[k] - c[2 * n_states * i + n_states + k] * p[n_states + k];
     }
+    fall.add_to(free.data());
   }
 
-  void ModalRecursion::keep_real_shapes(const PoleModel &model)
+  void ModalRecursion::keep_real_shapes(const BodyInContact &model)
   {
     const unsigned int n = model.n_rows();
     AlignedVector gains(2 * n_states, 0.), shapes(n * n_states, 0.);
@@ -114,11 +114,13 @@ namespace vibrocontact
     std::copy(constant.begin(), constant.end(), u.begin());
     wide_add_columns(u.data(), columns.data(), n_padded, all.data(), p.data(), all.size());
     std::copy(u.begin(), u.begin() + free.size(), free.begin());
+    fall.add_to(free.data());
   }
 
   void ModalRecursion::advance(const double *q)
   {
     const unsigned int n = free.size();
+    fall.advance();
     if (n <= few)
     {
       if (real_shapes)
@@ -127,6 +129,7 @@ namespace vibrocontact
         wide_recursion(p.data(), e.data(), w.data(), c.data(), q, free.data(), n_states, n);
       for (unsigned int i = 0; i < n; ++i)
         free[i] += constant[i];
+      fall.add_to(free.data());
       return;
     }
     unsigned int n_listed = 0;
@@ -144,7 +147,7 @@ namespace vibrocontact
   unsigned long ModalRecursion::advance_in_contact(const unsigned int n_steps, const double *heights,
                                                    double *displacements, double *forces)
   {
-    if (n_poles > 1)
+    if (n_poles > 1 || !fall.is_none())
       return Response::advance_in_contact(n_steps, heights, displacements, forces);
     // the state as minus the force that it takes to undo its displacement, so that a step waits for little: a
     // product, a sum and a comparison; what the force before did not change is computed beside
@@ -181,6 +184,7 @@ namespace vibrocontact
     std::vector<double> states(p.begin(), p.end());
     file("response/states", states);
     file("response/free", free);
+    fall.exchange(file, "response/fall");
     std::copy(states.begin(), states.end(), p.begin());
   }
 } // namespace vibrocontact

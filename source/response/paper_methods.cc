@@ -7,7 +7,7 @@ namespace vibrocontact
 {
   using Complex = std::complex<double>;
 
-  PaperMethod::PaperMethod(const Form form, const PoleModel &model, const std::vector<Complex> &state,
+  PaperMethod::PaperMethod(const Form form, const BodyInContact &model, const std::vector<Complex> &state,
                            const double time_step)
       : form(form), h(time_step), motion(model, state, time_step), poles(model.poles)
   {

@@ -51,7 +51,7 @@ namespace vibrocontact
     }
   } // namespace
 
-  PieceSeries::PieceSeries(const PoleModel &model, const Road &road)
+  PieceSeries::PieceSeries(const BodyInContact &model, const Road &road)
       : model(model), road(road), n(model.n_rows()), n_poles(model.n_poles()),
         series(most_orders, std::vector<Complex>(n_poles)), rate(n_poles), bent(n * n_poles),
         u(n * most_orders), q(n * most_orders), acceleration(n * n_nodes), unbalanced(n)
@@ -120,9 +120,9 @@ namespace vibrocontact
         break;
       for (unsigned int k = 0; k < n_poles; ++k)
         rate[k] = product(model.poles[k], c[k]);
-      if (order == 0 && !model.load.empty())
+      if (order == 0 && !model.pole_load.empty())
         for (unsigned int k = 0; k < n_poles; ++k)
-          rate[k] += model.load[k];
+          rate[k] += model.pole_load[k];
       for (unsigned int j = 0; j < m; ++j)
       {
         const Complex *const own = &bent[closed[j] * n_poles];

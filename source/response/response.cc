@@ -33,16 +33,22 @@ namespace vibrocontact
     throw InputError("There is no force shape \"" + name + "\": choose impulse, constant or linear.");
   }
 
-  std::vector<std::complex<double>> state_at_rest(const PoleModel &model)
+  std::vector<std::complex<double>> state_at_rest(const BodyInContact &model)
   {
     return std::vector<std::complex<double>>(model.n_poles(), 0.);
   }
 
-  std::vector<std::complex<double>> state_in_equilibrium(const PoleModel &model)
+  std::vector<std::complex<double>> state_in_equilibrium(const BodyInContact &model)
   {
     std::vector<std::complex<double>> state = state_at_rest(model);
-    for (unsigned int k = 0; k < model.load.size(); ++k)
-      state[k] = -model.load[k] / model.poles[k];
+    for (unsigned int k = 0; k < model.pole_load.size(); ++k)
+    {
+      if (is_rigid_motion(model.poles[k]) && model.pole_load[k] != 0.)
+        throw InputError(
+            "Modal convolution/Initial state is equilibrium, but the body is free and falls under "
+            "its loads: set it to at rest.");
+      state[k] = rest_of_state(model, k);
+    }
     return state;
   }
 } // namespace vibrocontact

@@ -1,57 +1,60 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
-#include <vibrocontact/contact/unilateral_contact.h>
-#include <vibrocontact/numerics/zero_crossing.h>
+#include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/response/static_load.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace vibrocontact
 {
-  double indentation_of_load(const PoleModel &model, const std::vector<double> &shapes, const double force)
+  double indentation_of_load(const BodyInContact &model, const std::vector<double> &shapes,
+                             const double force, const std::shared_ptr<const NormalLaw> &law)
   {
     const unsigned int n = shapes.size();
     std::vector<std::complex<double>> weights;
     for (const auto &pole : model.poles)
+    {
+      if (is_rigid_motion(pole))
+        throw InputError(
+            "Rolling/Normal force is given, but the body is free, nothing presses it: hold it, or "
+            "give Road/Indentation (negative above the road) in its place.");
       weights.push_back(-1. / pole);
+    }
     const DenseMatrix whole = sum_over_poles(model, weights);
     DenseMatrix compliance(n, n);
-    std::vector<double> unloaded(n, 0.), gap(n), q(n);
+    std::vector<double> unloaded(n, 0.);
     for (unsigned int i = 0; i < n; ++i)
     {
       for (unsigned int j = 0; j < n; ++j)
         compliance(i, j) = whole(i, j) + (model.residual.m() > 0 ? model.residual(i, j) : 0.);
-      for (unsigned int k = 0; k < model.load.size(); ++k)
-        unloaded[i] += 2 * (model.right(i, k) * weights[k] * model.load[k]).real();
+      for (unsigned int k = 0; k < model.pole_load.size(); ++k)
+        unloaded[i] += 2 * (model.right(i, k) * weights[k] * model.pole_load[k]).real();
       if (!std::isfinite(compliance(i, i)) || !(compliance(i, i) > 0))
         throw InputError("Rolling/Normal force is given, but the body has no static response to a force at "
                          "contact point " +
                          std::to_string(i) + ": give Road/Indentation in its place.");
     }
-    UnilateralContact contact(compliance, "at rest");
-    const auto load = [&](const double indentation)
-    {
-      for (unsigned int i = 0; i < n; ++i)
-        gap[i] = unloaded[i] - indentation + shapes[i];
-      contact.solve(gap.data(), q.data());
-      return std::accumulate(q.begin(), q.end(), 0.);
-    };
-    // from where they just touch, in steps that grow
-    double low = unloaded[0] + shapes[0];
-    for (unsigned int i = 1; i < n; ++i)
-      low = std::min(low, unloaded[i] + shapes[i]);
-    double high = low + force * compliance(0, 0) / n;
-    for (unsigned int k = 0; load(high) < force; ++k)
-    {
-      if (k > 60)
-        throw InputError("Rolling/Normal force of " + number_text(force) +
-                         " N is not reached however far the road is pushed towards the body: give less.");
-      high = low + 2 * (high - low);
-    }
-    return low +
-           (high - low) *
-               root_between([&](const double x) { return load(low + x * (high - low)) / force - 1; }, 0., 1.);
+    ContactProblem problem;
+    problem.title = "contact with a flat road at rest";
+    DenseMatrix whole_problem(3 * n, 3 * n);
+    for (unsigned int i = 0; i < 3 * n; ++i)
+      for (unsigned int j = 0; j < 3 * n; ++j)
+        whole_problem(i, j) = i < n && j < n ? compliance(i, j) : i == j ? compliance(0, 0) : 0.;
+    problem.A = std::make_shared<DenseContactOperator>(whole_problem);
+    problem.b.reinit(3 * n);
+    for (unsigned int i = 0; i < n; ++i)
+      problem.b[i] = unloaded[i] + shapes[i];
+    problem.mu.assign(n, 0.);
+    problem.normal_law = law;
+    problem.normal_force = force;
+    problem.approach = *std::min_element(problem.b.begin(), problem.b.begin() + n);
+    ContactSolverParameters parameters;
+    parameters.tolerance = 1e-12;
+    const ContactSolution solution = create_contact_solver(parameters)->solve(problem, {});
+    if (!(solution.residual <= 1e-10))
+      throw InputError("Rolling/Normal force of " + number_text(force) +
+                       " N is not reached however far the road is pushed towards the body: give less.");
+    return solution.approach;
   }
 } // namespace vibrocontact

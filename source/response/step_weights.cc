@@ -11,17 +11,18 @@ namespace vibrocontact
 {
   using Complex = std::complex<double>;
 
-  StepWeights step_weights(const PoleModel &model, const double time_step,
+  StepWeights step_weights(const BodyInContact &model, const double time_step,
                            const ForceInterpolation interpolation)
   {
     StepWeights weights;
     for (const Complex &pole : model.poles)
     {
       const Complex x = pole * time_step;
+      weights.factor.push_back(std::exp(x));
       switch (interpolation)
       {
       case ForceInterpolation::impulse:
-        weights.now.push_back(time_step * std::exp(x));
+        weights.now.push_back(time_step * weights.factor.back());
         weights.later.push_back(0);
         break;
       case ForceInterpolation::constant:
@@ -39,10 +40,26 @@ namespace vibrocontact
     return weights;
   }
 
-  DenseMatrix one_step_compliance(const PoleModel &model, const double time_step,
-                                  const ForceInterpolation interpolation)
+  StepWeights theta_weights(const BodyInContact &model, const double time_step,
+                            const ForceInterpolation interpolation, const double theta)
   {
-    DenseMatrix result = sum_over_poles(model, step_weights(model, time_step, interpolation).now);
+    StepWeights weights;
+    for (const Complex &pole : model.poles)
+    {
+      const Complex x = pole * time_step, inverse = 1. / (1. - theta * x);
+      const bool is_linear = interpolation == ForceInterpolation::linear;
+      weights.factor.push_back((1. + (1 - theta) * x) * inverse);
+      weights.now.push_back(time_step * (interpolation == ForceInterpolation::impulse ? weights.factor.back()
+                                         : is_linear                                  ? theta * inverse
+                                                                                      : inverse));
+      weights.later.push_back(is_linear ? time_step * (1 - theta) * inverse : 0.);
+    }
+    return weights;
+  }
+
+  DenseMatrix one_step_compliance(const BodyInContact &model, const StepWeights &weights)
+  {
+    DenseMatrix result = sum_over_poles(model, weights.now);
     if (model.residual.m() > 0)
       result.add(1., model.residual);
     return result;
@@ -73,6 +90,14 @@ namespace vibrocontact
     return 2.7 / std::sqrt(largest);
   }
 
+  double longest_theta_step(const DenseMatrix &S, const ForceInterpolation interpolation, const double theta)
+  {
+    const bool gives_way = S.m() > 0 && definiteness(S) > 1e-12;
+    return interpolation == ForceInterpolation::impulse || theta > 0.5 || gives_way
+               ? std::numeric_limits<double>::infinity()
+               : 0.;
+  }
+
   void exchange_past_forces(CheckpointFile &file, std::vector<double> &forces)
   {
     const std::size_t n_forces = forces.size();
@@ -83,12 +108,43 @@ namespace vibrocontact
           "Modal convolution/Memory, or run the file without --resume.");
   }
 
-  FreeMotion::FreeMotion(const PoleModel &model, const std::vector<Complex> &state, const double time_step)
-      : n_rows(model.n_rows()), constant(model.n_rows(), 0.)
+  FreeFall::FreeFall(const BodyInContact &model, const double time_step) : time_step(time_step)
+  {
+    for (unsigned int k = 0; k < model.pole_load.size(); ++k)
+      if (is_rigid_motion(model.poles[k]) && model.pole_load[k] != 0.)
+      {
+        acceleration.resize(model.n_rows());
+        for (unsigned int i = 0; i < model.n_rows(); ++i)
+          acceleration[i] += 2 * (model.right(i, k) * model.poles[k] * model.pole_load[k]).real();
+      }
+  }
+
+  void FreeFall::add_to(double *u) const
+  {
+    const double t = step * time_step;
+    for (unsigned int i = 0; i < acceleration.size(); ++i)
+      u[i] += 0.5 * acceleration[i] * t * t;
+  }
+
+  void FreeFall::add_rate_to(double *v) const
+  {
+    for (unsigned int i = 0; i < acceleration.size(); ++i)
+      v[i] += acceleration[i] * step * time_step;
+  }
+
+  void FreeFall::exchange(CheckpointFile &file, const std::string &name)
+  {
+    if (!is_none())
+      file(name + "/step", step);
+  }
+
+  FreeMotion::FreeMotion(const BodyInContact &model, const std::vector<Complex> &state,
+                         const double time_step)
+      : n_rows(model.n_rows()), constant(model.n_rows(), 0.), fall(model, time_step)
   {
     for (unsigned int k = 0; k < model.n_poles(); ++k)
     {
-      const Complex rest = model.load.empty() ? 0. : -model.load[k] / model.poles[k];
+      const Complex rest = rest_of_state(model, k);
       for (unsigned int i = 0; i < n_rows; ++i)
         constant[i] += 2 * (model.right(i, k) * rest).real();
       if (state[k] == rest)
@@ -105,6 +161,7 @@ namespace vibrocontact
   {
     for (unsigned int i = 0; i < n_rows; ++i)
       u[i] += constant[i];
+    fall.add_to(u);
     for (unsigned int k = 0; k < moving.size(); ++k)
       for (unsigned int i = 0; i < n_rows; ++i)
       {
@@ -115,6 +172,7 @@ namespace vibrocontact
 
   void FreeMotion::add_rate_to(double *v) const
   {
+    fall.add_rate_to(v);
     for (unsigned int k = 0; k < moving.size(); ++k)
       for (unsigned int i = 0; i < n_rows; ++i)
         v[i] += (shape[k * n_rows + i] * poles[k] * moving[k]).real();
@@ -122,6 +180,7 @@ namespace vibrocontact
 
   void FreeMotion::advance()
   {
+    fall.advance();
     for (unsigned int k = 0; k < moving.size(); ++k)
     {
       const Complex z = moving[k], e = factor[k];
@@ -139,11 +198,12 @@ namespace vibrocontact
     }
     file(name + "/real", real);
     file(name + "/imaginary", imaginary);
+    fall.exchange(file, name + "/fall");
     for (unsigned int k = 0; k < moving.size(); ++k)
       moving[k] = {real.at(k), imaginary.at(k)};
   }
 
-  std::vector<std::vector<double>> step_kernel(const PoleModel &model, const double time_step,
+  std::vector<std::vector<double>> step_kernel(const BodyInContact &model, const double time_step,
                                                const ForceInterpolation interpolation,
                                                const unsigned long n_lags)
   {
@@ -173,7 +233,7 @@ namespace vibrocontact
     return kernel;
   }
 
-  unsigned long steps_of_memory(const PoleModel &model, const double time_step, const double share,
+  unsigned long steps_of_memory(const BodyInContact &model, const double time_step, const double share,
                                 const unsigned long most_steps)
   {
     std::vector<double> size(model.n_poles(), 0.);
@@ -200,7 +260,7 @@ namespace vibrocontact
     }
     // from there on backwards to the last sample above the share
     const unsigned int n = model.n_rows();
-    PoleModel moving = model;
+    BodyInContact moving = model;
     moving.residual.reinit(0, 0);
     const auto kernel =
         step_kernel(moving, time_step, ForceInterpolation::impulse,

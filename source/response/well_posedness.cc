@@ -69,7 +69,7 @@ namespace vibrocontact
            number_text(limit) + " times the largest), so that contact has no unique force" + advice;
   }
 
-  WellPosedness well_posedness_of_contact(const PoleModel &model, const double step)
+  WellPosedness well_posedness_of_contact(const BodyInContact &model, const double step)
   {
     WellPosedness result;
     result.steps = {{step, step / 2, step / 10}};
@@ -80,7 +80,8 @@ namespace vibrocontact
       for (const ForceInterpolation interpolation :
            {ForceInterpolation::impulse, ForceInterpolation::constant, ForceInterpolation::linear})
         result.definiteness[k] = std::min(
-            result.definiteness[k], definiteness(one_step_compliance(model, result.steps[k], interpolation)));
+            result.definiteness[k],
+            definiteness(one_step_compliance(model, step_weights(model, result.steps[k], interpolation))));
     }
     // the peak of g lies within a few periods of the fastest pole and some of the slowest
     double slowest = 0;
@@ -98,7 +99,7 @@ namespace vibrocontact
     return result;
   }
 
-  void check_well_posedness(const PoleModel &model, const double step, const std::string &body)
+  void check_well_posedness(const BodyInContact &model, const double step, const std::string &body)
   {
     const WellPosedness well_posedness = well_posedness_of_contact(model, step);
     if (!well_posedness.usable())

@@ -17,11 +17,11 @@ namespace vibrocontact
     file("work/least", least_work);
   }
 
-  bool ModalEnergy::applies(const PoleModel &model)
+  bool ModalEnergy::applies(const BodyInContact &model)
   {
     for (unsigned int k = 0; k < model.n_poles(); ++k)
     {
-      if (model.poles[k].imag() == 0)
+      if (model.poles[k].imag() == 0 || is_rigid_motion(model.poles[k]))
         return false;
       const Complex gain = 1. / Complex(0, 2 * model.poles[k].imag());
       for (unsigned int i = 0; i < model.n_rows(); ++i)
@@ -32,13 +32,13 @@ namespace vibrocontact
     return true;
   }
 
-  ModalEnergy::ModalEnergy(const PoleModel &model) : model(model) {}
+  ModalEnergy::ModalEnergy(const BodyInContact &model) : model(model) {}
 
   std::vector<Complex> ModalEnergy::from_equilibrium(const std::vector<Complex> &state) const
   {
     std::vector<Complex> result = state;
-    for (unsigned int k = 0; k < model.load.size(); ++k)
-      result[k] += model.load[k] / model.poles[k];
+    for (unsigned int k = 0; k < model.pole_load.size(); ++k)
+      result[k] += model.pole_load[k] / model.poles[k];
     return result;
   }
 
@@ -61,7 +61,7 @@ namespace vibrocontact
     return sum;
   }
 
-  SteppedModalWork::SteppedModalWork(const PoleModel &model, const std::vector<Complex> &state,
+  SteppedModalWork::SteppedModalWork(const BodyInContact &model, const std::vector<Complex> &state,
                                      const double time_step, const ForceInterpolation interpolation)
       : model(model), modes(model), h(time_step), interpolation(interpolation),
         z(modes.from_equilibrium(state)), next(z), weights(step_weights(model, time_step, interpolation)),

@@ -4,14 +4,15 @@
 #include <vibrocontact/analyses/transient_hub.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/bodies/band_limited.h>
 #include <vibrocontact/fe/surface_assembly.h>
 #include <vibrocontact/numerics/lsce.h>
 #include <vibrocontact/output/probes.h>
-#include <vibrocontact/reduction/band_limited.h>
 #include <vibrocontact/reduction/surface_shapes.h>
+#include <vibrocontact/response/response_methods.h>
 #include <vibrocontact/run/check_before_run.h>
-#include <vibrocontact/run/periodic_body.h>
-#include <vibrocontact/run/pole_body.h>
+#include <vibrocontact/run/forced_body.h>
+#include <vibrocontact/run/road_body.h>
 #include <vibrocontact/run/run_frequency_response.h>
 #include <vibrocontact/run/run_identification.h>
 #include <vibrocontact/scene/wheel.h>
@@ -97,15 +98,16 @@ namespace vibrocontact
         const Road road(parameters.road, places, std::vector<double>(places.size(), 0.), own.end_time);
         return;
       }
-      const PoleBody made = pole_body(parameters, bodies, measured, 0, parameters.road);
+      const RoadBody made =
+          road_body(parameters, bodies, measured, 0, {own.friction, parameters.road.speed, own.time_step});
+      const BodyInContact poles = by_poles(made.body);
       const Road road(road_of(parameters, made), made.places, made.shapes, own.end_time);
       own.error_estimate = false;
       // what a convolution keeps of its Green's functions is none of the input's concern
       if (!own.is_event_located())
-        own.method = "modal recursion";
+        own.method = response_method(own.method).is_convolution ? "modal recursion" : own.method;
       own.memory = 0;
-      const ModalConvolution motion(own, parameters.contact_solver, made.poles, road,
-                                    parameters.contact.friction);
+      const ModalConvolution motion(own, parameters.contact_solver, poles, road, road_laws(parameters));
     }
 
     /// The modes of a body that is no wheel are numbered.
@@ -207,7 +209,7 @@ namespace vibrocontact
     if (scene.runs("frequency response"))
       check_response_points(parameters, bodies);
     if (scene.runs("periodic"))
-      check_periodic_points(parameters, bodies);
+      check_forced_points(parameters, bodies);
     if (scene.runs("transient"))
       check_probes(parameters, bodies);
     check_sweep_meshes(bodies, sweep);

@@ -1,6 +1,7 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/input_files.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/run/checkpoint.h>
 #include <vibrocontact/run/earlier_run.h>
@@ -56,6 +57,23 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    void check_files(const std::string &folder, const std::map<std::string, std::string> &before,
+                     const DeclaredParameters &used)
+    {
+      for (const auto &[entry, now] : input_files(used))
+      {
+        const auto found = before.find(entry);
+        if (found != before.end() && found->second != now)
+          throw InputError(entry + " names a file that has changed since the run in \"" + folder + "\" (" +
+                           found->second + " then, " + (now.empty() ? "absent" : now) +
+                           " now): --resume goes on with the same input; bring the file back, or run without "
+                           "--resume");
+      }
+    }
+  } // namespace
+
   Results earlier_results(const std::string &folder, const DeclaredParameters &used, const double end_time)
   {
     Results results;
@@ -65,6 +83,7 @@ namespace vibrocontact
           check_same(folder, content(folder, "used.prm"), used);
           check_end_time(folder, end_time);
           results = results_of_text(content(folder, "results.json"));
+          check_files(folder, results.input_files, used);
         });
     return results;
   }

@@ -33,6 +33,15 @@ namespace vibrocontact
     }
   } // namespace
 
+  void add_friction(EntriesRead &entries, const ContactParameters &contact, const bool rubs,
+                    const std::string &condition)
+  {
+    entries.add_if(rubs && contact.takes_coefficient(),
+                   condition + " and the Contact/Friction law is scaled by it", "Contact",
+                   "Friction coefficient");
+    add_friction_law(entries, contact, rubs, condition);
+  }
+
   void add_lateral_position(EntriesRead &entries, const Parameters &parameters)
   {
     entries.add_if(moves_with_the_lateral_position(parameters), "body 1 is a wheel or a block", "Contact",

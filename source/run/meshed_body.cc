@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/contact_pair.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/input_files.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/contact/contact_operator.h>
@@ -11,31 +12,11 @@
 #include <vibrocontact/fe/trace_assembly.h>
 #include <vibrocontact/run/meshed_body.h>
 
-#include <boost/crc.hpp>
-
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <sstream>
 
 namespace vibrocontact
 {
-  namespace
-  {
-    /// size and checksum of a file, empty if there is none of this name
-    std::string fingerprint(const std::string &file_name)
-    {
-      std::ifstream file(file_name, std::ios::binary);
-      if (file_name.empty() || !file || std::filesystem::is_directory(file_name))
-        return "";
-      const std::string content((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-      boost::crc_32_type checksum;
-      checksum.process_bytes(content.data(), content.size());
-      return std::to_string(content.size()) + " bytes, crc " + std::to_string(checksum.checksum());
-    }
-  } // namespace
-
   std::string body_key(const DeclaredParameters &parameters, const std::string &body,
                        const double lateral_position, const ContactGrid *const grid)
   {
@@ -49,7 +30,7 @@ namespace vibrocontact
       // a file that is written changes nothing of the body
       const std::string value = entry.name == "Write mesh" ? "" : entry.value;
       key << entry.section.substr(body.size()) << "/" << entry.name << "=" << value;
-      if (entry.pattern.rfind("[FileName", 0) == 0)
+      if (names_input_file(entry))
         key << ", " << fingerprint(value);
       key << "\n";
     }

@@ -218,7 +218,6 @@ namespace vibrocontact
         throw InputError(entry + body.name +
                          "/Ring/Rolling too: the slip of material that flows through the "
                          "contact points is not known here; set one of them to false.");
-      check_constant_friction(parameters.contact, entry, "modal convolution");
       if (parameters.comparison.any())
         throw InputError(entry +
                          "Comparison/Rows asks for a comparison of methods, whose exact motion has none: "
@@ -393,6 +392,46 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    /// Periodic motion of a body that is known between its own contact points alone.
+    void check_periodic_points(const Parameters &parameters)
+    {
+      const BodyParameters &body = parameters.scene.bodies[0];
+      const PeriodicParameters &periodic = parameters.periodic;
+      const std::string moves = ", but " + body.name + ", of type " + body.type + ", ";
+      const bool rolls = body.rolls(), by_poles = rolls || body.type == "identified",
+                 friction = parameters.contact.friction > 0;
+      if (!periodic.contact_points.empty() || !periodic.force_point.empty())
+        throw InputError(std::string("Periodic/") +
+                         (periodic.contact_points.empty() ? "Force point" : "Contact points") + " is given" +
+                         moves + "is touched and driven at its own contact points: leave it out.");
+      if (periodic.stop_axis().first != 2)
+        throw InputError("Periodic/Stop direction is " + periodic.stop_direction + moves +
+                         "meets a stop below or above it: set it to -z or +z.");
+      if (periodic.model != "reduced")
+        throw InputError("Periodic/Model is finite elements" + moves + "has none: set it to reduced.");
+      if (friction && by_poles)
+        throw InputError(
+            "Contact/Friction coefficient is " + number_text(parameters.contact.friction) + moves +
+            (rolls ? "rolls: the slip of material that flows through the contact points is not known here"
+                   : "has no data about motion along the stop") +
+            "; set it to 0.");
+      if (body.type == "identified" && body.identified.inverse_transform)
+        throw InputError(
+            body.name + "/Identified/Inverse transform is true, whose Green's functions repeat themselves; a "
+                        "periodic motion needs poles: leave it out.");
+      const bool tells_stability =
+          periodic.continuation.is_wanted() && periodic.continuation.stability != "none";
+      if (by_poles && (periodic.reference || tells_stability))
+        throw InputError(std::string(periodic.reference ? "Periodic/Reference is true"
+                                                        : "Periodic/Continuation/Stability is not none") +
+                         moves + "has no real modes, which they are found from: leave it out.");
+      if (rolls && parameters.road.speed == 0)
+        throw InputError(body.name + "/Ring/Rolling is true, but Road/Speed is 0: give it.");
+    }
+  } // namespace
+
   std::shared_ptr<const NormalLaw> Parameters::periodic_law() const
   {
     const std::string own = periodic.own_law();
@@ -467,6 +506,11 @@ namespace vibrocontact
       modal_convolution.check();
       comparison.check();
       check_road_friction(*this);
+      if (comparison.any() && !contact.law()->is_rigid())
+        throw InputError(
+            "Comparison/Rows asks for a comparison of methods, whose exact motion knows rigid points "
+            "only, but Contact/Normal law is " +
+            contact.normal_law + ": set it to signorini or leave the rows out.");
       if (!rolling.normal_force.empty() && road.indentation != 0)
         throw InputError("Rolling/Normal force and Road/Indentation are both given, but one follows from the "
                          "other: leave one of them out.");
@@ -492,10 +536,13 @@ namespace vibrocontact
       if (contact.friction > 0)
         check_constant_friction(contact, "", "periodic motion");
       const bool rigid = periodic_law()->is_rigid();
-      if (!scene.bodies[0].is_meshed())
+      if (!scene.bodies[0].is_meshed() && !scene.bodies[0].is_green())
         throw InputError("Analyses lists periodic, but " + scene.bodies[0].name + " is a " +
                          scene.bodies[0].type +
-                         " without elements: make body 1 a bar, a block, a blade or a mesh.");
+                         ", which does not vibrate: make body 1 one with elements, an "
+                         "oscillator, a ring or an identified body.");
+      if (!scene.bodies[0].is_meshed())
+        check_periodic_points(*this);
       if (scene.bodies[0].type == "blade" && periodic.contact_points.empty())
         throw InputError("Periodic/Contact points is empty, but " + scene.bodies[0].name +
                          " is a blade, which is touched at places of its tip: give them, for instance "

@@ -3,6 +3,7 @@
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/folder_lock.h>
+#include <vibrocontact/base/input_files.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/memory.h>
 #include <vibrocontact/base/nearest_names.h>
@@ -207,6 +208,7 @@ namespace vibrocontact
     if (command_line.resume)
       results = earlier_results(folder, used, parameters.transient.end_time);
     results.title = parameters.scene.title;
+    results.input_files = input_files(used);
     RunRecord record(folder, file, used, command_line.resume ? &results : nullptr);
     try
     {

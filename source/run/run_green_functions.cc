@@ -2,8 +2,8 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/output/identification_output.h>
-#include <vibrocontact/reduction/ring_poles.h>
 #include <vibrocontact/run/run_green_functions.h>
 #include <vibrocontact/run/run_identification.h>
 
@@ -25,7 +25,7 @@ namespace vibrocontact
     {
       /// points and pairs, no values
       FrequencyData names;
-      PoleModel poles;
+      BodyInContact poles;
       std::vector<RingRow> rows;
       double rotation = 0;
     };
@@ -52,7 +52,7 @@ namespace vibrocontact
       else if (body.type == "oscillator")
       {
         labels = {"A_z"};
-        result.poles = oscillator_poles(body.oscillator);
+        result.poles = by_poles(oscillator_body(body.oscillator));
       }
       else
       {

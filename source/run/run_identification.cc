@@ -6,8 +6,8 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/uff58.h>
+#include <vibrocontact/bodies/band_limited.h>
 #include <vibrocontact/output/identification_output.h>
-#include <vibrocontact/reduction/band_limited.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/run_identification.h>
 #include <vibrocontact/run/verdict.h>
@@ -174,8 +174,8 @@ namespace vibrocontact
 
   namespace
   {
-    PoleModel transformed_body(const Parameters &parameters, const FrequencyData &data,
-                               const BodyParameters &body)
+    BodyInContact transformed_body(const Parameters &parameters, const FrequencyData &data,
+                                   const BodyParameters &body)
     {
       const ModalConvolutionParameters &run = parameters.modal_convolution;
       const double remembered = run.memory > 0 ? std::min(run.memory, run.end_time) : run.end_time,
@@ -192,17 +192,17 @@ namespace vibrocontact
     }
   } // namespace
 
-  PoleModel identified_body(const Parameters &parameters, const std::optional<MeasuredData> &measured,
-                            const BodyParameters &body)
+  BodyInContact identified_body(const Parameters &parameters, const std::optional<MeasuredData> &measured,
+                                const BodyParameters &body, const double contact_step)
   {
-    const double step = parameters.modal_convolution.time_step,
-                 tread = body.identified.tread_stiffness > 0 ? 1 / body.identified.tread_stiffness : 0;
-    PoleModel model = body.identified.inverse_transform
-                          ? transformed_body(parameters, measured.value().data, body)
-                          : identified_poles(parameters, measured, body, tread > 0 ? 0 : step).poles;
+    const double tread = body.identified.tread_stiffness > 0 ? 1 / body.identified.tread_stiffness : 0;
+    BodyInContact model =
+        body.identified.inverse_transform
+            ? transformed_body(parameters, measured.value().data, body)
+            : identified_poles(parameters, measured, body, tread > 0 ? 0 : contact_step).poles;
     for (unsigned int i = 0; i < model.n_rows(); ++i)
       model.residual(i, i) += tread;
-    check_well_posedness(model, step, body.name);
+    check_well_posedness(model, contact_step, body.name);
     return model;
   }
 

@@ -3,7 +3,7 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/numerics/wide_loops.h>
 #include <vibrocontact/output/table.h>
-#include <vibrocontact/run/pole_body.h>
+#include <vibrocontact/run/road_body.h>
 #include <vibrocontact/run/run_method_comparison.h>
 
 #include <cmath>
@@ -24,8 +24,10 @@ namespace vibrocontact
       {
         if (rows.empty())
           return std::vector<ComparedMethod>();
-        const PoleBody body = pole_body(parameters, bodies, measured, number, road);
-        return compare_methods(read_comparison_rows(rows, name), comparison.repetitions, own, body.poles,
+        const RoadBody body =
+            road_body(parameters, bodies, measured, number, {own.friction, road.speed, own.time_step});
+        const BodyInContact poles = by_poles(body.body);
+        return compare_methods(read_comparison_rows(rows, name), comparison.repetitions, own, poles,
                                number == 0 ? road_of(parameters, body) : road, body.places, body.shapes);
       };
       if (number == 0)

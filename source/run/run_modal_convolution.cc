@@ -3,11 +3,12 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/output/modal_convolution_output.h>
+#include <vibrocontact/response/response_methods.h>
 #include <vibrocontact/run/checkpoint.h>
 #include <vibrocontact/run/checkpoint_schedule.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/judge_road_march.h>
-#include <vibrocontact/run/pole_body.h>
+#include <vibrocontact/run/road_body.h>
 #include <vibrocontact/run/run_method_comparison.h>
 #include <vibrocontact/run/run_modal_convolution.h>
 #include <vibrocontact/run/say_residual_damping.h>
@@ -35,7 +36,7 @@ namespace vibrocontact
     }
 
     /// What tells bodies apart: the rows and the poles.
-    std::vector<double> marks(const PoleModel &model)
+    std::vector<double> marks(const BodyInContact &model)
     {
       std::vector<double> result = {double(model.n_rows())};
       for (const auto &pole : model.poles)
@@ -46,7 +47,7 @@ namespace vibrocontact
     class Checkpoints
     {
     public:
-      Checkpoints(const std::string &folder, const PoleModel &model, ModalConvolution &motion,
+      Checkpoints(const std::string &folder, const BodyInContact &model, ModalConvolution &motion,
                   std::optional<ModalConvolutionHistory> &history)
           : folder(folder), model(model), motion(motion), history(history)
       {
@@ -100,7 +101,7 @@ namespace vibrocontact
 
     private:
       const std::string folder;
-      const PoleModel &model;
+      const BodyInContact &model;
       ModalConvolution &motion;
       std::optional<ModalConvolutionHistory> &history;
     };
@@ -134,10 +135,12 @@ namespace vibrocontact
                              const std::optional<MeasuredData> &measured, const std::string &folder,
                              const bool resume, Results &results)
   {
-    const PoleBody body = pole_body(parameters, bodies, measured, 0, parameters.road);
     const ModalConvolutionParameters &own = parameters.modal_convolution;
+    const RoadBody body =
+        road_body(parameters, bodies, measured, 0, {own.friction, parameters.road.speed, own.time_step});
+    const BodyInContact poles = by_poles(body.body);
     run_log().block("Modal convolution");
-    run_log().value("poles", body.poles.n_poles());
+    run_log().value("poles", poles.n_poles());
     const unsigned int n_points = body.places.size();
     run_log().value("contact points", n_points);
     run_log().value("method", own.method);
@@ -149,13 +152,13 @@ namespace vibrocontact
       run_log().value("indentation for it", road_parameters.indentation * 1e3, "mm");
     }
     const Road road(road_parameters, body.places, body.shapes, own.end_time);
-    ModalConvolution motion(own, parameters.contact_solver, body.poles, road, parameters.contact.friction);
+    ModalConvolution motion(own, parameters.contact_solver, poles, road, road_laws(parameters));
 
     const bool first = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     std::optional<ModalConvolutionHistory> history;
     if (first)
       history.emplace(own, n_points, folder);
-    Checkpoints checkpoints(folder, body.poles, motion, history);
+    Checkpoints checkpoints(folder, poles, motion, history);
     bool found = false;
     if (resume)
       on_all_ranks([&] { found = checkpoints.read(); });
@@ -267,11 +270,6 @@ namespace vibrocontact
       entries.add_if(friction, "Modal convolution/Friction is true", section, "Sliding speed");
     }
 
-    bool is_rolling_ring(const BodyParameters &body)
-    {
-      return body.type == "ring" && body.ring.rolling;
-    }
-
     /// Whether its contact points may have a tread or residual flexibility.
     bool gives_way(const BodyParameters &body)
     {
@@ -290,21 +288,29 @@ namespace vibrocontact
       if (bodies[0].is_meshed() && bodies[0].type != "ring")
         add_contact_grid(entries, parameters);
       entries.add("Rolling", "Normal force");
-      add_road(entries, "Road", parameters.road, is_rolling_ring(bodies[0]), own.friction,
+      add_road(entries, "Road", parameters.road, bodies[0].rolls(), own.friction,
                !parameters.rolling.normal_force.empty());
 
-      const bool steps = !own.is_event_located(), convolution = steps && own.method != "modal recursion";
+      const bool steps = !own.is_event_located(),
+                 convolution = steps && response_method(own.method).is_convolution;
       entries.add(
           section,
           "Method, Time step, End time, Friction, History interval, Checkpoint interval, Error estimate");
       entries.add_if(steps, section + "/Method is no event located", section, "Force shape");
-      entries.add_if(steps && !own.friction, section + "/Method is no event located and Friction is false",
+      const bool rigid = parameters.contact.law()->is_rigid();
+      entries.add_if(steps && !own.friction && rigid,
+                     section +
+                         "/Method is no event located, Friction is false and Contact/Normal law is signorini",
                      section, "Contact solver");
       entries.add_if(convolution, section + "/Method is a convolution", section, "Memory");
+      entries.add_if(own.method == "theta method", section + "/Method is theta method", section, "Theta");
       entries.add_if(stands_under_loads(bodies[0]), "body 1 stands under a load", section, "Initial state");
-      entries.add_if(own.friction, section + "/Friction is true", "Contact",
-                     "Friction coefficient, Friction law");
-      add_contact_solver(entries, parameters, own.friction || own.contact_solver == "common",
+      entries.add_if(!own.is_event_located(), section + "/Method is no event located", "Contact",
+                     "Normal law");
+      add_normal_law(entries, parameters.contact.normal_law, "Contact/Normal law");
+      add_friction(entries, parameters.contact, own.friction, section + "/Friction is true");
+      add_contact_solver(entries, parameters,
+                         own.friction || own.contact_solver == "common" || (steps && !rigid),
                          section + "/Contact solver is common");
 
       const std::string comparison = section + "/Comparison";
@@ -322,7 +328,7 @@ namespace vibrocontact
           continue;
         entries.add_if(gives_way(bodies[k]), "its points are not rigid", of_body, "Force shape");
         add_body(entries, parameters, k, use);
-        add_road(entries, of_body + "/Road", further->second.road, is_rolling_ring(bodies[k]), own.friction);
+        add_road(entries, of_body + "/Road", further->second.road, bodies[k].rolls(), own.friction);
       }
     }
   } // namespace

@@ -4,7 +4,7 @@
 #include <vibrocontact/output/periodic_output.h>
 #include <vibrocontact/output/response_output.h>
 #include <vibrocontact/run/entries_of_contact.h>
-#include <vibrocontact/run/periodic_body.h>
+#include <vibrocontact/run/forced_body.h>
 #include <vibrocontact/run/run_periodic.h>
 #include <vibrocontact/run/run_response.h>
 
@@ -21,7 +21,7 @@ namespace vibrocontact
   namespace
   {
     /// One solution, for further positions of the force in a cell its errors only.
-    PeriodicCase solve(const PeriodicParameters &periodic, const PeriodicBody &body,
+    PeriodicCase solve(const PeriodicParameters &periodic, const ForcedBody &body,
                        const std::shared_ptr<const NormalLaw> &law, const std::string &law_name,
                        const BalanceSettings &settings, const unsigned int n_phases,
                        const std::optional<PeriodicReference> &reference)
@@ -80,12 +80,12 @@ namespace vibrocontact
     }
   } // namespace
 
-  void run_periodic(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
-                    Results &results)
+  void run_periodic(const Parameters &parameters, const MeshedBodies &bodies,
+                    const std::optional<MeasuredData> &measured, const std::string &folder, Results &results)
   {
     const PeriodicParameters &periodic = parameters.periodic;
     run_log().block("Periodic motion");
-    const PeriodicBody body = periodic_body(parameters, bodies);
+    const ForcedBody body = forced_body(parameters, bodies, measured);
     const std::shared_ptr<const NormalLaw> law = parameters.periodic_law();
     const std::string law_name = periodic.law_in_results(parameters.contact.normal_law);
     run_log().value("normal law", law->description().name);
@@ -174,13 +174,14 @@ namespace vibrocontact
     {
       const PeriodicParameters &own = parameters.periodic;
       const std::string section = "Periodic";
+      const BodyParameters &body = parameters.scene.bodies[0];
       const bool on_grid = own.contact_points.empty();
       BodyUse use = moving_in_contact();
       use.contact = on_grid;
       use.tangential = parameters.contact.friction > 0;
-      if (parameters.scene.bodies[0].is_meshed())
-        add_body(entries, parameters, 0, use);
-      if (on_grid)
+      add_body(entries, parameters, 0, use);
+      entries.add_if(body.rolls(), "the ring rolls", "Road", "Speed");
+      if (on_grid && body.is_meshed())
         add_contact_grid(entries, parameters);
       entries.add_if(parameters.contact.takes_coefficient(), "the Contact/Friction law is scaled by it",
                      "Contact", "Friction coefficient");
@@ -191,10 +192,11 @@ namespace vibrocontact
       entries.add(section, "Trial basis, Weighting basis, Number of functions, Form, Law, Frequency, Force, "
                            "Force point, Contact points, Gap, Model, Samples, "
                            "Quadrature points, Reference, Output samples");
-      entries.add_if(!on_grid || own.stop_axis().first != 2 || !own.force_point.empty() ||
-                         stands_under_loads(parameters.scene.bodies[0]),
-                     "there are Contact points, a Force point or a load, which tell one side from the other",
-                     section, "Stop direction");
+      entries.add_if(
+          !on_grid || own.stop_axis().first != 2 || !own.force_point.empty() ||
+              parameters.contact.friction > 0 || stands_under_loads(body),
+          "there are Contact points, a Force point, friction or a load, which tell one side from the other",
+          section, "Stop direction");
       entries.add(section + "/Comparison", "Numbers");
       entries.add_if(!own.numbers.empty(), "there are Periodic/Comparison/Numbers", section + "/Comparison",
                      "Pairs");
@@ -222,7 +224,8 @@ namespace vibrocontact
   {
     return {{"periodic", "periodic motions of body 1 against a stop, by weighted residuals in time", 1},
             periodic_read,
-            [](const AnalysisRun &on) { run_periodic(on.parameters, on.bodies, on.folder, on.results); },
+            [](const AnalysisRun &on)
+            { run_periodic(on.parameters, on.bodies, on.measured, on.folder, on.results); },
             false,
             {{"periodic",
               "periodic",

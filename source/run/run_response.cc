@@ -78,7 +78,7 @@ namespace vibrocontact
     }
   } // namespace
 
-  void run_response(const PeriodicParameters &periodic, const PeriodicBody &body,
+  void run_response(const PeriodicParameters &periodic, const ForcedBody &body,
                     const std::shared_ptr<const NormalLaw> &law, const std::string &law_name,
                     const double friction, const std::string &folder, Results &results)
   {

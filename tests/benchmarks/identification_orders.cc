@@ -3,9 +3,9 @@
 #include "../unit/ring_data.h"
 
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/bodies/identified_model.h>
 #include <vibrocontact/numerics/lsce.h>
 #include <vibrocontact/numerics/vector_fitting.h>
-#include <vibrocontact/reduction/identified_model.h>
 #include <vibrocontact/response/well_posedness.h>
 
 #include <chrono>

@@ -56,13 +56,12 @@ namespace
   }
 
   /// Stops at n nodes at equal distances from the tip inwards, each with the gap in which the first mode would reach all at once.
-  PeriodicBody with_points(const AxialBarCase &c, const unsigned int n)
+  ForcedBody with_points(const AxialBarCase &c, const unsigned int n)
   {
-    PeriodicBody body = axial_bar(c);
+    ForcedBody body = axial_bar(c);
     const DenseMatrix tip = body.trace;
     body.trace.reinit(n, body.n_modes());
     body.residual.reinit(n, n);
-    body.residual_force.assign(n, 0.);
     body.residual_load.assign(n, 0.);
     body.gap.resize(n);
     for (unsigned int i = 0; i < n; ++i)
@@ -80,7 +79,7 @@ namespace
     const AxialBarCase c = axial_bar_1275();
     std::printf(
         "| pair | functions | points | ms | iterations | steps of the gap |\n|---|---|---|---|---|---|\n");
-    const auto line = [&](const std::string &pair, const unsigned int n, const PeriodicBody &body)
+    const auto line = [&](const std::string &pair, const unsigned int n, const ForcedBody &body)
     {
       PeriodicBalance balance(body, penalty(c), settings(pair, n));
       balance.set_force(c.excitation());
@@ -106,8 +105,8 @@ namespace
     PeriodicSolution solution;
   };
 
-  Measured measure(const PeriodicBody &body, const std::shared_ptr<const NormalLaw> &law,
-                   const AxialBarCase &c, const BalanceSettings &settings, const PeriodicReference &reference,
+  Measured measure(const ForcedBody &body, const std::shared_ptr<const NormalLaw> &law, const AxialBarCase &c,
+                   const BalanceSettings &settings, const PeriodicReference &reference,
                    const unsigned int repetitions)
   {
     Measured result;
@@ -127,7 +126,7 @@ namespace
                 "|---|---|---|---|---|---|---|\n");
     for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
     {
-      const PeriodicBody all = axial_bar(c);
+      const ForcedBody all = axial_bar(c);
       const PeriodicReference reference = periodic_reference(all, penalty(c), c.excitation(), 4096);
       for (const unsigned int n : {1u, 2u, 3u, 5u, 8u, 12u, 25u})
       {
@@ -164,7 +163,7 @@ namespace
                 "|---|---|---|---|---|---|---|---|---|\n");
     for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
     {
-      const PeriodicBody body = axial_bar(c, true);
+      const ForcedBody body = axial_bar(c, true);
       const auto law = create_normal_law("signorini");
       const PeriodicReference reference = periodic_reference(body, law, c.excitation(), 4096);
       for (const std::string &pair : pairs)
@@ -195,7 +194,7 @@ namespace
         "the stiffness | most iterations |\n|---|---|---|---|---|---|---|---|---|---|\n");
     for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
     {
-      const PeriodicBody body = axial_bar(c);
+      const ForcedBody body = axial_bar(c);
       const PeriodicReference reference = periodic_reference(body, penalty(c), c.excitation(), 4096);
       for (const std::string &pair : pairs)
         for (const unsigned int n : {8u, 9u, 16u, 17u, 32u, 33u, 63u, 64u, 127u, 128u})

@@ -53,7 +53,7 @@ namespace
     return 1e9 * times[times.size() / 2];
   }
 
-  PoleModel modes(const unsigned int n_rows, const unsigned int n_modes, const double tread)
+  BodyInContact modes(const unsigned int n_rows, const unsigned int n_modes, const double tread)
   {
     std::vector<double> omega, zeta;
     DenseMatrix trace(n_rows, n_modes), residual(n_rows, n_rows);
@@ -66,7 +66,7 @@ namespace
     }
     for (unsigned int i = 0; i < n_rows; ++i)
       residual(i, i) = tread;
-    return pole_model(omega, zeta, trace, {}, residual, {});
+    return by_poles({omega, zeta, trace, {}, residual, {}});
   }
 } // namespace
 
@@ -77,7 +77,7 @@ int main(int argc, char *argv[])
   std::printf("registers: %s\n", wide_loops_name());
   DenseMatrix trace(1, 1);
   trace(0, 0) = 1;
-  const PoleModel oscillator = pole_model({std::sqrt(4e5)}, {0.02}, trace, {-9.81}, DenseMatrix(), {});
+  const BodyInContact oscillator = by_poles({{std::sqrt(4e5)}, {0.02}, trace, {-9.81}, DenseMatrix(), {}});
   struct Row
   {
     double h;
@@ -106,7 +106,7 @@ int main(int argc, char *argv[])
     {
       ResponseSettings settings;
       settings.time_step = 2e-5;
-      const PoleModel model = modes(n_rows, n_modes, 1e-7);
+      const BodyInContact model = modes(n_rows, n_modes, 1e-7);
       settings.interpolation = ForceInterpolation::constant;
       const auto response = create_response("modal recursion", model, state_at_rest(model), settings);
       const double ns = time_steps(*response, 20000, 2e-5, 1e-4);
@@ -117,7 +117,7 @@ int main(int argc, char *argv[])
     ResponseSettings settings;
     settings.time_step = 1 / 51200.;
     settings.interpolation = ForceInterpolation::linear;
-    PoleModel model = modes(100, 202, 1 / 40320.);
+    BodyInContact model = modes(100, 202, 1 / 40320.);
     for (unsigned int k = 0; k < model.n_poles(); ++k)
       for (unsigned int i = 0; i < 100; ++i)
         model.right(i, k) *= std::polar(1., 0.01 * k * i);

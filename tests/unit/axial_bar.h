@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/base/dense.h>
-#include <vibrocontact/periodic/periodic_body.h>
+#include <vibrocontact/periodic/forced_body.h>
 
 #include <cmath>
 
@@ -34,8 +34,8 @@ namespace vibrocontact
 
   /// All modes of the bar. @param massless the mass of the last element goes to its inner node: one mode less and the
   /// residual of that element
-  inline PeriodicBody axial_bar(const AxialBarCase &c, const bool massless = false,
-                                const unsigned int n_elements = 25)
+  inline ForcedBody axial_bar(const AxialBarCase &c, const bool massless = false,
+                              const unsigned int n_elements = 25)
   {
     const double h = AxialBarCase::length / n_elements, k = AxialBarCase::modulus * AxialBarCase::area / h,
                  m = AxialBarCase::density * AxialBarCase::area * h;
@@ -58,10 +58,9 @@ namespace vibrocontact
       M(n - 1, n - 1) += m;
     std::vector<dealii::Vector<double>> modes(n, dealii::Vector<double>(n));
     K.compute_generalized_eigenvalues_symmetric(M, modes);
-    PeriodicBody body;
+    ForcedBody body;
     body.trace.reinit(1, n);
     body.residual.reinit(1, 1);
-    body.residual_force.assign(1, 0.);
     body.residual_load.assign(1, 0.);
     body.modal_load.assign(n, 0.);
     for (unsigned int i = 0; i < n; ++i)
@@ -69,28 +68,25 @@ namespace vibrocontact
       body.omega.push_back(std::sqrt(K.eigenvalue(i).real()));
       body.damping_ratio.push_back(0.5 * c.beta * body.omega.back());
       body.trace(0, i) = modes[i][n - 1];
-      body.modal_force.push_back(modes[i][n - 1]);
     }
     body.relaxation = c.beta;
     if (massless)
-      body.residual(0, 0) = body.residual_force[0] = 1 / k;
+      body.residual(0, 0) = 1 / k;
     body.gap = {c.gap};
     return body;
   }
 
   /// The lowest modes of a body. @param residual whether the static answers of the others join the residual
-  inline PeriodicBody with_modes(const PeriodicBody &all, const unsigned int n_modes, const bool residual)
+  inline ForcedBody with_modes(const ForcedBody &all, const unsigned int n_modes, const bool residual)
   {
-    PeriodicBody body = all;
+    ForcedBody body = all;
     for (unsigned int k = n_modes; k < all.n_modes() && residual; ++k)
     {
       const double w2 = all.omega[k] * all.omega[k];
       body.residual(0, 0) += all.trace(0, k) * all.trace(0, k) / w2;
-      body.residual_force[0] += all.trace(0, k) * all.modal_force[k] / w2;
     }
     body.omega.resize(n_modes);
     body.damping_ratio.resize(n_modes);
-    body.modal_force.resize(n_modes);
     body.modal_load.resize(n_modes);
     body.trace.reinit(1, n_modes);
     for (unsigned int k = 0; k < n_modes; ++k)

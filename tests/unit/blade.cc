@@ -2,6 +2,7 @@
 
 #include "time_stepping.h"
 
+#include <vibrocontact/bodies/point_reduction.h>
 #include <vibrocontact/contact/laws/normal_laws.h>
 #include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/elastic_body.h>
@@ -9,7 +10,6 @@
 #include <vibrocontact/periodic/periodic_motion.h>
 #include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/modes.h>
-#include <vibrocontact/reduction/point_reduction.h>
 #include <vibrocontact/scene/blade.h>
 
 #include <deal.II/base/numbers.h>
@@ -70,7 +70,7 @@ namespace
     }
 
     /// Under a force along the tip's normal at mid-chord, before a stop above one or all corners.
-    PeriodicBody before_casing(const unsigned int n_corners, const bool friction) const
+    ForcedBody before_casing(const unsigned int n_corners, const bool friction) const
     {
       std::vector<TraceRow> rows;
       const int signs[4][2] = {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
@@ -83,9 +83,9 @@ namespace
       const TraceRow y = nearest_dof(*system, {0, 0, parameters.length}, 1, "force");
       force.emplace_back(y[0].first, std::cos(angle));
       rows.push_back(force);
-      const PointReduction points = reduce_to_points(*system, *flexibility, modes, rows);
-      const unsigned int n = rows.size() - 1, m = modes.omega.size();
-      PeriodicBody body = periodic_body(points, modes.omega, std::vector<double>(m, damping), n, n);
+      ForcedBody body{reduce_to_points(*system, *flexibility, modes,
+                                       std::vector<double>(modes.omega.size(), damping), rows)};
+      body.force_row = rows.size() - 1;
       body.rows_per_point = friction ? 3 : 1;
       body.gap.assign(n_corners, 0.);
       return body;
@@ -158,7 +158,7 @@ TEST(Blade, RubsItsCasingAsInTime)
       if (n_corners > 1 && mu > 0)
         continue; // a minute
       SCOPED_TRACE(std::to_string(n_corners) + " corners, friction " + std::to_string(mu));
-      PeriodicBody body = blade.before_casing(n_corners, mu > 0);
+      ForcedBody body = blade.before_casing(n_corners, mu > 0);
       const HarmonicForce force{20., body.omega[0] / (2 * PI)};
       BalanceSettings settings;
       settings.n_functions = mu > 0 ? 61 : 81;
@@ -166,7 +166,7 @@ TEST(Blade, RubsItsCasingAsInTime)
       settings.friction = mu;
       double peak = 0;
       {
-        PeriodicBody free = body;
+        ForcedBody free = body;
         free.gap.assign(n_corners, 1.);
         PeriodicBalance balance(free, create_normal_law("signorini"), settings);
         balance.set_force(force);

@@ -5,11 +5,11 @@
 #include <vibrocontact/analyses/data_passivity.h>
 #include <vibrocontact/analyses/identification.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/numerics/least_squares.h>
 #include <vibrocontact/numerics/nonnegative.h>
 #include <vibrocontact/numerics/vector_fitting.h>
 #include <vibrocontact/reduction/passive_fit.h>
-#include <vibrocontact/reduction/ring_poles.h>
 
 #include <gtest/gtest.h>
 

@@ -16,11 +16,11 @@ namespace
   const double omega = std::sqrt(stiffness / mass), omega_d = omega * std::sqrt(1 - zeta * zeta);
   const double pi = std::acos(-1.);
 
-  PoleModel oscillator()
+  BodyInContact oscillator()
   {
     DenseMatrix trace(1, 1);
     trace(0, 0) = 1 / std::sqrt(mass);
-    return pole_model({omega}, {zeta}, trace, {-gravity * std::sqrt(mass)}, DenseMatrix(), {});
+    return by_poles({{omega}, {zeta}, trace, {-gravity * std::sqrt(mass)}, DenseMatrix(), {}});
   }
 
   Road sine_road(const double speed, const double end_time)
@@ -78,7 +78,7 @@ namespace
 
   Motion move(const double speed, const double end, const double step)
   {
-    const PoleModel model = oscillator();
+    const BodyInContact model = oscillator();
     const Road road = sine_road(speed, end);
     EventLocated motion(model, state_at_rest(model), road, step);
     Motion result;
@@ -183,7 +183,7 @@ TEST(EventLocated, ThreePointsKeepTheRoad)
     for (unsigned int i = 0; i < 3; ++i)
       trace(i, k) = std::cos((k + 0.5) * (i + 0.3)) + (k == 0 ? 1.5 : 0);
   }
-  const PoleModel model = pole_model(w, damping, trace, load, DenseMatrix(), {});
+  const BodyInContact model = by_poles({w, damping, trace, load, DenseMatrix(), {}});
   RoadParameters parameters;
   parameters.profile = "expression";
   parameters.expression = "1e-3*sin(2*pi*s/0.1)";
@@ -224,7 +224,7 @@ TEST(EventLocated, ThreePointsKeepTheRoad)
 
 TEST(EventLocated, RefusesWhatIsNotRigid)
 {
-  PoleModel model = oscillator();
+  BodyInContact model = oscillator();
   model.residual.reinit(1, 1);
   model.residual(0, 0) = 1e-6;
   const Road road = sine_road(0.1, 1);

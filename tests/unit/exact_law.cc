@@ -17,7 +17,7 @@ TEST(ExactLaw, EveryBasisFindsItAndHaarIsNotTheBest)
   const auto law = create_normal_law("signorini");
   for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
   {
-    const PeriodicBody body = axial_bar(c, true);
+    const ForcedBody body = axial_bar(c, true);
     const PeriodicReference reference = periodic_reference(body, law, c.excitation(), 4096);
     std::map<std::string, double> errors;
     for (const auto &[trial, weighting] :
@@ -62,7 +62,7 @@ TEST(ExactLaw, StiffPenaltiesTendToIt)
 {
   for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
   {
-    const PeriodicBody body = axial_bar(c, true);
+    const ForcedBody body = axial_bar(c, true);
     const PeriodicReference rigid =
         periodic_reference(body, create_normal_law("signorini"), c.excitation(), 1024);
     double before = 0;

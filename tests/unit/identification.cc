@@ -210,7 +210,7 @@ TEST(Identification, ModelHasTheFitsReceptance)
 
 TEST(Identification, OneStepComplianceByQuadrature)
 {
-  const PoleModel model = identified_model(vector_fit(ring(), 8), ring_map()).model;
+  const BodyInContact model = identified_model(vector_fit(ring(), 8), ring_map()).model;
   // 5 Gauss points on each of 20 parts of the step
   const double x[] = {0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640, -0.9061798459386640},
                w[] = {128. / 225, 0.4786286704993665, 0.4786286704993665, 0.2369268850561891,
@@ -226,9 +226,12 @@ TEST(Identification, OneStepComplianceByQuadrature)
         constant += g;
         linear += g * (1 - s / h);
       }
-    EXPECT_NEAR(one_step_compliance(model, h, ForceInterpolation::constant)(0, 1) / constant, 1, 1e-9);
-    EXPECT_NEAR(one_step_compliance(model, h, ForceInterpolation::linear)(0, 1) / linear, 1, 1e-9);
-    EXPECT_NEAR(one_step_compliance(model, h, ForceInterpolation::impulse)(0, 1) /
+    EXPECT_NEAR(one_step_compliance(model, step_weights(model, h, ForceInterpolation::constant))(0, 1) /
+                    constant,
+                1, 1e-9);
+    EXPECT_NEAR(one_step_compliance(model, step_weights(model, h, ForceInterpolation::linear))(0, 1) / linear,
+                1, 1e-9);
+    EXPECT_NEAR(one_step_compliance(model, step_weights(model, h, ForceInterpolation::impulse))(0, 1) /
                     (h * impulse_response(model, h)(0, 1)),
                 1, 1e-12);
   }
@@ -239,7 +242,7 @@ TEST(Identification, WellPosednessOfContact)
   DenseMatrix trace(1, 1), none(1, 1);
   trace(0, 0) = 1;
   const WellPosedness oscillator =
-      well_posedness_of_contact(pole_model({632.}, {0.02}, trace, {}, none, {}), 1e-4);
+      well_posedness_of_contact(by_poles({{632.}, {0.02}, trace, {}, none, {}}), 1e-4);
   EXPECT_TRUE(oscillator.usable());
   EXPECT_TRUE(oscillator.impacts);
 
@@ -248,7 +251,7 @@ TEST(Identification, WellPosednessOfContact)
   fit.poles = {{-1., 0.}};
   fit.residues = {{0.5}, {1.}};
   fit.direct = {0, 0};
-  PoleModel model = identified_model(fit, {2, {0, 1, 1, 0}}).model;
+  BodyInContact model = identified_model(fit, {2, {0, 1, 1, 0}}).model;
   const WellPosedness refused = well_posedness_of_contact(model, 1e-4);
   EXPECT_FALSE(refused.usable());
   EXPECT_NEAR(refused.definiteness[0], -1. / 3, 1e-3);

@@ -1,7 +1,7 @@
 // Whole runs: the oscillator and the ring on the road against exact motion, converged runs and published values.
 #include <vibrocontact/analyses/method_comparison.h>
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/reduction/ring_poles.h>
+#include <vibrocontact/bodies/ring_poles.h>
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@ using namespace vibrocontact;
 
 namespace
 {
-  PoleModel paper_oscillator()
+  BodyInContact paper_oscillator()
   {
     OscillatorParameters oscillator;
-    PoleModel model = oscillator_poles(oscillator);
+    BodyInContact model = by_poles(oscillator_body(oscillator));
     model.residual.reinit(1, 1);
     return model;
   }
@@ -48,7 +48,7 @@ namespace
     }
     RingParameters ring;
     RoadParameters road;
-    PoleModel model;
+    BodyInContact model;
     std::vector<double> places, shapes;
   };
 
@@ -142,7 +142,7 @@ TEST(ModalConvolution, CommonSolverGivesTheSame)
 TEST(ModalConvolution, MethodsAgainstTheExactMotion)
 {
   const ModalConvolutionParameters parameters;
-  const PoleModel model = paper_oscillator();
+  const BodyInContact model = paper_oscillator();
   const auto rows = compare_methods({{2e-4, 2000, 1000}, {1e-4, 4000, 1900}, {5e-5, 8000, 4000}}, 1,
                                     parameters, model, sine(0.1), {0.}, {0.});
   const auto find = [&](const std::string &method, const double step)
@@ -241,7 +241,7 @@ TEST(ModalConvolution, RefusesShapesThatRing)
 // 1,000 s at 0.1 m/s: the last period is the second; 1 m/s, where every touch is an impact and an immediate release.
 TEST(ModalConvolution, NothingGrows)
 {
-  const PoleModel model = paper_oscillator();
+  const BodyInContact model = paper_oscillator();
   for (const double speed : {0.1, 1.})
   {
     ModalConvolutionParameters parameters;
@@ -279,7 +279,7 @@ TEST(ModalConvolution, ErrorsThatAMarchEstimatesAreThose)
     double impulse, rms_force;
     RoadMarchErrors errors;
   };
-  const auto march = [](const PoleModel &model, const Road &road, ModalConvolutionParameters parameters,
+  const auto march = [](const BodyInContact &model, const Road &road, ModalConvolutionParameters parameters,
                         const std::string &method, const double step)
   {
     parameters.method = method;
@@ -292,7 +292,7 @@ TEST(ModalConvolution, ErrorsThatAMarchEstimatesAreThose)
       impulse += value;
     return March{impulse, motion.result().rms_force(), motion.result().errors};
   };
-  const auto compare = [&](const char *const name, const PoleModel &model, const Road &road,
+  const auto compare = [&](const char *const name, const BodyInContact &model, const Road &road,
                            const ModalConvolutionParameters &parameters, const March &truth,
                            const std::vector<double> &steps, const double within)
   {
@@ -311,7 +311,7 @@ TEST(ModalConvolution, ErrorsThatAMarchEstimatesAreThose)
 
   ModalConvolutionParameters parameters;
   parameters.end_time = 1;
-  const PoleModel oscillator = paper_oscillator();
+  const BodyInContact oscillator = paper_oscillator();
   const Road waves(sine(0.1), {0.}, {0.}, parameters.end_time);
   compare("sine", oscillator, waves, parameters, march(oscillator, waves, parameters, "event located", 1e-4),
           {1.6e-3, 8e-4, 4e-4, 2e-4, 1e-4}, 3);
@@ -323,4 +323,149 @@ TEST(ModalConvolution, ErrorsThatAMarchEstimatesAreThose)
   compare("tyre, linear", tyre.model, road, parameters,
           march(tyre.model, road, parameters, "modal recursion", 2e-6), {3.2e-4, 1.6e-4, 8e-5, 4e-5, 2e-5},
           10);
+}
+
+// A free body of two masses falls 1 mm onto a road and comes to rest on it: what the road gives is its weight over all that
+// time, whoever steps.
+TEST(ModalConvolution, FreeBodyFallsAndComesToRest)
+{
+  const double m = 2, M = 3, k = 5e4, zeta = 0.1, g = 9.81, end = 1.5;
+  BodyInContact body;
+  body.omega = {0., std::sqrt(k * (1 / m + 1 / M))};
+  body.damping_ratio = {0., zeta};
+  body.trace.reinit(1, 2);
+  body.trace(0, 0) = 1 / std::sqrt(m + M);
+  body.trace(0, 1) = std::sqrt(M / (m * (m + M)));
+  body.modal_load = {-g * std::sqrt(m + M), 0.};
+  body.residual.reinit(1, 1);
+  const BodyInContact poles = by_poles(body);
+  RoadParameters parameters;
+  parameters.indentation = -1e-3;
+  const Road road(parameters, {0.}, {0.}, end);
+  for (const std::string method : {"modal recursion", "theta method", "block convolution", "event located"})
+  {
+    ModalConvolutionParameters own;
+    own.method = method;
+    own.time_step = 1e-4;
+    own.end_time = end;
+    ModalConvolution motion(own, {}, poles, road);
+    double touch = 0, last_force = 0, lowest = 0;
+    while (motion.advance(1000,
+                          [&](const ModalConvolutionLines &lines)
+                          {
+                            for (unsigned int i = 0; i < lines.n_lines; ++i)
+                            {
+                              if (touch == 0 && lines.force[i] > 0)
+                                touch = (lines.first_line + i) * lines.time_step;
+                              last_force = lines.force[i];
+                              lowest = std::min(lowest, lines.displacement[i]);
+                            }
+                          }))
+      ;
+    EXPECT_NEAR(touch, std::sqrt(2 * 1e-3 / g), 2e-4) << method;
+    // the body hops from impulse to impulse: on the way down from the last one when the time is over
+    const double carried = own.is_event_located() ? end : end - 0.5 * own.time_step;
+    EXPECT_NEAR(motion.result().impulse[0], (m + M) * g * carried, 1e-6 * (m + M) * g * end) << method;
+    EXPECT_NEAR(last_force, (m + M) * g, 1e-4 * (m + M) * g) << method;
+    EXPECT_NEAR(lowest, -1e-3, 1e-9) << method;
+  }
+}
+
+// With a tread and theta = 1/2 the theta-method is of second order, and of first with more.
+TEST(ModalConvolution, OrderOfTheThetaMethodOnARoad)
+{
+  DenseMatrix trace(1, 2), residual(1, 1);
+  trace(0, 0) = trace(0, 1) = 0.5;
+  residual(0, 0) = 1e-5;
+  const BodyInContact poles = by_poles({{200., 520.}, {0.05, 0.05}, trace, {}, residual, {}});
+  RoadParameters parameters;
+  parameters.profile = "expression";
+  parameters.expression = "2e-4*sin(2*pi*s/0.3)";
+  parameters.speed = 10;
+  parameters.indentation = 1e-3;
+  parameters.loading_time = 0.02;
+  const Road road(parameters, {0.}, {0.}, 0.2);
+  const auto impulse = [&](const std::string &method, const double step, const double theta)
+  {
+    ModalConvolutionParameters own;
+    own.method = method;
+    own.force_shape = "linear";
+    own.theta = theta;
+    own.time_step = step;
+    own.end_time = 0.2;
+    own.error_estimate = false;
+    ModalConvolution motion(own, {}, poles, road);
+    while (motion.advance(1000, [](const ModalConvolutionLines &) {}))
+      ;
+    return motion.result().rms_force();
+  };
+  const double exact = impulse("modal recursion", 2.5e-6, 0.5);
+  const auto error = [&](const double step, const double theta)
+  { return std::abs(impulse("theta method", step, theta) / exact - 1); };
+  for (const double theta : {0.5, 0.6})
+  {
+    const double coarse = error(2e-4, theta), fine = error(5e-5, theta), ratio = theta == 0.5 ? 16 : 4;
+    std::printf("theta %.1f: rms force off by %.2e and %.2e at a quarter of the step\n", theta, coarse, fine);
+    EXPECT_GT(coarse / fine, 0.75 * ratio);
+    EXPECT_LT(coarse / fine, 1.4 * ratio);
+  }
+}
+
+// A linear spring as the law of a rigid point is the tread of the same stiffness before a rigid law.
+TEST(ModalConvolution, SpringLawIsATread)
+{
+  const double stiffness = 2e5;
+  RoadParameters parameters;
+  parameters.profile = "expression";
+  parameters.expression = "6e-4*sin(2*pi*s/0.3)";
+  parameters.speed = 10;
+  parameters.indentation = 2e-4;
+  const Road road(parameters, {0.}, {0.}, 0.2);
+  const auto forces = [&](const bool tread, const std::string &shape)
+  {
+    DenseMatrix trace(1, 2), residual(1, 1);
+    trace(0, 0) = trace(0, 1) = 0.5;
+    residual(0, 0) = tread ? 1 / stiffness : 0.;
+    const BodyInContact poles = by_poles({{200., 520.}, {0.05, 0.05}, trace, {}, residual, {}});
+    RoadLaws laws;
+    if (!tread)
+      laws.normal = create_normal_law("linear spring", {stiffness / 100, 100});
+    ModalConvolutionParameters own;
+    own.force_shape = shape;
+    own.time_step = 1e-4;
+    own.end_time = 0.2;
+    own.error_estimate = false;
+    ContactSolverParameters accurate;
+    accurate.tolerance = 1e-13;
+    ModalConvolution motion(own, accurate, poles, road, laws);
+    std::vector<double> result;
+    while (motion.advance(1000, [&](const ModalConvolutionLines &lines)
+                          { result.insert(result.end(), lines.force, lines.force + lines.n_lines); }))
+      ;
+    EXPECT_GT(motion.result().impacts.size(), 2u) << "it does not lift off";
+    return result;
+  };
+  for (const std::string shape : {"constant", "linear"})
+  {
+    const std::vector<double> spring = forces(false, shape), tread = forces(true, shape);
+    ASSERT_EQ(spring.size(), tread.size());
+    double worst = 0, largest = 0;
+    for (std::size_t k = 0; k < tread.size(); ++k)
+    {
+      worst = std::max(worst, std::abs(spring[k] - tread[k]));
+      largest = std::max(largest, tread[k]);
+    }
+    EXPECT_LT(worst, 1e-9 * largest) << shape;
+  }
+  RoadLaws penalty;
+  penalty.normal = create_normal_law("exponential penalty", {1e3, 200});
+  ModalConvolutionParameters own;
+  own.force_shape = "linear";
+  DenseMatrix trace(1, 1);
+  trace(0, 0) = 0.5;
+  const BodyInContact rigid = by_poles({{200.}, {0.05}, trace, {}, DenseMatrix(1, 1), {}});
+  EXPECT_THROW(ModalConvolution(own, {}, rigid, road, penalty), InputError);
+  own.method = "event located";
+  own.force_shape = "impulse";
+  EXPECT_THROW(ModalConvolution(own, {}, rigid, road, penalty), InputError);
 }

@@ -32,28 +32,28 @@ namespace
   }
 
   /// A point on springs with three coupled directions above a stop
-  PeriodicBody three_directions(const unsigned int n_points)
+  ForcedBody three_directions(const unsigned int n_points)
   {
-    PeriodicBody body;
+    ForcedBody body;
     const unsigned int n = 3 * n_points, m = 5;
     body.rows_per_point = 3;
-    body.trace.reinit(n, m);
-    body.residual.reinit(n, n);
+    body.trace.reinit(n + 1, m);
+    body.residual.reinit(n + 1, n + 1);
+    body.force_row = n;
     std::mt19937 random(7);
     std::uniform_real_distribution<double> number(-1, 1);
     for (unsigned int k = 0; k < m; ++k)
     {
       body.omega.push_back(2 + 1.7 * k);
       body.damping_ratio.push_back(0.03);
-      body.modal_force.push_back(number(random));
+      body.trace(n, k) = number(random);
       body.modal_load.push_back(0.1 * number(random));
       for (unsigned int i = 0; i < n; ++i)
         body.trace(i, k) = number(random);
     }
     for (unsigned int i = 0; i < n; ++i)
       body.residual(i, i) = 0.02;
-    body.residual_force.assign(n, 0.);
-    body.residual_load.assign(n, 0.);
+    body.residual_load.assign(n + 1, 0.);
     body.relaxation = 1e-3;
     body.gap.assign(n_points, 0.05);
     return body;
@@ -128,7 +128,7 @@ TEST(PeriodicBalance, DerivativesAreThoseOfTheResidual)
         settings.friction = 0.3;
         for (const double relaxation : {1e-3, 0.})
         {
-          PeriodicBody body = three_directions(2);
+          ForcedBody body = three_directions(2);
           body.relaxation = relaxation;
           PeriodicBalance balance(body, law, settings);
           expect_right_derivatives(balance, {1., 0.4});
@@ -170,20 +170,19 @@ namespace
 
   /// The oscillator, driven along the first tangential direction of a point that presses 10 N; behind it stops on both sides,
   /// each a point of its own whose normal direction is the motion.
-  PeriodicBody den_hartog(const bool stops, const double gap)
+  ForcedBody den_hartog(const bool stops, const double gap)
   {
-    PeriodicBody body;
+    ForcedBody body;
     const unsigned int n_points = stops ? 3 : 1, n = 3 * n_points;
     body.rows_per_point = 3;
     body.omega = {std::sqrt(spring / mass)};
     body.damping_ratio = {0.};
-    body.modal_force = {1 / std::sqrt(mass)};
     body.modal_load = {0.};
     body.trace.reinit(n, 1);
     body.trace(1, 0) = 1 / std::sqrt(mass);
     body.residual.reinit(n, n);
     body.residual(0, 0) = 1e-3;
-    body.residual_force.assign(n, 0.);
+    body.force_row = 1;
     body.residual_load.assign(n, 0.);
     body.gap = {-1e-3 * 10};
     if (stops)
@@ -252,7 +251,7 @@ TEST(PeriodicBalance, DryFrictionAndStops)
   settings.friction = mu_N / 10;
   settings.n_samples = 8192;
   // the point that presses is on a spring, too: its load is not changed by that
-  PeriodicBody body = den_hartog(true, gap);
+  ForcedBody body = den_hartog(true, gap);
   body.gap[0] = -(10 / stop + 10 * 1e-3);
   PeriodicBalance balance(body, create_normal_law("linear spring", {stop, 1}), settings);
   balance.set_force({exciting, omega / (2 * M_PI)});
@@ -269,7 +268,7 @@ TEST(PeriodicBalance, BarWithoutContactSwingsAsTheClosedForm)
   for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
     for (const char *basis : {"fourier", "bspline"})
     {
-      PeriodicBody body = axial_bar(c);
+      ForcedBody body = axial_bar(c);
       body.gap[0] = 1;
       PeriodicBalance balance(body, penalty(c), pair(basis, basis, basis[0] == 'f' ? 7 : 255));
       balance.set_force(c.excitation());
@@ -286,7 +285,7 @@ TEST(PeriodicBalance, BarWithoutContactSwingsAsTheClosedForm)
 TEST(PeriodicBalance, ForceDoesAsMuchWorkAsDampingTakes)
 {
   const AxialBarCase c = axial_bar_1275();
-  const PeriodicBody body = axial_bar(c);
+  const ForcedBody body = axial_bar(c);
   PeriodicBalance balance(body, penalty(c), pair("fourier", "fourier", 127));
   balance.set_force(c.excitation());
   const PeriodicSolution solution = balance.solve();
@@ -360,4 +359,39 @@ TEST(PeriodicBalance, MomentsOfAConstantAreThoseOfTheExactIntegrals)
         for (unsigned int k = 1; k < n; ++k)
           EXPECT_NEAR(moments[k], 0, limit) << k;
       }
+}
+
+// The axial bar by its poles, most of its modes damped beyond critical: with harmonics the motion of its modes, in the spring
+// and at the rigid stop.
+TEST(PeriodicBalance, PolesMoveAsTheirModes)
+{
+  const AxialBarCase c = axial_bar_150();
+  for (const bool rigid : {false, true})
+  {
+    ForcedBody modes = axial_bar(c, rigid);
+    ForcedBody poles = modes;
+    static_cast<BodyInContact &>(poles) = by_poles(modes);
+    const auto law = rigid ? create_normal_law("signorini") : penalty(c);
+    const auto solution = [&](const ForcedBody &body)
+    {
+      PeriodicBalance balance(body, law, pair("fourier", "fourier", 63));
+      balance.set_force(c.excitation());
+      const PeriodicSolution found = balance.solve();
+      EXPECT_TRUE(found.converged);
+      return found;
+    };
+    const PeriodicSolution by_modes = solution(modes), of_poles = solution(poles);
+    EXPECT_LT(relative_error(of_poles.force, by_modes.force), 1e-9);
+    EXPECT_LT(relative_error(of_poles.displacement, by_modes.displacement), 1e-9);
+  }
+}
+
+TEST(PeriodicBalance, DerivativesOfABodyByPoles)
+{
+  ForcedBody body = three_directions(2);
+  static_cast<BodyInContact &>(body) = by_poles(body);
+  BalanceSettings settings = pair("fourier", "fourier", 9);
+  settings.friction = 0.3;
+  PeriodicBalance balance(body, create_normal_law("signorini"), settings);
+  expect_right_derivatives(balance, {1., 0.4});
 }

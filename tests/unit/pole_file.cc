@@ -1,7 +1,7 @@
 #include <vibrocontact/analyses/pole_file.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/bodies/band_limited.h>
 #include <vibrocontact/output/identification_output.h>
-#include <vibrocontact/reduction/band_limited.h>
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ TEST(BandLimited, InverseTransformOfAnOscillator)
   EntryMap map;
   map.n_rows = 1;
   map.entry = {0};
-  const PoleModel model = band_limited_model(data, map);
+  const BodyInContact model = band_limited_model(data, map);
   EXPECT_NEAR(band_limited_memory(data), 1, 1e-12);
   for (double t = 0.001; t < 0.5; t += 0.0137)
     EXPECT_NEAR(impulse_response(model, t)(0, 0), std::exp(-zeta * w * t) * std::sin(root * t) / root,

@@ -47,12 +47,12 @@ namespace
   }
 
   /// amplitude of the tip without contact [m]
-  double linear_amplitude(const PeriodicBody &body, const double f)
+  double linear_amplitude(const ForcedBody &body, const double f)
   {
     const double omega = 2 * M_PI * f;
     std::complex<double> sum = 0;
     for (unsigned int k = 0; k < body.n_modes(); ++k)
-      sum += body.trace(0, k) * body.modal_force[k] /
+      sum += body.trace(0, k) * body.modal_force(k) /
              std::complex<double>(body.omega[k] * body.omega[k] - omega * omega,
                                   2 * body.damping_ratio[k] * body.omega[k] * omega);
     return bar_case.force * std::abs(sum);
@@ -61,7 +61,7 @@ namespace
   /// Periodic motions by shooting as a curve in frequency; unknowns w q, q'.
   struct ShootingCurve : CurveEquations
   {
-    const PeriodicBody body = axial_bar(bar_case);
+    const ForcedBody body = axial_bar(bar_case);
     const std::shared_ptr<const NormalLaw> law =
         create_normal_law("exponential penalty", {bar_case.amplitude, bar_case.exponent});
     static constexpr double phase = 0.75;
@@ -300,16 +300,15 @@ TEST(ResponseCurve, DerivativesByParametersAgainstDifferences)
 TEST(ResponseCurve, MultipliersOfPermanentContactAndOfNone)
 {
   // one oscillator, stiffness k + K throughout, with and without residual
-  PeriodicBody body;
+  ForcedBody body;
   const double m = 2, k = 800, d = 3, K = 5000;
   body.omega = {std::sqrt(k / m)};
   body.damping_ratio = {d / (2 * std::sqrt(k * m))};
   body.trace.reinit(1, 1);
   body.trace(0, 0) = 1 / std::sqrt(m);
-  body.modal_force = {1 / std::sqrt(m)};
   body.modal_load = {0};
   body.residual.reinit(1, 1);
-  body.residual_force = body.residual_load = {0};
+  body.residual_load = {0};
   body.gap = {0};
   for (const double S : {0., 1e-4})
     for (const double stiffness : {0., K})
@@ -334,7 +333,7 @@ TEST(ResponseCurve, MultipliersOfPermanentContactAndOfNone)
 TEST(ResponseCurve, MultipliersAgainstShooting)
 {
   // the same contacts, massless node with relaxation: the rigid stop's force jumps at touch
-  const PeriodicBody body = axial_bar(bar_case, true);
+  const ForcedBody body = axial_bar(bar_case, true);
   for (const bool rigid : {true, false})
   {
     const auto law = rigid

@@ -1,8 +1,8 @@
 // Rings of beam and of plane solid elements against closed forms and against polynomials through the thickness.
+#include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/fe/ring_elements.h>
 #include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/reduction_parts.h>
-#include <vibrocontact/reduction/ring_poles.h>
 
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -238,8 +238,9 @@ TEST(RingElements, BeamGreenFunctions)
   const ModalReduction modal = reduce_modally(*system, flexibility, parameters, {});
   for (const double ratio : modal.damping_ratio)
     EXPECT_NEAR(ratio, 0.05, 1e-10);
-  const PoleModel elements = ring_poles(ring, combine(reduce_statically(*system, flexibility), &modal), true),
-                  exact = ring_poles(ring, ring_rows(ring, true));
+  const BodyInContact elements = by_poles(ring_of_elements(
+                          ring, combine(reduce_statically(*system, flexibility), &modal), true)),
+                      exact = ring_poles(ring, ring_rows(ring, true));
   for (const double f : {0., 100., 400., 1000.})
   {
     const ComplexMatrix A = receptance(elements, 2 * pi * f), B = receptance(exact, 2 * pi * f);
@@ -323,7 +324,8 @@ TEST(RingElements, SolidGreenFunctions)
   ModeParameters parameters;
   parameters.upper_frequency = 2000;
   const ModalReduction modal = reduce_modally(*system, flexibility, parameters, {});
-  const PoleModel elements = ring_poles(ring, combine(reduce_statically(*system, flexibility), &modal), true);
+  const BodyInContact elements =
+      by_poles(ring_of_elements(ring, combine(reduce_statically(*system, flexibility), &modal), true));
   std::vector<SolidModes> orders;
   for (unsigned int n = 0; n <= 300; ++n)
     orders.push_back(solid_modes(ring, n));

@@ -1,6 +1,6 @@
 // The ring on an elastic foundation by its poles: against direct inversion, and against printed values.
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/reduction/ring_poles.h>
+#include <vibrocontact/bodies/ring_poles.h>
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ TEST(RingPoles, EqualDirectInversion)
         {
           ring.pressure_law = law;
           ring.damping_ratio = damping;
-          const PoleModel model = ring_poles(ring, rows, rotation, frame);
+          const BodyInContact model = ring_poles(ring, rows, rotation, frame);
           EXPECT_EQ(model.n_poles(), 4 * 60 + 2u);
           for (const double f : {0., 17., 75.0706, 100., 403., 999., 5000.})
           {
@@ -77,7 +77,7 @@ TEST(RingPoles, HighOrdersEqualDirectInversion)
   const std::vector<RingRow> rows = ring_rows(ring, true);
   for (const double rotation : {0., speed})
   {
-    const PoleModel model = ring_poles(ring, rows, rotation);
+    const BodyInContact model = ring_poles(ring, rows, rotation);
     const ComplexMatrix exact = ring_receptance(ring, rows, rotation, RingFrame::road, 2 * pi * 450);
     EXPECT_LT(largest(difference(receptance(model, 2 * pi * 450), exact)), 1e-10 * largest(exact));
   }
@@ -252,11 +252,11 @@ TEST(RingPoles, SignOfMixedEntry)
 
 TEST(OscillatorPoles, RestsUnderItsWeight)
 {
-  const PoleModel model = oscillator_poles({});
+  const BodyInContact model = by_poles(oscillator_body({}));
   // z = -load / lambda
   double u = 0;
   for (unsigned int k = 0; k < model.n_poles(); ++k)
-    u += 2 * (-model.right(0, k) * model.load[k] / model.poles[k]).real();
+    u += 2 * (-model.right(0, k) * model.pole_load[k] / model.poles[k]).real();
   EXPECT_NEAR(u * 4e5 / 9.81, -1, 1e-12);
   EXPECT_NEAR(receptance(model, 0.)(0, 0).real() * 4e5, 1, 1e-12);
   EXPECT_NEAR(initial_derivative(model, 1)(0, 0), 1, 1e-12);

@@ -1,9 +1,9 @@
 // Roads with kinks and steps: where they are, what a rigid point feels there, by closed forms; tables between their points;
 // the load that an indentation makes.
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/contact/unilateral_contact.h>
 #include <vibrocontact/numerics/chebyshev_fit.h>
-#include <vibrocontact/reduction/ring_poles.h>
 #include <vibrocontact/response/event_located.h>
 #include <vibrocontact/response/response_methods.h>
 #include <vibrocontact/response/static_load.h>
@@ -47,7 +47,7 @@ namespace
   struct Mass
   {
     OscillatorParameters parameters;
-    PoleModel model = oscillator_poles(parameters);
+    BodyInContact model = by_poles(oscillator_body(parameters));
     double omega = std::sqrt(parameters.stiffness / parameters.mass), zeta = parameters.damping_ratio,
            rest = -parameters.mass * parameters.gravity / parameters.stiffness;
 
@@ -225,7 +225,7 @@ TEST(StaticLoad, IndentationOfAForce)
   RingParameters ring;
   ring.n_points = 5;
   ring.tread_stiffness = 2e5;
-  const PoleModel model = ring_poles(ring, ring_rows(ring, false));
+  const BodyInContact model = ring_poles(ring, ring_rows(ring, false));
   std::vector<double> places, shapes;
   for (const double angle : ring.angles())
   {

@@ -1,8 +1,9 @@
 // Friction on the road: stick-slip and Coulomb damping of one point in closed form, three points of a ring.
 #include <vibrocontact/analyses/modal_convolution.h>
-#include <vibrocontact/analyses/road_friction.h>
+#include <vibrocontact/analyses/road_contact.h>
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/reduction/ring_poles.h>
+#include <vibrocontact/bodies/ring_poles.h>
+#include <vibrocontact/contact/laws/friction_laws.h>
 
 #include <gtest/gtest.h>
 
@@ -27,12 +28,12 @@ namespace
     ModalConvolutionResult result;
   };
 
-  Outcome run(const PoleModel &model, const Road &road, const ModalConvolutionParameters &parameters,
-              const double friction)
+  Outcome run(const BodyInContact &model, const Road &road, const ModalConvolutionParameters &parameters,
+              const std::shared_ptr<const FrictionLaw> &friction)
   {
     ContactSolverParameters accurate;
     accurate.tolerance = 1e-13;
-    ModalConvolution motion(parameters, accurate, model, road, friction);
+    ModalConvolution motion(parameters, accurate, model, road, {create_normal_law("signorini"), friction});
     Outcome outcome;
     const auto keep = [&](const ModalConvolutionLines &lines)
     {
@@ -53,20 +54,21 @@ namespace
   }
 
   /// @param pull constant force on the mass along the road [N]
-  Outcome run_point(const double sliding_speed, const double pull, const double step, const double end)
+  Outcome run_point(const double sliding_speed, const double pull, const double step, const double end,
+                    const std::shared_ptr<const FrictionLaw> &friction = create_friction_law("coulomb", {mu}))
   {
     DenseMatrix trace(2, 2);
     trace(0, 0) = std::sqrt(0.5);
     trace(1, 1) = 1;
-    const PoleModel model =
-        pole_model({300., omega}, {0.1, 0.}, trace, {-std::sqrt(2.) * 9.81, pull}, DenseMatrix(2, 2), {});
+    const BodyInContact model =
+        by_poles({{300., omega}, {0.1, 0.}, trace, {-std::sqrt(2.) * 9.81, pull}, DenseMatrix(2, 2), {}});
     RoadParameters parameters;
     parameters.sliding_speed = sliding_speed;
     const Road road(parameters, {0.}, {0.}, end);
     ModalConvolutionParameters own;
     own.time_step = step;
     own.end_time = end;
-    return run(model, road, own, mu);
+    return run(model, road, own, friction);
   }
 
   /// The ring of doc/theory.md, at rest, on three points.
@@ -94,7 +96,7 @@ namespace
     Outcome run(const double friction, const bool with_friction = true) const
     {
       return ::run(ring_poles(ring, ring_rows(ring, with_friction)), Road(road, places, shapes, own.end_time),
-                   own, friction);
+                   own, create_friction_law("coulomb", {friction}));
     }
     RingParameters ring;
     RoadParameters road;
@@ -116,6 +118,35 @@ namespace
     return largest_difference(a, std::vector<double>(a.size(), 0.));
   }
 } // namespace
+
+// A belt under a mass whose friction falls with the slip speed along a straight line: a linear oscillator with negative
+// damping, whose swing about N mu / k grows.
+TEST(RoadFriction, FallingFrictionSwingsUpAsTheClosedForm)
+{
+  const double V = 1, fall = 0.02, end = 1;
+  const auto law = create_friction_law("friction curve", {0, 0.5, 10, 0.5 - 10 * fall});
+  const double decay = -0.5 * normal_force * fall, omega_d = std::sqrt(omega * omega - decay * decay),
+               mean = -normal_force * (0.5 - fall * V) / stiffness;
+  std::vector<double> errors;
+  for (const double step : {2e-4, 1e-4, 5e-5})
+  {
+    const Outcome found = run_point(V, 0, step, end, law);
+    double worst = 0, largest_swing = 0;
+    for (std::size_t k = 0; k < found.tangential_displacement.size(); ++k)
+    {
+      const double t = k * step,
+                   exact = mean * (1 - std::exp(-decay * t) *
+                                           (std::cos(omega_d * t) + decay / omega_d * std::sin(omega_d * t)));
+      worst = std::max(worst, std::abs(found.tangential_displacement[k] - exact));
+      largest_swing = std::max(largest_swing, std::abs(exact));
+    }
+    EXPECT_GT(largest_swing, 1.09 * 2 * std::abs(mean)); // exp(0.196) in the end
+    errors.push_back(worst / std::abs(mean));
+    std::printf("h = %.0e s: displacement off by %.2e of N mu / k\n", step, errors.back());
+  }
+  EXPECT_LT(errors[2], 1e-3);
+  EXPECT_GT(errors[0] / errors[2], 3.5);
+}
 
 // A belt drags a mass that starts at rest: it slides, is caught as it reaches the belt's speed, sticks until k x =
 // mu N, and then swings about mu N / k with the amplitude V / omega.

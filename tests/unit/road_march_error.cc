@@ -2,7 +2,7 @@
 // the steps, bodies that create energy.
 #include <vibrocontact/analyses/modal_convolution.h>
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/reduction/ring_poles.h>
+#include <vibrocontact/bodies/ring_poles.h>
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ namespace
   }
 
   /// Four modes with a tread.
-  PoleModel treaded(const double tread)
+  BodyInContact treaded(const double tread)
   {
     DenseMatrix trace(1, 4), residual(1, 1);
     std::vector<double> omega, damping;
@@ -33,11 +33,11 @@ namespace
       damping.push_back(0.05);
     }
     residual(0, 0) = tread > 0 ? 1 / tread : 0;
-    return pole_model(omega, damping, trace, {}, residual, {});
+    return by_poles({omega, damping, trace, {}, residual, {}});
   }
 
-  ModalConvolutionResult march(const PoleModel &model, const RoadParameters &parameters, const double step,
-                               const std::string &shape, const double end,
+  ModalConvolutionResult march(const BodyInContact &model, const RoadParameters &parameters,
+                               const double step, const std::string &shape, const double end,
                                const std::string &method = "modal recursion")
   {
     ModalConvolutionParameters own;
@@ -59,7 +59,7 @@ TEST(RoadMarchError, EstimateAgainstTheTruth)
   RoadParameters road = waves("2e-4*sin(2*pi*s/0.3)+5e-5*sin(2*pi*s/0.11)", 10);
   road.indentation = 1e-3;
   road.loading_time = 0.02;
-  const PoleModel model = treaded(3e5);
+  const BodyInContact model = treaded(3e5);
   const double end = 0.2;
   const ModalConvolutionResult exact = march(model, road, 1e-6, "linear", end);
   for (const std::string shape : {"linear", "impulse", "constant"})
@@ -94,7 +94,7 @@ TEST(RoadMarchError, LongestStepsAndOddNumbers)
   RoadParameters road;
   road.indentation = 1e-3;
   road.loading_time = 0.02;
-  const PoleModel model = treaded(3e5);
+  const BodyInContact model = treaded(3e5);
   // forces ring in twice this step: the second march has half of it
   const double longest = 2.7 * std::sqrt(1 / 3e5 / initial_derivative(model, 1)(0, 0)),
                end = 41 * 0.7 * longest;
@@ -110,7 +110,7 @@ TEST(RoadMarchError, LongestStepsAndOddNumbers)
 TEST(RoadMarchError, EnergyAccount)
 {
   OscillatorParameters oscillator;
-  PoleModel model = oscillator_poles(oscillator);
+  BodyInContact model = by_poles(oscillator_body(oscillator));
   model.residual.reinit(1, 1);
   const RoadParameters road = waves("5e-3*sin(2*pi*s/0.025)", 0.1);
   const ModalConvolutionResult exact = march(model, road, 1e-3, "impulse", 0.6, "event located");
@@ -148,7 +148,7 @@ TEST(RoadMarchError, EnergyAccount)
 
 TEST(RoadMarchError, WavesBetweenTheSteps)
 {
-  const PoleModel model = treaded(3e5);
+  const BodyInContact model = treaded(3e5);
   RoadParameters road = waves("5e-4*sin(2*pi*s/0.004)", 20);
   road.indentation = 1e-3;
   road.loading_time = 0.02;
@@ -164,9 +164,9 @@ TEST(RoadMarchError, BodiesThatCreateEnergy)
   RoadParameters road = waves("9e-4*sin(2*pi*s/0.25)", 10);
   road.indentation = 1e-3;
   road.loading_time = 0.02;
-  const PoleModel good = treaded(3e5);
+  const BodyInContact good = treaded(3e5);
   EXPECT_GE(march(good, road, 1e-4, "linear", 2).work.least_work, 0);
-  PoleModel early = good;
+  BodyInContact early = good;
   for (unsigned int k = 0; k < early.n_poles(); ++k)
     early.left(0, k) *= std::exp(early.poles[k] * 6e-4);
   const WorkAccount work = march(early, road, 1e-4, "linear", 2).work;

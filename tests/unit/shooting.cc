@@ -21,7 +21,7 @@ namespace
   {
     std::string name;
     AxialBarCase c;
-    PeriodicBody body;
+    ForcedBody body;
     std::shared_ptr<const NormalLaw> law;
   };
 
@@ -31,7 +31,7 @@ namespace
     for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
     {
       const std::string f = std::to_string(int(c.frequency)) + " Hz, ";
-      const PeriodicBody body = axial_bar(c), massless = axial_bar(c, true);
+      const ForcedBody body = axial_bar(c), massless = axial_bar(c, true);
       const auto spring = create_normal_law("linear spring", {c.stiffness(), 1}),
                  penalty = create_normal_law("exponential penalty", {c.amplitude, c.exponent});
       all.push_back({f + "spring", c, body, spring});
@@ -75,11 +75,11 @@ namespace
       {
         const double w = p.body.omega[k];
         d[k] = y[n + k];
-        d[n + k] = p.body.modal_force[k] * s - p.body.trace(0, k) * f -
+        d[n + k] = p.body.modal_force(k) * s - p.body.trace(0, k) * f -
                    w * (w * y[k] + 2 * p.body.damping_ratio[k] * y[n + k]);
       }
       if (m > 2 * n)
-        d[2 * n] = (p.body.residual_force[0] * s - S * f - y[2 * n]) / beta;
+        d[2 * n] = (p.body.residual_force(0) * s - S * f - y[2 * n]) / beta;
     };
     std::vector<double> d1(m), d2(m), d3(m), d4(m), y(m);
     for (unsigned int i = 0; i < n_steps; ++i)
@@ -120,7 +120,7 @@ namespace
       row[n + j] = rigid ? k * beta * p.body.trace(0, j) : 0.;
     }
     if (residual && rigid)
-      row[sine] = k * p.body.residual_force[0];
+      row[sine] = k * p.body.residual_force(0);
     else if (residual)
       row[2 * n] = k;
     row[one] = -k * p.body.gap[0];
@@ -131,7 +131,7 @@ namespace
       A(j, n + j) = 1;
       A(n + j, j) = -w * w;
       A(n + j, n + j) = -2 * p.body.damping_ratio[j] * w;
-      A(n + j, sine) = p.body.modal_force[j];
+      A(n + j, sine) = p.body.modal_force(j);
       for (unsigned int i = 0; i < m + 3; ++i)
         A(n + j, i) -= p.body.trace(0, j) * row[i];
       if (residual && rigid)
@@ -140,7 +140,7 @@ namespace
     if (residual && !rigid)
     {
       A(2 * n, 2 * n) = -1 / beta;
-      A(2 * n, sine) = p.body.residual_force[0] / beta;
+      A(2 * n, sine) = p.body.residual_force(0) / beta;
       for (unsigned int i = 0; i < m + 3; ++i)
         A(2 * n, i) -= S / beta * row[i];
     }
@@ -204,7 +204,7 @@ TEST(Shooting, FreeModesAndTheirAnswersForAnyDamping)
   for (const double omega : {0., 0.3, 40., 3000.})
     for (const double zeta : {0., 0.3, 1 - 1e-9, 1., 1 + 1e-9, 1.2, 30.})
     {
-      PeriodicBody body;
+      ForcedBody body;
       body.omega = {omega};
       body.damping_ratio = {zeta};
       const double h = 0.7, x = 0.6;
@@ -231,7 +231,7 @@ TEST(Shooting, NoContact)
 {
   for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
   {
-    PeriodicBody body = axial_bar(c);
+    ForcedBody body = axial_bar(c);
     EXPECT_NEAR(body.omega[0] / (2 * pi), 1273.147, 5e-4);
     body.gap[0] = 1;
     const ShootingSolution s = shoot(body, create_normal_law("linear spring", {1e9, 1}), c.excitation());
@@ -380,10 +380,9 @@ TEST(Shooting, MultipliersMultiplyToTheLossOfPhaseVolume)
 {
   // three modes, so that the product does not vanish
   const AxialBarCase c = axial_bar_1275();
-  PeriodicBody body = axial_bar(c);
+  ForcedBody body = axial_bar(c);
   body.omega.resize(3);
   body.damping_ratio.resize(3);
-  body.modal_force.resize(3);
   body.modal_load.resize(3);
   DenseMatrix trace(1, 3);
   double exponent = 0;
@@ -410,7 +409,7 @@ TEST(Shooting, StiffSpringTendsToTheRigidStop)
 {
   for (const AxialBarCase &c : {axial_bar_150(), axial_bar_1275()})
   {
-    const PeriodicBody body = axial_bar(c, true);
+    const ForcedBody body = axial_bar(c, true);
     const ShootingSolution rigid = shoot(body, create_normal_law("signorini"), c.excitation());
     double before = 0;
     for (const double k : {1e12, 1e13, 1e14})
@@ -438,7 +437,7 @@ TEST(Shooting, PreloadAndPermanentContact)
   // a spring that is never left: a linear structure of its own
   const AxialBarCase c = axial_bar_150();
   const double k = c.stiffness();
-  PeriodicBody body = axial_bar(c);
+  ForcedBody body = axial_bar(c);
   body.gap[0] = -2e-3;
   const ShootingSolution s = shoot(body, create_normal_law("linear spring", {k, 1}), c.excitation());
   ASSERT_EQ(s.contacts.size(), 1u);
@@ -458,7 +457,7 @@ TEST(Shooting, PreloadAndPermanentContact)
     EXPECT_NEAR(s.at(phase).displacement * 1e3,
                 ((U * std::polar(1., 2 * pi * phase)).imag() - 2e-3 * H0 * k / (1 + k * H0)) * 1e3, 1e-10);
   // the rigid stop with preload opens and closes, with and without damping of the massless node
-  PeriodicBody massless = axial_bar(c, true);
+  ForcedBody massless = axial_bar(c, true);
   massless.gap[0] = -0.3e-3;
   const ShootingSolution damped = shoot(massless, create_normal_law("signorini"), c.excitation());
   EXPECT_FALSE(damped.contacts.empty());
@@ -470,7 +469,7 @@ TEST(Shooting, PreloadAndPermanentContact)
 TEST(Shooting, ResidualLeadsAlongTheBranch)
 {
   const AxialBarCase c = axial_bar_1275();
-  const PeriodicBody body = axial_bar(c);
+  const ForcedBody body = axial_bar(c);
   const auto law = create_normal_law("exponential penalty", {c.amplitude, c.exponent});
   ShootingSettings settings;
   settings.n_steps = 128;
@@ -516,7 +515,7 @@ TEST(Shooting, WhatSettlingLeaves)
 TEST(Shooting, BesideAnUndampedResonanceItEnds)
 {
   const AxialBarCase c = axial_bar_150();
-  PeriodicBody undamped = axial_bar(c);
+  ForcedBody undamped = axial_bar(c);
   undamped.damping_ratio.assign(undamped.damping_ratio.size(), 0.);
   HarmonicForce force = c.excitation();
   force.frequency = undamped.omega[0] / (2 * pi) * (1 - 6e-6);
@@ -534,12 +533,12 @@ TEST(Shooting, RefusesWhatItCannot)
 {
   const AxialBarCase c = axial_bar_1275();
   EXPECT_THROW(shoot(axial_bar(c), create_normal_law("signorini"), c.excitation()), InputError);
-  PeriodicBody two = axial_bar(c);
+  ForcedBody two = axial_bar(c);
   two.gap = {1, 1};
   two.trace.reinit(2, 25);
   two.residual.reinit(2, 2);
   EXPECT_THROW(shoot(two, create_normal_law("linear spring", {1e9, 1}), c.excitation()), InputError);
-  PeriodicBody undamped = axial_bar(c);
+  ForcedBody undamped = axial_bar(c);
   undamped.damping_ratio.assign(25, 0.);
   EXPECT_THROW(
       shoot(undamped, create_normal_law("linear spring", {1e9, 1}), {1., undamped.omega[0] / (2 * pi)}),

@@ -18,14 +18,16 @@ namespace vibrocontact
   class TimeStepping
   {
   public:
-    TimeStepping(const PeriodicBody &body, const double friction, const HarmonicForce &force,
+    TimeStepping(const ForcedBody &body, const double friction, const HarmonicForce &force,
                  const unsigned int n_steps)
         : body(body), friction(friction), force(force), n_steps(n_steps), h(1 / force.frequency / n_steps),
-          q(body.n_modes(), 0.), v(q), p(body.n_rows(), 0.), u(p), history(body.n_points())
+          q(body.n_modes(), 0.), v(q), p(body.n_contact_rows(), 0.), u(p), history(body.n_points())
     {
-      const unsigned int n = body.n_rows();
+      const unsigned int n = body.n_contact_rows();
       compliance.reinit(n, n);
-      compliance.add(1, body.residual);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          compliance(i, j) = body.residual(i, j);
       for (unsigned int k = 0; k < body.n_modes(); ++k)
       {
         free.push_back(free_mode(body.omega[k], body.damping_ratio[k], h));
@@ -68,7 +70,7 @@ namespace vibrocontact
           history[point].push_back(u[point * body.rows_per_point]);
         double deflection = 0;
         for (unsigned int k = 0; k < body.n_modes(); ++k)
-          deflection += body.modal_force[k] * q[k];
+          deflection += body.modal_force(k) * q[k];
         tip.push_back(deflection);
         make_step(step);
       }
@@ -97,10 +99,10 @@ namespace vibrocontact
     /// Motion of the rows without residual answer to contact forces.
     std::vector<double> points(const double step) const
     {
-      std::vector<double> result(body.n_rows());
-      for (unsigned int i = 0; i < body.n_rows(); ++i)
+      std::vector<double> result(body.n_contact_rows());
+      for (unsigned int i = 0; i < body.n_contact_rows(); ++i)
       {
-        result[i] = body.residual_load[i] + body.residual_force[i] * exciting(step);
+        result[i] = body.residual_load[i] + body.residual_force(i) * exciting(step);
         for (unsigned int k = 0; k < body.n_modes(); ++k)
           result[i] += body.trace(i, k) * q[k];
       }
@@ -109,8 +111,8 @@ namespace vibrocontact
 
     double load(const unsigned int k, const double step, const std::vector<double> &forces) const
     {
-      double result = body.modal_load[k] + body.modal_force[k] * exciting(step);
-      for (unsigned int i = 0; i < body.n_rows(); ++i)
+      double result = body.modal_load[k] + body.modal_force(k) * exciting(step);
+      for (unsigned int i = 0; i < body.n_contact_rows(); ++i)
         result += body.trace(i, k) * forces[i];
       return result;
     }
@@ -118,7 +120,7 @@ namespace vibrocontact
     void make_step(const unsigned int step)
     {
       const std::vector<double> before = u, q0 = q, v0 = v, p0 = p;
-      const std::vector<double> none(body.n_rows(), 0.);
+      const std::vector<double> none(body.n_contact_rows(), 0.);
       for (unsigned int k = 0; k < body.n_modes(); ++k)
         q[k] = stepped(k, q0[k], v0[k], load(k, step, p0), load(k, step + 1, none)).first;
       solve_contact(points(step + 1), before);
@@ -128,7 +130,7 @@ namespace vibrocontact
 
     void solve_contact(const std::vector<double> &open, const std::vector<double> &before)
     {
-      const unsigned int n = body.n_rows(), rows = body.rows_per_point;
+      const unsigned int n = body.n_contact_rows(), rows = body.rows_per_point;
       const auto motion = [&](const unsigned int i)
       {
         double result = open[i];
@@ -167,7 +169,7 @@ namespace vibrocontact
         u[i] = motion(i);
     }
 
-    const PeriodicBody body;
+    const ForcedBody body;
     const double friction;
     const HarmonicForce force;
     const unsigned int n_steps;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/base/frequency_file.h>
-#include <vibrocontact/reduction/identified_model.h>
+#include <vibrocontact/bodies/identified_model.h>
 #include <vibrocontact/reduction/passive_fit.h>
 #include <vibrocontact/response/well_posedness.h>
 

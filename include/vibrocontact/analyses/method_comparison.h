@@ -64,7 +64,7 @@ namespace vibrocontact
   std::vector<ComparedMethod> compare_methods(const std::vector<ComparisonRow> &rows,
                                               unsigned int repetitions,
                                               const ModalConvolutionParameters &parameters,
-                                              const PoleModel &model, const RoadParameters &road,
+                                              const BodyInContact &model, const RoadParameters &road,
                                               const std::vector<double> &places,
                                               const std::vector<double> &shapes);
 } // namespace vibrocontact

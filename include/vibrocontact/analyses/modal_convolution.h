@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/modal_convolution_parameters.h>
+#include <vibrocontact/analyses/road_contact.h>
 #include <vibrocontact/contact/contact_solver.h>
 #include <vibrocontact/response/event_located.h>
 #include <vibrocontact/response/response.h>
@@ -84,16 +85,16 @@ namespace vibrocontact
   /// A body known by its poles on a road, in steps of h: u = u_free + (B + S) q with 0 <= q perp u - u_r >= 0 at the end
   /// of every step (response/response.h, contact/unilateral_contact.h), or from event to event
   /// (response/event_located.h). With friction (two rows of the model per point of the road) by the common solvers
-  /// (analyses/road_friction.h).
+  /// (analyses/road_contact.h).
   class ModalConvolution
   {
   public:
     using Observer = std::function<void(const ModalConvolutionLines &)>;
 
-    /// @param mu friction coefficient, of a model with tangential rows
+    /// @param laws friction of a model with tangential rows
     /// @throws InputError if the body cannot be in contact in this way. They are referred to.
     ModalConvolution(const ModalConvolutionParameters &parameters, const ContactSolverParameters &solver,
-                     const PoleModel &model, const Road &road, double mu = 0);
+                     const BodyInContact &model, const Road &road, const RoadLaws &laws = {});
     ~ModalConvolution();
 
     /// The next steps, at most n_steps; false: the end is reached. Blocks count from the beginning, so that a resumed
@@ -119,7 +120,8 @@ namespace vibrocontact
     };
 
     void check_number_of_pieces() const;
-    void begin_second_march(const ContactSolverParameters &solver, const PoleModel &model, double mu);
+    void begin_second_march(const ContactSolverParameters &solver, const BodyInContact &model,
+                            const RoadLaws &laws);
     void advance_second_march();
     void compare_second_march();
     void exchange_second_march(CheckpointFile &file);

@@ -14,6 +14,8 @@ namespace vibrocontact
     /// [s]; the event-located method has no steps, this is then the distance of what it shows
     double time_step = 1e-5, end_time = 0.2;
     std::string force_shape = "impulse";
+    /// of the theta method
+    double theta = 0.5;
     /// of the convolutions: time after which a force is forgotten, 0: never [s]
     double memory = 0;
     /// at rest or equilibrium (under the loads)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/modal_convolution_parameters.h>
-#include <vibrocontact/contact/contact_problem.h>
+#include <vibrocontact/analyses/road_contact.h>
 #include <vibrocontact/contact/contact_solver.h>
 #include <vibrocontact/contact/unilateral_contact.h>
 #include <vibrocontact/response/response.h>
@@ -16,8 +16,8 @@ namespace vibrocontact
   public:
     /// @throws InputError if the body cannot be in contact in this way. The solver's parameters are referred to.
     RoadStepper(const ModalConvolutionParameters &parameters,
-                const ContactSolverParameters &solver_parameters, const PoleModel &model,
-                unsigned int n_points, unsigned long n_steps, double mu, double sliding_speed);
+                const ContactSolverParameters &solver_parameters, const BodyInContact &model,
+                unsigned int n_points, unsigned long n_steps, const RoadLaws &laws, double sliding_speed);
 
     /// Without friction. @param heights, displacements, forces n_points per step
     void run(unsigned int n_steps, const double *heights, double *displacements, double *forces);
@@ -30,8 +30,11 @@ namespace vibrocontact
     UnilateralContact contact;
     unsigned long closed_points = 0, sticking_points = 0, iterations = 0;
     double residual = 0, dissipation = 0;
+    /// of the step before; n_rows
+    std::vector<double> forces_before;
 
   private:
+    std::vector<double> law_speed(const ContactSolution &solution) const;
     void run_one(unsigned int n_steps, const double *heights, double *displacements, double *forces);
     void run_many(unsigned int n_steps, const double *heights, double *displacements, double *forces);
 
@@ -40,5 +43,7 @@ namespace vibrocontact
     const ContactSolverParameters &solver_parameters;
     ContactProblem problem;
     const bool is_linear, is_common;
+    /// S, what answers to a force at once
+    DenseMatrix residual_flexibility;
   };
 } // namespace vibrocontact

@@ -2,13 +2,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace vibrocontact
 {
-  /// results.json: title (of the file, if it has one), program (version, commit, dealii, ranks), status,
+  /// results.json: title (of the file, if it has one), program (version, commit, dealii, ranks), input_files, status,
   /// complete, wall_s, finished (analyses that came to their end), not_converged (by analysis) about what did
   /// not converge, messages about that and about what is doubtful, interrupted if a signal stopped the run,
   /// answers (what the terminal ends with), analyses with one object per analysis, reductions with one per meshed body.
@@ -19,6 +20,9 @@ namespace vibrocontact
   struct Results
   {
     std::string title;
+    /// size and checksum of the files that entries name, by the path of the entry (base/input_files.h); not empty ones in
+    /// results.json
+    std::map<std::string, std::string> input_files;
     nlohmann::ordered_json analyses = nlohmann::ordered_json::object();
     /// see answers_json(); empty until the run has come to its end
     nlohmann::ordered_json answers = nlohmann::ordered_json::object();

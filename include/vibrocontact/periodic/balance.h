@@ -73,7 +73,7 @@ namespace vibrocontact
   public:
     /// @throws InputError for an inadmissible pair, a body or settings that do not fit the law
     /// @throws ConvergenceError if the last order of even N has neither stiffness nor damping (Haar against splines)
-    PeriodicBalance(const PeriodicBody &body, std::shared_ptr<const NormalLaw> law,
+    PeriodicBalance(const ForcedBody &body, std::shared_ptr<const NormalLaw> law,
                     const BalanceSettings &settings);
 
     /// Condenses the body at this force. Cheap: n_modes n_rows^2 N.
@@ -107,7 +107,7 @@ namespace vibrocontact
     /// throws for want of convergence: see `converged`.
     PeriodicSolution solve(const std::vector<double> &start = {});
 
-    unsigned int n_unknowns() const { return body.n_rows() * settings.n_functions; }
+    unsigned int n_unknowns() const { return body.n_contact_rows() * settings.n_functions; }
     /// coefficients of the rows' motion under the contact forces c
     std::vector<double> displacement(const std::vector<double> &c) const;
     /// forces on the body: normal rows of c change sign
@@ -121,7 +121,7 @@ namespace vibrocontact
     /// scale of residuals [N]
     double force_scale(const std::vector<double> &c) const;
 
-    const PeriodicBody &linear_body() const { return body; }
+    const ForcedBody &linear_body() const { return body; }
     const NormalLaw &normal_law() const { return *law; }
     const TimePairing &integrals() const { return pairing; }
     const TimeBasis &trial() const { return *trial_basis; }
@@ -155,7 +155,7 @@ namespace vibrocontact
     bool is_normal(const unsigned int row) const { return row % body.rows_per_point == 0; }
     double sign(const unsigned int row) const { return is_normal(row) ? -1. : 1.; }
 
-    PeriodicBody body;
+    ForcedBody body;
     const std::shared_ptr<const NormalLaw> law;
     /// whether the law gives the force over the gap
     const bool spring;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/periodic/periodic_body.h>
+#include <vibrocontact/periodic/forced_body.h>
 #include <vibrocontact/periodic/time_pairing.h>
 
 #include <complex>
@@ -10,8 +10,8 @@ namespace vibrocontact
 {
   /// All linear unknowns of a periodic motion eliminated onto the contact rows, exactly and order by order:
   ///
-  ///   u_m = linear_m + H_m p_m,   H_m = sum_n t_n t_n^T / d_n(m) + S / (A0 + f beta A1),
-  ///   d_n(m) = f^2 A2(m) + 2 zeta_n w_n f A1(m) + w_n^2 A0(m)
+  ///   u_m = linear_m + H_m p_m,   H_m = sum_n t_n t_n^T / d_n(m) + sum_k R_k / (f A1 - lambda_k A0) + S / (A0 + f beta A1),
+  ///   d_n(m) = f^2 A2(m) + 2 zeta_n w_n f A1(m) + w_n^2 A0(m),      R_k = right_k left_k^T, conjugate poles too
   ///
   /// u_m: coefficients of the rows' motion in the trial functions; p_m = int conj(Psi_m) p dt: moments of the forces on
   /// the rows; t_n: column n of the trace. With Fourier functions H_m is the receptance at m f (doc/theory.md, "Periodic
@@ -25,10 +25,10 @@ namespace vibrocontact
     std::vector<std::complex<double>> linear, linear_slope;
   };
 
-  CondensedBody condense(const PeriodicBody &body, const TimePairing &pairing, const HarmonicForce &force);
+  CondensedBody condense(const ForcedBody &body, const TimePairing &pairing, const HarmonicForce &force);
 
   /// Coefficients of every mode under the moments p of the row forces, in the real layout of time_basis.h:
   /// N x n_modes [m sqrt(kg)].
-  DenseMatrix modal_coefficients(const PeriodicBody &body, const TimePairing &pairing,
+  DenseMatrix modal_coefficients(const ForcedBody &body, const TimePairing &pairing,
                                  const HarmonicForce &force, const std::vector<double> &p);
 } // namespace vibrocontact

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/periodic/periodic_body.h>
+#include <vibrocontact/periodic/forced_body.h>
 
 #include <complex>
 #include <vector>
@@ -23,11 +23,11 @@ namespace vibrocontact
   };
 
   /// Modes up to an angular frequency; the others answer statically (with the body's relaxation), in its residual.
-  PeriodicBody slow_part(const PeriodicBody &body, double omega);
+  ForcedBody slow_part(const ForcedBody &body, double omega);
 
   /// Multipliers by the monodromy matrix, the largest first: an impulse k dt at every sample in contact (second order in the
   /// sample), exact motion of the modes from one to the next, one exponential for each flight.
-  std::vector<std::complex<double>> monodromy_multipliers(const PeriodicBody &body,
+  std::vector<std::complex<double>> monodromy_multipliers(const ForcedBody &body,
                                                           const TangentContact &contact);
 
   /// One multiplier by Hill's method: contact forces e^(lambda t) sum_(|k| <= n_harmonics) f_k e^(2 pi j k f t), condensed
@@ -38,6 +38,6 @@ namespace vibrocontact
   /// (k_m: Fourier coefficients of k), the zero near a start by secants. With the harmonics of the balance, multiplier +1 is
   /// where its own Jacobian is singular. Without contact the start is returned.
   /// @throws ConvergenceError
-  std::complex<double> hill_multiplier(const PeriodicBody &body, const TangentContact &contact,
+  std::complex<double> hill_multiplier(const ForcedBody &body, const TangentContact &contact,
                                        unsigned int n_harmonics, std::complex<double> start);
 } // namespace vibrocontact

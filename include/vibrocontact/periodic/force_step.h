@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/base/dense.h>
-#include <vibrocontact/periodic/periodic_body.h>
+#include <vibrocontact/periodic/forced_body.h>
 
 #include <vector>
 
@@ -50,6 +50,5 @@ namespace vibrocontact
     std::vector<double> displacement, velocity, residual;
   };
   /// @param beta relaxation of the residual, 0: it is no state
-  ForceAnswer answer_to_force(const PeriodicBody &body, const GaussRule &rule, double h, double x,
-                              double beta);
+  ForceAnswer answer_to_force(const ForcedBody &body, const GaussRule &rule, double h, double x, double beta);
 } // namespace vibrocontact

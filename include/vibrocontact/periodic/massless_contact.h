@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/base/dense.h>
+#include <vibrocontact/contact/few_points.h>
 
 #include <vector>
 
@@ -29,16 +29,9 @@ namespace vibrocontact
     void add_rates(const DenseMatrix &basis, const DenseMatrix &weights, DenseMatrix &into) const;
 
   private:
-    bool solve(const double *w, const std::vector<double> &before, const std::vector<double> &gap,
-               std::vector<double> &p);
-    /// Residual of the projections and its derivatives with respect to p, w and the position before.
-    double linearise(const double *w, const std::vector<double> &before, const std::vector<double> &gap,
-                     const std::vector<double> &p);
-
     const DenseMatrix S;
-    const double friction;
+    FewPoints contact;
     const unsigned int n;
-    std::vector<double> G, by_p, by_w, by_before;
     /// order of the samples; dp/dw and dp/d(position before) of each in contact, empty in flight
     std::vector<unsigned int> order;
     std::vector<std::vector<double>> rate_w, rate_before;

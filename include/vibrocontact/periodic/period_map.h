@@ -40,7 +40,7 @@ namespace vibrocontact
     double impulse = 0;
   };
 
-  /// Exact motion of a PeriodicBody with one frictionless contact point over one period of the force (doc/theory.md,
+  /// Exact motion of a ForcedBody with one frictionless contact point over one period of the force (doc/theory.md,
   /// "References in time").
   ///
   /// Flight is the steady motion without contact plus free motion of every mode in closed form. In contact the only unknown
@@ -61,7 +61,7 @@ namespace vibrocontact
   public:
     /// @throws InputError if the body has more than one row of contact, if an undamped mode is excited at its own frequency,
     /// or if the stop is rigid and the body has no residual (contact node with mass)
-    PeriodMap(const PeriodicBody &body, std::shared_ptr<const NormalLaw> law, const HarmonicForce &force,
+    PeriodMap(const ForcedBody &body, std::shared_ptr<const NormalLaw> law, const HarmonicForce &force,
               unsigned int n_steps, unsigned int n_nodes = 8, double accuracy = 1e-9);
     ~PeriodMap();
 
@@ -114,7 +114,7 @@ namespace vibrocontact
                  Orbit *orbit) const;
     MotionSample sample(double t, const State &deviation, double force, bool in_contact) const;
 
-    const PeriodicBody body;
+    const ForcedBody body;
     const std::shared_ptr<const NormalLaw> law;
     /// of the law at touch [m/N]
     const double touch_compliance;

@@ -16,7 +16,7 @@ namespace vibrocontact
   };
 
   /// @throws ConvergenceError; InputError for bodies with friction or several contact points
-  PeriodicReference periodic_reference(const PeriodicBody &body, const std::shared_ptr<const NormalLaw> &law,
+  PeriodicReference periodic_reference(const ForcedBody &body, const std::shared_ptr<const NormalLaw> &law,
                                        const HarmonicForce &force, unsigned int n_samples);
 
   /// rms of a difference over the rms of the reference, at its samples [-]; impulse and energy norm: relative

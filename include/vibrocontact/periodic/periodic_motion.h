@@ -21,7 +21,7 @@ namespace vibrocontact
   {
     std::vector<double> phase;
     std::vector<PointHistory> points;
-    /// energy of the body and of the contact springs [J]
+    /// energy of the body and of the contact springs [J]; empty of a body known by its poles
     std::vector<double> energy;
     /// of the first point [m]
     double tip_max = 0, tip_min = 0;

@@ -57,7 +57,7 @@ namespace vibrocontact
   /// Periodic motion by shooting: Newton's method on P(x) - x = 0 with the exact derivative of the period map P.
   ///
   /// @throws ConvergenceError if it does not converge
-  ShootingSolution shoot(const PeriodicBody &body, const std::shared_ptr<const NormalLaw> &law,
+  ShootingSolution shoot(const ForcedBody &body, const std::shared_ptr<const NormalLaw> &law,
                          const HarmonicForce &force, const ShootingSettings &settings = {},
                          const ShootingStart &start = {});
 
@@ -75,7 +75,7 @@ namespace vibrocontact
     DenseMatrix by_state;
   };
   /// by_frequency by central differences of 1e-6 f, for which the map is exact enough to leave 1e-9 of it.
-  ShootingResidual shooting_residual(const PeriodicBody &body, const std::shared_ptr<const NormalLaw> &law,
+  ShootingResidual shooting_residual(const ForcedBody &body, const std::shared_ptr<const NormalLaw> &law,
                                      const HarmonicForce &force, unsigned int n_steps, double phase,
                                      const std::vector<double> &x);
 

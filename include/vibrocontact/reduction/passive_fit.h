@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/reduction/identified_model.h>
+#include <vibrocontact/bodies/identified_model.h>
 
 namespace vibrocontact
 {

@@ -21,7 +21,7 @@ namespace vibrocontact
   class BlockConvolution final : public Response
   {
   public:
-    BlockConvolution(const PoleModel &model, const std::vector<std::complex<double>> &state,
+    BlockConvolution(const BodyInContact &model, const std::vector<std::complex<double>> &state,
                      const ResponseSettings &settings);
     ~BlockConvolution() override;
     void advance(const double *q) override;

@@ -15,7 +15,7 @@ namespace vibrocontact
   {
   public:
     /// @param wide registers, or the plain loop
-    DirectConvolution(const PoleModel &model, const std::vector<std::complex<double>> &state,
+    DirectConvolution(const BodyInContact &model, const std::vector<std::complex<double>> &state,
                       const ResponseSettings &settings, bool wide);
     void advance(const double *q) override;
     void exchange(CheckpointFile &file) override;

@@ -61,7 +61,7 @@ namespace vibrocontact
     /// @param longest_piece h [s]; shortened where the fastest pole asks for it
     /// @throws InputError if the body has a residual flexibility, or g(0) is not zero, or g'(0) is not positive
     /// definite, or it begins inside the road, or the road has no finite slope somewhere
-    EventLocated(const PoleModel &model, const std::vector<std::complex<double>> &state, const Road &road,
+    EventLocated(const BodyInContact &model, const std::vector<std::complex<double>> &state, const Road &road,
                  double longest_piece);
 
     /// Moves to the time `end`. @throws ConvergenceError if events do not stop following each other; InputError if the road
@@ -95,7 +95,7 @@ namespace vibrocontact
     /// gaps below it are rounding
     double smallest_gap() const;
 
-    const PoleModel &model;
+    const BodyInContact &model;
     const Road &road;
     const unsigned int n, n_poles;
     /// longest, and that over which the road was smooth enough last

@@ -21,7 +21,7 @@ namespace vibrocontact
       gauss_as_printed
     };
 
-    PaperMethod(Form form, const PoleModel &model, const std::vector<std::complex<double>> &state,
+    PaperMethod(Form form, const BodyInContact &model, const std::vector<std::complex<double>> &state,
                 double time_step);
     /// @param heights, rates of the road at the ends of the steps [m, m/s]; @param displacements at the ends and
     /// @param forces (impulse at the beginning over h, or mean of the Gauss forces); n_steps each

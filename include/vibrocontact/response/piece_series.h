@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/reduction/pole_model.h>
+#include <vibrocontact/bodies/body_in_contact.h>
 #include <vibrocontact/scene/road.h>
 
 #include <complex>
@@ -21,7 +21,7 @@ namespace vibrocontact
   public:
     using Complex = std::complex<double>;
 
-    PieceSeries(const PoleModel &model, const Road &road);
+    PieceSeries(const BodyInContact &model, const Road &road);
 
     /// @param state z at the beginning; n_poles
     /// @param closed points, m of them; @param closed_inverse G1_CC^-1, m square, by rows
@@ -47,7 +47,7 @@ namespace vibrocontact
 
     double interpolate_road(const std::vector<unsigned int> &closed);
 
-    const PoleModel &model;
+    const BodyInContact &model;
     const Road &road;
     const unsigned int n, n_poles;
     double begin_time = 0, duration = 0;

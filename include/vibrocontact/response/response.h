@@ -2,7 +2,7 @@
 
 #include <vibrocontact/base/checkpoint_file.h>
 #include <vibrocontact/base/dense.h>
-#include <vibrocontact/reduction/pole_model.h>
+#include <vibrocontact/bodies/body_in_contact.h>
 
 #include <memory>
 #include <string>
@@ -65,9 +65,9 @@ namespace vibrocontact
   };
 
   /// State that a motion starts from: the poles' states z; n_poles.
-  std::vector<std::complex<double>> state_at_rest(const PoleModel &model);
+  std::vector<std::complex<double>> state_at_rest(const BodyInContact &model);
   /// The equilibrium under the loads: z = -load / lambda.
-  std::vector<std::complex<double>> state_in_equilibrium(const PoleModel &model);
+  std::vector<std::complex<double>> state_in_equilibrium(const BodyInContact &model);
 
   /// What a response is made of.
   struct ResponseSettings
@@ -78,5 +78,7 @@ namespace vibrocontact
     /// convolutions: how many of the newest forces count; 0: as many as the run has steps
     unsigned long memory = 0;
     unsigned long n_steps = 0;
+    /// of the theta-method
+    double theta = 0.5;
   };
 } // namespace vibrocontact

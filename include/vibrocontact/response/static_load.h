@@ -1,6 +1,7 @@
 #pragma once
 
-#include <vibrocontact/reduction/pole_model.h>
+#include <vibrocontact/bodies/body_in_contact.h>
+#include <vibrocontact/contact/laws/normal_laws.h>
 
 #include <vector>
 
@@ -9,11 +10,12 @@ namespace vibrocontact
   /// How far a flat road has to be pushed towards a body at rest (or in steady rolling) so that both press with a given
   /// force, the hub being held:
   ///
-  ///   0 <= q  perp  u_0 + G(0) q - (indentation - shape) >= 0,     sum q = force
+  ///   gap = u_0 + G(0) q - (indentation - shape),     q_i = P(q_i, gap_i) by the normal law,     sum q = force
   ///
   /// G(0) the static receptance of the normal rows, residual and tread included, u_0 the displacement under the
   /// loads. Without friction.
   /// @param shapes height of the undeformed surface at each point [m], the model's first rows; @param force [N] > 0
   /// @return [m] @throws InputError if the body has no static response, or there is no such force
-  double indentation_of_load(const PoleModel &model, const std::vector<double> &shapes, double force);
+  double indentation_of_load(const BodyInContact &model, const std::vector<double> &shapes, double force,
+                             const std::shared_ptr<const NormalLaw> &law = create_normal_law("signorini"));
 } // namespace vibrocontact

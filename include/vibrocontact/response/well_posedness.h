@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/reduction/pole_model.h>
+#include <vibrocontact/bodies/body_in_contact.h>
 
 #include <array>
 
@@ -26,8 +26,8 @@ namespace vibrocontact
     std::string reason() const;
   };
 
-  WellPosedness well_posedness_of_contact(const PoleModel &model, double step);
+  WellPosedness well_posedness_of_contact(const BodyInContact &model, double step);
 
   /// @throws InputError with the reason, the name of the body in front, if the model cannot be used at this step
-  void check_well_posedness(const PoleModel &model, double step, const std::string &body);
+  void check_well_posedness(const BodyInContact &model, double step, const std::string &body);
 } // namespace vibrocontact

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/base/checkpoint_file.h>
-#include <vibrocontact/reduction/pole_model.h>
+#include <vibrocontact/bodies/body_in_contact.h>
 #include <vibrocontact/response/step_weights.h>
 
 #include <complex>
@@ -41,8 +41,8 @@ namespace vibrocontact
   public:
     using Complex = std::complex<double>;
     /// Whether the poles are those of real modes, none damped beyond critical.
-    static bool applies(const PoleModel &model);
-    explicit ModalEnergy(const PoleModel &model);
+    static bool applies(const BodyInContact &model);
+    explicit ModalEnergy(const BodyInContact &model);
 
     /// z less the equilibrium's
     std::vector<Complex> from_equilibrium(const std::vector<Complex> &state) const;
@@ -52,7 +52,7 @@ namespace vibrocontact
     double damping_power(const std::vector<Complex> &state) const;
 
   private:
-    const PoleModel &model;
+    const BodyInContact &model;
   };
 
   /// The modes' own account of a stepped motion, exact for the force interpolation whatever the length of the step: a second
@@ -62,7 +62,7 @@ namespace vibrocontact
   {
   public:
     using Complex = std::complex<double>;
-    SteppedModalWork(const PoleModel &model, const std::vector<Complex> &state, double time_step,
+    SteppedModalWork(const BodyInContact &model, const std::vector<Complex> &state, double time_step,
                      ForceInterpolation interpolation);
 
     /// The next step. @param q forces, n_rows [N]
@@ -77,7 +77,7 @@ namespace vibrocontact
     double displacement(unsigned int i, const std::vector<Complex> &state) const;
     double velocity(unsigned int i, const std::vector<Complex> &state) const;
 
-    const PoleModel &model;
+    const BodyInContact &model;
     const ModalEnergy modes;
     const double h;
     const ForceInterpolation interpolation;

@@ -21,6 +21,9 @@ namespace vibrocontact
   /// Section Contact/Solver. @param condition in words of what has to hold
   void add_contact_solver(EntriesRead &entries, const Parameters &parameters, bool holds = true,
                           const std::string &condition = "");
+  /// The friction law, its coefficient and what it is made of. @param condition in words of what holds where it acts
+  void add_friction(EntriesRead &entries, const ContactParameters &contact, bool rubs,
+                    const std::string &condition);
   /// What a normal law is made of. @param entry that names it, for messages
   void add_normal_law(EntriesRead &entries, const std::string &name, const std::string &entry);
   /// Contact of two bodies with friction: grid, laws, solver. @param largest_friction of all cases

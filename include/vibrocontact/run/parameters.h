@@ -50,7 +50,7 @@ namespace vibrocontact
     bool has_contact() const
     {
       return scene.runs("quasi-static rolling") || has_dynamics() ||
-             (scene.runs("periodic") && periodic.contact_points.empty());
+             (scene.runs("periodic") && periodic.contact_points.empty() && scene.bodies[0].is_meshed());
     }
     /// Whether the bodies move.
     bool has_dynamics() const

@@ -21,7 +21,7 @@ namespace vibrocontact
     std::vector<std::string> labels;
     /// both ways of each pair of points are known
     bool both_ways = false;
-    PoleModel poles;
+    BodyInContact poles;
   };
 
   /// From its Poles file, or the first fit that section Identification asks for.
@@ -30,10 +30,10 @@ namespace vibrocontact
   IdentifiedPoles identified_poles(const Parameters &parameters, const std::optional<MeasuredData> &measured,
                                    const BodyParameters &body, double contact_step);
 
-  /// The model for modal convolution, with the compliance of a tread under each point, usable in contact at its step.
+  /// The body in contact, with the compliance of a tread under each point, usable at such a step of time [s].
   /// @throws InputError
-  PoleModel identified_body(const Parameters &parameters, const std::optional<MeasuredData> &measured,
-                            const BodyParameters &body);
+  BodyInContact identified_body(const Parameters &parameters, const std::optional<MeasuredData> &measured,
+                                const BodyParameters &body, double contact_step);
 
   /// Its row of the table of analyses.
   Analysis identification_analysis();

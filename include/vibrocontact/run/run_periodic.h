@@ -10,8 +10,8 @@ namespace vibrocontact
 {
   /// The analysis `periodic` of body 1 against a stop, with its output: analyses.periodic[] and a table periodic_<k>.csv per
   /// solution; what did not converge is kept and marked. Every rank computes, rank 0 writes. Collective.
-  void run_periodic(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
-                    Results &results);
+  void run_periodic(const Parameters &parameters, const MeshedBodies &bodies,
+                    const std::optional<MeasuredData> &measured, const std::string &folder, Results &results);
 
   /// Its row of the table of analyses.
   Analysis periodic_analysis();

@@ -13,7 +13,7 @@ namespace vibrocontact
   {
     /// table of poles and residues as the analysis identification writes it, in place of section Identification
     std::string poles_file;
-    /// no fit: the data's inverse Fourier transform (reduction/band_limited.h), for the convolutions
+    /// no fit: the data's inverse Fourier transform (bodies/band_limited.h), for the convolutions
     bool inverse_transform = false;
     /// of the data's points along the road, in their order; empty for one point at 0 [m]
     std::vector<double> positions;

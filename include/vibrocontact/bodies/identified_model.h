@@ -1,7 +1,7 @@
 #pragma once
 
+#include <vibrocontact/bodies/body_in_contact.h>
 #include <vibrocontact/numerics/pole_fit.h>
-#include <vibrocontact/reduction/pole_model.h>
 
 namespace vibrocontact
 {
@@ -15,7 +15,7 @@ namespace vibrocontact
 
   struct IdentifiedModel
   {
-    PoleModel model;
+    BodyInContact model;
     /// largest change of an entry of G by what was left out of the residues, over the largest |G|, both bounded by
     /// sum of |R| / |Re lambda| [-]; zero if nothing was left out
     double truncation = 0;

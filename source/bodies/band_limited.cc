@@ -1,19 +1,19 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/bodies/band_limited.h>
 #include <vibrocontact/numerics/lsce.h>
-#include <vibrocontact/reduction/band_limited.h>
 
 #include <cmath>
 
 namespace vibrocontact
 {
-  PoleModel band_limited_model(const Spectra &data, const EntryMap &map)
+  BodyInContact band_limited_model(const Spectra &data, const EntryMap &map)
   {
     const unsigned int n = map.n_rows, n_lines = data.omega.size();
     const std::optional<double> spacing = line_spacing(data);
     if (!spacing)
       throw InputError(
           "Inverse transform needs frequencies equally spaced from 0 Hz on: give such data or leave it out.");
-    PoleModel model;
+    BodyInContact model;
     model.right.reinit(n, n * n_lines);
     model.left.reinit(n, n * n_lines);
     model.residual.reinit(n, n);

@@ -1,11 +1,19 @@
 #pragma once
 
+#include <vibrocontact/bodies/body_in_contact.h>
 #include <vibrocontact/contact/contact_problem.h>
-#include <vibrocontact/reduction/pole_model.h>
 #include <vibrocontact/response/step_weights.h>
 
 namespace vibrocontact
 {
+  /// Laws of the contact with a road.
+  struct RoadLaws
+  {
+    std::shared_ptr<const NormalLaw> normal = create_normal_law("signorini");
+    /// of bodies with rows forward; null: none
+    std::shared_ptr<const FrictionLaw> friction = nullptr;
+  };
+
   /// Coulomb friction of a body on the road, in the steps of a modal convolution.
   ///
   /// The pole model has two rows per contact point: n normal ones (up), then n along the road (forward). With
@@ -29,10 +37,10 @@ namespace vibrocontact
   /// and with a tread Omega d/dtheta of its deformation, which enters undeformed in front. Of that W + dv/dt alone is
   /// here: right for bodies that do not roll, and refused for rolling ones. The slope of the road does not turn forces.
   ///
-  /// @param matrix M; n_points rows (no friction, mu = 0) or 2 n_points. b is left zero.
-  ContactProblem road_contact_problem(const DenseMatrix &matrix, unsigned int n_points, double mu,
+  /// @param matrix M; n_points rows (no friction) or 2 n_points; b is left zero.
+  ContactProblem road_contact_problem(const DenseMatrix &matrix, unsigned int n_points, const RoadLaws &laws,
                                       double time_step);
 
   /// @throws InputError if the tangential motion of the points has no compliance
-  void check_road_friction(const PoleModel &model, double time_step, ForceInterpolation interpolation);
+  void check_road_friction(const BodyInContact &model, double time_step, ForceInterpolation interpolation);
 } // namespace vibrocontact

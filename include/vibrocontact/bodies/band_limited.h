@@ -1,7 +1,7 @@
 #pragma once
 
+#include <vibrocontact/bodies/identified_model.h>
 #include <vibrocontact/numerics/pole_fit.h>
-#include <vibrocontact/reduction/identified_model.h>
 
 namespace vibrocontact
 {
@@ -15,7 +15,7 @@ namespace vibrocontact
   /// of force interpolations like any other model; n_rows states per line. For comparison: a fit by poles is a hundred times
   /// cheaper and, by its behaviour above the band, more accurate.
   /// @throws InputError if the lines are not equally spaced from zero on
-  PoleModel band_limited_model(const Spectra &data, const EntryMap &map);
+  BodyInContact band_limited_model(const Spectra &data, const EntryMap &map);
 
   /// Half the period of such a g: forces have to be forgotten by then [s].
   double band_limited_memory(const Spectra &data);

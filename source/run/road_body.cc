@@ -1,6 +1,6 @@
-#include <vibrocontact/reduction/ring_poles.h>
+#include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/response/static_load.h>
-#include <vibrocontact/run/pole_body.h>
+#include <vibrocontact/run/road_body.h>
 #include <vibrocontact/run/run_identification.h>
 
 #include <algorithm>
@@ -10,24 +10,30 @@ namespace vibrocontact
 {
   namespace
   {
-    PoleModel reduced_poles(const ReducedBody &body, const bool with_friction)
+    BodyInContact reduced_body(const ReducedBody &body, const bool with_friction)
     {
       const unsigned int n = body.grid.n_points(), n_rows = with_friction ? 2 * n : n, m = body.omega.size();
       // the contact's x points backwards, the road's forward
       const auto sign = [n](const unsigned int row) { return row < n ? 1. : -1.; };
-      DenseMatrix trace(n_rows, m), residual(n_rows, n_rows);
+      BodyInContact result;
+      result.omega = body.omega;
+      result.damping_ratio = body.damping_ratio;
+      result.modal_load = body.modal_load;
+      result.labels = body.labels;
+      result.trace.reinit(n_rows, m);
+      result.residual.reinit(n_rows, n_rows);
       for (unsigned int i = 0; i < n_rows; ++i)
       {
         for (unsigned int k = 0; k < m; ++k)
-          trace(i, k) = sign(i) * body.modal_trace(i, k);
+          result.trace(i, k) = sign(i) * body.modal_trace(i, k);
         for (unsigned int j = 0; j < n_rows; ++j)
-          residual(i, j) = sign(i) * sign(j) * body.residual_flexibility(i, j);
+          result.residual(i, j) = sign(i) * sign(j) * body.residual_flexibility(i, j);
       }
-      return pole_model(body.omega, body.damping_ratio, trace, body.modal_load, residual, body.labels);
+      return result;
     }
 
     /// Data of rolling bodies are not.
-    bool is_reciprocal(const PoleModel &model)
+    bool is_reciprocal(const BodyInContact &model)
     {
       for (unsigned int k = 0; k < model.n_poles(); ++k)
         for (unsigned int i = 0; i < model.n_rows(); ++i)
@@ -42,26 +48,27 @@ namespace vibrocontact
     }
   } // namespace
 
-  PoleBody pole_body(const Parameters &parameters, const MeshedBodies &bodies,
+  RoadBody road_body(const Parameters &parameters, const MeshedBodies &bodies,
                      const std::optional<MeasuredData> &measured, const unsigned int number,
-                     const RoadParameters &road)
+                     const RoadUse &use)
   {
     const BodyParameters &body = parameters.scene.bodies[number];
-    const bool friction = parameters.modal_convolution.friction;
     if (body.type == "oscillator")
-      return {oscillator_poles(body.oscillator, friction), {0.}, {0.}, true};
-    PoleBody result;
+      return {oscillator_body(body.oscillator, use.friction), {0.}, {0.}};
+    RoadBody result;
     if (body.type == "identified")
     {
       const IdentifiedParameters &own = body.identified;
-      result.poles = identified_body(parameters, measured, body);
-      result.is_passive = !parameters.identification.rolling && is_reciprocal(result.poles);
+      result.body = identified_body(parameters, measured, body, use.contact_step);
+      result.tread = own.tread_stiffness > 0 ? 1 / own.tread_stiffness : 0.;
+      result.is_passive = !parameters.identification.rolling && is_reciprocal(result.body);
       result.places = own.positions.empty() ? std::vector<double>{0.} : own.positions;
       result.shapes = own.positions.empty() ? std::vector<double>{0.} : own.heights();
       return result;
     }
     if (body.type == "ring")
     {
+      result.tread = tread_compliance(body.ring, false);
       for (const double angle : body.ring.angles())
       {
         result.places.push_back(body.ring.radius * angle);
@@ -70,8 +77,9 @@ namespace vibrocontact
       if (!body.ring.is_meshed())
       {
         // a ring that rolls forward turns backwards in its own coordinate
-        const double rotation = body.ring.rolling ? -road.speed / body.ring.radius : 0;
-        result.poles = ring_poles(body.ring, ring_rows(body.ring, friction), rotation);
+        const double rotation = body.ring.rolling ? -use.speed / body.ring.radius : 0;
+        const std::vector<RingRow> rows = ring_rows(body.ring, use.friction);
+        result.body = rotation == 0 ? ring_modes(body.ring, rows) : ring_poles(body.ring, rows, rotation);
         result.is_passive = rotation == 0;
         return result;
       }
@@ -79,10 +87,10 @@ namespace vibrocontact
     ReducedBody reduced = bodies[number]->reduction.reduced(true);
     scale_damping(reduced, parameters.modes.at(body.name));
     if (body.type == "ring")
-      result.poles = ring_poles(body.ring, reduced, friction);
+      result.body = ring_of_elements(body.ring, reduced, use.friction);
     else
     {
-      result.poles = reduced_poles(reduced, friction);
+      result.body = reduced_body(reduced, use.friction);
       for (unsigned int i = 0; i < reduced.grid.n_points(); ++i)
       {
         // the contact travels towards -x
@@ -93,12 +101,19 @@ namespace vibrocontact
     return result;
   }
 
-  RoadParameters road_of(const Parameters &parameters, const PoleBody &body)
+  RoadLaws road_laws(const Parameters &parameters)
+  {
+    return {parameters.contact.law(),
+            parameters.modal_convolution.friction ? parameters.contact.law_of_friction() : nullptr};
+  }
+
+  RoadParameters road_of(const Parameters &parameters, const RoadBody &body)
   {
     RoadParameters road = parameters.road;
     if (!parameters.rolling.normal_force.empty())
       road.indentation =
-          indentation_of_load(body.poles, body.shapes, parameters.rolling.normal_force.front());
+          indentation_of_load(by_poles(body.body), body.shapes, parameters.rolling.normal_force.front(),
+                              parameters.contact.law());
     return road;
   }
 } // namespace vibrocontact

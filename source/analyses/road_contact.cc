@@ -1,11 +1,11 @@
-#include <vibrocontact/analyses/road_friction.h>
+#include <vibrocontact/analyses/road_contact.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/unilateral_contact.h>
 
 namespace vibrocontact
 {
-  ContactProblem road_contact_problem(const DenseMatrix &matrix, const unsigned int n_points, const double mu,
-                                      const double time_step)
+  ContactProblem road_contact_problem(const DenseMatrix &matrix, const unsigned int n_points,
+                                      const RoadLaws &laws, const double time_step)
   {
     const unsigned int n = n_points, n_rows = matrix.m();
     AssertThrow(n_rows == n || n_rows == 2 * n, dealii::ExcDimensionMismatch(n_rows, 2 * n));
@@ -24,14 +24,16 @@ namespace vibrocontact
     problem.title = "contact with the road";
     problem.A = std::make_shared<DenseContactOperator>(whole);
     problem.b.reinit(3 * n);
-    problem.mu.assign(n, mu);
+    problem.normal_law = laws.normal;
+    problem.friction_law = laws.friction;
+    problem.mu.assign(n, laws.friction ? laws.friction->at_rest() : 0.);
     return problem;
   }
 
-  void check_road_friction(const PoleModel &model, const double time_step,
+  void check_road_friction(const BodyInContact &model, const double time_step,
                            const ForceInterpolation interpolation)
   {
-    if (!(definiteness(one_step_compliance(model, time_step, interpolation)) > 0))
+    if (!(definiteness(one_step_compliance(model, step_weights(model, time_step, interpolation))) > 0))
       throw InputError(
           "Modal convolution/Friction is true, but unit forces at the contact points, along the "
           "road too, do not make a positive definite matrix of displacements in one step: the body "

@@ -1,4 +1,4 @@
-#include <vibrocontact/reduction/identified_model.h>
+#include <vibrocontact/bodies/identified_model.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,11 +62,11 @@ namespace vibrocontact
       result.truncation = whole > 0 ? dropped / whole : 0;
     }
 
-    PoleModel &model = result.model;
+    BodyInContact &model = result.model;
     const unsigned int n_states = std::count(kept.begin(), kept.end(), true);
     model.right.reinit(n, n_states);
     model.left.reinit(n, n_states);
-    model.load.assign(n_states, 0.);
+    model.pole_load.assign(n_states, 0.);
     for (unsigned int c = 0; c < components.size(); ++c)
       if (kept[c])
       {

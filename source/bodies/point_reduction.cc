@@ -1,4 +1,4 @@
-#include <vibrocontact/reduction/point_reduction.h>
+#include <vibrocontact/bodies/point_reduction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,21 +12,24 @@ namespace vibrocontact
     constexpr double rounding = 1e-10;
   }
 
-  PointReduction reduce_to_points(const SecondOrderSystem &system, Flexibility &flexibility,
-                                  const Modes &modes, const std::vector<TraceRow> &points)
+  BodyInContact reduce_to_points(const SecondOrderSystem &system, Flexibility &flexibility,
+                                 const Modes &modes, const std::vector<double> &damping_ratio,
+                                 const std::vector<TraceRow> &points)
   {
     const unsigned int n = modes.omega.size(), m = points.size();
-    PointReduction result;
+    BodyInContact result;
+    result.omega = modes.omega;
+    result.damping_ratio = damping_ratio;
     ContactTrace trace;
     trace.rows = points;
     result.trace.reinit(m, n);
-    result.load.assign(n, 0.);
+    result.modal_load.assign(n, 0.);
     for (unsigned int k = 0; k < n; ++k)
     {
       const auto motion = contact_trace(trace, modes.shapes[k]);
       std::copy(motion.begin(), motion.end(), &result.trace(0, k));
       if (system.has_load)
-        result.load[k] = modes.shapes[k] * system.load;
+        result.modal_load[k] = modes.shapes[k] * system.load;
     }
 
     Vector force(system.locally_owned, system.communicator), u(force);
@@ -58,7 +61,7 @@ namespace vibrocontact
       for (unsigned int j = 0; j < m; ++j)
       {
         const double answer = result.trace(j, k) / (modes.omega[k] * modes.omega[k]);
-        result.residual_load[j] -= answer * result.load[k];
+        result.residual_load[j] -= answer * result.modal_load[k];
         for (unsigned int i = 0; i < m; ++i)
           result.residual(i, j) -= result.trace(i, k) * answer;
       }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/reduction/pole_model.h>
+#include <vibrocontact/bodies/body_in_contact.h>
 #include <vibrocontact/reduction/reduced_body.h>
 #include <vibrocontact/scene/oscillator.h>
 #include <vibrocontact/scene/ring.h>
@@ -37,8 +37,8 @@ namespace vibrocontact
   /// Poles of the orders up to Highest order, static residual of those above it (Residual = true) and of the
   /// tread. @param rotation Omega [rad/s]
   /// @throws InputError if a motion is rigid or grows
-  PoleModel ring_poles(const RingParameters &ring, const std::vector<RingRow> &rows, double rotation = 0,
-                       RingFrame frame = RingFrame::road);
+  BodyInContact ring_poles(const RingParameters &ring, const std::vector<RingRow> &rows, double rotation = 0,
+                           RingFrame frame = RingFrame::road);
 
   /// The same by inversion of the 2 x 2 systems: orders up to Highest order alone, no residual, no tread.
   /// @param omega [rad/s]
@@ -58,9 +58,13 @@ namespace vibrocontact
   /// Of the tread under a contact point, radially or along the circle [m/N].
   double tread_compliance(const RingParameters &ring, bool tangential);
 
-  /// A mass on a spring under its weight; one row, up; with friction a second one, forward.
-  PoleModel oscillator_poles(const OscillatorParameters &oscillator, bool with_friction = false);
+  /// The same ring at rest by its real modes: of each order n > 0 both branches, twice, a quarter of a wave apart.
+  /// @throws InputError if a motion is rigid
+  BodyInContact ring_modes(const RingParameters &ring, const std::vector<RingRow> &rows);
 
-  /// A ring of elements, reduced by its modes and its residual flexibility, as poles: rows as ring_rows().
-  PoleModel ring_poles(const RingParameters &ring, const ReducedBody &reduced, bool with_friction);
+  /// A mass on a spring under its weight; one row, up; with friction a second one, forward.
+  BodyInContact oscillator_body(const OscillatorParameters &oscillator, bool with_friction = false);
+
+  /// A ring of elements with its tread: rows inward, then with friction along theta.
+  BodyInContact ring_of_elements(const RingParameters &ring, const ReducedBody &reduced, bool with_friction);
 } // namespace vibrocontact

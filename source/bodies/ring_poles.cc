@@ -1,5 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/reduction/ring_poles.h>
+#include <vibrocontact/bodies/ring_poles.h>
 
 #include <deal.II/base/tensor.h>
 #include <deal.II/lac/lapack_templates.h>
@@ -151,10 +151,10 @@ namespace vibrocontact
     return rows;
   }
 
-  PoleModel ring_poles(const RingParameters &ring, const std::vector<RingRow> &rows, const double rotation,
-                       const RingFrame frame)
+  BodyInContact ring_poles(const RingParameters &ring, const std::vector<RingRow> &rows,
+                           const double rotation, const RingFrame frame)
   {
-    PoleModel model;
+    BodyInContact model;
     std::vector<std::array<Complex, 2>> right, left;
     std::vector<unsigned int> order;
     for (unsigned int n = 0; n <= ring.highest_order; ++n)
@@ -186,7 +186,7 @@ namespace vibrocontact
         model.right(i, k) = sign(rows[i]) * right[k][component(rows[i])] * phase;
         model.left(i, k) = sign(rows[i]) * left[k][component(rows[i])] * std::conj(phase);
       }
-    model.load.assign(model.poles.size(), 0.);
+    model.pole_load.assign(model.poles.size(), 0.);
     model.residual = ring_rest(ring, rows, rotation, frame);
     return model;
   }
@@ -254,40 +254,91 @@ namespace vibrocontact
     return stiffness > 0 ? 1 / stiffness : 0.;
   }
 
-  PoleModel oscillator_poles(const OscillatorParameters &oscillator, const bool with_friction)
+  BodyInContact ring_modes(const RingParameters &ring, const std::vector<RingRow> &rows)
   {
-    std::vector<double> omega = {std::sqrt(oscillator.stiffness / oscillator.mass)},
-                        damping_ratio = {oscillator.damping_ratio},
-                        load = {-std::sqrt(oscillator.mass) * oscillator.gravity}, mass = {oscillator.mass};
-    std::vector<std::string> labels = {"oscillator"};
-    if (with_friction)
+    const unsigned int n_rows = rows.size(), n_modes = 2 + 4 * ring.highest_order;
+    const double m = ring.line_density() * dealii::numbers::PI * ring.radius;
+    BodyInContact body;
+    body.trace.reinit(n_rows, n_modes);
+    body.damping_ratio.assign(n_modes, ring.damping_ratio);
+    body.modal_load.assign(n_modes, 0.);
+    body.residual_load.assign(n_rows, 0.);
+    for (unsigned int n = 0; n <= ring.highest_order; ++n)
     {
-      omega.push_back(std::sqrt(oscillator.tangential_stiffness / oscillator.tangential_mass));
-      damping_ratio.push_back(oscillator.tangential_damping_ratio);
-      load.push_back(0);
-      mass.push_back(oscillator.tangential_mass);
-      labels.push_back("oscillator, tangential");
+      check_held(ring, n);
+      const RingParameters::Order L = ring.order(n);
+      const auto [slow, fast] = ring.frequencies(n);
+      const double angle = 0.5 * std::atan2(2 * L.coupling, L.tangential - L.radial), s = std::sin(angle),
+                   c = std::cos(angle);
+      // v = a cos(n theta), w = -b sin(n theta), and a quarter of a wave farther
+      const std::array<std::pair<double, std::array<double, 2>>, 2> branches = {
+          {{slow, {{-s, c}}}, {fast, {{c, s}}}}};
+      for (unsigned int branch = 0; branch < 2; ++branch)
+        for (unsigned int shift = 0; shift < (n == 0 ? 1 : 2); ++shift)
+        {
+          const auto &[omega, shape] = branches[branch];
+          const unsigned int k = body.omega.size();
+          for (unsigned int i = 0; i < n_rows; ++i)
+          {
+            const double turn = n * rows[i].angle;
+            const double wave = n == 0                               ? 1 / std::sqrt(2.)
+                                : rows[i].tangential == (shift == 0) ? std::cos(turn)
+                                : rows[i].tangential                 ? std::sin(turn)
+                                                                     : -std::sin(turn);
+            body.trace(i, k) = sign(rows[i]) * shape[component(rows[i])] * wave / std::sqrt(m);
+          }
+          body.omega.push_back(omega);
+          body.labels.push_back("n=" + std::to_string(n) + ", branch " + std::to_string(branch + 1));
+        }
     }
-    const unsigned int n = omega.size();
-    DenseMatrix trace(n, n);
-    for (unsigned int k = 0; k < n; ++k)
-      trace(k, k) = 1 / std::sqrt(mass[k]);
-    return pole_model(omega, damping_ratio, trace, load, DenseMatrix(n, n), labels);
+    body.residual = ring_rest(ring, rows, 0, RingFrame::road);
+    return body;
   }
 
-  PoleModel ring_poles(const RingParameters &ring, const ReducedBody &reduced, const bool with_friction)
+  BodyInContact oscillator_body(const OscillatorParameters &oscillator, const bool with_friction)
+  {
+    BodyInContact body;
+    std::vector<double> mass = {oscillator.mass};
+    body.omega = {std::sqrt(oscillator.stiffness / oscillator.mass)};
+    body.damping_ratio = {oscillator.damping_ratio};
+    body.modal_load = {-std::sqrt(oscillator.mass) * oscillator.gravity};
+    body.labels = {"oscillator"};
+    if (with_friction)
+    {
+      mass.push_back(oscillator.tangential_mass);
+      body.omega.push_back(std::sqrt(oscillator.tangential_stiffness / oscillator.tangential_mass));
+      body.damping_ratio.push_back(oscillator.tangential_damping_ratio);
+      body.modal_load.push_back(0);
+      body.labels.push_back("oscillator, tangential");
+    }
+    const unsigned int n = mass.size();
+    body.trace.reinit(n, n);
+    for (unsigned int k = 0; k < n; ++k)
+      body.trace(k, k) = 1 / std::sqrt(mass[k]);
+    body.residual.reinit(n, n);
+    body.residual_load.assign(n, 0.);
+    return body;
+  }
+
+  BodyInContact ring_of_elements(const RingParameters &ring, const ReducedBody &reduced,
+                                 const bool with_friction)
   {
     const unsigned int n_rows = (with_friction ? 2 : 1) * ring.n_points, n_modes = reduced.omega.size();
-    DenseMatrix trace(n_rows, n_modes), residual(n_rows, n_rows);
+    BodyInContact body;
+    body.omega = reduced.omega;
+    body.damping_ratio = reduced.damping_ratio;
+    body.modal_load = reduced.modal_load;
+    body.labels = reduced.labels;
+    body.trace.reinit(n_rows, n_modes);
+    body.residual.reinit(n_rows, n_rows);
     for (unsigned int a = 0; a < n_rows; ++a)
     {
       for (unsigned int k = 0; k < n_modes; ++k)
-        trace(a, k) = reduced.modal_trace(a, k);
+        body.trace(a, k) = reduced.modal_trace(a, k);
       for (unsigned int b = 0; b < n_rows; ++b)
-        residual(a, b) = reduced.residual_flexibility(a, b);
-      residual(a, a) += tread_compliance(ring, a >= ring.n_points);
+        body.residual(a, b) = reduced.residual_flexibility(a, b);
+      body.residual(a, a) += tread_compliance(ring, a >= ring.n_points);
     }
-    return pole_model(reduced.omega, reduced.damping_ratio, trace, reduced.modal_load, residual,
-                      reduced.labels);
+    return body;
   }
 } // namespace vibrocontact

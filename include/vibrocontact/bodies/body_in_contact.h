@@ -1,0 +1,85 @@
+#pragma once
+
+#include <vibrocontact/base/dense.h>
+
+#include <complex>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  using ComplexMatrix = dealii::LAPACKFullMatrix<std::complex<double>>;
+
+  /// A linear body between some rows (displacements at its contact points, at places of forces, at probes), as contacts and
+  /// their analyses see it. It moves by real modes, by poles or by both, and has a rest that follows forces at once:
+  ///
+  ///   modes   q_k'' + 2 zeta_k w_k q_k' + w_k^2 q_k = (trace^T f)_k + modal_load_k
+  ///   poles   z_k' = lambda_k z_k + (left^T f)_k + pole_load_k
+  ///   rest    relaxation r' + r = residual f + residual_load
+  ///   u = trace q + 2 Re sum_k right_k z_k + r
+  ///
+  /// f and u have the same sign along a row. A mode with w = 0 is a rigid motion. Of two conjugate poles one is kept,
+  /// whichever; a real pole carries half its residue. The rest is static but for stiffness-proportional damping C = beta K,
+  /// whose relaxation is beta.
+  ///
+  /// Poles are Green's functions in modal form (Meftah & Duhamel 2011, Eqs 7 and 58; doc/theory.md, "Bodies known by their
+  /// Green's functions"), R_k = right_k left_k^T:
+  ///
+  ///   g(t) = 2 Re sum_k R_k e^(lambda_k t) + residual delta(t),     t >= 0
+  ///   G(omega) = sum_k [ R_k / (j omega - lambda_k) + R_k^* / (j omega - lambda_k^*) ] + residual
+  ///
+  /// One state per shape serves all rows. Rolling rings and identified bodies have left shapes of their own, their G need
+  /// not be symmetric. Replicated on all ranks.
+  struct BodyInContact
+  {
+    /// angular frequencies [rad/s] and damping ratios [-]; n_modes
+    std::vector<double> omega, damping_ratio;
+    /// mass-normalised shapes at the rows; n_rows x n_modes [1/sqrt(kg)]
+    DenseMatrix trace;
+    /// of constant loads (weight); n_modes or empty [N/sqrt(kg)]
+    std::vector<double> modal_load;
+    /// static answer of what neither modes nor poles have, tread included; n_rows square or empty [m/N]
+    DenseMatrix residual;
+    /// of the modes, then of the poles, e.g. n=12, branch 1; or empty
+    std::vector<std::string> labels;
+    /// its answer to the constant loads; n_rows or empty [m]
+    std::vector<double> residual_load = {};
+    /// beta [s]
+    double relaxation = 0;
+    /// lambda_k; n_poles [1/s]
+    std::vector<std::complex<double>> poles = {};
+    /// right and left shapes, n_rows x n_poles; their product in [m/(N s)]
+    ComplexMatrix right = ComplexMatrix(), left = ComplexMatrix();
+    /// what constant loads feed into the states; n_poles or empty
+    std::vector<std::complex<double>> pole_load = {};
+
+    unsigned int n_modes() const { return omega.size(); }
+    unsigned int n_poles() const { return poles.size(); }
+    unsigned int n_rows() const
+    {
+      return n_modes() > 0 ? trace.m() : n_poles() > 0 ? right.m() : residual.m();
+    }
+  };
+
+  /// The same body with a pole for each mode (two real ones if it is damped beyond critical), for analyses that march
+  /// in poles. Critical damping is taken for less by a hair and a rigid motion as a pair at +-j 1e-12 rad/s, which after a
+  /// day has turned by 1e-7: both poles would be double.
+  BodyInContact by_poles(const BodyInContact &body);
+
+  /// 2 Re sum_k weight_k right_k left_k^T, n_rows square: what every quantity of g at real times is, of a body by poles.
+  /// @param weights n_poles
+  DenseMatrix sum_over_poles(const BodyInContact &body, const std::vector<std::complex<double>> &weights);
+  /// G(omega), n_rows square [m/N]; @param omega [rad/s]
+  ComplexMatrix receptance(const BodyInContact &body, double omega);
+  /// g(t) without its residual, n_rows square [m/(N s)], of a body by poles; @param t [s] >= 0
+  DenseMatrix impulse_response(const BodyInContact &body, double t);
+  /// d^k g / dt^k at t = 0+: 2 Re sum lambda_k^n R_k; n_rows square, of a body by poles. Rigid contact needs that of order 0
+  /// to be zero and that of order 1 to be positive definite.
+  DenseMatrix initial_derivative(const BodyInContact &body, unsigned int order);
+
+  /// Whether a motion is rigid: nothing holds it against constant forces.
+  bool is_rigid_motion(const std::complex<double> &pole);
+
+  /// Where state k of a body by poles comes to rest under the constant load: -load / lambda; 0 of a rigid motion.
+  std::complex<double> rest_of_state(const BodyInContact &body, unsigned int k);
+} // namespace vibrocontact

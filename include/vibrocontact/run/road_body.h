@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vibrocontact/analyses/road_contact.h>
+#include <vibrocontact/bodies/body_in_contact.h>
+#include <vibrocontact/run/measured_data.h>
+#include <vibrocontact/run/prepare_bodies.h>
+
+#include <vector>
+
+namespace vibrocontact
+{
+  /// A body on a road.
+  struct RoadBody
+  {
+    /// rows of all contact points, upward; with friction then those forward
+    BodyInContact body;
+    /// of the contact points: place along the road, forward; height of the undeformed surface [m]
+    std::vector<double> places = {}, shapes = {};
+    /// compliance of the tread under each contact point, which the residual has [m/N]
+    double tread = 0;
+    /// it does not roll: contact forces get back no more energy than they put in
+    bool is_passive = true;
+  };
+
+  /// What the body on a road does there.
+  struct RoadUse
+  {
+    /// whether there are rows forward
+    bool friction = false;
+    /// that a rolling ring turns at [m/s]
+    double speed = 0;
+    /// an identified body is made usable in contact at such a step of time [s]
+    double contact_step = 0;
+  };
+
+  /// Oscillator and analytic ring by their closed forms, identified bodies by their poles, meshed ones by their reduction.
+  /// Collective.
+  /// @param number of the body in the scene, from 0
+  RoadBody road_body(const Parameters &parameters, const MeshedBodies &bodies,
+                     const std::optional<MeasuredData> &measured, unsigned int number, const RoadUse &use);
+
+  /// The laws of section Contact between it and the road.
+  RoadLaws road_laws(const Parameters &parameters);
+
+  /// The road of body 1: section Road, with the indentation at which a flat road presses with Rolling/Normal force if that
+  /// is given (response/static_load.h).
+  RoadParameters road_of(const Parameters &parameters, const RoadBody &body);
+} // namespace vibrocontact

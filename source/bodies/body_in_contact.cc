@@ -1,0 +1,161 @@
+#include <vibrocontact/bodies/body_in_contact.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  using Complex = std::complex<double>;
+
+  namespace
+  {
+    /// of the pair that stands for a rigid motion [rad/s]
+    constexpr double rigid_frequency = 1e-12;
+
+    // right diag(weights) left^T
+    ComplexMatrix sum_of_residues(const BodyInContact &body, const std::vector<Complex> &weights,
+                                  const bool conjugate)
+    {
+      const unsigned int n = body.n_rows();
+      ComplexMatrix result(n, n);
+      for (unsigned int k = 0; k < body.n_poles(); ++k)
+        for (unsigned int j = 0; j < n; ++j)
+        {
+          const Complex left = weights[k] * (conjugate ? std::conj(body.left(j, k)) : body.left(j, k));
+          for (unsigned int i = 0; i < n; ++i)
+            result(i, j) += left * (conjugate ? std::conj(body.right(i, k)) : body.right(i, k));
+        }
+      return result;
+    }
+
+    struct PoleOfMode
+    {
+      unsigned int mode;
+      Complex pole;
+      /// 1 / (difference to the other pole of its pair)
+      Complex gain;
+    };
+
+    std::vector<PoleOfMode> poles_of_modes(const BodyInContact &body)
+    {
+      std::vector<PoleOfMode> result;
+      for (unsigned int k = 0; k < body.n_modes(); ++k)
+      {
+        const double zeta = body.damping_ratio[k], w = body.omega[k];
+        const double discriminant = std::abs(1 - zeta * zeta) < 1e-14 ? 1e-14 : 1 - zeta * zeta;
+        if (w <= 0 || discriminant > 0)
+        {
+          const Complex pole =
+              w <= 0 ? Complex(0, rigid_frequency) : Complex(-zeta * w, w * std::sqrt(discriminant));
+          result.push_back({k, pole, 1. / Complex(0, 2 * pole.imag())});
+          continue;
+        }
+        const double root = w * std::sqrt(-discriminant);
+        for (const double sign : {1., -1.})
+          result.push_back({k, -zeta * w + sign * root, 0.5 * sign / (2 * root)});
+      }
+      return result;
+    }
+  } // namespace
+
+  BodyInContact by_poles(const BodyInContact &body)
+  {
+    if (body.n_modes() == 0)
+      return body;
+    const std::vector<PoleOfMode> own = poles_of_modes(body);
+    const unsigned int n = body.n_rows(), n_own = own.size(), n_poles = n_own + body.n_poles();
+    BodyInContact result;
+    result.residual = body.residual;
+    result.residual_load = body.residual_load;
+    result.relaxation = body.relaxation;
+    result.right.reinit(n, n_poles);
+    result.left.reinit(n, n_poles);
+    for (const PoleOfMode &one : own)
+    {
+      const unsigned int k = result.poles.size();
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        result.right(i, k) = body.trace(i, one.mode);
+        result.left(i, k) = one.gain * body.trace(i, one.mode);
+      }
+      result.poles.push_back(one.pole);
+      result.pole_load.push_back(body.modal_load.empty() ? 0. : one.gain * body.modal_load[one.mode]);
+      if (!body.labels.empty())
+        result.labels.push_back(body.labels[one.mode]);
+    }
+    for (unsigned int k = 0; k < body.n_poles(); ++k)
+    {
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        result.right(i, n_own + k) = body.right(i, k);
+        result.left(i, n_own + k) = body.left(i, k);
+      }
+      result.poles.push_back(body.poles[k]);
+      result.pole_load.push_back(body.pole_load.empty() ? 0. : body.pole_load[k]);
+      if (!body.labels.empty())
+        result.labels.push_back(body.labels[body.n_modes() + k]);
+    }
+    return result;
+  }
+
+  bool is_rigid_motion(const Complex &pole)
+  {
+    return std::abs(pole) <= 2 * rigid_frequency;
+  }
+
+  Complex rest_of_state(const BodyInContact &body, const unsigned int k)
+  {
+    return body.pole_load.empty() || is_rigid_motion(body.poles[k]) ? 0. : -body.pole_load[k] / body.poles[k];
+  }
+
+  DenseMatrix sum_over_poles(const BodyInContact &body, const std::vector<Complex> &weights)
+  {
+    const ComplexMatrix sum = sum_of_residues(body, weights, false);
+    DenseMatrix result(sum.m(), sum.n());
+    for (unsigned int i = 0; i < sum.m(); ++i)
+      for (unsigned int j = 0; j < sum.n(); ++j)
+        result(i, j) = 2 * sum(i, j).real();
+    return result;
+  }
+
+  ComplexMatrix receptance(const BodyInContact &body, const double omega)
+  {
+    std::vector<Complex> direct, mirrored;
+    for (const Complex &pole : body.poles)
+    {
+      direct.push_back(1. / (Complex(0, omega) - pole));
+      mirrored.push_back(1. / (Complex(0, omega) - std::conj(pole)));
+    }
+    ComplexMatrix result = sum_of_residues(body, direct, false);
+    const ComplexMatrix other = sum_of_residues(body, mirrored, true);
+    const Complex rest = 1. / Complex(1, omega * body.relaxation);
+    for (unsigned int i = 0; i < result.m(); ++i)
+      for (unsigned int j = 0; j < result.n(); ++j)
+      {
+        result(i, j) += other(i, j) + (body.residual.m() > 0 ? rest * body.residual(i, j) : 0.);
+        for (unsigned int k = 0; k < body.n_modes(); ++k)
+        {
+          const double w = body.omega[k];
+          result(i, j) += body.trace(i, k) * body.trace(j, k) /
+                          Complex(w * w - omega * omega, 2 * body.damping_ratio[k] * w * omega);
+        }
+      }
+    return result;
+  }
+
+  DenseMatrix impulse_response(const BodyInContact &body, const double t)
+  {
+    std::vector<Complex> weights;
+    for (const Complex &pole : body.poles)
+      weights.push_back(std::exp(pole * t));
+    return sum_over_poles(body, weights);
+  }
+
+  DenseMatrix initial_derivative(const BodyInContact &body, const unsigned int order)
+  {
+    std::vector<Complex> weights;
+    for (const Complex &pole : body.poles)
+      weights.push_back(std::pow(pole, order));
+    return sum_over_poles(body, weights);
+  }
+} // namespace vibrocontact
