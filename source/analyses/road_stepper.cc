@@ -39,14 +39,14 @@ namespace vibrocontact
       settings.memory = std::lround(parameters.memory / parameters.time_step);
       const double kept =
           double(settings.memory > 0 ? settings.memory : n_steps) * model.n_rows() * model.n_rows();
-      if (parameters.method != "modal recursion" && kept > 2e8)
+      if (parameters.is_convolution() && kept > 2e8)
         throw InputError(
             "Modal convolution/Memory asks for more than 200 million samples of the Green's functions: "
             "give a shorter one or take the modal recursion.");
       return create_response(parameters.method, model,
                              parameters.initial_state == "at rest" ? state_at_rest(model)
                                                                    : state_in_equilibrium(model),
-                             settings);
+                             settings, *parameters.methods);
     }
 
     void check_force_interpolation(const ModalConvolutionParameters &parameters, const PoleModel &model,

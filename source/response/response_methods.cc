@@ -1,4 +1,4 @@
-#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/named_table.h>
 #include <vibrocontact/response/block_convolution.h>
 #include <vibrocontact/response/direct_convolution.h>
 #include <vibrocontact/response/modal_recursion.h>
@@ -16,28 +16,23 @@ namespace vibrocontact
     }
   } // namespace
 
-  const std::vector<ResponseMethod> &response_methods()
+  const ResponseMethods &response_methods()
   {
-    static const std::vector<ResponseMethod> methods = {
+    static const ResponseMethods methods = {
         {"modal recursion", "exact propagation of one complex state per pole", &create<ModalRecursion>},
-        {"direct convolution", "sum over the newest forces in every step", &create<DirectConvolution, true>},
-        {"block convolution", "the same sum by fast Fourier transforms of blocks", &create<BlockConvolution>},
+        {"direct convolution", "sum over the newest forces in every step", &create<DirectConvolution, true>,
+         true},
+        {"block convolution", "the same sum by fast Fourier transforms of blocks", &create<BlockConvolution>,
+         true},
         {"direct convolution, scalar", "the same sum by a plain loop, for comparison",
-         &create<DirectConvolution, false>}};
+         &create<DirectConvolution, false>, true}};
     return methods;
   }
 
   std::unique_ptr<Response> create_response(const std::string &name, const PoleModel &model,
                                             const std::vector<std::complex<double>> &state,
-                                            const ResponseSettings &settings)
+                                            const ResponseSettings &settings, const ResponseMethods &table)
   {
-    std::string known;
-    for (const ResponseMethod &method : response_methods())
-    {
-      if (method.name == name)
-        return method.create(model, state, settings);
-      known += (known.empty() ? "" : ", ") + method.name;
-    }
-    throw InputError("There is no response method \"" + name + "\": choose one of " + known + ".");
+    return find_named(table, name, "response method").create(model, state, settings);
   }
 } // namespace vibrocontact

@@ -293,14 +293,14 @@ namespace vibrocontact
       add_road(entries, "Road", parameters.road, is_rolling_ring(bodies[0]), own.friction,
                !parameters.rolling.normal_force.empty());
 
-      const bool steps = !own.is_event_located(), convolution = steps && own.method != "modal recursion";
+      const bool steps = !own.is_event_located();
       entries.add(
           section,
           "Method, Time step, End time, Friction, History interval, Checkpoint interval, Error estimate");
       entries.add_if(steps, section + "/Method is no event located", section, "Force shape");
       entries.add_if(steps && !own.friction, section + "/Method is no event located and Friction is false",
                      section, "Contact solver");
-      entries.add_if(convolution, section + "/Method is a convolution", section, "Memory");
+      entries.add_if(own.is_convolution(), section + "/Method is a convolution", section, "Memory");
       entries.add_if(stands_under_loads(bodies[0]), "body 1 stands under a load", section, "Initial state");
       entries.add_if(own.friction, section + "/Friction is true", "Contact",
                      "Friction coefficient, Friction law");
@@ -330,7 +330,7 @@ namespace vibrocontact
   Analysis modal_convolution_analysis()
   {
     return {{"modal convolution",
-             "a body known by its Green's functions rolls over a road in unilateral contact", 1},
+             "a body known by its Green's functions rolls over a road in unilateral contact", 1, true, true},
             modal_convolution_read,
             [](const AnalysisRun &on) {
               run_modal_convolution(on.parameters, on.bodies, on.measured, on.folder, on.resume, on.results);

@@ -8,17 +8,23 @@
 
 namespace vibrocontact
 {
+  /// One row of the table of response methods: how the motion of a body with poles is propagated.
   struct ResponseMethod
   {
     std::string name, help;
     std::unique_ptr<Response> (*create)(const PoleModel &, const std::vector<std::complex<double>> &state,
                                         const ResponseSettings &);
+    /// sums over earlier forces, as many as ResponseSettings::memory says
+    bool is_convolution = false;
   };
 
-  /// modal recursion, direct convolution, block convolution; direct convolution, scalar
-  const std::vector<ResponseMethod> &response_methods();
+  using ResponseMethods = std::vector<ResponseMethod>;
+  /// The shipped ones: modal recursion, direct convolution, block convolution; direct convolution, scalar. A program
+  /// may have more (run/tables.h).
+  const ResponseMethods &response_methods();
   /// @throws InputError naming the methods
   std::unique_ptr<Response> create_response(const std::string &name, const PoleModel &model,
                                             const std::vector<std::complex<double>> &state,
-                                            const ResponseSettings &settings);
+                                            const ResponseSettings &settings,
+                                            const ResponseMethods &table = response_methods());
 } // namespace vibrocontact
