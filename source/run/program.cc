@@ -1,4 +1,5 @@
 #include <vibrocontact/base/blas.h>
+#include <vibrocontact/base/data_directory.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/fault.h>
 #include <vibrocontact/base/singleton_start.h>
@@ -11,7 +12,7 @@
 
 namespace vibrocontact
 {
-  int run_program(const Tables &tables, int argc, char **argv)
+  int run_program(const Tables &tables, int argc, char **argv, const std::string &data_directory)
   {
     std::setlocale(LC_ALL, "C");
     const SingletonStart start;
@@ -20,6 +21,7 @@ namespace vibrocontact
     dealii::Utilities::MPI::MPI_InitFinalize mpi(n_arguments, argv, 1);
     dealii::deal_II_exceptions::disable_abort_on_exception();
     set_one_blas_thread();
+    set_data_directory(data_directory);
     try
     {
       return run(tables, read_command_line(argc, argv));
