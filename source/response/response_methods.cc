@@ -19,13 +19,14 @@ namespace vibrocontact
   const ResponseMethods &response_methods()
   {
     static const ResponseMethods methods = {
-        {"modal recursion", "exact propagation of one complex state per pole", &create<ModalRecursion>},
-        {"direct convolution", "sum over the newest forces in every step", &create<DirectConvolution, true>,
-         true},
-        {"block convolution", "the same sum by fast Fourier transforms of blocks", &create<BlockConvolution>,
-         true},
-        {"direct convolution, scalar", "the same sum by a plain loop, for comparison",
-         &create<DirectConvolution, false>, true}};
+        {"modal recursion", "exact propagation of one complex state per pole", false,
+         &create<ModalRecursion>},
+        {"direct convolution", "sum over the newest forces in every step", true,
+         &create<DirectConvolution, true>},
+        {"block convolution", "the same sum by fast Fourier transforms of blocks", true,
+         &create<BlockConvolution>},
+        {"direct convolution, scalar", "the same sum by a plain loop, for comparison", true,
+         &create<DirectConvolution, false>}};
     return methods;
   }
 

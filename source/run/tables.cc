@@ -16,8 +16,8 @@ namespace vibrocontact
   Tables standard_tables()
   {
     Tables tables;
-    tables.analyses = {modes_analysis(),    frequency_response_analysis(), identification_analysis(),
-                       rolling_analysis(),  periodic_analysis(),           stability_analysis(),
+    tables.analyses = {modes_analysis(),     frequency_response_analysis(), identification_analysis(),
+                       rolling_analysis(),   periodic_analysis(),           stability_analysis(),
                        transient_analysis(), modal_convolution_analysis()};
     return tables;
   }

@@ -245,9 +245,8 @@ namespace
 
   ResponseMethod own_propagator()
   {
-    return {"own propagator", "hands on to modal recursion",
-            [](const PoleModel &model, const std::vector<std::complex<double>> &state,
-               const ResponseSettings &settings) -> std::unique_ptr<Response> {
+    return {"own propagator", "hands on to modal recursion", false,
+            [](const auto &model, const auto &state, const auto &settings) -> std::unique_ptr<Response> {
               return std::make_unique<Forwarding>(create_response("modal recursion", model, state, settings));
             }};
   }

@@ -12,10 +12,10 @@ namespace vibrocontact
   struct ResponseMethod
   {
     std::string name, help;
+    /// whether it sums over past forces, which it can forget
+    bool is_convolution;
     std::unique_ptr<Response> (*create)(const PoleModel &, const std::vector<std::complex<double>> &state,
                                         const ResponseSettings &);
-    /// sums over earlier forces, as many as ResponseSettings::memory says
-    bool is_convolution = false;
   };
 
   using ResponseMethods = std::vector<ResponseMethod>;
