@@ -21,6 +21,7 @@ namespace vibrocontact
     tables = from;
     contact = ContactParameters({from, &from->laws});
     contact_solver.methods = {from, &from->contact_solvers};
+    periodic.bases = {from, &from->time_bases};
     modal_convolution.methods = {from, &from->response_methods};
   }
 

@@ -119,7 +119,8 @@ namespace vibrocontact
         families.insert({trial, weighting});
       on_first_rank(
           [&] {
-            write_basis_table({families.begin(), families.end()}, folder + "/time_bases.csv");
+            write_basis_table({families.begin(), families.end()}, *periodic.bases,
+                              folder + "/time_bases.csv");
           });
     }
 

@@ -83,17 +83,27 @@ assert own_march["method"] == "own propagator" and len(own_march["impacts"]) > 2
 close(own_march["impulse_Ns"], shipped_march["impulse_Ns"], "impulse of the road")
 close([impact["time_s"] for impact in own_march["impacts"]], [impact["time_s"] for impact in shipped_march["impacts"]], "impacts")
 
+# basis in time: the bar against its stop
+own_motion, shipped_motion = (
+    results(program, examples / "axial_bar_150.prm", program.name + "_periodic", **quiet, **alone,
+            Periodic__Trial_basis=basis, Periodic__Weighting_basis=basis)["periodic"][0]
+    for alone in ({"Periodic__Comparison__Pairs": "", "Periodic__Comparison__Numbers": "", "Periodic__Reference": "false"},)
+    for program, basis in ((own, "own splines"), (shipped, "bspline")))
+assert own_motion["basis"] == own_motion["weighting"] == "own splines", own_motion
+for key in ("tip_max_m", "tip_min_m", "energy_norm_J", "penetration_m", "impulse_Ns"):
+    close(own_motion[key], shipped_motion[key], key)
+
 # all of them are listed, their entries too, and are meant where they are misspelled
 code, text = said(own, "--parameters")
 assert code == 0
 text = " ".join(text.replace("#", " ").split())
 for name in ("own spring", "own friction", "Own stiffness", "Own ratio", "A body of type rod", "subsection Wave speed",
-             "own propagator", "own newton", "wave speed: of a rod"):
+             "own propagator", "own splines", "own newton", "wave speed: of a rod"):
     assert name in text, name
 for entry, wrong, meant in (("Contact/Normal law", "own sprong", "own spring"), ("Analyses", "wave sped", "wave speed"),
                             ("rod/Type", "rood", "rod"), ("rod/Rod/Divsions", "3", "Divisions"),
                             ("Wave speed/Mode", "0", "Mode"), ("rod/Rod/Divisions", "1", "two elements or more"),
-                            ("Contact/Own ratio", "2", "own friction")):
+                            ("Contact/Own ratio", "2", "own friction"), ("Periodic/Trial basis", "own spines", "own splines")):
     code, text = said(own, here / "rod.prm", "--check", "--set", f"{entry}={wrong}")
     assert code == 1 and meant in text, (entry, code, text)
 code, text = said(shipped, here / "rod.prm", "--check")

@@ -251,6 +251,38 @@ namespace
             }};
   }
 
+  // ---------------------------------------------------------------- a basis in time
+
+  class OwnBasis : public TimeBasis
+  {
+  public:
+    explicit OwnBasis(const unsigned int n) : TimeBasis(n), splines(create_time_basis("bspline", n)) {}
+    std::string name() const override { return "own splines"; }
+    unsigned int n_derivatives() const override { return splines->n_derivatives(); }
+    const RefinableFunction *scaling_function() const override { return splines->scaling_function(); }
+    std::vector<std::complex<double>> values(const double phase, const unsigned int d) const override
+    {
+      return splines->values(phase, d);
+    }
+    std::complex<double> fourier_coefficient(const unsigned int m, const int l) const override
+    {
+      return splines->fourier_coefficient(m, l);
+    }
+    double function(const unsigned int k, const double phase, const unsigned int d) const override
+    {
+      return splines->function(k, phase, d);
+    }
+
+  private:
+    const std::unique_ptr<const TimeBasis> splines;
+  };
+
+  TimeBasisEntry own_basis()
+  {
+    return {"own splines", "cubic splines of another name",
+            [](const unsigned int n) { return std::make_unique<const OwnBasis>(n); }};
+  }
+
   // ---------------------------------------------------------------- a contact solver
 
   ContactSolverEntry own_solver()
@@ -294,6 +326,7 @@ int main(int argc, char **argv)
   tables.laws.friction.push_back(own_friction());
   tables.body_types.push_back(rod());
   tables.response_methods.push_back(own_propagator());
+  tables.time_bases.push_back(own_basis());
   tables.contact_solvers.push_back(own_solver());
   tables.analyses.push_back(wave_speed());
   tables.recorders.push_back([](const RecordedTransient &on)

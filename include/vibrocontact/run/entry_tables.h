@@ -2,6 +2,7 @@
 
 #include <vibrocontact/contact/contact_solver.h>
 #include <vibrocontact/contact/laws/contact_laws.h>
+#include <vibrocontact/periodic/time_basis.h>
 #include <vibrocontact/response/response_methods.h>
 #include <vibrocontact/scene/body.h>
 
@@ -13,6 +14,7 @@ namespace vibrocontact
     ContactLaws laws;
     ContactSolvers contact_solvers = vibrocontact::contact_solvers();
     ResponseMethods response_methods = vibrocontact::response_methods();
+    TimeBases time_bases = vibrocontact::time_bases();
     BodyTypes body_types = vibrocontact::body_types();
   };
 } // namespace vibrocontact
