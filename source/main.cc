@@ -1,39 +1,6 @@
-#include <vibrocontact/base/blas.h>
-#include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/base/fault.h>
-#include <vibrocontact/base/singleton_start.h>
-#include <vibrocontact/run/run.h>
-
-#include <deal.II/base/mpi.h>
+#include <vibrocontact/run/program.h>
 
 int main(int argc, char **argv)
 {
-  using namespace vibrocontact;
-  setlocale(LC_ALL, "C");
-  const SingletonStart start;
-  // PETSc would take --help and --version for its own: it gets no arguments.
-  int n_arguments = 1;
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(n_arguments, argv, 1);
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  set_one_blas_thread();
-  try
-  {
-    return run(read_command_line(argc, argv));
-  }
-  catch (const InputError &error)
-  {
-    return leave_together(1, error.what());
-  }
-  catch (const ConvergenceError &error)
-  {
-    return leave_together(2, error.what());
-  }
-  catch (const OutputError &error)
-  {
-    return leave_together(3, error.what());
-  }
-  catch (const std::exception &error)
-  {
-    return leave_together(3, std::string("fault of the program: ") + error.what());
-  }
+  return vibrocontact::run_program(vibrocontact::standard_tables(), argc, argv);
 }

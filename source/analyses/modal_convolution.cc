@@ -71,7 +71,7 @@ namespace vibrocontact
       road.heights(0, last_height.data());
       older_displacement = last_displacement;
       older_gap.assign(n_points, 0.);
-      if (parameters.error_estimate && parameters.method != "theta method" && ModalEnergy::applies(model))
+      if (parameters.error_estimate && !parameters.takes_theta() && ModalEnergy::applies(model))
       {
         modal_work = std::make_unique<SteppedModalWork>(model, state, time_step,
                                                         force_interpolation(parameters.force_shape));

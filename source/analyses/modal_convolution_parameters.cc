@@ -1,6 +1,5 @@
 #include <vibrocontact/analyses/modal_convolution_parameters.h>
-#include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/response/response_methods.h>
+#include <vibrocontact/base/named_table.h>
 
 namespace vibrocontact
 {
@@ -8,7 +7,7 @@ namespace vibrocontact
   {
     using namespace dealii::Patterns;
     std::string names, help;
-    for (const ResponseMethod &known : response_methods())
+    for (const ResponseMethod &known : *methods)
     {
       names += known.name + "|";
       help += known.name + " (" + known.help + "), ";
@@ -60,6 +59,16 @@ namespace vibrocontact
         Bool());
   }
 
+  bool ModalConvolutionParameters::takes_theta() const
+  {
+    return !is_event_located() && find_named(*methods, method, "response method").takes_theta;
+  }
+
+  bool ModalConvolutionParameters::is_convolution() const
+  {
+    return !is_event_located() && find_named(*methods, method, "response method").is_convolution;
+  }
+
   void ModalConvolutionParameters::check() const
   {
     if (is_event_located() && (memory > 0 || force_shape != "impulse" || contact_solver != "active set"))
@@ -78,7 +87,7 @@ namespace vibrocontact
       throw InputError(
           "Modal convolution/Memory is shorter than Modal convolution/Time step: give the time that "
           "forces are kept, or 0 for all of them.");
-    if (memory > 0 && !is_event_located() && !response_method(method).is_convolution)
+    if (memory > 0 && !is_convolution())
       throw InputError("Modal convolution/Memory is given, but the " + method +
                        " forgets nothing: leave it out or take a convolution.");
     if (friction && is_event_located())

@@ -36,8 +36,8 @@ namespace vibrocontact
 
     TimePairing pairing_of(const BalanceSettings &asked)
     {
-      return pair_time_bases(*create_time_basis(asked.trial, asked.n_functions),
-                             *create_time_basis(asked.weighting, asked.n_functions), asked.form,
+      return pair_time_bases(*create_time_basis(asked.trial, asked.n_functions, *asked.bases),
+                             *create_time_basis(asked.weighting, asked.n_functions, *asked.bases), asked.form,
                              asked.quadrature_points);
     }
 
@@ -75,10 +75,10 @@ namespace vibrocontact
   {
     using namespace dealii::Patterns;
     prm.add_parameter("Trial basis", trial, "Functions of time that the motion is made of. Units: none.",
-                      Selection(selection(names_of(time_bases()))));
+                      Selection(selection(names_of(*bases))));
     prm.add_parameter("Weighting basis", weighting,
                       "Functions of time that the residual is orthogonal to. Units: none.",
-                      Selection(selection(names_of(time_bases()))));
+                      Selection(selection(names_of(*bases))));
     prm.add_parameter("Number of functions", n_functions,
                       "Functions in each basis; odd numbers leave no undamped last function. Units: none.",
                       Integer(1, 5000));
@@ -154,8 +154,8 @@ namespace vibrocontact
                                                            : "Periodic/Continuation/Numbers");
     for (const auto &[asked, entry] : all)
     {
-      const auto trial_basis = create_time_basis(asked.trial, asked.n_functions),
-                 weighting_basis = create_time_basis(asked.weighting, asked.n_functions);
+      const auto trial_basis = create_time_basis(asked.trial, asked.n_functions, *bases),
+                 weighting_basis = create_time_basis(asked.weighting, asked.n_functions, *bases);
       check_holds_force(asked, entry);
       check_samples(asked.n_functions, asked.n_samples);
       const auto is_power_of_two = [](const unsigned int number) { return (number & (number - 1)) == 0; };
@@ -241,6 +241,7 @@ namespace vibrocontact
     result.n_samples = n_samples;
     result.quadrature_points = quadrature_points;
     result.friction = friction;
+    result.bases = bases;
     return result;
   }
 

@@ -3,7 +3,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/processor_clock.h>
 #include <vibrocontact/numerics/doubled_step.h>
-#include <vibrocontact/response/response_methods.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +21,7 @@ namespace vibrocontact
     bool is_of_second_order(const ModalConvolutionParameters &parameters)
     {
       return force_interpolation(parameters.force_shape) == ForceInterpolation::linear &&
-             parameters.memory == 0 && !(parameters.method == "theta method" && parameters.theta > 0.5);
+             parameters.memory == 0 && !(parameters.takes_theta() && parameters.theta > 0.5);
     }
 
     double sum_of_points(const std::vector<double> &values)
@@ -68,7 +67,7 @@ namespace vibrocontact
       // the recursion forgets nothing, so that what a memory cuts off is seen, unless the Green's functions never end
       const bool ends = std::all_of(model.poles.begin(), model.poles.end(),
                                     [](const std::complex<double> &pole) { return pole.real() < 0; });
-      if (response_method(parameters.method).is_convolution && (parameters.memory == 0 || ends))
+      if (parameters.is_convolution() && (parameters.memory == 0 || ends))
       {
         own.method = "modal recursion";
         own.memory = 0;

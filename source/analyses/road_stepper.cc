@@ -45,14 +45,14 @@ namespace vibrocontact
             "it: leave it out.");
       const double kept =
           double(settings.memory > 0 ? settings.memory : n_steps) * model.n_rows() * model.n_rows();
-      if (response_method(parameters.method).is_convolution && kept > 2e8)
+      if (parameters.is_convolution() && kept > 2e8)
         throw InputError(
             "Modal convolution/Memory asks for more than 200 million samples of the Green's functions: "
             "give a shorter one or take the modal recursion.");
       return create_response(parameters.method, model,
                              parameters.initial_state == "at rest" ? state_at_rest(model)
                                                                    : state_in_equilibrium(model),
-                             settings);
+                             settings, *parameters.methods);
     }
 
     /// S with the least compliance of the normal law on its diagonal: that of all forces if it is linear; what yields at all does for
@@ -74,7 +74,7 @@ namespace vibrocontact
     {
       const ForceInterpolation interpolation = force_interpolation(parameters.force_shape);
       const DenseMatrix S = least_compliance(model, n_points, law, interpolation);
-      const double longest = parameters.method == "theta method"
+      const double longest = parameters.takes_theta()
                                  ? longest_theta_step(S, interpolation, parameters.theta)
                                  : longest_step(S, initial_derivative(model, 1), interpolation);
       if (parameters.time_step <= longest)

@@ -20,9 +20,4 @@ namespace vibrocontact
   {
     return DEAL_II_PACKAGE_VERSION;
   }
-
-  std::string source_directory()
-  {
-    return VIBROCONTACT_SOURCE_DIR;
-  }
 } // namespace vibrocontact

@@ -7,12 +7,11 @@
 
 namespace vibrocontact
 {
-  void ContactSolverParameters::declare_parameters(dealii::ParameterHandler &prm,
-                                                   const std::vector<std::string> &methods)
+  void ContactSolverParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
     prm.add_parameter("Method", method, "How the discrete contact problem is solved. Units: none.",
-                      Selection(selection(methods)));
+                      Selection(selection(names_of(*methods))));
     prm.add_parameter("Tolerance", tolerance,
                       "Relative residual of the projections to be reached. Units: none.",
                       Double(1e-15, 1e-2));

@@ -5,9 +5,9 @@
 
 namespace vibrocontact
 {
-  const std::vector<ContactSolverEntry> &contact_solvers()
+  const ContactSolvers &contact_solvers()
   {
-    static const std::vector<ContactSolverEntry> table = {
+    static const ContactSolvers table = {
         {"semi-smooth newton", "Newton on the projections, active points only",
          [](const ContactSolverParameters &p) -> std::unique_ptr<ContactSolver>
          { return std::make_unique<NewtonSolver>(p); }},
@@ -17,13 +17,8 @@ namespace vibrocontact
     return table;
   }
 
-  std::vector<std::string> contact_solver_names()
-  {
-    return names_of(contact_solvers());
-  }
-
   std::unique_ptr<ContactSolver> create_contact_solver(const ContactSolverParameters &parameters)
   {
-    return find_named(contact_solvers(), parameters.method, "contact solver").create(parameters);
+    return find_named(*parameters.methods, parameters.method, "contact solver").create(parameters);
   }
 } // namespace vibrocontact

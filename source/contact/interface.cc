@@ -22,7 +22,7 @@ namespace vibrocontact
     }
 
     /// Entries of all laws, each once, beside the coefficient of friction.
-    std::vector<LawParameter> law_parameters()
+    std::vector<LawParameter> law_parameters(const ContactLaws &laws)
     {
       std::vector<LawParameter> all;
       const auto add = [&](const std::vector<LawParameter> &parameters)
@@ -33,17 +33,17 @@ namespace vibrocontact
                            [&](const LawParameter &known) { return known.name == parameter.name; }))
             all.push_back(parameter);
       };
-      for (const FrictionLawEntry &entry : friction_laws())
+      for (const FrictionLawEntry &entry : laws.friction)
         add(entry.parameters);
-      for (const NormalLawEntry &entry : normal_laws())
+      for (const NormalLawEntry &entry : laws.normal)
         add(entry.parameters);
       return all;
     }
   } // namespace
 
-  ContactParameters::ContactParameters()
+  ContactParameters::ContactParameters(std::shared_ptr<const ContactLaws> laws) : laws(std::move(laws))
   {
-    for (const LawParameter &parameter : law_parameters())
+    for (const LawParameter &parameter : law_parameters(*this->laws))
       law_values.text(parameter);
   }
 
@@ -91,14 +91,14 @@ namespace vibrocontact
                       "by the modes stays. Units: none.",
                       Bool());
     prm.add_parameter("Normal law", normal_law,
-                      "Law between gap and normal force: " + help_of(normal_laws()) + ". Units: none.",
-                      Selection(selection(names_of(normal_laws()))));
+                      "Law between gap and normal force: " + help_of(laws->normal) + ". Units: none.",
+                      Selection(selection(names_of(laws->normal))));
     prm.add_parameter("Friction law", friction_law,
-                      "Coefficient of friction over the slip speed: " + help_of(friction_laws()) +
+                      "Coefficient of friction over the slip speed: " + help_of(laws->friction) +
                           "; empty: falling friction where Static friction ratio is not 1, else coulomb. "
                           "Units: none.",
-                      Selection("|" + selection(names_of(friction_laws()))));
-    for (const LawParameter &parameter : law_parameters())
+                      Selection("|" + selection(names_of(laws->friction))));
+    for (const LawParameter &parameter : law_parameters(*laws))
       prm.add_parameter(parameter.name, law_values.text(parameter), parameter.help, *parameter.pattern);
   }
 
@@ -106,7 +106,7 @@ namespace vibrocontact
   {
     for (const std::string &name : {normal_law, further.empty() ? normal_law : further})
     {
-      law_values.read_curves(find_normal_law(name).parameters);
+      law_values.read_curves(find_normal_law(name, laws->normal).parameters);
       law(name);
     }
     const FrictionLawEntry &entry = friction_entry();
@@ -149,16 +149,15 @@ namespace vibrocontact
 
   std::shared_ptr<const NormalLaw> ContactParameters::law(const std::string &name) const
   {
-    const NormalLawEntry &entry = find_normal_law(name);
+    const NormalLawEntry &entry = find_normal_law(name, laws->normal);
     return entry.make(law_values.numbers(entry.parameters));
   }
 
   const FrictionLawEntry &ContactParameters::friction_entry() const
   {
-    if (!friction_law.empty())
-      return find_friction_law(friction_law);
-    return find_friction_law(law_values.number("Static friction ratio") == 1 ? "coulomb"
-                                                                             : "falling friction");
+    const std::string by_ratio =
+        law_values.number("Static friction ratio") == 1 ? "coulomb" : "falling friction";
+    return find_friction_law(friction_law.empty() ? by_ratio : friction_law, laws->friction);
   }
 
   bool ContactParameters::takes_coefficient() const

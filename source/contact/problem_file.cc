@@ -65,12 +65,13 @@ namespace vibrocontact
     }
 
     /// of the normal law; files of earlier versions give an amplitude and an exponent, of the linear spring k and 1
-    std::vector<double> law_numbers(Hdf5Reader &file, const std::string &file_name)
+    std::vector<double> law_numbers(Hdf5Reader &file, const std::string &file_name,
+                                    const std::vector<NormalLawEntry> &laws)
     {
       const std::string law = "/vibrocontact/normal_law/";
       if (file.has(law + "numbers"))
         return finite_numbers(file, file_name, law + "numbers", 0);
-      if (!file.has(law + "amplitude") || find_normal_law(file.text(law + "name")).parameters.empty())
+      if (!file.has(law + "amplitude") || find_normal_law(file.text(law + "name"), laws).parameters.empty())
         return {};
       return {finite_numbers(file, file_name, law + "amplitude", 1).front(),
               finite_numbers(file, file_name, law + "exponent", 1).front()};
@@ -169,7 +170,7 @@ namespace vibrocontact
     file.finish();
   }
 
-  ContactProblem read_contact_problem(const std::string &file_name)
+  ContactProblem read_contact_problem(const std::string &file_name, const std::vector<NormalLawEntry> &laws)
   {
     Hdf5Reader file(file_name);
     const auto refuse = [&](const std::string &what)
@@ -209,8 +210,8 @@ namespace vibrocontact
     if (file.has("/vibrocontact/approach"))
       problem.approach = finite_numbers(file, file_name, "/vibrocontact/approach", 1).front();
     if (file.has("/vibrocontact/normal_law/name"))
-      problem.normal_law =
-          create_normal_law(file.text("/vibrocontact/normal_law/name"), law_numbers(file, file_name));
+      problem.normal_law = create_normal_law(file.text("/vibrocontact/normal_law/name"),
+                                             law_numbers(file, file_name, laws), laws);
     if (file.has(local + "/V"))
     {
       const DenseMatrix V = read_matrix(file, file_name, local + "/V"),

@@ -1,6 +1,6 @@
 #include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/data_directory.h>
 #include <vibrocontact/base/log.h>
-#include <vibrocontact/base/version.h>
 #include <vibrocontact/output/figures.h>
 
 #include <filesystem>
@@ -32,7 +32,7 @@ namespace vibrocontact
 
     void draw(const std::string &folder, const std::string &option)
     {
-      const std::string script = source_directory() + "/contrib/plot_results.py";
+      const std::string script = data_directory() + "/contrib/plot_results.py";
       if (!std::filesystem::exists(script))
       {
         run_log().line("no figures: " + script + " is not there");

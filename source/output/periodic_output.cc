@@ -56,7 +56,8 @@ namespace vibrocontact
     table.write(file_name);
   }
 
-  void write_basis_table(const std::vector<std::string> &families, const std::string &file_name)
+  void write_basis_table(const std::vector<std::string> &families, const TimeBases &bases,
+                         const std::string &file_name)
   {
     constexpr unsigned int n_phases = 512, n_levels = 6;
     std::vector<std::string> columns = {"phase"};
@@ -67,7 +68,7 @@ namespace vibrocontact
       for (unsigned int level = 0; level < n_levels; ++level)
       {
         const bool fourier = family == "fourier";
-        const auto basis = create_time_basis(family, fourier ? n_levels : 1u << level);
+        const auto basis = create_time_basis(family, fourier ? n_levels : 1u << level, bases);
         columns.push_back(family + "_" + (fourier ? std::to_string(level) : std::to_string(1u << level)));
         for (unsigned int i = 0; i < n_phases; ++i)
           values[i].push_back(basis->function(fourier ? level : 0, values[i][0], 0));

@@ -100,6 +100,8 @@ namespace vibrocontact
       log.value("contact points", layer.grid().n_points());
       return;
     }
+    if (parameters.own)
+      return;
     if (!body)
     {
       log.value("radius along x", parameters.half_space.radius_x, "m (0: flat)");

@@ -24,8 +24,8 @@ namespace vibrocontact
   PeriodicBalance::PeriodicBalance(const ForcedBody &body, std::shared_ptr<const NormalLaw> law,
                                    const BalanceSettings &settings)
       : settings(settings), body(body), law(law), spring(law->is_function_of_gap()),
-        trial_basis(create_time_basis(settings.trial, settings.n_functions)),
-        weighting_basis(create_time_basis(settings.weighting, settings.n_functions)),
+        trial_basis(create_time_basis(settings.trial, settings.n_functions, *settings.bases)),
+        weighting_basis(create_time_basis(settings.weighting, settings.n_functions, *settings.bases)),
         pairing(pair_time_bases(*trial_basis, *weighting_basis, settings.form, settings.quadrature_points)),
         samples(std::make_unique<TimeSampling>(*trial_basis, *weighting_basis, pairing, settings.n_samples))
   {

@@ -1,4 +1,4 @@
-#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/named_table.h>
 #include <vibrocontact/periodic/time_basis.h>
 
 #include <algorithm>
@@ -183,6 +183,12 @@ namespace vibrocontact
     };
 
     constexpr unsigned int first_daubechies = 6, last_daubechies = 38;
+
+    template <typename Basis>
+    std::unique_ptr<const TimeBasis> create(const unsigned int n)
+    {
+      return std::make_unique<Basis>(n);
+    }
   } // namespace
 
   Complex TimeBasis::value(const unsigned int m, const double phase, const unsigned int d) const
@@ -190,40 +196,36 @@ namespace vibrocontact
     return values(phase, d).at(m);
   }
 
-  const std::vector<TimeBasisEntry> &time_bases()
+  const TimeBases &time_bases()
   {
-    static const std::vector<TimeBasisEntry> table = []
+    static const TimeBases table = []
     {
-      std::vector<TimeBasisEntry> entries{
-          {"fourier", "1, cos, sin: harmonic balance"},
-          {"bspline", "cubic splines, two continuous derivatives"},
-          {"haar", "constant on each of N equal parts of the period"},
+      TimeBases entries{
+          {"fourier", "1, cos, sin: harmonic balance", create<FourierBasis>},
+          {"bspline", "cubic splines, two continuous derivatives", create<CubicSplineBasis>},
+          {"haar", "constant on each of N equal parts of the period",
+           [](const unsigned int n) { return std::make_unique<WaveletBasis>("haar", b_spline(1), n); }},
       };
       for (unsigned int n = first_daubechies; n <= last_daubechies; n += 2)
         entries.push_back({"daubechies" + std::to_string(n),
                            "Daubechies' scaling function of " + std::to_string(n) +
-                               " coefficients (elsewhere db" + std::to_string(n / 2) + ")"});
+                               " coefficients (elsewhere db" + std::to_string(n / 2) + ")",
+                           [length = n](const unsigned int number)
+                           {
+                             return std::make_unique<WaveletBasis>("daubechies" + std::to_string(length),
+                                                                   daubechies(length), number);
+                           }});
       return entries;
     }();
     return table;
   }
 
-  std::unique_ptr<const TimeBasis> create_time_basis(const std::string &name, const unsigned int n)
+  std::unique_ptr<const TimeBasis> create_time_basis(const std::string &name, const unsigned int n,
+                                                     const TimeBases &table)
   {
     if (n == 0)
       throw InputError("A basis in time needs at least one function; " + name + " was given 0.");
-    if (name == "fourier")
-      return std::make_unique<FourierBasis>(n);
-    if (name == "bspline")
-      return std::make_unique<CubicSplineBasis>(n);
-    if (name == "haar")
-      return std::make_unique<WaveletBasis>(name, b_spline(1), n);
-    for (unsigned int length = first_daubechies; length <= last_daubechies; length += 2)
-      if (name == "daubechies" + std::to_string(length))
-        return std::make_unique<WaveletBasis>(name, daubechies(length), n);
-    throw InputError(
-        "There is no basis in time called " + name +
-        ": choose fourier, bspline, haar, or daubechies6 and every even number to daubechies38.");
+    return find_named(table, name, "basis in time").create(n);
   }
 
   DenseMatrix sampled(const TimeBasis &basis, const std::vector<double> &phases, const unsigned int d)

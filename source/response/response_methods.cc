@@ -34,29 +34,25 @@ namespace vibrocontact
     }
   } // namespace
 
-  const std::vector<ResponseMethod> &response_methods()
+  const ResponseMethods &response_methods()
   {
-    static const std::vector<ResponseMethod> methods = {
-        {"modal recursion", "exact propagation of one complex state per pole", false, &exact_recursion},
-        {"theta method", "Jean's theta-method on the same states", false, &theta_recursion},
-        {"direct convolution", "sum over the newest forces in every step", true,
+    static const ResponseMethods methods = {
+        {"modal recursion", "exact propagation of one complex state per pole", false, false,
+         &exact_recursion},
+        {"theta method", "Jean's theta-method on the same states", false, true, &theta_recursion},
+        {"direct convolution", "sum over the newest forces in every step", true, false,
          &create<DirectConvolution, true>},
-        {"block convolution", "the same sum by fast Fourier transforms of blocks", true,
+        {"block convolution", "the same sum by fast Fourier transforms of blocks", true, false,
          &create<BlockConvolution>},
-        {"direct convolution, scalar", "the same sum by a plain loop, for comparison", true,
+        {"direct convolution, scalar", "the same sum by a plain loop, for comparison", true, false,
          &create<DirectConvolution, false>}};
     return methods;
   }
 
-  const ResponseMethod &response_method(const std::string &name)
-  {
-    return find_named(response_methods(), name, "response method");
-  }
-
   std::unique_ptr<Response> create_response(const std::string &name, const BodyInContact &model,
                                             const std::vector<std::complex<double>> &state,
-                                            const ResponseSettings &settings)
+                                            const ResponseSettings &settings, const ResponseMethods &table)
   {
-    return response_method(name).create(model, state, settings);
+    return find_named(table, name, "response method").create(model, state, settings);
   }
 } // namespace vibrocontact

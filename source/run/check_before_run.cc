@@ -9,7 +9,6 @@
 #include <vibrocontact/numerics/lsce.h>
 #include <vibrocontact/output/probes.h>
 #include <vibrocontact/reduction/surface_shapes.h>
-#include <vibrocontact/response/response_methods.h>
 #include <vibrocontact/run/check_before_run.h>
 #include <vibrocontact/run/forced_body.h>
 #include <vibrocontact/run/road_body.h>
@@ -104,8 +103,8 @@ namespace vibrocontact
       const Road road(road_of(parameters, made), made.places, made.shapes, own.end_time);
       own.error_estimate = false;
       // what a convolution keeps of its Green's functions is none of the input's concern
-      if (!own.is_event_located())
-        own.method = response_method(own.method).is_convolution ? "modal recursion" : own.method;
+      if (own.is_convolution())
+        own.method = "modal recursion";
       own.memory = 0;
       const ModalConvolution motion(own, parameters.contact_solver, poles, road, road_laws(parameters));
     }

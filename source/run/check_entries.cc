@@ -1,7 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/base/parameter_text.h>
-#include <vibrocontact/run/analyses.h>
 #include <vibrocontact/run/check_entries.h>
 
 #include <algorithm>
@@ -81,10 +80,10 @@ namespace vibrocontact
     class Readers
     {
     public:
-      explicit Readers(const Parameters &parameters)
+      Readers(const std::vector<Analysis> &analyses, const Parameters &parameters)
       {
         for (const std::string &analysis : parameters.scene.analyses)
-          entries.push_back(entries_read(analysis, parameters));
+          entries.push_back(entries_read(analyses, analysis, parameters));
       }
 
       bool read(const std::string &path) const
@@ -101,7 +100,11 @@ namespace vibrocontact
     class ReadersOfTheFile
     {
     public:
-      explicit ReadersOfTheFile(const ParameterFile &file) : alone(file.file_name(), file.bytes()) {}
+      ReadersOfTheFile(const ParameterFile &file, const std::vector<Analysis> &analyses,
+                       const Parameters &with_options)
+          : alone(file.file_name(), file.bytes()), analyses(analyses), with_options(with_options)
+      {
+      }
 
       bool read(const std::string &path)
       {
@@ -112,10 +115,10 @@ namespace vibrocontact
           {
             Parameters parameters;
             dealii::ParameterHandler prm;
-            parameters.scene = read_scene_lists(alone, analysis_types());
-            parameters.declare(prm);
+            parameters.take(with_options.tables);
+            parameters.read_lists(alone, prm, with_options.scene.known_analyses);
             alone.parse(prm);
-            readers.emplace_back(parameters);
+            readers.emplace_back(analyses, parameters);
           }
           catch (const InputError &)
           {
@@ -126,20 +129,23 @@ namespace vibrocontact
 
     private:
       const ParameterFile alone;
+      const std::vector<Analysis> &analyses;
+      const Parameters &with_options;
       bool looked = false;
       std::vector<Readers> readers;
     };
 
     /// Who would read an entry, and when.
-    std::string who_reads(const std::string &path, const Parameters &parameters)
+    std::string who_reads(const std::string &path, const std::vector<Analysis> &analyses,
+                          const Parameters &parameters)
     {
       std::vector<std::string> others;
       std::string conditions;
-      for (const AnalysisType &type : analysis_types())
+      for (const AnalysisType &type : parameters.scene.known_analyses)
       {
         if (type.n_bodies > parameters.scene.bodies.size())
           continue;
-        const EntriesRead entries = entries_read(type.name, parameters);
+        const EntriesRead entries = entries_read(analyses, type.name, parameters);
         if (entries.contains(path))
           others.push_back(type.name);
         else if (parameters.scene.runs(type.name) && !entries.condition(path).empty())
@@ -172,6 +178,7 @@ namespace vibrocontact
 
   std::vector<std::string> entries_out_of_use(const ParameterFile &file,
                                               const std::vector<std::string> &overrides,
+                                              const std::vector<Analysis> &analyses,
                                               const Parameters &parameters,
                                               const DeclaredParameters &declared, const StabilityCases &sweep)
   {
@@ -200,19 +207,19 @@ namespace vibrocontact
         twin[pair.second] = pair.first;
       }
 
-    const Readers readers(parameters);
+    const Readers readers(analyses, parameters);
     const auto is_read = [&](const std::string &path)
     {
-      return readers.read(path) ||
-             std::any_of(sweep.cases.begin(), sweep.cases.end(),
-                         [&](const StabilityCase &one) { return Readers(one.parameters).read(path); });
+      return readers.read(path) || std::any_of(sweep.cases.begin(), sweep.cases.end(),
+                                               [&](const StabilityCase &one)
+                                               { return Readers(analyses, one.parameters).read(path); });
     };
     for (const std::string &entry : sweep.entries)
       if (!is_read(entry))
         throw InputError(file.where("Stability/Sweep", "Entry") + ": " + entry +
-                         " is swept, but it changes nothing: " + who_reads(entry, parameters) +
+                         " is swept, but it changes nothing: " + who_reads(entry, analyses, parameters) +
                          ". Sweep another entry.");
-    ReadersOfTheFile readers_of_the_file(file);
+    ReadersOfTheFile readers_of_the_file(file, analyses, parameters);
     std::vector<std::string> out_of_use, refused;
     for (const std::string &path : order)
       if (!is_read(path) && !(twin.count(path) > 0 && is_read(twin[path])))
@@ -226,18 +233,18 @@ namespace vibrocontact
       others += " and " + std::to_string(refused.size() - 6) + " more";
     throw InputError(set[refused[0]].location + ": " + refused[0] + " is set, but changes nothing of " +
                      quoted_list(parameters.scene.analyses, "and") + ": " +
-                     who_reads(refused[0], parameters) + ". Leave it out." + others +
+                     who_reads(refused[0], analyses, parameters) + ". Leave it out." + others +
                      (others.empty() ? "" : "."));
   }
 
-  void check_reach_of_sweeps(const Parameters &parameters)
+  void check_reach_of_sweeps(const std::vector<Analysis> &analyses, const Parameters &parameters)
   {
     const auto check = [&](const std::string &sweep, const std::string &what, const std::string &single,
                            const std::vector<std::string> &followers)
     {
       for (const std::string &analysis : parameters.scene.analyses)
         if (std::count(followers.begin(), followers.end(), analysis) == 0 &&
-            entries_read(analysis, parameters).contains(single))
+            entries_read(analyses, analysis, parameters).contains(single))
           throw InputError(sweep + " sweeps " + what + ", but the analysis \"" + analysis +
                            "\" does not follow it and would run at one value: run it from a file without the "
                            "sweep.");

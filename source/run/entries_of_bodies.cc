@@ -1,3 +1,5 @@
+#include <vibrocontact/base/declared_parameters.h>
+#include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/run/entries_of_bodies.h>
 
 #include <algorithm>
@@ -126,6 +128,14 @@ namespace vibrocontact
                    condition + " by vector fitting", section, "Iterations");
   }
 
+  void add_all_entries(EntriesRead &entries, const std::string &section, ParameterGroup &group)
+  {
+    dealii::ParameterHandler prm;
+    group.declare_parameters(prm);
+    for (const DeclaredParameters::Entry &entry : declared_parameters(prm).entries)
+      entries.add(section, joined_path(entry.section, entry.name));
+  }
+
   void add_body(EntriesRead &entries, const Parameters &parameters, const unsigned int number,
                 const BodyUse &use)
   {
@@ -148,7 +158,9 @@ namespace vibrocontact
                      "Traction");
     }
 
-    if (body.type == "half-space" || body.type == "rigid")
+    if (body.own)
+      add_all_entries(entries, section, *body.body_type().make());
+    else if (body.type == "half-space" || body.type == "rigid")
     {
       const bool in_a_point = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
                                           [](const BodyParameters &other) { return other.is_point(); });

@@ -24,7 +24,7 @@ namespace vibrocontact
       entries.add_if(rubs && contact.friction_law.empty(), condition + " and Contact/Friction law is empty",
                      "Contact", "Static friction ratio");
       const std::string own = contact.friction_entry().name;
-      for (const FrictionLawEntry &law : friction_laws())
+      for (const FrictionLawEntry &law : contact.laws->friction)
         for (const LawParameter &parameter : law.parameters)
           if (parameter.name != friction_coefficient().name)
             entries.add_if(rubs && law.name == own,
@@ -52,8 +52,10 @@ namespace vibrocontact
   {
     const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
     const bool own = std::none_of(bodies.begin(), bodies.end(),
-                                  [](const BodyParameters &body)
-                                  { return body.is_point() || body.type == "layer" || body.type == "ring"; });
+                                  [](const BodyParameters &body) {
+                                    return body.is_point() || body.own_grid() || body.type == "layer" ||
+                                           body.type == "ring";
+                                  });
     const std::string whose = "no body (bar, layer, ring) brings its own contact points";
     entries.add_if(own, whose, "Contact", "Grid spacing, Half length, Strip length, Offset x, Quadrature");
     entries.add_if(own && parameters.contact.strip_length == 0, whose + " and Strip length is 0", "Contact",
@@ -65,15 +67,19 @@ namespace vibrocontact
                           const std::string &condition)
   {
     const std::string section = "Contact/Solver", also = condition.empty() ? "" : condition + " and ";
-    const bool newton = parameters.contact_solver.method == "semi-smooth newton";
+    // a further method may read both
+    const std::string &method = parameters.contact_solver.method;
     entries.add_if(holds, condition, section, "Method, Tolerance, Force change");
-    entries.add_if(holds && newton, also + "Method is semi-smooth newton", section, "Max Newton iterations");
-    entries.add_if(holds && !newton, also + "Method is fixed point", section, "Max fixed point iterations");
+    entries.add_if(holds && method != "fixed point", also + "Method is semi-smooth newton", section,
+                   "Max Newton iterations");
+    entries.add_if(holds && method != "semi-smooth newton", also + "Method is fixed point", section,
+                   "Max fixed point iterations");
   }
 
-  void add_normal_law(EntriesRead &entries, const std::string &name, const std::string &entry)
+  void add_normal_law(EntriesRead &entries, const ContactLaws &laws, const std::string &name,
+                      const std::string &entry)
   {
-    for (const NormalLawEntry &law : normal_laws())
+    for (const NormalLawEntry &law : laws.normal)
       for (const LawParameter &parameter : law.parameters)
         entries.add_if(law.name == name, entry + " is " + law.name, "Contact", parameter.name);
   }
@@ -86,7 +92,7 @@ namespace vibrocontact
     add_contact_grid(entries, parameters);
     add_contact_solver(entries, parameters);
     entries.add("Contact", "Normal law");
-    add_normal_law(entries, contact.normal_law, "Contact/Normal law");
+    add_normal_law(entries, *contact.laws, contact.normal_law, "Contact/Normal law");
     entries.add_if(any_body([](const BodyParameters &body) { return body.is_solid(); }),
                    "a body is a solid of finite elements", "Contact", "Local flexibility");
     entries.add_if(parameters.rolling.creepage.speed > 0, "Rolling/Speed is above 0", "Contact",

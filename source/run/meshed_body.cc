@@ -102,6 +102,8 @@ namespace vibrocontact
       return assemble_ring(parameters.ring, parameters.name, pointer, communicator);
     if (parameters.type == "layer")
       return assemble_layer(parameters.layer, parameters.material, parameters.name, pointer, communicator);
+    if (parameters.own)
+      return parameters.own->assemble(parameters, above, pointer, communicator);
     const double n_dofs = elastic_body().dof_handler.n_dofs();
     // 20 us per dof on one rank
     const Progress progress(parameters.name + ": assembly of " + number_text(n_dofs) + " dofs", 1,

@@ -4,7 +4,6 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/base/version.h>
-#include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/problem_file.h>
 #include <vibrocontact/reduction/window.h>
 #include <vibrocontact/run/check_transient.h>
@@ -17,6 +16,22 @@
 
 namespace vibrocontact
 {
+  void Parameters::take(const std::shared_ptr<const EntryTables> &from)
+  {
+    tables = from;
+    contact = ContactParameters({from, &from->laws});
+    contact_solver.methods = {from, &from->contact_solvers};
+    periodic.bases = {from, &from->time_bases};
+    modal_convolution.methods = {from, &from->response_methods};
+  }
+
+  void Parameters::read_lists(const ParameterFile &file, dealii::ParameterHandler &prm,
+                              const std::vector<AnalysisType> &known_analyses)
+  {
+    scene = read_scene_lists(file, known_analyses, {tables, &tables->body_types});
+    declare(prm);
+  }
+
   void Parameters::declare(dealii::ParameterHandler &prm)
   {
     scene.declare_parameters(prm);
@@ -36,9 +51,7 @@ namespace vibrocontact
     declare("Output", output);
     prm.enter_subsection("Contact");
     contact.declare_parameters(prm);
-    prm.enter_subsection("Solver");
-    contact_solver.declare_parameters(prm, contact_solver_names());
-    prm.leave_subsection();
+    declare("Solver", contact_solver);
     prm.leave_subsection();
     declare("Rolling", rolling);
     prm.enter_subsection("Transient");
@@ -71,13 +84,15 @@ namespace vibrocontact
   ContactGrid Parameters::contact_grid() const
   {
     for (const BodyParameters &body : scene.bodies)
-      if (body.is_point())
+      if (body.type == "bar")
       {
         ContactGrid point;
         point.n_x = point.n_y = 1;
         point.spacing_x = point.spacing_y = std::sqrt(body.bar.section);
         return point;
       }
+      else if (const auto own = body.own_grid())
+        return *own;
       else if (body.type == "layer")
         return body.layer.grid();
       else if (body.type == "ring")
@@ -616,12 +631,13 @@ namespace vibrocontact
   }
 
   void read_parameters(ParameterFile &file, dealii::ParameterHandler &prm, Parameters &parameters,
-                       const std::vector<AnalysisType> &known_analyses)
+                       const std::vector<AnalysisType> &known_analyses,
+                       const std::shared_ptr<const EntryTables> &tables)
   {
     try
     {
-      parameters.scene = read_scene_lists(file, known_analyses);
-      parameters.declare(prm);
+      parameters.take(tables);
+      parameters.read_lists(file, prm, known_analyses);
       for (const auto &[entry, alternative] :
            {std::make_pair("Rolling/Normal force", "Rolling/Hub displacement"),
             std::make_pair("Contact/Friction coefficient", "Rolling/Sweep/Friction coefficient")})
@@ -645,11 +661,15 @@ namespace vibrocontact
   namespace
   {
     /// The section of a body as comments: an example for a type that the printed file does not use.
-    std::string commented_body(const BodyType &type)
+    std::string commented_body(const BodyType &type, const std::shared_ptr<const EntryTables> &tables)
     {
       Parameters parameters;
+      parameters.take(tables);
       BodyParameters body;
       body.name = body.type = type.name;
+      body.types = {tables, &tables->body_types};
+      if (type.make)
+        body.own = type.make();
       parameters.scene.bodies = {body};
       dealii::ParameterHandler prm;
       parameters.declare(prm);
@@ -672,7 +692,8 @@ namespace vibrocontact
     }
   } // namespace
 
-  std::string all_parameters(const std::vector<AnalysisType> &known_analyses)
+  std::string all_parameters(const std::vector<AnalysisType> &known_analyses,
+                             const std::shared_ptr<const EntryTables> &tables)
   {
     ParameterFile file("", "set Title = Wheel on rail\n"
                            "set Bodies = wheel, rail\n"
@@ -683,12 +704,12 @@ namespace vibrocontact
                            "subsection Rolling\n set Hub displacement = 0.35e-3\nend\n");
     Parameters parameters;
     dealii::ParameterHandler prm;
-    read_parameters(file, prm, parameters, known_analyses);
+    read_parameters(file, prm, parameters, known_analyses, tables);
     std::string text = "# Every parameter of vibrocontact " + version() + ", for a wheel on a rail.\n\n" +
                        print_parameters(declared_parameters(prm), ParameterStyle::documented);
-    for (const BodyType &type : body_types())
+    for (const BodyType &type : tables->body_types)
       if (type.name != "wheel" && type.name != "rail")
-        text += commented_body(type);
+        text += commented_body(type, tables);
     return text;
   }
 } // namespace vibrocontact

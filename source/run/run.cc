@@ -11,7 +11,6 @@
 #include <vibrocontact/output/answers.h>
 #include <vibrocontact/output/figures.h>
 #include <vibrocontact/output/run_record.h>
-#include <vibrocontact/run/analyses.h>
 #include <vibrocontact/run/check_before_run.h>
 #include <vibrocontact/run/check_entries.h>
 #include <vibrocontact/run/earlier_run.h>
@@ -42,11 +41,13 @@ namespace vibrocontact
       const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
     };
 
-    void print_text(const CommandLine &command_line)
+    void print_text(const Tables &tables, const CommandLine &command_line)
     {
-      const std::string text = command_line.help      ? command_line_help()
-                               : command_line.version ? "vibrocontact " + version() + " (" + commit() + ")\n"
-                                                      : all_parameters(analysis_types());
+      const std::string text =
+          command_line.help ? command_line_help()
+          : command_line.version
+              ? "vibrocontact " + version() + " (" + commit() + ")\n"
+              : all_parameters(tables.analysis_types(), std::make_shared<const EntryTables>(tables));
       on_first_rank([&] { std::cout << text; });
     }
 
@@ -67,7 +68,7 @@ namespace vibrocontact
     }
 
     /// @param resume whether an earlier run in the folder is continued
-    void run_analyses(const Parameters &parameters, const MeshedBodies &bodies,
+    void run_analyses(const Tables &tables, const Parameters &parameters, const MeshedBodies &bodies,
                       const std::optional<MeasuredData> &measured, const StabilityCases &sweep,
                       RunRecord &record, Results &results, const bool resume, const Clock &clock)
     {
@@ -77,10 +78,11 @@ namespace vibrocontact
         record.save(results, clock.seconds());
       };
       const AnalysisRun on{
-          parameters, bodies,        measured,
-          sweep,      record.folder, resume,
-          results,    save,          [&] { record.save_sometimes(results, clock.seconds()); }};
-      for (const Analysis &analysis : analyses())
+          parameters,      bodies,        measured,
+          sweep,           record.folder, resume,
+          results,         save,          [&] { record.save_sometimes(results, clock.seconds()); },
+          tables.recorders};
+      for (const Analysis &analysis : tables.analyses)
       {
         const std::string &name = analysis.type.name;
         if (analysis.continues)
@@ -96,17 +98,18 @@ namespace vibrocontact
       }
     }
 
-    std::vector<AnswerKind> kinds_of_answers()
+    std::vector<AnswerKind> kinds_of_answers(const std::vector<Analysis> &analyses)
     {
       std::vector<AnswerKind> kinds;
-      for (const Analysis &analysis : analyses())
+      for (const Analysis &analysis : analyses)
         kinds.insert(kinds.end(), analysis.answers.begin(), analysis.answers.end());
       return kinds;
     }
 
     /// The end of the record: final results, then the figures, which read them, then the time with these and the
     /// answers, last of all.
-    void finish(const bool figures, RunRecord &record, Results &results, const Clock &clock)
+    void finish(const std::vector<Analysis> &analyses, const bool figures, RunRecord &record,
+                Results &results, const Clock &clock)
     {
       results.complete = results.stopped_by == 0;
       results.peak_memory = peak_memory_of_ranks();
@@ -123,7 +126,7 @@ namespace vibrocontact
                                 : results.converged()   ? "converged"
                                                         : "not converged");
       run_log().value("wall time", time_text(clock.seconds()));
-      const std::vector<Answer> said = answers(kinds_of_answers(), results.analyses, record.folder);
+      const std::vector<Answer> said = answers(kinds_of_answers(analyses), results.analyses, record.folder);
       for (const Answer &answer : said)
       {
         run_log().block("Answer of " + answer.analysis);
@@ -135,23 +138,24 @@ namespace vibrocontact
     }
   } // namespace
 
-  int run(const CommandLine &command_line)
+  int run(const Tables &tables, const CommandLine &command_line)
   {
     const Clock clock;
     run_log().set_screen(!command_line.quiet);
     if (command_line.help || command_line.version || command_line.parameters)
     {
-      print_text(command_line);
+      print_text(tables, command_line);
       return 0;
     }
 
     ParameterFile file(command_line.file, read_file_on_all_ranks(command_line.file), command_line.overrides);
     Parameters parameters;
     dealii::ParameterHandler prm;
-    read_parameters(file, prm, parameters, analysis_types());
+    read_parameters(file, prm, parameters, tables.analysis_types(),
+                    std::make_shared<const EntryTables>(tables));
     const StabilityCases sweep = stability_cases(parameters, file, command_line.overrides);
-    const std::vector<std::string> out_of_use =
-        entries_out_of_use(file, command_line.overrides, parameters, declared_parameters(prm), sweep);
+    const std::vector<std::string> out_of_use = entries_out_of_use(
+        file, command_line.overrides, tables.analyses, parameters, declared_parameters(prm), sweep);
     banner(command_line, parameters.scene);
     if (!out_of_use.empty())
       run_log().line("Entries that options have put out of use: " + quoted_list(out_of_use, "and") + ".");
@@ -166,7 +170,7 @@ namespace vibrocontact
     std::optional<MeasuredData> measured;
     try
     {
-      check_reach_of_sweeps(parameters);
+      check_reach_of_sweeps(tables.analyses, parameters);
       bodies = meshed_bodies(parameters, declared_parameters(prm));
       check_transient_files(parameters, bodies);
       check_meshes(parameters, bodies, command_line.check);
@@ -212,7 +216,7 @@ namespace vibrocontact
     RunRecord record(folder, file, used, command_line.resume ? &results : nullptr);
     try
     {
-      run_analyses(parameters, bodies, measured, sweep, record, results, command_line.resume, clock);
+      run_analyses(tables, parameters, bodies, measured, sweep, record, results, command_line.resume, clock);
     }
     catch (const MachineError &)
     {
@@ -250,7 +254,7 @@ namespace vibrocontact
       throw;
     }
     results.reductions = reductions_json(bodies);
-    finish(parameters.output.figures, record, results, clock);
+    finish(tables.analyses, parameters.output.figures, record, results, clock);
     if (results.stopped_by != 0)
       return 128 + results.stopped_by;
     return results.converged() ? 0 : 2;

@@ -3,7 +3,6 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/output/modal_convolution_output.h>
-#include <vibrocontact/response/response_methods.h>
 #include <vibrocontact/run/checkpoint.h>
 #include <vibrocontact/run/checkpoint_schedule.h>
 #include <vibrocontact/run/entries_of_contact.h>
@@ -291,8 +290,7 @@ namespace vibrocontact
       add_road(entries, "Road", parameters.road, bodies[0].rolls(), own.friction,
                !parameters.rolling.normal_force.empty());
 
-      const bool steps = !own.is_event_located(),
-                 convolution = steps && response_method(own.method).is_convolution;
+      const bool steps = !own.is_event_located();
       entries.add(
           section,
           "Method, Time step, End time, Friction, History interval, Checkpoint interval, Error estimate");
@@ -302,12 +300,12 @@ namespace vibrocontact
                      section +
                          "/Method is no event located, Friction is false and Contact/Normal law is signorini",
                      section, "Contact solver");
-      entries.add_if(convolution, section + "/Method is a convolution", section, "Memory");
-      entries.add_if(own.method == "theta method", section + "/Method is theta method", section, "Theta");
+      entries.add_if(own.is_convolution(), section + "/Method is a convolution", section, "Memory");
+      entries.add_if(own.takes_theta(), section + "/Method is theta method", section, "Theta");
       entries.add_if(stands_under_loads(bodies[0]), "body 1 stands under a load", section, "Initial state");
       entries.add_if(!own.is_event_located(), section + "/Method is no event located", "Contact",
                      "Normal law");
-      add_normal_law(entries, parameters.contact.normal_law, "Contact/Normal law");
+      add_normal_law(entries, *parameters.contact.laws, parameters.contact.normal_law, "Contact/Normal law");
       add_friction(entries, parameters.contact, own.friction, section + "/Friction is true");
       add_contact_solver(entries, parameters,
                          own.friction || own.contact_solver == "common" || (steps && !rigid),
@@ -336,7 +334,7 @@ namespace vibrocontact
   Analysis modal_convolution_analysis()
   {
     return {{"modal convolution",
-             "a body known by its Green's functions rolls over a road in unilateral contact", 1},
+             "a body known by its Green's functions rolls over a road in unilateral contact", 1, true, true},
             modal_convolution_read,
             [](const AnalysisRun &on) {
               run_modal_convolution(on.parameters, on.bodies, on.measured, on.folder, on.resume, on.results);

@@ -119,7 +119,8 @@ namespace vibrocontact
         families.insert({trial, weighting});
       on_first_rank(
           [&] {
-            write_basis_table({families.begin(), families.end()}, folder + "/time_bases.csv");
+            write_basis_table({families.begin(), families.end()}, *periodic.bases,
+                              folder + "/time_bases.csv");
           });
     }
 
@@ -187,7 +188,8 @@ namespace vibrocontact
                      "Contact", "Friction coefficient");
       entries.add_if(parameters.contact.friction > 0, "there is friction", "Contact", "Friction law");
       entries.add_if(own.law.empty(), "Periodic/Law is empty", "Contact", "Normal law");
-      add_normal_law(entries, own.law.empty() ? parameters.contact.normal_law : own.own_law(),
+      add_normal_law(entries, *parameters.contact.laws,
+                     own.law.empty() ? parameters.contact.normal_law : own.own_law(),
                      "the normal law of Periodic or Contact");
       entries.add(section, "Trial basis, Weighting basis, Number of functions, Form, Law, Frequency, Force, "
                            "Force point, Contact points, Gap, Model, Samples, "

@@ -215,7 +215,7 @@ namespace vibrocontact
 
   Analysis rolling_analysis()
   {
-    return {{"quasi-static rolling", "steady rolling contact of body 1 on body 2 with friction", 2},
+    return {{"quasi-static rolling", "steady rolling contact of body 1 on body 2 with friction", 2, true},
             rolling_read,
             do_rolling,
             false,

@@ -160,14 +160,15 @@ namespace vibrocontact
 
   Analysis stability_analysis()
   {
-    return {{"stability", "complex eigenvalues about the rolling equilibrium: which modes squeal", 2},
-            stability_read,
-            do_stability,
-            false,
-            {{"stability",
-              "stability",
-              stability_answer,
-              {"stability.csv", "stability_map.csv", "stability_sweep.csv", "figures/divergence_rates.png",
-               "figures/stability_map.png", "figures/unstable_shapes.png"}}}};
+    return {
+        {"stability", "complex eigenvalues about the rolling equilibrium: which modes squeal", 2, true, true},
+        stability_read,
+        do_stability,
+        false,
+        {{"stability",
+          "stability",
+          stability_answer,
+          {"stability.csv", "stability_map.csv", "stability_sweep.csv", "figures/divergence_rates.png",
+           "figures/stability_map.png", "figures/unstable_shapes.png"}}}};
   }
 } // namespace vibrocontact

@@ -73,7 +73,7 @@ namespace vibrocontact
       doubt(text.str(), results);
     }
 
-    /// What follows the run, on rank 0: a new recorder goes into this list.
+    /// What follows the run, on rank 0.
     struct RunRecorders
     {
       Recorders all;
@@ -84,7 +84,7 @@ namespace vibrocontact
 
     RunRecorders make_recorders(const Parameters &parameters, const ContactPair &held, const HubMotion &hub,
                                 const NormalLaw &law, const std::vector<Probe> &probes,
-                                const std::string &folder)
+                                const std::string &folder, const std::vector<RecorderMaker> &further)
     {
       const ContactPair &pair = *hub.pair;
       const SignalParameters &signals = parameters.signals;
@@ -103,6 +103,9 @@ namespace vibrocontact
       if (signals.patch_interval > 0 && parameters.output.fields)
         recorders.push_back(std::make_unique<PatchRecorder>(pair.interface.grid, signals.patch_begin,
                                                             signals.patch_interval, folder));
+      for (const RecorderMaker &make : further)
+        if (auto recorder = make({parameters, pair, law, folder}))
+          recorders.push_back(std::move(recorder));
       return result;
     }
 
@@ -181,7 +184,7 @@ namespace vibrocontact
   } // namespace
 
   void run_transient(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
-                     const bool resume, Results &results)
+                     const bool resume, Results &results, const std::vector<RecorderMaker> &further)
   {
     const TransientParameters &own = parameters.transient;
     std::vector<Probe> probes;
@@ -222,7 +225,8 @@ namespace vibrocontact
 
     const auto law = parameters.contact.law();
     RunRecorders run_recorders;
-    on_first_rank([&] { run_recorders = make_recorders(parameters, *held, hub, *law, probes, folder); });
+    on_first_rank([&]
+                  { run_recorders = make_recorders(parameters, *held, hub, *law, probes, folder, further); });
     const Recorders &recorders = run_recorders.all;
     DynamicState state;
     TransientResult before;
@@ -384,10 +388,10 @@ namespace vibrocontact
 
   Analysis transient_analysis()
   {
-    return {{"transient", "motion in time of body 1 on body 2", 2},
+    return {{"transient", "motion in time of body 1 on body 2", 2, true, true},
             transient_read,
             [](const AnalysisRun &on)
-            { run_transient(on.parameters, on.bodies, on.folder, on.resume, on.results); },
+            { run_transient(on.parameters, on.bodies, on.folder, on.resume, on.results, on.recorders); },
             true,
             {{"transient",
               "transient",

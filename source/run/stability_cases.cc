@@ -87,7 +87,7 @@ namespace vibrocontact
         try
         {
           ParameterFile varied(file.file_name(), file.bytes(), options);
-          read_parameters(varied, prm, one.parameters, parameters.scene.known_analyses);
+          read_parameters(varied, prm, one.parameters, parameters.scene.known_analyses, parameters.tables);
         }
         catch (const InputError &error)
         {

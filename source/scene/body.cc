@@ -5,9 +5,9 @@
 
 namespace vibrocontact
 {
-  const std::vector<BodyType> &body_types()
+  const BodyTypes &body_types()
   {
-    static const std::vector<BodyType> types = {
+    static const BodyTypes types = {
         {"half-space", "Half-space", "elastic half-space of Hertzian radii, no mesh", false, false},
         {"rigid", "Rigid", "rigid plane or paraboloid: stop, road", false, false},
         {"wheel", "Wheel", "section revolved about an axle, bore held", true, true},
@@ -29,9 +29,9 @@ namespace vibrocontact
 
   const BodyType &BodyParameters::body_type() const
   {
-    const auto found = std::find_if(body_types().begin(), body_types().end(),
+    const auto found = std::find_if(types->begin(), types->end(),
                                     [&](const BodyType &candidate) { return candidate.name == type; });
-    AssertThrow(found != body_types().end(), dealii::ExcMessage("unknown type of body " + type));
+    AssertThrow(found != types->end(), dealii::ExcMessage("unknown type of body " + type));
     return *found;
   }
 
@@ -43,10 +43,10 @@ namespace vibrocontact
   void BodyParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
     std::string help;
-    for (const auto &candidate : body_types())
+    for (const auto &candidate : *types)
       help += (help.empty() ? "" : "; ") + candidate.name + ": " + candidate.help;
     prm.add_parameter("Type", type, "Kind of body. " + help + ". Units: none.",
-                      dealii::Patterns::Selection(selection(names_of(body_types()))));
+                      dealii::Patterns::Selection(selection(names_of(*types))));
     const auto declare = [&](const std::string &section, auto &group)
     {
       prm.enter_subsection(section);
@@ -99,6 +99,8 @@ namespace vibrocontact
       declare("Beam rail", beam_rail);
     if (type == "mesh")
       declare("Mesh", mesh);
+    if (own)
+      declare(body_type().section, *own);
     if (is_solid())
       declare("Loads", loads);
     if (type == "bar")
@@ -139,6 +141,8 @@ namespace vibrocontact
       beam_rail.check(section + "/Beam rail");
     if (type == "mesh")
       mesh.check(section + "/Mesh");
+    if (own)
+      own->check(section + "/" + body_type().section);
     if (is_solid())
       loads.check(section + "/Loads");
   }

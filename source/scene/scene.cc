@@ -30,12 +30,12 @@ namespace vibrocontact
     }
 
     void check_body_name(const ParameterFile &file, const std::string &name,
-                         const std::vector<std::string> &names)
+                         const std::vector<std::string> &names, const std::vector<std::string> &reserved)
     {
       const std::string where = file.where("", "Bodies") + ": ";
       if (std::count(names.begin(), names.end(), name) > 1)
         throw InputError(where + "the body \"" + name + "\" is listed twice; give each body its own name");
-      if (contains(reserved_names, name))
+      if (contains(reserved, name))
         throw InputError(where + "\"" + name +
                          "\" cannot name a body, it names another section; choose another name");
       for (const char c : name)
@@ -46,7 +46,7 @@ namespace vibrocontact
         return;
       std::vector<std::string> others;
       for (const auto &section : file.top_sections())
-        if (!contains(reserved_names, section) && !contains(names, section))
+        if (!contains(reserved, section) && !contains(names, section))
           others.push_back(section);
       throw InputError(where + "there is no section of the body \"" + name + "\"; " +
                        (nearest_names(name, others).empty() ? "add \"subsection " + name + "\" with its Type"
@@ -81,7 +81,14 @@ namespace vibrocontact
     return contains(analyses, analysis);
   }
 
-  Scene read_scene_lists(const ParameterFile &file, const std::vector<AnalysisType> &known_analyses)
+  bool Scene::any_analysis(bool AnalysisType::*const property) const
+  {
+    return std::any_of(known_analyses.begin(), known_analyses.end(),
+                       [&](const AnalysisType &type) { return type.*property && runs(type.name); });
+  }
+
+  Scene read_scene_lists(const ParameterFile &file, const std::vector<AnalysisType> &known_analyses,
+                         const std::shared_ptr<const BodyTypes> &body_types)
   {
     Scene scene;
     scene.known_analyses = known_analyses;
@@ -89,11 +96,15 @@ namespace vibrocontact
     if (names.empty())
       throw InputError(file.where("", "Bodies") +
                        ": no body is listed; write for instance \"set Bodies = wheel, rail\"");
-    const std::vector<std::string> types = names_of(body_types());
+    const std::vector<std::string> types = names_of(*body_types);
+    std::vector<std::string> reserved = reserved_names;
+    for (const AnalysisType &type : known_analyses)
+      reserved.push_back(type.section);
     for (const auto &name : names)
     {
-      check_body_name(file, name, names);
+      check_body_name(file, name, names, reserved);
       BodyParameters body;
+      body.types = body_types;
       body.name = name;
       body.type = file.raw_value(name, "Type");
       if (body.type.empty())
@@ -103,6 +114,8 @@ namespace vibrocontact
       if (!contains(types, body.type))
         throw InputError(file.where(name, "Type") + ": there is no type of body \"" + body.type + "\"; " +
                          name_suggestion(body.type, types));
+      if (body.body_type().make)
+        body.own = body.body_type().make();
       // whether it has modes
       if (body.type == "ring")
         body.ring.model = file.raw_value(name + "/Ring", "Model", body.ring.model);
@@ -156,12 +169,22 @@ namespace vibrocontact
       body.declare_parameters(prm);
       prm.leave_subsection();
     }
+    for (const AnalysisType &type : known_analyses)
+      if (type.make_parameters)
+      {
+        prm.enter_subsection(type.section);
+        (own_parameters[type.name] = type.make_parameters())->declare_parameters(prm);
+        prm.leave_subsection();
+      }
   }
 
   void Scene::check() const
   {
     for (const auto &body : bodies)
       body.check(body.name);
+    for (const auto &type : known_analyses)
+      if (runs(type.name) && type.make_parameters)
+        own_parameters.at(type.name)->check(type.section);
     for (const auto &type : known_analyses)
       if (runs(type.name) && type.n_bodies == 2 && bodies.size() != 2)
         throw InputError("Bodies lists " + std::to_string(bodies.size()) + " (" + bodies_entry +

@@ -1,3 +1,4 @@
+#include <vibrocontact/base/data_directory.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/scene/gmsh_file.h>
 #include <vibrocontact/scene/mesh_quality.h>
@@ -18,7 +19,7 @@ namespace vibrocontact
 
   std::string mesh_directory()
   {
-    return VIBROCONTACT_MESH_DIRECTORY;
+    return data_directory() + "/meshes";
   }
 
   SectionOutline SectionOutline::read(const std::string &file, const double scale)

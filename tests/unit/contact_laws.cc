@@ -61,7 +61,7 @@ TEST(ContactLaws, EveryMemberOfEveryFamilyIsCreatedAndUnknownOnesAreRefused)
   {
     const LawDescription d = law->description();
     EXPECT_EQ(create_friction_law(d.name, d.numbers)->description().numbers, d.numbers);
-    EXPECT_FALSE(find_friction_law(d.name).help.empty());
+    EXPECT_FALSE(find_friction_law(d.name, friction_laws()).help.empty());
   }
   EXPECT_EQ(all_friction_laws().size(), friction_laws().size());
   EXPECT_THROW(create_friction_law("soap", {0.1}), InputError);

@@ -1,7 +1,6 @@
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/parameter_text.h>
-#include <vibrocontact/run/analyses.h>
 #include <vibrocontact/run/check_entries.h>
 #include <vibrocontact/run/run.h>
 
@@ -246,7 +245,7 @@ namespace
     EntryOutcome result;
     try
     {
-      const int code = run(line);
+      const int code = run(standard_tables(), line);
       result.print = std::to_string(code) + "\n" + print_of(line.output);
     }
     catch (const InputError &error)
@@ -282,7 +281,8 @@ TEST_P(EntriesRead_, ChangeTheResultOrAreRefused)
   ParameterFile parameter_file(file, file_content(file), {});
   Parameters parameters;
   dealii::ParameterHandler prm;
-  read_parameters(parameter_file, prm, parameters, analysis_types());
+  read_parameters(parameter_file, prm, parameters, standard_tables().analysis_types(),
+                  std::make_shared<const EntryTables>());
   const EntryOutcome base = entry_outcome(file, folder, {});
   ASSERT_EQ(base.refused, "");
   ASSERT_TRUE(base.print == entry_outcome(file, folder, {}).print) << "two runs differ";
@@ -330,6 +330,6 @@ TEST(EntriesRead, EveryAnalysisHasAScene)
     for (const std::string &analysis : ParameterFile(name, file_content(name)).list("Analyses"))
       analyses.insert(analysis);
   }
-  for (const AnalysisType &type : analysis_types())
+  for (const AnalysisType &type : standard_tables().analysis_types())
     EXPECT_EQ(analyses.count(type.name), 1u) << type.name;
 }

@@ -1,6 +1,7 @@
 // Contact of few points in place: against the common solver on random problems, its derivative against differences.
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/few_points.h>
+#include <vibrocontact/contact/laws/normal_laws.h>
 
 #include <gtest/gtest.h>
 

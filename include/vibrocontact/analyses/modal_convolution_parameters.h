@@ -1,7 +1,10 @@
 #pragma once
 
+#include <vibrocontact/response/response_methods.h>
+
 #include <deal.II/base/parameter_handler.h>
 
+#include <memory>
 #include <string>
 
 namespace vibrocontact
@@ -9,7 +12,7 @@ namespace vibrocontact
   /// `subsection Modal convolution`
   struct ModalConvolutionParameters
   {
-    /// of response_methods(), or event located
+    /// of `methods`, or event located
     std::string method = "modal recursion";
     /// [s]; the event-located method has no steps, this is then the distance of what it shows
     double time_step = 1e-5, end_time = 0.2;
@@ -32,9 +35,16 @@ namespace vibrocontact
     bool error_estimate = true;
     /// no entry: of the event-located method, shortened where poles ask for it [s]
     double longest_piece = 1e300;
+    /// that `method` chooses from; never null
+    std::shared_ptr<const ResponseMethods> methods =
+        std::make_shared<const ResponseMethods>(response_methods());
 
     void declare_parameters(dealii::ParameterHandler &prm);
     void check() const;
     bool is_event_located() const { return method == "event located"; }
+    /// Whether `memory` matters.
+    bool is_convolution() const;
+    /// whether the Method is the theta-method
+    bool takes_theta() const;
   };
 } // namespace vibrocontact

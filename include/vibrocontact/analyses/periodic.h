@@ -43,6 +43,8 @@ namespace vibrocontact
     /// samples of the tables
     unsigned int n_output = 4096;
     BranchParameters continuation;
+    /// that the entries choose from; never null
+    std::shared_ptr<const TimeBases> bases = std::make_shared<const TimeBases>(time_bases());
 
     struct Place
     {

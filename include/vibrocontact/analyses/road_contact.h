@@ -2,6 +2,7 @@
 
 #include <vibrocontact/bodies/body_in_contact.h>
 #include <vibrocontact/contact/contact_problem.h>
+#include <vibrocontact/contact/laws/normal_laws.h>
 #include <vibrocontact/response/step_weights.h>
 
 namespace vibrocontact

@@ -11,6 +11,4 @@ namespace vibrocontact
   std::string commit();
   /// Version of deal.II it runs with.
   std::string dealii_version();
-  /// Folder of the source tree it was built from; parameter files may say @SOURCE_DIR@ for it.
-  std::string source_directory();
 } // namespace vibrocontact

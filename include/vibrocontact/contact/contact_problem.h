@@ -3,7 +3,7 @@
 #include <vibrocontact/base/dense.h>
 #include <vibrocontact/contact/contact_operator.h>
 #include <vibrocontact/contact/laws/friction_law.h>
-#include <vibrocontact/contact/laws/normal_laws.h>
+#include <vibrocontact/contact/laws/signorini.h>
 
 #include <memory>
 #include <string>
@@ -30,7 +30,7 @@ namespace vibrocontact
     std::vector<double> mu;
     /// what mu follows; null: mu is given
     std::shared_ptr<const FrictionLaw> friction_law;
-    std::shared_ptr<const NormalLaw> normal_law = create_normal_law("signorini");
+    std::shared_ptr<const NormalLaw> normal_law = signorini().make({});
     /// resultant N [N] > 0 to be reached, or 0 if the approach is given
     double normal_force = 0;
     /// given approach [m]; the starting value if the normal force is given

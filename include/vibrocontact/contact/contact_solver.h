@@ -4,11 +4,27 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace vibrocontact
 {
+  class ContactSolver;
+  struct ContactSolverParameters;
+
+  /// One row of the table of contact solvers.
+  struct ContactSolverEntry
+  {
+    std::string name, help;
+    std::unique_ptr<ContactSolver> (*create)(const ContactSolverParameters &);
+  };
+  using ContactSolvers = std::vector<ContactSolverEntry>;
+
+  /// The shipped ones, semi-smooth newton and fixed point; a program may have more (run/tables.h). Made beside
+  /// create_contact_solver().
+  const ContactSolvers &contact_solvers();
+
   /// `subsection Contact / subsection Solver`
   struct ContactSolverParameters
   {
@@ -19,9 +35,10 @@ namespace vibrocontact
     unsigned int max_fixed_point_iterations = 20000;
     /// the paper's stop (section 5): relative change of the forces in one iteration
     double force_change = 1e-13;
+    /// that `method` chooses from; never null
+    std::shared_ptr<const ContactSolvers> methods = std::make_shared<const ContactSolvers>(contact_solvers());
 
-    /// @param methods names that `Method` may have, see contact_solver_names()
-    void declare_parameters(dealii::ParameterHandler &prm, const std::vector<std::string> &methods);
+    void declare_parameters(dealii::ParameterHandler &prm);
   };
 
   /// Solves a ContactProblem. A solver may keep factorisations between calls and is used for a sequence of

@@ -2,8 +2,7 @@
 
 #include <vibrocontact/contact/contact_problem.h>
 #include <vibrocontact/contact/creep.h>
-#include <vibrocontact/contact/laws/friction_laws.h>
-#include <vibrocontact/contact/laws/normal_laws.h>
+#include <vibrocontact/contact/laws/contact_laws.h>
 #include <vibrocontact/scene/flat_face.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -39,6 +38,8 @@ namespace vibrocontact
     std::string friction_law;
     /// the other entries that laws are made of
     LawValues law_values;
+    /// that the entries choose from; never null
+    std::shared_ptr<const ContactLaws> laws;
 
     /// no entries: flat faces that the bodies touch with, and whether the rolling speed is zero (found once the
     /// bodies are known)
@@ -46,7 +47,8 @@ namespace vibrocontact
     bool at_rest = false;
 
     /// law_values are the defaults of the laws
-    ContactParameters();
+    ContactParameters() : ContactParameters(std::make_shared<const ContactLaws>()) {}
+    explicit ContactParameters(std::shared_ptr<const ContactLaws> laws);
     void declare_parameters(dealii::ParameterHandler &prm);
     /// Reads the curves of the laws that are named here or by another section, before any law is made, and takes `friction`
     /// from a law that the entry does not scale. Collective.

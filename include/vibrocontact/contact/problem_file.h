@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/contact/contact_problem.h>
+#include <vibrocontact/contact/laws/normal_laws.h>
 
 #include <string>
 
@@ -33,9 +34,10 @@ namespace vibrocontact
                              const ContactSolution &solution = {}, const ContactFileOptions &options = {});
 
   /// Files of other programs are read too: W by columns, rows or triplets; equality constraints if they are
-  /// those of a given normal force.
+  /// those of a given normal force. @param laws that the file may name
   /// @throws InputError if the file is missing, is laid out otherwise, or holds what is no contact problem
-  ContactProblem read_contact_problem(const std::string &file_name);
+  ContactProblem read_contact_problem(const std::string &file_name,
+                                      const std::vector<NormalLawEntry> &laws = normal_laws());
 
   /// The solution in a file, to be used as the start of a solver; empty if the file holds none.
   /// @throws InputError as above

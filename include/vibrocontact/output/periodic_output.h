@@ -37,7 +37,8 @@ namespace vibrocontact
 
   /// time_bases.csv: the first six functions of Fourier's basis, and of each other family one scaling function for 1, 2, 4, ...
   /// 32 functions, over the phase.
-  void write_basis_table(const std::vector<std::string> &families, const std::string &file_name);
+  void write_basis_table(const std::vector<std::string> &families, const TimeBases &bases,
+                         const std::string &file_name);
 
   /// periodic_errors.csv, a line per solution.
   Table periodic_error_table();

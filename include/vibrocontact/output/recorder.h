@@ -8,7 +8,8 @@
 
 namespace vibrocontact
 {
-  /// Whoever follows a transient and writes what it saw: one of the list in run/run_transient.cc. Recorders
+  /// Whoever follows a transient and writes what it saw: of the list in run/run_transient.cc or of the
+  /// program's own (run/tables.h). Recorders
   /// exist on rank 0 only and must not communicate.
   ///
   /// An interrupted and resumed run has to record what an uninterrupted one does: everything that decides

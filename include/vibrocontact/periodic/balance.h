@@ -29,6 +29,8 @@ namespace vibrocontact
     /// largest residual over the exciting force or the contact force [-]
     double tolerance = 1e-10;
     unsigned int max_iterations = 60;
+    /// that `trial` and `weighting` are of; never null
+    std::shared_ptr<const TimeBases> bases = std::make_shared<const TimeBases>(time_bases());
   };
 
   /// A periodic motion: moments of the contact forces and coefficients of the rows' motion, N numbers each in the layout

@@ -4,6 +4,7 @@
 #include <vibrocontact/numerics/refinable_function.h>
 
 #include <complex>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -70,16 +71,21 @@ namespace vibrocontact
     return n / 2 + 1;
   }
 
-  /// A family of bases: name, a line of help.
+  /// One row of the table of bases.
   struct TimeBasisEntry
   {
     std::string name, help;
+    /// of so many functions, > 0
+    std::function<std::unique_ptr<const TimeBasis>(unsigned int)> create;
   };
-  /// fourier, bspline, haar, daubechies6 and the other even numbers of coefficients to 38
-  const std::vector<TimeBasisEntry> &time_bases();
+  using TimeBases = std::vector<TimeBasisEntry>;
+  /// The shipped ones: fourier, bspline, haar, daubechies6 and the other even numbers of coefficients to 38. A program
+  /// may have more (run/tables.h).
+  const TimeBases &time_bases();
 
   /// @throws InputError if the name is unknown or n is 0
-  std::unique_ptr<const TimeBasis> create_time_basis(const std::string &name, unsigned int n);
+  std::unique_ptr<const TimeBasis> create_time_basis(const std::string &name, unsigned int n,
+                                                     const TimeBases &table = time_bases());
 
   /// Values of the real functions behind [a_0, Re a_1, Im a_1, ...] at phases: n_phases x N, row-wise samples, d-th
   /// derivative with respect to the phase.

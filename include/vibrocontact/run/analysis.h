@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/output/answers.h>
+#include <vibrocontact/output/recorder.h>
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/run/entry_list.h>
 #include <vibrocontact/run/measured_data.h>
@@ -14,6 +15,18 @@
 
 namespace vibrocontact
 {
+  /// The transient that a recorder of a program's own follows.
+  struct RecordedTransient
+  {
+    const Parameters &parameters;
+    const ContactPair &pair;
+    const NormalLaw &law;
+    /// of the results
+    const std::string &folder;
+  };
+  /// On rank 0, before the first step; null: nothing to record.
+  using RecorderMaker = std::function<std::unique_ptr<Recorder>(const RecordedTransient &)>;
+
   /// What an analysis runs on.
   struct AnalysisRun
   {
@@ -29,9 +42,11 @@ namespace vibrocontact
     Results &results;
     /// write what there is, at once or if the last time is a while ago
     std::function<void()> save, save_sometimes;
+    /// of a transient, beside the shipped ones
+    const std::vector<RecorderMaker> &recorders;
   };
 
-  /// One row of the table of analyses (run/analyses.h).
+  /// One row of the table of analyses (run/tables.h).
   struct Analysis
   {
     /// name, help and number of bodies, as the entry Analyses knows it

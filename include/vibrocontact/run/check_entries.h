@@ -3,6 +3,7 @@
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/run/parameters.h>
 #include <vibrocontact/run/stability_cases.h>
+#include <vibrocontact/run/tables.h>
 
 #include <string>
 #include <vector>
@@ -18,13 +19,12 @@ namespace vibrocontact
   /// out, a method that --set replaces) is not refused but returned, for the log; used.prm does without it.
   /// @param overrides options of the command line  @param declared with the values of the run  @param sweep entries may be read by any of its cases
   /// @throws InputError
-  std::vector<std::string> entries_out_of_use(const ParameterFile &file,
-                                              const std::vector<std::string> &overrides,
-                                              const Parameters &parameters,
-                                              const DeclaredParameters &declared,
-                                              const StabilityCases &sweep);
+  std::vector<std::string>
+  entries_out_of_use(const ParameterFile &file, const std::vector<std::string> &overrides,
+                     const std::vector<Analysis> &analyses, const Parameters &parameters,
+                     const DeclaredParameters &declared, const StabilityCases &sweep);
 
   /// Refuses a sweep that an analysis of the same file reads (entries_read()) and does not follow: it would silently
   /// stay at a single value. @throws InputError
-  void check_reach_of_sweeps(const Parameters &parameters);
+  void check_reach_of_sweeps(const std::vector<Analysis> &analyses, const Parameters &parameters);
 } // namespace vibrocontact

@@ -25,7 +25,8 @@ namespace vibrocontact
   void add_friction(EntriesRead &entries, const ContactParameters &contact, bool rubs,
                     const std::string &condition);
   /// What a normal law is made of. @param entry that names it, for messages
-  void add_normal_law(EntriesRead &entries, const std::string &name, const std::string &entry);
+  void add_normal_law(EntriesRead &entries, const ContactLaws &laws, const std::string &name,
+                      const std::string &entry);
   /// Contact of two bodies with friction: grid, laws, solver. @param largest_friction of all cases
   void add_contact(EntriesRead &entries, const Parameters &parameters, double largest_friction);
   /// Cases of rolling and of the equilibria of stability.

@@ -11,6 +11,7 @@
 #include <vibrocontact/output/output_parameters.h>
 #include <vibrocontact/output/signal_parameters.h>
 #include <vibrocontact/reduction/modes.h>
+#include <vibrocontact/run/entry_tables.h>
 #include <vibrocontact/scene/scene.h>
 
 #include <map>
@@ -39,8 +40,15 @@ namespace vibrocontact
     /// of the meshed bodies, by name
     std::map<std::string, ModeParameters> modes;
     IdentificationParameters identification;
+    /// what entries choose from
+    std::shared_ptr<const EntryTables> tables;
 
-    /// After the first pass, which filled the lists of the scene.
+    /// Before anything is read.
+    void take(const std::shared_ptr<const EntryTables> &tables);
+    /// The first pass over a file: the lists of the scene, by which everything is declared.
+    void read_lists(const ParameterFile &file, dealii::ParameterHandler &prm,
+                    const std::vector<AnalysisType> &known_analyses);
+    /// After the lists of the scene are filled.
     void declare(dealii::ParameterHandler &prm);
     void check() const;
     /// Looks for bodies that touch with a flat face which ends within reach of the contact grid (contact_grid()
@@ -49,14 +57,11 @@ namespace vibrocontact
     /// Whether a contact grid is needed.
     bool has_contact() const
     {
-      return scene.runs("quasi-static rolling") || has_dynamics() ||
+      return scene.any_analysis(&AnalysisType::has_contact) ||
              (scene.runs("periodic") && periodic.contact_points.empty() && scene.bodies[0].is_meshed());
     }
     /// Whether the bodies move.
-    bool has_dynamics() const
-    {
-      return scene.runs("transient") || scene.runs("stability") || scene.runs("modal convolution");
-    }
+    bool has_dynamics() const { return scene.any_analysis(&AnalysisType::has_dynamics); }
     /// Whether the contact needs the modes of the bodies.
     bool needs_modes() const
     {
@@ -87,10 +92,13 @@ namespace vibrocontact
 
   /// Both passes over a file and all checks that need no mesh. Says in the log which alternative an option
   /// replaced. The handler refers to the members of @p parameters afterwards.
+  /// @param known_analyses, tables what the program has
   /// @throws InputError with file, line, section and entry
   void read_parameters(ParameterFile &file, dealii::ParameterHandler &prm, Parameters &parameters,
-                       const std::vector<AnalysisType> &known_analyses);
+                       const std::vector<AnalysisType> &known_analyses,
+                       const std::shared_ptr<const EntryTables> &tables);
 
   /// Every parameter as a valid file: a wheel on a rail; sections of the other kinds of bodies as comments.
-  std::string all_parameters(const std::vector<AnalysisType> &known_analyses);
+  std::string all_parameters(const std::vector<AnalysisType> &known_analyses,
+                             const std::shared_ptr<const EntryTables> &tables);
 } // namespace vibrocontact

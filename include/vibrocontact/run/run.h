@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/base/command_line.h>
+#include <vibrocontact/run/tables.h>
 
 namespace vibrocontact
 {
@@ -8,5 +9,5 @@ namespace vibrocontact
   /// builds the scene, runs the analyses, writes the results.
   /// @return 0 all converged, 2 something did not (results so far are kept and marked)
   /// @throws InputError before the output folder is made, if the input is wrong
-  int run(const CommandLine &command_line);
+  int run(const Tables &tables, const CommandLine &command_line);
 } // namespace vibrocontact

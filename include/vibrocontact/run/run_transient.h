@@ -15,9 +15,10 @@ namespace vibrocontact
   /// Checkpoints (run/checkpoint.h) are written every Transient/Checkpoint interval, when SIGTERM or SIGINT
   /// comes, which stops the run (Results::stopped_by), and at the end, from where a later End time may
   /// continue.
+  /// @param recorders beside the shipped ones
   /// @param resume continue from the checkpoint in the folder; from the beginning if there is none
   void run_transient(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
-                     bool resume, Results &results);
+                     bool resume, Results &results, const std::vector<RecorderMaker> &recorders);
 
   /// Its row of the table of analyses.
   Analysis transient_analysis();

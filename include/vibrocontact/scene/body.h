@@ -1,10 +1,12 @@
 #pragma once
 
 #include <vibrocontact/base/parameter_file.h>
+#include <vibrocontact/base/parameter_group.h>
 #include <vibrocontact/scene/bar.h>
 #include <vibrocontact/scene/beam_rail.h>
 #include <vibrocontact/scene/blade.h>
 #include <vibrocontact/scene/block.h>
+#include <vibrocontact/scene/contact_grid.h>
 #include <vibrocontact/scene/half_space_body.h>
 #include <vibrocontact/scene/identified.h>
 #include <vibrocontact/scene/layer.h>
@@ -16,6 +18,10 @@
 #include <vibrocontact/scene/ring.h>
 #include <vibrocontact/scene/wheel.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,6 +29,24 @@
 
 namespace vibrocontact
 {
+  struct BodyParameters;
+  struct SecondOrderSystem;
+
+  /// Entries and elements of a type of body that a program of its own adds (doc/extending.md). It has a section
+  /// Material and a section Modes beside its own entries.
+  class ElementBody : public ParameterGroup
+  {
+  public:
+    /// its own contact points, as the one of a bar; nothing: the grid of section Contact
+    virtual std::optional<ContactGrid> contact_grid() const { return {}; }
+    /// Mass, stiffness and, on the grid, the contact trace (fe/second_order_system.h). Collective.
+    /// @param above whether it is body 1, above the plane of contact
+    /// @param grid of the contact points; null if no analysis has contact
+    virtual std::unique_ptr<SecondOrderSystem> assemble(const BodyParameters &body, bool above,
+                                                        const ContactGrid *grid,
+                                                        MPI_Comm communicator) const = 0;
+  };
+
   /// A kind of body that a parameter file may ask for with `set Type = ...`.
   struct BodyType
   {
@@ -34,10 +58,14 @@ namespace vibrocontact
     bool is_meshed;
     /// a solid of hexahedra: has loads and fields
     bool is_solid;
+    /// makes the entries and elements of a type that a program adds (is_meshed, no solid); empty for the shipped ones
+    std::function<std::shared_ptr<ElementBody>()> make = {};
   };
+  using BodyTypes = std::vector<BodyType>;
 
-  /// half-space, rigid, wheel, rail, beam rail, block, blade, layer, bar, ring, oscillator, identified, mesh
-  const std::vector<BodyType> &body_types();
+  /// The shipped ones: half-space, rigid, wheel, rail, beam rail, block, blade, layer, bar, ring, oscillator,
+  /// identified, mesh. A program may have more (run/tables.h).
+  const BodyTypes &body_types();
 
   /// `subsection <name of the body>`: its type, and one nested subsection per group of entries. Only the
   /// groups that this type uses are declared, so that entries without effect are refused.
@@ -62,6 +90,10 @@ namespace vibrocontact
     BeamRailParameters beam_rail;
     MeshFileParameters mesh;
     LoadParameters loads;
+    /// of a type that a program adds, null for others
+    std::shared_ptr<ElementBody> own;
+    /// that the type is one of; never null
+    std::shared_ptr<const BodyTypes> types = std::make_shared<const BodyTypes>(body_types());
 
     const BodyType &body_type() const;
     /// an analytic ring is not
@@ -82,7 +114,9 @@ namespace vibrocontact
     /// of the material, of several the one that loses most [-]
     double material_loss_factor() const;
     /// can come into contact in one point only
-    bool is_point() const { return type == "bar"; }
+    bool is_point() const { return type == "bar" || (own_grid() && own_grid()->n_points() == 1); }
+    /// The contact points of a type that a program adds, if it brings its own.
+    std::optional<ContactGrid> own_grid() const { return own ? own->contact_grid() : std::nullopt; }
 
     /// Inside the body's subsection; the type has to be set before.
     void declare_parameters(dealii::ParameterHandler &prm);

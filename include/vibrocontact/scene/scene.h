@@ -2,6 +2,9 @@
 
 #include <vibrocontact/scene/body.h>
 
+#include <functional>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,6 +17,11 @@ namespace vibrocontact
     std::string name, help;
     /// bodies that have to be listed; 2: body 1 (wheel, above) and body 2 (rail, below)
     unsigned int n_bodies;
+    /// whether the bodies touch on the contact grid; whether they move, in their modes
+    bool has_contact = false, has_dynamics = false;
+    /// of an analysis that a program adds: its section, and what makes its entries
+    std::string section = "";
+    std::function<std::shared_ptr<ParameterGroup>()> make_parameters = {};
   };
 
   /// What a parameter file describes, before any mesh is made: bodies in the order of the entry Bodies, the
@@ -25,8 +33,12 @@ namespace vibrocontact
     std::vector<std::string> analyses;
     /// that the program has
     std::vector<AnalysisType> known_analyses;
+    /// entries of those that bring their own, by name of the analysis
+    std::map<std::string, std::shared_ptr<ParameterGroup>> own_parameters;
 
     bool runs(const std::string &analysis) const;
+    /// Whether one of the analyses has it: AnalysisType::has_contact, has_dynamics.
+    bool any_analysis(bool AnalysisType::*property) const;
 
     /// Title, Bodies, Analyses and the subsections of the bodies.
     void declare_parameters(dealii::ParameterHandler &prm);
@@ -40,5 +52,6 @@ namespace vibrocontact
   /// First pass over a file: only the lists of bodies and analyses and the bodies' types, which decide what
   /// sections there are. @throws InputError if a list is empty, names something unknown or a section is
   /// missing
-  Scene read_scene_lists(const ParameterFile &file, const std::vector<AnalysisType> &known_analyses);
+  Scene read_scene_lists(const ParameterFile &file, const std::vector<AnalysisType> &known_analyses,
+                         const std::shared_ptr<const BodyTypes> &body_types);
 } // namespace vibrocontact

@@ -12,15 +12,17 @@ namespace vibrocontact
     return table;
   }
 
-  const FrictionLawEntry &find_friction_law(const std::string &name)
+  const FrictionLawEntry &find_friction_law(const std::string &name,
+                                            const std::vector<FrictionLawEntry> &table)
   {
-    return find_named(friction_laws(), name, "friction law");
+    return find_named(table, name, "friction law");
   }
 
   std::shared_ptr<const FrictionLaw> create_friction_law(const std::string &name,
-                                                         const std::vector<double> &numbers)
+                                                         const std::vector<double> &numbers,
+                                                         const std::vector<FrictionLawEntry> &table)
   {
-    const FrictionLawEntry &entry = find_friction_law(name);
+    const FrictionLawEntry &entry = find_friction_law(name, table);
     check_numbers(name, entry.parameters, numbers.size());
     return entry.make(numbers);
   }

@@ -14,15 +14,16 @@ namespace vibrocontact
     return table;
   }
 
-  const NormalLawEntry &find_normal_law(const std::string &name)
+  const NormalLawEntry &find_normal_law(const std::string &name, const std::vector<NormalLawEntry> &table)
   {
-    return find_named(normal_laws(), name, "normal contact law");
+    return find_named(table, name, "normal contact law");
   }
 
   std::shared_ptr<const NormalLaw> create_normal_law(const std::string &name,
-                                                     const std::vector<double> &numbers)
+                                                     const std::vector<double> &numbers,
+                                                     const std::vector<NormalLawEntry> &table)
   {
-    const NormalLawEntry &entry = find_normal_law(name);
+    const NormalLawEntry &entry = find_normal_law(name, table);
     check_numbers(name, entry.parameters, numbers.size());
     return entry.make(numbers);
   }

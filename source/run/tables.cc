@@ -1,4 +1,4 @@
-#include <vibrocontact/run/analyses.h>
+#include <vibrocontact/run/entries_of_bodies.h>
 #include <vibrocontact/run/run_frequency_response.h>
 #include <vibrocontact/run/run_identification.h>
 #include <vibrocontact/run/run_modal_convolution.h>
@@ -7,29 +7,31 @@
 #include <vibrocontact/run/run_rolling.h>
 #include <vibrocontact/run/run_stability.h>
 #include <vibrocontact/run/run_transient.h>
+#include <vibrocontact/run/tables.h>
 
 #include <algorithm>
 
 namespace vibrocontact
 {
-  const std::vector<Analysis> &analyses()
+  Tables standard_tables()
   {
-    static const std::vector<Analysis> table = {modes_analysis(),          frequency_response_analysis(),
-                                                identification_analysis(), rolling_analysis(),
-                                                periodic_analysis(),       stability_analysis(),
-                                                transient_analysis(),      modal_convolution_analysis()};
-    return table;
+    Tables tables;
+    tables.analyses = {modes_analysis(),     frequency_response_analysis(), identification_analysis(),
+                       rolling_analysis(),   periodic_analysis(),           stability_analysis(),
+                       transient_analysis(), modal_convolution_analysis()};
+    return tables;
   }
 
-  std::vector<AnalysisType> analysis_types()
+  std::vector<AnalysisType> Tables::analysis_types() const
   {
     std::vector<AnalysisType> types;
-    for (const Analysis &analysis : analyses())
+    for (const Analysis &analysis : analyses)
       types.push_back(analysis.type);
     return types;
   }
 
-  EntriesRead entries_read(const std::string &analysis, const Parameters &parameters)
+  EntriesRead entries_read(const std::vector<Analysis> &analyses, const std::string &analysis,
+                           const Parameters &parameters)
   {
     EntriesRead entries;
     // lists and names; where results go and what is drawn of them
@@ -37,9 +39,11 @@ namespace vibrocontact
     entries.add("Output", "Directory, Cache directory, Fields, Figures");
     for (const BodyParameters &body : parameters.scene.bodies)
       entries.add(body.name, "Type");
-    const auto known = std::find_if(analyses().begin(), analyses().end(),
+    const auto known = std::find_if(analyses.begin(), analyses.end(),
                                     [&](const Analysis &one) { return one.type.name == analysis; });
-    AssertThrow(known != analyses().end(), dealii::ExcMessage("unknown analysis " + analysis));
+    AssertThrow(known != analyses.end(), dealii::ExcMessage("unknown analysis " + analysis));
+    if (known->type.make_parameters)
+      add_all_entries(entries, known->type.section, *known->type.make_parameters());
     known->reads(entries, parameters);
     return entries;
   }

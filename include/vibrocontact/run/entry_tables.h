@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vibrocontact/contact/contact_solver.h>
+#include <vibrocontact/contact/laws/contact_laws.h>
+#include <vibrocontact/periodic/time_basis.h>
+#include <vibrocontact/response/response_methods.h>
+#include <vibrocontact/scene/body.h>
+
+namespace vibrocontact
+{
+  /// What entries of a parameter file choose from by name, beside analyses: by default what is shipped.
+  struct EntryTables
+  {
+    ContactLaws laws;
+    ContactSolvers contact_solvers = vibrocontact::contact_solvers();
+    ResponseMethods response_methods = vibrocontact::response_methods();
+    TimeBases time_bases = vibrocontact::time_bases();
+    BodyTypes body_types = vibrocontact::body_types();
+  };
+} // namespace vibrocontact
