@@ -28,8 +28,8 @@ namespace vibrocontact
                                      const ContactSolverParameters &solver, const BodyInContact &model,
                                      const Road &road, const RoadLaws &laws)
       : parameters(parameters), road(road), n_points(road.n_points()), time_step(parameters.time_step),
-        last_step(std::lround(parameters.end_time / parameters.time_step)), was_closed(n_points, 0),
-        has_friction(model.n_rows() > n_points)
+        last_step(std::lround(parameters.end_time / parameters.time_step)), law(laws.normal),
+        was_closed(n_points, 0), has_friction(model.n_rows() > n_points)
   {
     results.impulse.assign(n_points, 0.);
     last_force.assign(n_points, 0.);
@@ -42,7 +42,6 @@ namespace vibrocontact
     last_displacement.assign(displacement.begin(), displacement.begin() + n_points);
     if (has_friction)
     {
-      check_road_friction(model, time_step, force_interpolation(parameters.force_shape));
       results.tangential_impulse.assign(n_points, 0.);
       last_tangential_displacement.assign(displacement.begin() + n_points, displacement.end());
       last_tangential_force.assign(n_points, 0.);
@@ -65,18 +64,26 @@ namespace vibrocontact
     {
       stepper = std::make_unique<RoadStepper>(parameters, solver, model, n_points, last_step, laws,
                                               road.sliding_speed());
+      if (has_friction)
+        check_road_friction(stepper->response->compliance());
       for (unsigned int i = 0; i < n_points; ++i)
-        stiffness.push_back(1 / stepper->response->compliance()(i, i));
+        stiffness.push_back(1 /
+                            (stepper->response->compliance()(i, i) + laws.normal->compression(0).compliance));
+      results.has_residual = n_points > 1 || stepper->is_common;
       last_height.resize(n_points);
       road.heights(0, last_height.data());
       older_displacement = last_displacement;
       older_gap.assign(n_points, 0.);
+      if (ModalEnergy::applies(model))
+      {
+        const ModalEnergy modes(model);
+        results.work.initial = modes.energy(modes.from_equilibrium(state));
+      }
       if (parameters.error_estimate && !parameters.takes_theta() && ModalEnergy::applies(model))
       {
         modal_work = std::make_unique<SteppedModalWork>(model, state, time_step,
                                                         force_interpolation(parameters.force_shape));
         results.work.has_modes = true;
-        results.work.initial = modal_work->initial_energy();
       }
     }
     if (parameters.error_estimate)
@@ -356,7 +363,7 @@ namespace vibrocontact
       r.work.exchange(file);
       if (modal_work)
         modal_work->exchange(file);
-      show_modal_work();
+      show_modal_work(last_displacement.data(), last_height.data());
       stepper->response->exchange(file);
       stepper->contact.exchange(file);
       file("stepper/closed_points", stepper->closed_points);

@@ -38,16 +38,16 @@ namespace vibrocontact
     prm.add_parameter("Initial state", initial_state,
                       "at rest (undeformed) or equilibrium (under the loads, without contact). Units: none.",
                       Selection("at rest|equilibrium"));
-    prm.add_parameter(
-        "Contact solver", contact_solver,
-        "active set, or common: the solver of section Contact/Solver, which also solves all contact "
-        "with friction. Units: none.",
-        Selection("active set|common"));
-    prm.add_parameter(
-        "Friction", friction,
-        "Whether the contact points have Coulomb's friction along the road, with Contact/Friction "
-        "coefficient and Road/Sliding speed; for bodies that do not roll. Units: none.",
-        Bool());
+    prm.add_parameter("Contact solver", contact_solver,
+                      "active set, or common: the solver of section Contact/Solver, which all contact with "
+                      "friction or with a "
+                      "normal law that yields has anyway. Units: none.",
+                      Selection("active set|common"));
+    prm.add_parameter("Friction", friction,
+                      "Whether the contact points rub along the road, by Contact/Friction law, with "
+                      "Road/Sliding speed; for "
+                      "bodies that do not roll. Units: none.",
+                      Bool());
     prm.add_parameter("History interval", history_interval,
                       "Distance of the lines of the histories, 0: every step. Units: s.", Double(0, 1e9));
     prm.add_parameter("Checkpoint interval", checkpoint_interval,

@@ -30,10 +30,9 @@ namespace vibrocontact
     return problem;
   }
 
-  void check_road_friction(const BodyInContact &model, const double time_step,
-                           const ForceInterpolation interpolation)
+  void check_road_friction(const DenseMatrix &compliance)
   {
-    if (!(definiteness(one_step_compliance(model, step_weights(model, time_step, interpolation))) > 0))
+    if (!(definiteness(compliance) > 0))
       throw InputError(
           "Modal convolution/Friction is true, but unit forces at the contact points, along the "
           "road too, do not make a positive definite matrix of displacements in one step: the body "

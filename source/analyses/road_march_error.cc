@@ -249,11 +249,13 @@ namespace vibrocontact
     results.errors.seconds += processor_seconds() - begin;
   }
 
-  void ModalConvolution::show_modal_work()
+  void ModalConvolution::show_modal_work(const double *const displacement, const double *const height)
   {
     if (!modal_work)
       return;
     results.work.stored = modal_work->energy();
+    for (unsigned int i = 0; i < n_points && !law->is_rigid(); ++i)
+      results.work.stored += law->potential(displacement[i] - height[i]);
     results.work.damping = modal_work->damping();
   }
 
@@ -280,7 +282,8 @@ namespace vibrocontact
         }
         if (!impulses)
         {
-          normal += 0.5 * (forces[before] + forces[now]) * (displacements[now] - displacements[before]);
+          const std::vector<double> &moves = law->is_rigid() ? displacements : heights;
+          normal += 0.5 * (forces[before] + forces[now]) * (moves[now] - moves[before]);
           continue;
         }
         if (forces[now] == 0)
@@ -290,7 +293,8 @@ namespace vibrocontact
                gap = k > 0 ? older - heights[before - n_points] : older_gap[i];
         if (results.steps + k == 0)
           gap = older - 2 * heights[before] + heights[now];
-        normal += 0.5 * forces[now] * (displacements[now] - older);
+        normal +=
+            0.5 * forces[now] * (law->is_rigid() ? displacements[now] - older : heights[now] - (older - gap));
         if (residual[i] == 0 && gap > 0)
           lost += 0.5 * forces[now] * gap;
       }
@@ -303,7 +307,7 @@ namespace vibrocontact
         modal_work->add(rows.data());
     }
     work.friction = stepper->dissipation;
-    show_modal_work();
+    show_modal_work(&displacements[n_steps * n_points], &heights[n_steps * n_points]);
     results.errors.seconds += processor_seconds() - begin;
   }
 } // namespace vibrocontact

@@ -55,8 +55,8 @@ namespace vibrocontact
                              settings, *parameters.methods);
     }
 
-    /// S with the least compliance of the normal law on its diagonal: that of all forces if it is linear; what yields at all does for
-    /// constant forces.
+    /// S with what the normal law yields on its diagonal: its one compliance if it is linear. Constant forces only need some, so
+    /// that of the touch will do; for linear ones a law that stiffens counts as rigid.
     DenseMatrix least_compliance(const BodyInContact &model, const unsigned int n_points,
                                  const NormalLaw &law, const ForceInterpolation interpolation)
     {
@@ -103,12 +103,12 @@ namespace vibrocontact
                            const double sliding_speed)
       : response(make_response(parameters, model, n_steps)),
         contact(normal_block(response->compliance(), n_points), at_step(parameters.time_step)),
+        is_common(parameters.contact_solver == "common" || model.n_rows() > n_points ||
+                  !laws.normal->is_rigid()),
         forces_before(model.n_rows(), 0.), n(n_points), step(parameters.time_step),
         sliding_speed(sliding_speed), solver_parameters(solver_parameters),
         problem(road_contact_problem(response->compliance(), n_points, laws, parameters.time_step)),
         is_linear(force_interpolation(parameters.force_shape) == ForceInterpolation::linear),
-        is_common(parameters.contact_solver == "common" || model.n_rows() > n_points ||
-                  !laws.normal->is_rigid()),
         residual_flexibility(model.residual)
   {
     check_force_interpolation(parameters, model, n_points, *laws.normal);

@@ -70,6 +70,9 @@ namespace vibrocontact
     result.relaxation = body.relaxation;
     result.right.reinit(n, n_poles);
     result.left.reinit(n, n_poles);
+    double largest_load = 0;
+    for (const double load : body.modal_load)
+      largest_load = std::max(largest_load, std::abs(load));
     for (const PoleOfMode &one : own)
     {
       const unsigned int k = result.poles.size();
@@ -79,7 +82,10 @@ namespace vibrocontact
         result.left(i, k) = one.gain * body.trace(i, one.mode);
       }
       result.poles.push_back(one.pole);
-      result.pole_load.push_back(body.modal_load.empty() ? 0. : one.gain * body.modal_load[one.mode]);
+      const double load = body.modal_load.empty() ? 0. : body.modal_load[one.mode];
+      // a rigid motion across the loads feels their rounding
+      const bool is_rounding = body.omega[one.mode] == 0 && std::abs(load) < 1e-10 * largest_load;
+      result.pole_load.push_back(is_rounding ? 0. : one.gain * load);
       if (!body.labels.empty())
         result.labels.push_back(body.labels[one.mode]);
     }

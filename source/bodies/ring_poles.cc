@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/ring_poles.h>
+#include <vibrocontact/bodies/road_rows.h>
 
 #include <deal.II/base/tensor.h>
 #include <deal.II/lac/lapack_templates.h>
@@ -323,22 +324,9 @@ namespace vibrocontact
   BodyInContact ring_of_elements(const RingParameters &ring, const ReducedBody &reduced,
                                  const bool with_friction)
   {
-    const unsigned int n_rows = (with_friction ? 2 : 1) * ring.n_points, n_modes = reduced.omega.size();
-    BodyInContact body;
-    body.omega = reduced.omega;
-    body.damping_ratio = reduced.damping_ratio;
-    body.modal_load = reduced.modal_load;
-    body.labels = reduced.labels;
-    body.trace.reinit(n_rows, n_modes);
-    body.residual.reinit(n_rows, n_rows);
-    for (unsigned int a = 0; a < n_rows; ++a)
-    {
-      for (unsigned int k = 0; k < n_modes; ++k)
-        body.trace(a, k) = reduced.modal_trace(a, k);
-      for (unsigned int b = 0; b < n_rows; ++b)
-        body.residual(a, b) = reduced.residual_flexibility(a, b);
-      body.residual(a, a) += tread_compliance(ring, a >= ring.n_points);
-    }
+    BodyInContact body = road_rows(reduced, with_friction, 1);
+    for (unsigned int i = 0; i < body.n_rows(); ++i)
+      body.residual(i, i) += tread_compliance(ring, i >= ring.n_points);
     return body;
   }
 } // namespace vibrocontact

@@ -151,12 +151,6 @@ namespace vibrocontact
     table.write(folder + "/third_octaves.csv");
   }
 
-  bool is_contact_iterated(const ModalConvolutionParameters &parameters, const unsigned int n_points)
-  {
-    return !parameters.is_event_located() &&
-           (n_points > 1 || parameters.contact_solver == "common" || parameters.friction);
-  }
-
   nlohmann::ordered_json modal_convolution_json(const ModalConvolutionParameters &parameters,
                                                 const ModalConvolutionResult &result)
   {
@@ -198,7 +192,7 @@ namespace vibrocontact
                              {"stored_J", work.stored},
                              {"damping_J", work.damping},
                              {"imbalance_J", work.imbalance()}});
-    if (is_contact_iterated(parameters, result.impulse.size()))
+    if (result.has_residual)
     {
       json["corrections_per_step"] = result.corrections / steps;
       json["contact_residual"] = result.residual;

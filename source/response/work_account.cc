@@ -67,8 +67,6 @@ namespace vibrocontact
         z(modes.from_equilibrium(state)), next(z), weights(step_weights(model, time_step, interpolation)),
         last(model.n_rows(), 0.)
   {
-    for (const Complex &pole : model.poles)
-      factor.push_back(std::exp(pole * h));
     initial = modes.energy(z);
   }
 
@@ -101,7 +99,7 @@ namespace vibrocontact
         if (q[i] != 0)
           work += 0.5 * h * q[i] * (velocity(i, z) + velocity(i, next));
       for (unsigned int k = 0; k < n_poles; ++k)
-        z[k] = factor[k] * next[k];
+        z[k] = weights.factor[k] * next[k];
       std::copy_n(q, n, last.begin());
       return;
     }
@@ -114,7 +112,7 @@ namespace vibrocontact
         now += model.left(i, k) * q[i];
         before += model.left(i, k) * last[i];
       }
-      next[k] = factor[k] * z[k] + weights.now[k] * now + weights.later[k] * before;
+      next[k] = weights.factor[k] * z[k] + weights.now[k] * now + weights.later[k] * before;
     }
     for (unsigned int i = 0; i < n; ++i)
     {

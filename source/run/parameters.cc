@@ -426,11 +426,12 @@ namespace vibrocontact
                          "meets a stop below or above it: set it to -z or +z.");
       if (periodic.model != "reduced")
         throw InputError("Periodic/Model is finite elements" + moves + "has none: set it to reduced.");
-      if (friction && by_poles)
+      if (friction && (by_poles || body.type == "oscillator"))
         throw InputError(
             "Contact/Friction coefficient is " + number_text(parameters.contact.friction) + moves +
             (rolls ? "rolls: the slip of material that flows through the contact points is not known here"
-                   : "has no data about motion along the stop") +
+             : by_poles ? "has no data about motion along the stop"
+                        : "does not move along the stop, as nothing drives it there") +
             "; set it to 0.");
       if (body.type == "identified" && body.identified.inverse_transform)
         throw InputError(

@@ -1,4 +1,5 @@
 #include <vibrocontact/bodies/ring_poles.h>
+#include <vibrocontact/bodies/road_rows.h>
 #include <vibrocontact/response/static_load.h>
 #include <vibrocontact/run/road_body.h>
 #include <vibrocontact/run/run_identification.h>
@@ -10,26 +11,13 @@ namespace vibrocontact
 {
   namespace
   {
-    BodyInContact reduced_body(const ReducedBody &body, const bool with_friction)
+    /// What falls gives back more than the contact has put in.
+    bool falls(const BodyInContact &body)
     {
-      const unsigned int n = body.grid.n_points(), n_rows = with_friction ? 2 * n : n, m = body.omega.size();
-      // the contact's x points backwards, the road's forward
-      const auto sign = [n](const unsigned int row) { return row < n ? 1. : -1.; };
-      BodyInContact result;
-      result.omega = body.omega;
-      result.damping_ratio = body.damping_ratio;
-      result.modal_load = body.modal_load;
-      result.labels = body.labels;
-      result.trace.reinit(n_rows, m);
-      result.residual.reinit(n_rows, n_rows);
-      for (unsigned int i = 0; i < n_rows; ++i)
-      {
-        for (unsigned int k = 0; k < m; ++k)
-          result.trace(i, k) = sign(i) * body.modal_trace(i, k);
-        for (unsigned int j = 0; j < n_rows; ++j)
-          result.residual(i, j) = sign(i) * sign(j) * body.residual_flexibility(i, j);
-      }
-      return result;
+      for (unsigned int k = 0; k < body.n_modes(); ++k)
+        if (body.omega[k] == 0 && body.modal_load[k] != 0)
+          return true;
+      return false;
     }
 
     /// Data of rolling bodies are not.
@@ -90,7 +78,7 @@ namespace vibrocontact
       result.body = ring_of_elements(body.ring, reduced, use.friction);
     else
     {
-      result.body = reduced_body(reduced, use.friction);
+      result.body = road_rows(reduced, use.friction, -1);
       for (unsigned int i = 0; i < reduced.grid.n_points(); ++i)
       {
         // the contact travels towards -x
@@ -98,6 +86,7 @@ namespace vibrocontact
         result.shapes.push_back(reduced.surface_height[i]);
       }
     }
+    result.is_passive = !falls(result.body);
     return result;
   }
 

@@ -27,7 +27,7 @@ namespace vibrocontact
   {
     constexpr unsigned int most_point_tables = 10;
     constexpr unsigned long most_table_lines = 1000000, most_spectrum_lines = 20000000;
-    constexpr int checkpoint_format = 3;
+    constexpr int checkpoint_format = 4;
 
     std::string checkpoint_name(const std::string &folder)
     {
@@ -120,7 +120,7 @@ namespace vibrocontact
       log.value("releases", static_cast<unsigned long long>(result.releases.size()));
       for (unsigned int i = 0; i < std::min<std::size_t>(result.impulse.size(), 3); ++i)
         log.value("impulse of point " + std::to_string(i), result.impulse[i], "N s");
-      if (is_contact_iterated(parameters, result.impulse.size()))
+      if (result.has_residual)
         log.value("contact residual", result.residual);
       if (parameters.friction)
       {
@@ -150,6 +150,10 @@ namespace vibrocontact
       run_log().value("load on a flat road", parameters.rolling.normal_force.front(), "N");
       run_log().value("indentation for it", road_parameters.indentation * 1e3, "mm");
     }
+    if (parameters.comparison.any() && std::any_of(poles.poles.begin(), poles.poles.end(), is_rigid_motion))
+      throw InputError("Comparison/Rows asks for a comparison with convolutions, which forget, but " +
+                       parameters.scene.bodies[0].name +
+                       " is free, and no force that has moved it may be forgotten: leave the rows out.");
     const Road road(road_parameters, body.places, body.shapes, own.end_time);
     ModalConvolution motion(own, parameters.contact_solver, poles, road, road_laws(parameters));
 

@@ -151,14 +151,15 @@ for setting, text in (("Transient/Theta=0.6", "Transient/Theta"), ("Transient/En
     if not message.splitlines()[-1].startswith("vibrocontact: ") or text not in message.splitlines()[-1]:
         fail(f"refused with: {message}")
 bar.check("later")
-# a table that an entry names has changed
-table = os.path.abspath(bar.folder("driven") + ".csv")
-for force, resumed, code in ((10, False, 0), (11, True, 1), (10, True, 0)):
-    with open(table, "w") as file:
-        file.write(f"time_s,exciting_force_N\n0,{force}\n10,{force}\n")
-    message = bar.run("driven", "--set", f"Transient/Drive table={table}", *(["--resume"] if resumed else []), code=code)
-    if code == 1 and "Transient/Drive table names a file that has changed" not in message.splitlines()[-1]:
-        fail(f"another table is refused with: {message}")
+# a file that an entry names has changed
+curve = os.path.abspath(bar.folder("curve") + ".csv")
+for force, resumed, code in ((1e5, False, 0), (2e5, True, 1), (1e5, True, 0)):
+    with open(curve, "w") as file:
+        file.write(f"gap_m,force_N\n0,0\n-0.1,{force}\n")
+    message = bar.run("curve", "--set", "Contact/Normal law=spring curve", "--set", f"Contact/Spring curve={curve}",
+                      *(["--resume"] if resumed else []), code=code)
+    if code == 1 and "Contact/Spring curve names a file that has changed" not in message.splitlines()[-1]:
+        fail(f"another curve is refused with: {message}")
 checkpoint = bar.folder("later") + "/checkpoint.h5"
 content = open(checkpoint, "rb").read()
 open(checkpoint, "wb").write(content[:len(content) // 2])

@@ -72,6 +72,10 @@ for method in ("modal recursion", "direct convolution", "block convolution"):
     command = check("tyre_three_points", method.split()[0], short, f"Modal convolution/Method={method}", *memory)
 check("tyre_three_points", "friction", short, "Modal convolution/Friction=true", "Road/Sliding speed=0.05",
       "tyre/Ring/Tread tangential stiffness=1e5")
+check("tyre_three_points", "falling", short, "Modal convolution/Friction=true", "Road/Sliding speed=0.05",
+      "tyre/Ring/Tread tangential stiffness=1e5", "Contact/Static friction ratio=1.4", "Modal convolution/Method=theta method")
+check("oscillator_on_sine", "spring", "Modal convolution/Method=modal recursion", "Contact/Normal law=exponential penalty", "Contact/Penalty amplitude=1e3",
+      "Contact/Penalty exponent=300", "Modal convolution/Force shape=constant", "Modal convolution/End time=2")
 check("oscillator_on_sine", "events", "Modal convolution/End time=20")
 done = subprocess.run(command + ["--set", "Modal convolution/End time=0.2", "--output", "block_whole", "--resume"],
                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

@@ -421,6 +421,7 @@ TEST(ModalConvolution, SpringLawIsATread)
   parameters.speed = 10;
   parameters.indentation = 2e-4;
   const Road road(parameters, {0.}, {0.}, 0.2);
+  std::vector<double> input;
   const auto forces = [&](const bool tread, const std::string &shape)
   {
     DenseMatrix trace(1, 2), residual(1, 1);
@@ -443,6 +444,7 @@ TEST(ModalConvolution, SpringLawIsATread)
                           { result.insert(result.end(), lines.force, lines.force + lines.n_lines); }))
       ;
     EXPECT_GT(motion.result().impacts.size(), 2u) << "it does not lift off";
+    input.push_back(motion.result().work.input);
     return result;
   };
   for (const std::string shape : {"constant", "linear"})
@@ -456,6 +458,8 @@ TEST(ModalConvolution, SpringLawIsATread)
       largest = std::max(largest, tread[k]);
     }
     EXPECT_LT(worst, 1e-9 * largest) << shape;
+    // but for the steps in which they touch and release
+    EXPECT_NEAR(input[input.size() - 2], input.back(), 0.02 * input.back()) << "power of the road";
   }
   RoadLaws penalty;
   penalty.normal = create_normal_law("exponential penalty", {1e3, 200});

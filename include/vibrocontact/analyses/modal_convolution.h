@@ -52,6 +52,8 @@ namespace vibrocontact
     /// sums over the steps: closed points, corrections of the closed set; largest residual of the contact
     unsigned long closed_points = 0, corrections = 0;
     double residual = 0;
+    /// whether that can be other than zero: one point by a closed form has none
+    bool has_residual = false;
     /// of the normal force of all points together, squared, over time [N^2 s]; of rigid points without impacts and kinks, as
     /// the rms of impulses has no limit
     double square_integral = 0;
@@ -91,7 +93,7 @@ namespace vibrocontact
   public:
     using Observer = std::function<void(const ModalConvolutionLines &)>;
 
-    /// @param laws friction of a model with tangential rows
+    /// @param laws of the contact; friction only of a model with tangential rows
     /// @throws InputError if the body cannot be in contact in this way. They are referred to.
     ModalConvolution(const ModalConvolutionParameters &parameters, const ContactSolverParameters &solver,
                      const BodyInContact &model, const Road &road, const RoadLaws &laws = {});
@@ -131,7 +133,7 @@ namespace vibrocontact
     void check_steps_of_the_road(unsigned int n_steps) const;
     void look_between_steps(unsigned int n_steps);
     void account(unsigned int n_steps);
-    void show_modal_work();
+    void show_modal_work(const double *displacement, const double *height);
     void watch_impulses(unsigned int k, double &jump);
     void advance_steps(unsigned int n_steps, const Observer &observe);
     void advance_events(unsigned int n_steps, const Observer &observe);
@@ -144,6 +146,7 @@ namespace vibrocontact
     const double time_step;
     unsigned long last_step;
     ModalConvolutionResult results;
+    std::shared_ptr<const NormalLaw> law;
     std::unique_ptr<RoadStepper> stepper;
     std::unique_ptr<EventLocated> events;
     /// the second march and its parameters, in twice the steps, in half of them where forces would ring in twice, or
@@ -152,7 +155,7 @@ namespace vibrocontact
     std::unique_ptr<ModalConvolution> second;
     double steps_ratio = 2;
     Sums compared;
-    /// S_ii; 1 / (B + S)_ii [m/N, N/m]
+    /// S_ii and what the normal law yields at touch; 1 / (B_ii + that) [m/N, N/m]
     std::vector<double> residual, stiffness;
     /// whether some S_ii is zero; then steps that an impact or a kink still fills with its impulse
     bool is_rigid = false;

@@ -23,9 +23,9 @@ namespace vibrocontact
     double memory = 0;
     /// at rest or equilibrium (under the loads)
     std::string initial_state = "at rest";
-    /// active set, or common: the solver of section Contact/Solver, which contact with friction has anyway
+    /// active set, or common: the solver of section Contact/Solver, which friction and laws that yield have anyway
     std::string contact_solver = "active set";
-    /// Coulomb's along the road, with Contact/Friction coefficient
+    /// along the road, by Contact/Friction law
     bool friction = false;
     /// [s], 0: every step
     double history_interval = 0;

@@ -15,10 +15,10 @@ namespace vibrocontact
     std::shared_ptr<const FrictionLaw> friction = nullptr;
   };
 
-  /// Coulomb friction of a body on the road, in the steps of a modal convolution.
+  /// The common contact problem of a body on the road, in the steps of a modal convolution.
   ///
-  /// The pole model has two rows per contact point: n normal ones (up), then n along the road (forward). With
-  /// u = u_free + M q, M = B + S, q = (N, T), the common contact problem of a step is
+  /// The body has n normal rows (up) and, with friction, n along the road (forward). With u = u_free + M q, M = B + S,
+  /// q = (N, T), it is, for rigid points and Coulomb's law,
   ///
   ///   gap  = u_n - u_r >= 0                                    at the end of the step
   ///   slip = (u_t - u_t at the beginning) / h + W              [m/s], mean of the step
@@ -42,6 +42,7 @@ namespace vibrocontact
   ContactProblem road_contact_problem(const DenseMatrix &matrix, unsigned int n_points, const RoadLaws &laws,
                                       double time_step);
 
+  /// @param compliance M
   /// @throws InputError if the tangential motion of the points has no compliance
-  void check_road_friction(const BodyInContact &model, double time_step, ForceInterpolation interpolation);
+  void check_road_friction(const DenseMatrix &compliance);
 } // namespace vibrocontact

@@ -28,6 +28,8 @@ namespace vibrocontact
 
     std::unique_ptr<Response> response;
     UnilateralContact contact;
+    /// whether the common solvers find the forces: friction, a law that yields, or asked for
+    const bool is_common;
     unsigned long closed_points = 0, sticking_points = 0, iterations = 0;
     double residual = 0, dissipation = 0;
     /// of the step before; n_rows
@@ -42,7 +44,7 @@ namespace vibrocontact
     const double step, sliding_speed;
     const ContactSolverParameters &solver_parameters;
     ContactProblem problem;
-    const bool is_linear, is_common;
+    const bool is_linear;
     /// S, what answers to a force at once
     DenseMatrix residual_flexibility;
   };

@@ -23,7 +23,8 @@ namespace vibrocontact
 
     unsigned int n_points() const { return n; }
     /// @param b 3 n; @param R start on entry, solution on return; 3 n [N]
-    /// @return whether it was found: the largest defect of a projection is below 1e-11 of the largest force
+    /// @return whether it was found: the largest defect of a projection is below 1e-11 of the largest
+    /// force, or of that which would close the widest gap
     bool solve(const double *b, double *R);
     /// dR/db at the last solution, 3 n square, by columns. @return false if it has none
     bool sensitivity(double *rates);

@@ -40,10 +40,6 @@ namespace vibrocontact
   void write_third_octaves(const ModalConvolutionParameters &parameters, const ModalConvolutionResult &result,
                            const std::string &folder);
 
-  /// Whether the contact of a step is iterated, so that there is a residual to speak of: neither the closed form of one
-  /// point nor the event-located motion.
-  bool is_contact_iterated(const ModalConvolutionParameters &parameters, unsigned int n_points);
-
   /// analyses.modal_convolution of results.json; of more events than fit there (10,000) the first.
   nlohmann::ordered_json modal_convolution_json(const ModalConvolutionParameters &parameters,
                                                 const ModalConvolutionResult &result);

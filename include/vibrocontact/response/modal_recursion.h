@@ -12,8 +12,9 @@ namespace vibrocontact
   ///   w_k  = factor_k now_k + later_k            (response/step_weights.h)
   ///
   /// Nothing grows with time, in contrast to the paper's Eqs 18, 19, 46 and 47. One state per shape serves all
-  /// points; constant loads only move the origin of the states (z - z_static) and cost nothing, but for those that a free body falls under. Cost: 4 numbers read
-  /// per state and point, 1 if right shapes are real and left ones proportional to them (real modes); forces that are zero are skipped if there are more than four points.
+  /// points; constant loads only move the origin of the states (z - z_static) and cost nothing, but for those that a free
+  /// body falls under. Cost: 4 numbers read per state and point, 1 if right shapes are real and left ones proportional to
+  /// them (real modes); forces that are zero are skipped if there are more than four points.
   class ModalRecursion final : public Response
   {
   public:

@@ -14,7 +14,7 @@ namespace vibrocontact
   ///   initial + input - returned - impacts - friction  =  stored + damping + imbalance
   ///
   /// input and returned: power of the road on the contact (q u_r', and -T W of a belt) where it is positive and where it is
-  /// negative; impacts: lost by inelastic impacts of rigid points, J (u_r' - (v- + v+) / 2). What is stored and damped
+  /// negative, the spring of a normal law that yields being of the body, whose stored energy has it; impacts: lost by inelastic impacts of rigid points, J (u_r' - (v- + v+) / 2). What is stored and damped
   /// is known of bodies of real modes alone, about their equilibrium under the loads.
   struct WorkAccount
   {
@@ -70,7 +70,6 @@ namespace vibrocontact
     /// of the modes and of the residual flexibility [J]
     double energy() const;
     double damping() const;
-    double initial_energy() const { return initial; }
     void exchange(CheckpointFile &file);
 
   private:
@@ -81,7 +80,7 @@ namespace vibrocontact
     const ModalEnergy modes;
     const double h;
     const ForceInterpolation interpolation;
-    std::vector<Complex> z, next, factor;
+    std::vector<Complex> z, next;
     StepWeights weights;
     /// forces of the step before
     std::vector<double> last;
