@@ -400,7 +400,9 @@ namespace vibrocontact
           if (scene.bodies[1].half_space.curvature_x() != 0 || scene.bodies[1].half_space.curvature_y() != 0)
             throw InputError(scene.bodies[1].name + "/Rigid has a curvature, but a layer slides on a plane: "
                                                     "leave its radii out.");
-          if (rolling.creepage.speed != 0)
+          const bool reads_speed =
+              scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient");
+          if (reads_speed && rolling.creepage.speed != 0)
             throw InputError("Entry Rolling/Speed has to be 0 for the layer " + body.name +
                              ", whose material stays in place: give a Sliding velocity.");
         }
