@@ -46,7 +46,8 @@ namespace vibrocontact
       last_tangential_displacement.assign(displacement.begin() + n_points, displacement.end());
       last_tangential_force.assign(n_points, 0.);
     }
-    residual.assign(n_points, laws.normal->compression(0).compliance);
+    const double yields = laws.normal->compression(0).compliance;
+    residual.assign(n_points, yields);
     for (unsigned int i = 0; i < n_points && model.residual.m() > 0; ++i)
       residual[i] += model.residual(i, i);
     is_rigid = has_rigid_points();
@@ -67,8 +68,7 @@ namespace vibrocontact
       if (has_friction)
         check_road_friction(stepper->response->compliance());
       for (unsigned int i = 0; i < n_points; ++i)
-        stiffness.push_back(1 /
-                            (stepper->response->compliance()(i, i) + laws.normal->compression(0).compliance));
+        stiffness.push_back(1 / (stepper->response->compliance()(i, i) + yields));
       results.has_residual = n_points > 1 || stepper->is_common;
       last_height.resize(n_points);
       road.heights(0, last_height.data());
@@ -78,13 +78,11 @@ namespace vibrocontact
       {
         const ModalEnergy modes(model);
         results.work.initial = modes.energy(modes.from_equilibrium(state));
+        results.work.has_modes = parameters.error_estimate && !parameters.takes_theta();
       }
-      if (parameters.error_estimate && !parameters.takes_theta() && ModalEnergy::applies(model))
-      {
+      if (results.work.has_modes)
         modal_work = std::make_unique<SteppedModalWork>(model, state, time_step,
                                                         force_interpolation(parameters.force_shape));
-        results.work.has_modes = true;
-      }
     }
     if (parameters.error_estimate)
       begin_second_march(solver, model, laws);
@@ -377,7 +375,6 @@ namespace vibrocontact
       file("last/tangential_force", last_tangential_force);
       file("stepper/dissipation", stepper->dissipation);
       file("stepper/sticking_points", stepper->sticking_points);
-      file("stepper/forces", stepper->forces_before);
       r.dissipation = stepper->dissipation;
       r.sticking_points = stepper->sticking_points;
     }

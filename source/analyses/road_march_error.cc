@@ -254,7 +254,7 @@ namespace vibrocontact
     if (!modal_work)
       return;
     results.work.stored = modal_work->energy();
-    for (unsigned int i = 0; i < n_points && !law->is_rigid(); ++i)
+    for (unsigned int i = 0; i < n_points; ++i)
       results.work.stored += law->potential(displacement[i] - height[i]);
     results.work.damping = modal_work->damping();
   }
@@ -265,6 +265,8 @@ namespace vibrocontact
     const bool impulses = force_interpolation(parameters.force_shape) == ForceInterpolation::impulse;
     WorkAccount &work = results.work;
     std::vector<double> rows((has_friction ? 2 : 1) * n_points);
+    const bool yields = !law->is_rigid();
+    const std::vector<double> &moves = yields ? heights : displacements;
     for (unsigned int k = 0; k < n_steps; ++k)
     {
       double normal = 0, lost = 0, along = 0;
@@ -282,7 +284,6 @@ namespace vibrocontact
         }
         if (!impulses)
         {
-          const std::vector<double> &moves = law->is_rigid() ? displacements : heights;
           normal += 0.5 * (forces[before] + forces[now]) * (moves[now] - moves[before]);
           continue;
         }
@@ -293,8 +294,8 @@ namespace vibrocontact
                gap = k > 0 ? older - heights[before - n_points] : older_gap[i];
         if (results.steps + k == 0)
           gap = older - 2 * heights[before] + heights[now];
-        normal +=
-            0.5 * forces[now] * (law->is_rigid() ? displacements[now] - older : heights[now] - (older - gap));
+        // of a law that yields the road moves the spring
+        normal += 0.5 * forces[now] * (moves[now] - (yields ? older - gap : older));
         if (residual[i] == 0 && gap > 0)
           lost += 0.5 * forces[now] * gap;
       }

@@ -105,8 +105,8 @@ namespace vibrocontact
         contact(normal_block(response->compliance(), n_points), at_step(parameters.time_step)),
         is_common(parameters.contact_solver == "common" || model.n_rows() > n_points ||
                   !laws.normal->is_rigid()),
-        forces_before(model.n_rows(), 0.), n(n_points), step(parameters.time_step),
-        sliding_speed(sliding_speed), solver_parameters(solver_parameters),
+        n(n_points), step(parameters.time_step), sliding_speed(sliding_speed),
+        solver_parameters(solver_parameters),
         problem(road_contact_problem(response->compliance(), n_points, laws, parameters.time_step)),
         is_linear(force_interpolation(parameters.force_shape) == ForceInterpolation::linear),
         residual_flexibility(model.residual)
@@ -136,6 +136,14 @@ namespace vibrocontact
     std::vector<double> q(response->n_rows());
     const double *const free = response->free_displacement();
     const bool has_friction = tangential_forces != nullptr;
+    for (unsigned int i = 0; has_friction && i < n; ++i)
+    {
+      q[i] = (forces - n)[i];
+      q[n + i] = (tangential_forces - n)[i];
+    }
+    // until it has been solved q holds the forces of the step before
+    const std::function<std::vector<double>(const ContactSolution &)> speed =
+        [&](const ContactSolution &found) { return law_speed(found, q); };
     for (unsigned int k = 0; k < n_steps; ++k, heights += n, displacements += n, forces += n)
     {
       const double *const before = tangential_displacements - (has_friction ? n : 0);
@@ -143,8 +151,7 @@ namespace vibrocontact
         problem.b[i] = free[i] - heights[i];
       for (unsigned int i = 0; has_friction && i < n; ++i)
         problem.b[n + i] = (free[n + i] - before[i]) / step + sliding_speed;
-      solution = solve_with_friction_of_speed(
-          problem, *solver, solution, [this](const ContactSolution &found) { return law_speed(found); });
+      solution = solve_with_friction_of_speed(problem, *solver, solution, speed);
       if (!solution.converged)
         throw ConvergenceError("The contact of a step did not converge, relative residual " +
                                std::to_string(solution.residual) + ".");
@@ -170,7 +177,6 @@ namespace vibrocontact
         tangential_forces += n;
       }
       response->advance(q.data());
-      forces_before = q;
       iterations += solution.iterations;
       residual = std::max(residual, solution.residual);
     }
@@ -178,7 +184,8 @@ namespace vibrocontact
 
   /// The slip speed that counts in the coefficient of friction: without the rate of what has no inertia
   /// (contact/friction_of_speed.h).
-  std::vector<double> RoadStepper::law_speed(const ContactSolution &solution) const
+  std::vector<double> RoadStepper::law_speed(const ContactSolution &solution,
+                                             const std::vector<double> &forces_before) const
   {
     std::vector<double> speed(n);
     for (unsigned int i = 0; i < n; ++i)

@@ -58,6 +58,33 @@ namespace vibrocontact
     }
   } // namespace
 
+  BodyInContact with_rows(const BodyInContact &body, const std::vector<SignedRow> &rows)
+  {
+    const unsigned int n = rows.size();
+    BodyInContact result = body;
+    result.trace.reinit(n, body.n_modes());
+    result.right.reinit(n, body.n_poles());
+    result.left.reinit(n, body.n_poles());
+    result.residual.reinit(n, n);
+    result.residual_load.assign(n, 0.);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const auto [row, factor] = rows[i];
+      for (unsigned int k = 0; k < body.n_modes(); ++k)
+        result.trace(i, k) = factor * body.trace(row, k);
+      for (unsigned int k = 0; k < body.n_poles(); ++k)
+      {
+        result.right(i, k) = factor * body.right(row, k);
+        result.left(i, k) = factor * body.left(row, k);
+      }
+      if (!body.residual_load.empty())
+        result.residual_load[i] = factor * body.residual_load[row];
+      for (unsigned int j = 0; j < n && body.residual.m() > 0; ++j)
+        result.residual(i, j) = factor * rows[j].factor * body.residual(row, rows[j].row);
+    }
+    return result;
+  }
+
   BodyInContact by_poles(const BodyInContact &body)
   {
     if (body.n_modes() == 0)

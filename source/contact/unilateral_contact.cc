@@ -42,9 +42,9 @@ namespace vibrocontact
            std::max({std::abs(values[0]), std::abs(values[n - 1]), std::numeric_limits<double>::min()});
   }
 
-  UnilateralContact::UnilateralContact(const DenseMatrix &full, const std::string &where) : n(full.m())
+  void check_unique_forces(const DenseMatrix &matrix, const std::string &where)
   {
-    const double smallest = definiteness(full);
+    const double smallest = definiteness(matrix);
     if (!(smallest > 0))
     {
       std::ostringstream text;
@@ -57,6 +57,11 @@ namespace vibrocontact
               "definite, add a tread stiffness or take another step.";
       throw InputError(text.str());
     }
+  }
+
+  UnilateralContact::UnilateralContact(const DenseMatrix &full, const std::string &where) : n(full.m())
+  {
+    check_unique_forces(full, where);
     inverse_1 = 1 / full(0, 0);
     if (n <= few)
     {

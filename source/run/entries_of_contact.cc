@@ -33,6 +33,12 @@ namespace vibrocontact
     }
   } // namespace
 
+  void add_friction_coefficient(EntriesRead &entries, const ContactParameters &contact)
+  {
+    entries.add_if(contact.takes_coefficient(), "the Contact/Friction law is scaled by it", "Contact",
+                   "Friction coefficient");
+  }
+
   void add_friction(EntriesRead &entries, const ContactParameters &contact, const bool rubs,
                     const std::string &condition)
   {

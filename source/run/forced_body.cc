@@ -116,45 +116,22 @@ namespace vibrocontact
     ForcedBody by_its_points(const PeriodicParameters &periodic, const RoadBody &own,
                              const unsigned int rows_per_point)
     {
-      const unsigned int n_points = own.places.size(), n = rows_per_point * n_points,
-                         n_own = own.body.n_rows();
-      // of each row; n_own: no motion
-      std::vector<unsigned int> source(n + 1, n_own);
-      std::vector<double> sign(n + 1, 1.);
-      source[n] = 0;
-      sign[n] = periodic.stop_axis().second;
+      const unsigned int n_points = own.places.size();
+      const double into_stop = periodic.stop_axis().second;
+      std::vector<SignedRow> rows;
       for (unsigned int i = 0; i < n_points; ++i)
       {
-        source[i * rows_per_point] = i;
-        sign[i * rows_per_point] = periodic.stop_axis().second;
-        if (n_own > n_points && rows_per_point > 1)
-          source[i * rows_per_point + 1] = n_points + i;
+        rows.push_back({i, into_stop});
+        // nothing moves across the road
+        if (rows_per_point > 1)
+          rows.insert(rows.end(), {{n_points + i, 1.}, {i, 0.}});
       }
-      ForcedBody body{own.body};
-      body.force_row = n;
-      body.trace.reinit(n + 1, body.n_modes());
-      body.right.reinit(n + 1, body.n_poles());
-      body.left.reinit(n + 1, body.n_poles());
-      body.residual.reinit(n + 1, n + 1);
-      body.residual_load.assign(n + 1, 0.);
+      rows.push_back({0, into_stop});
+      ForcedBody body{with_rows(own.body, rows)};
+      const unsigned int force = body.force_row = rows.size() - 1;
+      for (const auto &[i, j] : {std::pair(0u, force), {force, 0u}, {force, force}})
+        body.residual(i, j) -= own.tread;
       body.modal_load.resize(body.n_modes());
-      for (unsigned int i = 0; i <= n; ++i)
-      {
-        if (source[i] == n_own)
-          continue;
-        for (unsigned int k = 0; k < body.n_modes(); ++k)
-          body.trace(i, k) = sign[i] * own.body.trace(source[i], k);
-        for (unsigned int k = 0; k < body.n_poles(); ++k)
-        {
-          body.right(i, k) = sign[i] * own.body.right(source[i], k);
-          body.left(i, k) = sign[i] * own.body.left(source[i], k);
-        }
-        for (unsigned int j = 0; j <= n; ++j)
-          if (source[j] < n_own && own.body.residual.m() > 0)
-            body.residual(i, j) = sign[i] * sign[j] *
-                                  (own.body.residual(source[i], source[j]) -
-                                   (source[i] == source[j] && (i == n || j == n) ? own.tread : 0.));
-      }
       for (const double height : own.shapes)
         body.gap.push_back(periodic.gap + height);
       return body;

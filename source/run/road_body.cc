@@ -1,6 +1,6 @@
+#include <vibrocontact/analyses/static_load.h>
 #include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/bodies/road_rows.h>
-#include <vibrocontact/response/static_load.h>
 #include <vibrocontact/run/road_body.h>
 #include <vibrocontact/run/run_identification.h>
 
@@ -64,8 +64,7 @@ namespace vibrocontact
       }
       if (!body.ring.is_meshed())
       {
-        // a ring that rolls forward turns backwards in its own coordinate
-        const double rotation = body.ring.rolling ? -use.speed / body.ring.radius : 0;
+        const double rotation = body.ring.rotation(use.speed);
         const std::vector<RingRow> rows = ring_rows(body.ring, use.friction);
         result.body = rotation == 0 ? ring_modes(body.ring, rows) : ring_poles(body.ring, rows, rotation);
         result.is_passive = rotation == 0;
@@ -100,9 +99,8 @@ namespace vibrocontact
   {
     RoadParameters road = parameters.road;
     if (!parameters.rolling.normal_force.empty())
-      road.indentation =
-          indentation_of_load(by_poles(body.body), body.shapes, parameters.rolling.normal_force.front(),
-                              parameters.contact.law());
+      road.indentation = indentation_of_load(by_poles(body.body), body.shapes,
+                                             parameters.rolling.normal_force.front(), road_laws(parameters));
     return road;
   }
 } // namespace vibrocontact

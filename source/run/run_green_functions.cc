@@ -56,8 +56,7 @@ namespace vibrocontact
       }
       else
       {
-        // a ring that rolls forward turns backwards in its own coordinate
-        result.rotation = body.ring.rolling ? -parameters.road.speed / body.ring.radius : 0;
+        result.rotation = body.ring.rotation(parameters.road.speed);
         result.rows = ring_rows(body.ring, parameters.frequency_response.tangential);
         both_ways = body.ring.rolling;
         result.poles = ring_poles(body.ring, result.rows, result.rotation);

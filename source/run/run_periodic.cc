@@ -184,8 +184,7 @@ namespace vibrocontact
       entries.add_if(body.rolls(), "the ring rolls", "Road", "Speed");
       if (on_grid && body.is_meshed())
         add_contact_grid(entries, parameters);
-      entries.add_if(parameters.contact.takes_coefficient(), "the Contact/Friction law is scaled by it",
-                     "Contact", "Friction coefficient");
+      add_friction_coefficient(entries, parameters.contact);
       entries.add_if(parameters.contact.friction > 0, "there is friction", "Contact", "Friction law");
       entries.add_if(own.law.empty(), "Periodic/Law is empty", "Contact", "Normal law");
       add_normal_law(entries, *parameters.contact.laws,
@@ -209,7 +208,7 @@ namespace vibrocontact
       const BranchParameters &branch = own.continuation;
       const std::string continuation = section + "/Continuation",
                         followed = "Periodic/Continuation/Parameter is not none";
-      const bool wanted = branch.is_wanted(), tells = wanted && branch.stability != "none";
+      const bool wanted = branch.is_wanted(), tells = branch.tells_stability();
       entries.add(continuation, "Parameter");
       entries.add_if(wanted, followed, continuation,
                      "First value, Last value, Start value, Scale, Largest step, Smallest step, Most points, "

@@ -329,8 +329,7 @@ namespace vibrocontact
     {
       add_partners(entries, parameters, moving_in_contact());
       add_contact(entries, parameters, parameters.contact.friction);
-      entries.add_if(parameters.contact.takes_coefficient(), "the Contact/Friction law is scaled by it",
-                     "Contact", "Friction coefficient");
+      add_friction_coefficient(entries, parameters.contact);
       add_hub(entries, parameters);
 
       const TransientParameters &own = parameters.transient;

@@ -34,6 +34,8 @@ namespace vibrocontact
     std::vector<unsigned int> numbers;
 
     bool is_wanted() const { return parameter != "none"; }
+    /// whether the stability of its solutions is told
+    bool tells_stability() const { return is_wanted() && stability != "none"; }
     void declare_parameters(dealii::ParameterHandler &prm);
     /// @throws InputError
     void check() const;

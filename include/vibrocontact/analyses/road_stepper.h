@@ -21,8 +21,8 @@ namespace vibrocontact
 
     /// Without friction. @param heights, displacements, forces n_points per step
     void run(unsigned int n_steps, const double *heights, double *displacements, double *forces);
-    /// By the common solvers. @param tangential_displacements, tangential_forces as the others, the line that the first
-    /// step begins with in front of them; null without friction
+    /// By the common solvers. @param tangential_displacements, tangential_forces as the others; null without friction. With
+    /// it the line that the first step begins with stands in front of them and of the forces
     void run_common(unsigned int n_steps, const double *heights, double *displacements, double *forces,
                     double *tangential_displacements, double *tangential_forces);
 
@@ -32,11 +32,10 @@ namespace vibrocontact
     const bool is_common;
     unsigned long closed_points = 0, sticking_points = 0, iterations = 0;
     double residual = 0, dissipation = 0;
-    /// of the step before; n_rows
-    std::vector<double> forces_before;
 
   private:
-    std::vector<double> law_speed(const ContactSolution &solution) const;
+    std::vector<double> law_speed(const ContactSolution &solution,
+                                  const std::vector<double> &forces_before) const;
     void run_one(unsigned int n_steps, const double *heights, double *displacements, double *forces);
     void run_many(unsigned int n_steps, const double *heights, double *displacements, double *forces);
 

@@ -61,6 +61,16 @@ namespace vibrocontact
     }
   };
 
+  /// A row of another body, in its direction or against it; factor 0: a row that does not move.
+  struct SignedRow
+  {
+    unsigned int row;
+    double factor;
+  };
+
+  /// The body between these rows, each as often as it is named.
+  BodyInContact with_rows(const BodyInContact &body, const std::vector<SignedRow> &rows);
+
   /// The same body with a pole for each mode (two real ones if it is damped beyond critical), for analyses that march
   /// in poles. Critical damping is taken for less by a hair and a rigid motion as a pair at +-j 1e-12 rad/s, which after a
   /// day has turned by 1e-7: both poles would be double.

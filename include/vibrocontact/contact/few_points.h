@@ -21,7 +21,6 @@ namespace vibrocontact
     /// @param matrix A, 3 n square; @param mu of all points; @param law normal law
     FewPoints(DenseMatrix matrix, double mu, std::shared_ptr<const NormalLaw> law);
 
-    unsigned int n_points() const { return n; }
     /// @param b 3 n; @param R start on entry, solution on return; 3 n [N]
     /// @return whether it was found: the largest defect of a projection is below 1e-11 of the largest
     /// force, or of that which would close the widest gap

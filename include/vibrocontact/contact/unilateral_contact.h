@@ -73,6 +73,10 @@ namespace vibrocontact
     double last_residual = 0;
   };
 
+  /// @param where said in the message
+  /// @throws InputError if M is not positive definite, so that forces would not be unique
+  void check_unique_forces(const DenseMatrix &matrix, const std::string &where);
+
   /// Smallest eigenvalue of the symmetric part of M over the largest modulus: <= 0 if x^T M x > 0 fails.
   double definiteness(const DenseMatrix &matrix);
 } // namespace vibrocontact

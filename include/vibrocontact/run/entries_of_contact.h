@@ -21,6 +21,8 @@ namespace vibrocontact
   /// Section Contact/Solver. @param condition in words of what has to hold
   void add_contact_solver(EntriesRead &entries, const Parameters &parameters, bool holds = true,
                           const std::string &condition = "");
+  /// Contact/Friction coefficient, if the law is scaled by it.
+  void add_friction_coefficient(EntriesRead &entries, const ContactParameters &contact);
   /// The friction law, its coefficient and what it is made of. @param condition in words of what holds where it acts
   void add_friction(EntriesRead &entries, const ContactParameters &contact, bool rubs,
                     const std::string &condition);

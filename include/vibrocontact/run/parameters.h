@@ -50,6 +50,7 @@ namespace vibrocontact
                     const std::vector<AnalysisType> &known_analyses);
     /// After the lists of the scene are filled.
     void declare(dealii::ParameterHandler &prm);
+    /// Bodies, contact and analyses against each other (run/check_parameters.cc). @throws InputError
     void check() const;
     /// Looks for bodies that touch with a flat face which ends within reach of the contact grid (contact_grid()
     /// then ends with it), and refuses grids that such a contact would fill for certain without ending there.

@@ -43,6 +43,6 @@ namespace vibrocontact
   RoadLaws road_laws(const Parameters &parameters);
 
   /// The road of body 1: section Road, with the indentation at which a flat road presses with Rolling/Normal force if that
-  /// is given (response/static_load.h).
+  /// is given (analyses/static_load.h).
   RoadParameters road_of(const Parameters &parameters, const RoadBody &body);
 } // namespace vibrocontact

@@ -103,9 +103,9 @@ namespace vibrocontact
     bool has_material() const { return type != "rigid" && !is_green(); }
     /// has a mesh whose groups of cells may have materials of their own
     bool has_groups() const { return type == "wheel" || type == "rail" || type == "mesh"; }
-    /// known by its Green's functions: rolls on a road, cannot be a partner of other contacts
-    /// A ring whose Green's functions are those of rolling.
+    /// an analytic ring whose Green's functions are those of rolling
     bool rolls() const { return type == "ring" && !is_meshed() && ring.rolling; }
+    /// known by its Green's functions: rolls on a road, cannot be a partner of other contacts
     bool is_green() const { return type == "identified" || type == "ring" || type == "oscillator"; }
     /// turns about an axle, built in or from a mesh file: its modes have labels and Eq. 23's damping
     bool is_wheel() const { return type == "wheel" || (type == "mesh" && mesh.is_wheel()); }

@@ -62,6 +62,8 @@ namespace vibrocontact
     void check(const std::string &section) const;
 
     bool is_meshed() const { return model != "analytic"; }
+    /// Omega at a speed of rolling [rad/s]: what rolls forward turns backwards in its own coordinate.
+    double rotation(const double speed) const { return rolling ? -speed / radius : 0.; }
     /// m [kg/m], B, k and t [N/m^2]
     double line_density() const { return density * thickness * width; }
     double bending() const;

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <vibrocontact/bodies/body_in_contact.h>
-#include <vibrocontact/contact/laws/normal_laws.h>
+#include <vibrocontact/analyses/road_contact.h>
 
 #include <vector>
 
@@ -13,9 +12,9 @@ namespace vibrocontact
   ///   gap = u_0 + G(0) q - (indentation - shape),     q_i = P(q_i, gap_i) by the normal law,     sum q = force
   ///
   /// G(0) the static receptance of the normal rows, residual and tread included, u_0 the displacement under the
-  /// loads. Without friction.
+  /// loads. Without friction, whatever the laws say of it.
   /// @param shapes height of the undeformed surface at each point [m], the model's first rows; @param force [N] > 0
-  /// @return [m] @throws InputError if the body has no static response, or there is no such force
+  /// @return [m] @throws InputError if the body has no static response, that is not positive definite, or there is no such force
   double indentation_of_load(const BodyInContact &model, const std::vector<double> &shapes, double force,
-                             const std::shared_ptr<const NormalLaw> &law = create_normal_law("signorini"));
+                             const RoadLaws &laws = {});
 } // namespace vibrocontact

@@ -1,7 +1,8 @@
+#include <vibrocontact/analyses/static_load.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/contact/contact_solvers.h>
-#include <vibrocontact/response/static_load.h>
+#include <vibrocontact/contact/unilateral_contact.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,7 @@
 namespace vibrocontact
 {
   double indentation_of_load(const BodyInContact &model, const std::vector<double> &shapes,
-                             const double force, const std::shared_ptr<const NormalLaw> &law)
+                             const double force, const RoadLaws &laws)
   {
     const unsigned int n = shapes.size();
     std::vector<std::complex<double>> weights;
@@ -35,18 +36,10 @@ namespace vibrocontact
                          "contact point " +
                          std::to_string(i) + ": give Road/Indentation in its place.");
     }
-    ContactProblem problem;
-    problem.title = "contact with a flat road at rest";
-    DenseMatrix whole_problem(3 * n, 3 * n);
-    for (unsigned int i = 0; i < 3 * n; ++i)
-      for (unsigned int j = 0; j < 3 * n; ++j)
-        whole_problem(i, j) = i < n && j < n ? compliance(i, j) : i == j ? compliance(0, 0) : 0.;
-    problem.A = std::make_shared<DenseContactOperator>(whole_problem);
-    problem.b.reinit(3 * n);
+    check_unique_forces(compliance, "at rest");
+    ContactProblem problem = road_contact_problem(compliance, n, {laws.normal}, 1.);
     for (unsigned int i = 0; i < n; ++i)
       problem.b[i] = unloaded[i] + shapes[i];
-    problem.mu.assign(n, 0.);
-    problem.normal_law = law;
     problem.normal_force = force;
     problem.approach = *std::min_element(problem.b.begin(), problem.b.begin() + n);
     ContactSolverParameters parameters;

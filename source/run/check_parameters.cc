@@ -1,0 +1,483 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/base/parameter_text.h>
+#include <vibrocontact/contact/problem_file.h>
+#include <vibrocontact/reduction/window.h>
+#include <vibrocontact/run/check_transient.h>
+#include <vibrocontact/run/parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// a band of this size has a Schur complement of some 0.6 GB
+    constexpr unsigned int most_band_points = 3000;
+
+    /// The static response of a body that nothing holds is infinite.
+    void check_supports(const Scene &scene)
+    {
+      const std::string free = ", so that the body is free to fall under the contact force; ";
+      for (const BodyParameters &body : scene.bodies)
+        if (body.type == "block" && body.block.held.empty())
+          throw InputError(body.name + "/Block/Held is empty" + free +
+                           "hold at least one boundary, for instance Held = " +
+                           (body.block.contact_face == "top" ? "bottom" : "top"));
+        else if (body.type == "mesh" && !body.mesh.is_supported())
+          throw InputError(body.name + "/Mesh/Held groups and Foundation groups are empty" + free +
+                           "hold at least one of the file's groups or put it on springs");
+        else if (body.type == "rail" && !body.rail.has_pads())
+          throw InputError(body.name + "/Rail has no pad stiffness" + free + "give Pad stiffness x, y and z");
+        else if (body.type == "beam rail" && !body.beam_rail.has_pads())
+          throw InputError(body.name + "/Beam rail has no pad stiffness" + free +
+                           "give Pad stiffness x, y and z");
+    }
+
+    void check_rolling(const BodyParameters &body, const RoadParameters &road)
+    {
+      if (body.rolls() && road.speed == 0)
+        throw InputError(body.name +
+                         "/Ring/Rolling is true, but Road/Speed is 0: the poles of a rolling ring need a "
+                         "constant Speed, give it.");
+    }
+
+    void check_frequency_response(const Scene &scene, const std::map<std::string, ModeParameters> &modes,
+                                  const FrequencyResponseParameters &response)
+    {
+      response.check();
+      const std::vector<std::string> wanted = split_list(response.bodies);
+      for (const std::string &name : wanted)
+        if (modes.count(name) == 0 &&
+            std::none_of(scene.bodies.begin(), scene.bodies.end(),
+                         [&](const BodyParameters &body) { return body.name == name && body.is_green(); }))
+          throw InputError("Frequency response/Bodies names \"" + name +
+                           "\", which is no meshed body of this file; name one or leave the entry empty");
+      for (const BodyParameters &body : scene.bodies)
+        if (body.is_meshed() && response.method == "modal" && !modes.at(body.name).any() &&
+            (wanted.empty() || std::count(wanted.begin(), wanted.end(), body.name) > 0))
+          throw InputError(body.name +
+                           "/Modes asks for no modes, but Frequency response/Method is modal; give Upper "
+                           "frequency or Count, or set Method to direct");
+    }
+
+    /// @param before in front of the message
+    void check_constant_friction(const ContactParameters &contact, const std::string &before,
+                                 const std::string &analysis)
+    {
+      if (contact.law_of_friction()->depends_on_speed())
+        throw InputError(before +
+                         (contact.friction_law.empty() ? "Contact/Static friction ratio is not 1"
+                                                       : "Contact/Friction law is " + contact.friction_law) +
+                         ": " + analysis + " knows constant friction only.");
+    }
+
+    void check_road_friction(const Parameters &parameters)
+    {
+      const BodyParameters &body = parameters.scene.bodies[0];
+      if (!parameters.modal_convolution.friction)
+      {
+        bool slides = parameters.road.sliding_speed != 0;
+        for (const auto &further : parameters.comparison.further_bodies)
+          slides = slides || further.second.road.sliding_speed != 0;
+        if (slides)
+          throw InputError("Road/Sliding speed is given, but Modal convolution/Friction is false, so that "
+                           "nothing feels it: set Friction to true or leave the speed out.");
+        return;
+      }
+      const std::string entry = "Modal convolution/Friction is true, but ";
+      if (body.type == "identified")
+        throw InputError(entry + body.name +
+                         " is of type identified, whose data say nothing about motion along "
+                         "the road: set it to false.");
+      if (body.rolls())
+        throw InputError(entry + body.name +
+                         "/Ring/Rolling too: the slip of material that flows through the "
+                         "contact points is not known here; set one of them to false.");
+      if (parameters.comparison.any())
+        throw InputError(entry +
+                         "Comparison/Rows asks for a comparison of methods, whose exact motion has none: "
+                         "leave one of them out.");
+    }
+
+    /// What carries body 1, in the analyses in which it moves or is pressed down.
+    void check_hub_of_body_1(const Parameters &parameters)
+    {
+      const RollingParameters &rolling = parameters.rolling;
+      if (rolling.hub != "suspended" && rolling.suspension.any())
+        throw InputError("Section Rolling/Suspension carries a suspended hub, but Rolling/Hub is " +
+                         rolling.hub + ": set it to suspended or leave the section out.");
+      if (rolling.hub == "held")
+        return;
+      const BodyParameters &body = parameters.scene.bodies[0];
+      if (body.type == "half-space")
+        throw InputError("Rolling/Hub is " + rolling.hub + ", but body 1, " + body.name +
+                         ", is a half-space, which has no hub: leave the entry out.");
+      if (rolling.hub != "suspended")
+        return;
+      if (!(rolling.suspension.mass > 0))
+        throw InputError(
+            "Rolling/Hub is suspended, but Rolling/Suspension/Unsprung mass is 0: give the mass of "
+            "all that moves with the hub, body 1 included, or set Hub to massless.");
+      for (unsigned int d = 0; d < 3; ++d)
+        if (!(rolling.suspension.stiffness[d] > 0))
+          throw InputError(
+              std::string("Rolling/Hub is suspended, but Rolling/Suspension/Stiffness ") + "xyz"[d] +
+              " is 0, so that nothing keeps the hub at its place: give the stiffness of the primary "
+              "suspension along " +
+              "xyz"[d] + ".");
+      if (parameters.scene.runs("stability") && parameters.stability.model != "reduced")
+        throw InputError("Stability/Model is " + parameters.stability.model +
+                         ", which knows no suspended hub: set it to reduced, or Rolling/Hub to held.");
+      if (parameters.scene.runs("stability") && parameters.stability.second_count)
+        throw InputError("Stability/Second count knows no suspended hub: leave it out, or set Rolling/Hub to "
+                         "held.");
+    }
+
+    void check_sweep(const Parameters &parameters)
+    {
+      const ParameterSweep &sweep = parameters.stability.sweep;
+      parameters.stability.check();
+      if (!sweep.any())
+        return;
+      const RollingParameters::Sweep &rolling = parameters.rolling.sweep;
+      if (!rolling.given().empty())
+        throw InputError("Stability/Sweep/Entry and Rolling/Sweep are both given: leave one of them out.");
+      if (!sweep.sweeps(ParameterSweep::lateral_position))
+        return;
+      for (const char *other : {"quasi-static rolling", "transient", "frequency response"})
+        if (parameters.scene.runs(other))
+          throw InputError("Stability/Sweep/Entry sweeps Contact/Lateral position on one reduction of " +
+                           parameters.scene.bodies[0].name + " for all positions, which the analysis \"" +
+                           other + "\" does not take: run it from a file of its own.");
+      if (!parameters.scene.bodies[0].is_meshed())
+        throw InputError("Stability/Sweep/Entry is Contact/Lateral position, which moves the contact on body "
+                         "1, but " +
+                         parameters.scene.bodies[0].name + " has no mesh: sweep another entry.");
+      const ContactGrid grid = parameters.body_grid(0);
+      if (grid.n_points() > most_band_points)
+        throw InputError("Stability/Sweep/Range asks for a band of " + std::to_string(grid.n_x) + " x " +
+                         std::to_string(grid.n_y) + " contact points on " + parameters.scene.bodies[0].name +
+                         ", more than " + std::to_string(most_band_points) +
+                         ": sweep a shorter range, enlarge Contact/Grid spacing or make Contact/Half length "
+                         "and Half width smaller.");
+    }
+
+    /// Sections of the analyses that run on another model than the reduced one, and that model.
+    std::map<std::string, std::string> unreduced_models(const Parameters &parameters)
+    {
+      std::map<std::string, std::string> models;
+      if (parameters.scene.runs("stability") && parameters.stability.model != "reduced")
+        models["Stability"] = parameters.stability.model;
+      if (parameters.scene.runs("transient") && parameters.transient.model != "reduced")
+        models["Transient"] = parameters.transient.model;
+      return models;
+    }
+
+    /// What stands in place of the elements' local flexibility, and what then carries the rest.
+    void check_local_flexibility(const Parameters &parameters)
+    {
+      const ContactParameters &contact = parameters.contact;
+      if (!contact.replaces_flexibility())
+        return;
+      const std::string entry = contact.half_space_flexibility()
+                                    ? "Contact/Local flexibility is half-space"
+                                    : "Contact/Normal-tangential coupling is false";
+      for (const auto &[section, model] : unreduced_models(parameters))
+        throw InputError(
+            entry + ", but " + section + "/Model is " + model +
+            ", which takes the local flexibility from the elements themselves: set it to reduced.");
+      if (contact.half_space_flexibility() && contact.quadrature == "consistent")
+        throw InputError(entry + ", which knows tractions that are constant on each cell only: set "
+                                 "Contact/Quadrature to lumped.");
+      for (const BodyParameters &body : parameters.scene.bodies)
+      {
+        if (contact.half_space_flexibility() && (body.type == "bar" || body.type == "layer"))
+          throw InputError(entry + ", but the surface of the " + body.type + " " + body.name +
+                           " is no half-space: set it to finite elements.");
+        if (contact.half_space_flexibility() && body.materials.size() > 1)
+          throw InputError(entry + ", but " + body.name +
+                           "/Materials lists several, and which of them would fill the half-space is not "
+                           "known: set it to finite elements.");
+        if (body.is_meshed() && !parameters.modes.at(body.name).any())
+          throw InputError(body.name + "/Modes asks for no modes, but " + entry +
+                           ", so that the modes have to carry the rest of the body's flexibility; give Upper "
+                           "frequency or Count");
+      }
+    }
+
+    /// A beam rail and a half-space lie below the contact, or carry tractions that are constant on each cell.
+    void check_half_space_contact(const Scene &scene, const ContactParameters &contact)
+    {
+      if (scene.bodies[0].type == "beam rail")
+        throw InputError(scene.bodies[0].name +
+                         " is a beam rail, which lies below the contact, but is body 1, above; "
+                         "list it second in Bodies.");
+      for (const BodyParameters &body : scene.bodies)
+        if (contact.quadrature == "consistent" && (body.type == "beam rail" || body.type == "half-space"))
+          throw InputError("Contact/Quadrature is consistent, but the half-space under the contact of " +
+                           body.name +
+                           " knows tractions that are constant on each cell only: set it to lumped.");
+    }
+
+    /// Two bodies without a mesh touch in a point (in a line along a strip), and one of them gives way.
+    void check_touch(const BodyParameters &body_1, const BodyParameters &body_2, const bool strip)
+    {
+      if (body_1.is_meshed() || body_2.is_meshed())
+        return;
+      if (body_1.type == "rigid" && body_2.type == "rigid")
+        throw InputError("The bodies " + body_1.name + " and " + body_2.name +
+                         " are both rigid: make one of them a half-space or a meshed body.");
+      const double x = body_1.half_space.curvature_x() + body_2.half_space.curvature_x(),
+                   y = body_1.half_space.curvature_y() + body_2.half_space.curvature_y();
+      if (!(x > 0) || (!(y > 0) && !strip))
+        throw InputError(
+            "The bodies " + body_1.name + " and " + body_2.name +
+            " do not touch in a point: their curvatures 1/Radius x, 1/Radius y must sum to a positive "
+            "number in both directions (along x alone with a Contact/Strip length).");
+    }
+
+    void check_law_of_periodic(const ContactParameters &contact, const PeriodicParameters &periodic)
+    {
+      const std::string own = periodic.own_law();
+      if (!own.empty() && contact.normal_law != ContactParameters().normal_law && contact.normal_law != own)
+        throw InputError("Periodic/Law is " + periodic.law + " and Contact/Normal law is " +
+                         contact.normal_law + ", but there is one stop: leave one of them out.");
+    }
+
+    /// A layer stays where it is; what it slides on is rigid.
+    void check_layer(const Scene &scene, const RollingParameters &rolling)
+    {
+      for (const BodyParameters &body : scene.bodies)
+        if (body.type == "layer")
+        {
+          if (&body != &scene.bodies[0] || scene.bodies.size() < 2 || scene.bodies[1].type != "rigid")
+            throw InputError(
+                "The layer " + body.name +
+                " slides on a rigid plane: list it first in Bodies and a body of type rigid second.");
+          if (scene.bodies[1].half_space.curvature_x() != 0 || scene.bodies[1].half_space.curvature_y() != 0)
+            throw InputError(scene.bodies[1].name + "/Rigid has a curvature, but a layer slides on a plane: "
+                                                    "leave its radii out.");
+          const bool reads_speed =
+              scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient");
+          if (reads_speed && rolling.creepage.speed != 0)
+            throw InputError("Entry Rolling/Speed has to be 0 for the layer " + body.name +
+                             ", whose material stays in place: give a Sliding velocity.");
+        }
+    }
+
+    /// Periodic motion of a body that is known between its own contact points alone.
+    void check_periodic_points(const Parameters &parameters)
+    {
+      const BodyParameters &body = parameters.scene.bodies[0];
+      const PeriodicParameters &periodic = parameters.periodic;
+      const std::string moves = ", but " + body.name + ", of type " + body.type + ", ";
+      const bool rolls = body.rolls(), by_poles = rolls || body.type == "identified",
+                 friction = parameters.contact.friction > 0;
+      if (!periodic.contact_points.empty() || !periodic.force_point.empty())
+        throw InputError(std::string("Periodic/") +
+                         (periodic.contact_points.empty() ? "Force point" : "Contact points") + " is given" +
+                         moves + "is touched and driven at its own contact points: leave it out.");
+      if (periodic.stop_axis().first != 2)
+        throw InputError("Periodic/Stop direction is " + periodic.stop_direction + moves +
+                         "meets a stop below or above it: set it to -z or +z.");
+      if (periodic.model != "reduced")
+        throw InputError("Periodic/Model is finite elements" + moves + "has none: set it to reduced.");
+      if (friction && (by_poles || body.type == "oscillator"))
+        throw InputError(
+            "Contact/Friction coefficient is " + number_text(parameters.contact.friction) + moves +
+            (rolls ? "rolls: the slip of material that flows through the contact points is not known here"
+             : by_poles ? "has no data about motion along the stop"
+                        : "does not move along the stop, as nothing drives it there") +
+            "; set it to 0.");
+      if (body.type == "identified" && body.identified.inverse_transform)
+        throw InputError(
+            body.name + "/Identified/Inverse transform is true, whose Green's functions repeat themselves; a "
+                        "periodic motion needs poles: leave it out.");
+      if (by_poles && (periodic.reference || periodic.continuation.tells_stability()))
+        throw InputError(std::string(periodic.reference ? "Periodic/Reference is true"
+                                                        : "Periodic/Continuation/Stability is not none") +
+                         moves + "has no real modes, which they are found from: leave it out.");
+      check_rolling(body, parameters.road);
+    }
+  } // namespace
+
+  void Parameters::check() const
+  {
+    scene.check();
+    if (has_contact())
+    {
+      check_layer(scene, rolling);
+      check_half_space_contact(scene, contact);
+      // a body on a road has no partner
+      if (scene.bodies.size() > 1 && !scene.runs("modal convolution"))
+        check_touch(scene.bodies[0], scene.bodies[1], contact.strip_length > 0);
+      check_local_flexibility(*this);
+    }
+    for (const auto &[name, mode] : modes)
+      mode.check(name + "/Modes");
+    if (scene.runs("modes"))
+    {
+      bool any = false;
+      for (const auto &[name, mode] : modes)
+        any = any || mode.any();
+      if (!any)
+        throw InputError(modes.begin()->first +
+                         "/Modes asks for no modes, nor does any other body, but the analysis "
+                         "\"modes\" is listed; give Upper frequency or Count, or leave it out");
+    }
+    if (scene.runs("quasi-static rolling") || scene.runs("stability"))
+    {
+      rolling.check(contact.friction == 0 && rolling.sweep.friction.empty() && !scene.runs("stability"));
+      check_supports(scene);
+      if (!rolling.sweep.friction.empty() && !contact.takes_coefficient())
+        throw InputError("Rolling/Sweep/Friction coefficient is given, but Contact/Friction law is " +
+                         contact.friction_law +
+                         ", which has its own coefficients: leave the sweep out or take another law.");
+      // a single value left at its default is not given; used.prm of a sweep has to be valid
+      if (!rolling.sweep.friction.empty() && contact.friction != ContactParameters().friction)
+        throw InputError(
+            "Contact/Friction coefficient and Rolling/Sweep/Friction coefficient are both given, "
+            "but the sweep takes the place of the single value: leave one of them out.");
+    }
+    if (scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient"))
+      check_hub_of_body_1(*this);
+    if (scene.runs("transient"))
+    {
+      std::vector<std::string> with_modes;
+      for (const auto &[name, mode] : modes)
+        with_modes.push_back(name);
+      check_transient(transient, rolling, scene, with_modes);
+      signals.check(with_modes, transient);
+    }
+    if (scene.runs("frequency response"))
+      check_frequency_response(scene, modes, frequency_response);
+    if (has_identification())
+      identification.check();
+    if (scene.runs("stability"))
+      check_sweep(*this);
+    if (scene.runs("frequency response"))
+      for (const BodyParameters &body : scene.bodies)
+        check_rolling(body, road);
+    if (scene.runs("modal convolution"))
+    {
+      if (!scene.bodies[0].is_green() && !scene.bodies[0].is_meshed())
+        throw InputError("Analyses: a modal convolution moves body 1 by its poles, but " +
+                         scene.bodies[0].name + ", " + scene.bodies[0].type +
+                         ", has none: make body 1 an oscillator, a ring, an identified body or one "
+                         "with elements.");
+      road.check();
+      modal_convolution.check();
+      comparison.check();
+      check_road_friction(*this);
+      if (comparison.any() && !contact.law()->is_rigid())
+        throw InputError(
+            "Comparison/Rows asks for a comparison of methods, whose exact motion knows rigid points "
+            "only, but Contact/Normal law is " +
+            contact.normal_law + ": set it to signorini or leave the rows out.");
+      if (!rolling.normal_force.empty() && road.indentation != 0)
+        throw InputError("Rolling/Normal force and Road/Indentation are both given, but one follows from the "
+                         "other: leave one of them out.");
+      for (const BodyParameters &body : scene.bodies)
+      {
+        const auto further = comparison.further_bodies.find(body.name);
+        const bool first = &body == &scene.bodies[0];
+        if (!first && (further == comparison.further_bodies.end() || further->second.rows.empty()))
+          continue;
+        check_rolling(body, first ? road : further->second.road);
+      }
+      if (scene.runs("transient"))
+        throw InputError(
+            "Analyses lists both transient and modal convolution, which write the same histories: run "
+            "them from a file each.");
+    }
+    if (scene.runs("periodic"))
+    {
+      periodic.check();
+      // an analysis beside it may have the other law
+      if (!scene.runs("quasi-static rolling") && !scene.runs("stability") && !scene.runs("transient"))
+        check_law_of_periodic(contact, periodic);
+      if (contact.friction > 0)
+        check_constant_friction(contact, "", "periodic motion");
+      const bool rigid = periodic_law()->is_rigid();
+      if (!scene.bodies[0].is_meshed() && !scene.bodies[0].is_green())
+        throw InputError("Analyses lists periodic, but " + scene.bodies[0].name + " is a " +
+                         scene.bodies[0].type +
+                         ", which does not vibrate: make body 1 one with elements, an "
+                         "oscillator, a ring or an identified body.");
+      if (!scene.bodies[0].is_meshed())
+        check_periodic_points(*this);
+      if (scene.bodies[0].type == "blade" && periodic.contact_points.empty())
+        throw InputError("Periodic/Contact points is empty, but " + scene.bodies[0].name +
+                         " is a blade, which is touched at places of its tip: give them, for instance "
+                         "Contact points = corner: 0.04, 0.003, 0.2");
+      if (scene.bodies.size() > 1 && scene.bodies[1].type != "rigid")
+        throw InputError("Analyses lists periodic, whose body 2 is a stop, but " + scene.bodies[1].name +
+                         " is a " + scene.bodies[1].type + ": make it rigid or leave it out.");
+      const bool tells_stability = periodic.continuation.tells_stability();
+      if (tells_stability && contact.friction > 0)
+        throw InputError(
+            "Periodic/Continuation/Stability knows no friction: set it to none or Contact/Friction "
+            "coefficient to 0.");
+      if (tells_stability && rigid && periodic.model == "finite elements" &&
+          !scene.bodies[0].bar.massless_contact_node)
+        throw InputError(
+            "Periodic/Continuation/Stability with the rigid law needs a contact node without mass: set " +
+            scene.bodies[0].name +
+            "/Bar/Massless contact node to true or Periodic/Continuation/Stability to none.");
+      if (periodic.reference && contact.friction > 0)
+        throw InputError(
+            "Periodic/Reference knows no friction: set Contact/Friction coefficient to 0 or leave it out.");
+      if (periodic.reference && rigid && periodic.model == "finite elements" &&
+          !scene.bodies[0].bar.massless_contact_node)
+        throw InputError("Periodic/Reference with the rigid law needs a contact node without mass: set " +
+                         scene.bodies[0].name +
+                         "/Bar/Massless contact node to true or Periodic/Law to penalty.");
+    }
+    if ((scene.runs("transient") || scene.runs("periodic")) && scene.bodies[0].type == "bar" &&
+        contact.friction > 0)
+      throw InputError(
+          scene.bodies[0].name +
+          " is a bar, which moves in one direction only: set Contact/Friction coefficient to 0.");
+    if (has_dynamics() || scene.runs("periodic"))
+      for (const BodyParameters &body : scene.bodies)
+        if (body.is_meshed() && !modes.at(body.name).any())
+          throw InputError(body.name + "/Modes asks for no modes, but stability, transient, modal "
+                                       "convolution and periodic move the body by "
+                                       "them; give Upper frequency or Count");
+    if (scene.runs("stability") && !scene.bodies[0].is_meshed() && !scene.bodies[1].is_meshed())
+      throw InputError("Analyses asks for stability, but no body has modes; leave \"stability\" out");
+    if (scene.runs("stability") && stability.second_count && contact.law_of_friction()->depends_on_speed())
+      throw InputError(
+          "Stability/Second count knows constant friction only: take the Contact/Friction law coulomb (a "
+          "Static friction ratio of 1) or leave the count out.");
+    for (const auto &[section, model] : unreduced_models(*this))
+      for (const BodyParameters &body : scene.bodies)
+        if (body.type == "half-space" || body.type == "beam rail")
+          throw InputError(section + "/Model is " + model + ", but " + body.name + " is a " + body.type +
+                           ", whose contact lies on a half-space without inertia: set it to reduced, or make "
+                           "the body rigid or of solid elements.");
+    if (has_contact())
+    {
+      const ContactGrid grid = contact_grid();
+      // a meshed body has a dense compliance, 1.8 GB for 5,000 points; half-spaces a convolution
+      const bool dense = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                     [](const BodyParameters &body) { return body.is_meshed(); });
+      const double n_points = double(grid.n_x) * grid.n_y;
+      const std::string points =
+          std::to_string(grid.n_x) + " x " + std::to_string(grid.n_y) + " contact points";
+      if (n_points > (dense ? 5000 : 250000))
+        throw InputError(
+            "Contact/Grid spacing asks for " + points + ", more than the " +
+            (dense ? "5,000 that can be solved with a meshed body" : "250,000 that can be solved") +
+            "; enlarge it or make Half length and Half width smaller");
+      if (output.contact_problems && n_points > most_points_in_file)
+        throw InputError("Output/Contact problems asks for files of " + points + ", more than the " +
+                         std::to_string(most_points_in_file) +
+                         " that a file holds; set it to false or enlarge Contact/Grid spacing");
+    }
+  }
+} // namespace vibrocontact
