@@ -28,7 +28,7 @@ namespace vibrocontact
 
   FewPoints::FewPoints(DenseMatrix matrix, const double mu, std::shared_ptr<const NormalLaw> law)
       : n(matrix.m() / 3), A(std::move(matrix)), mu(mu), law(std::move(law)), defect(3 * n), by_R(9 * n * n),
-        by_b(9 * n * n), y(3 * n), trial(3 * n), step(3 * n), factors(9 * n * n), pivots(3 * n)
+        by_b(9 * n * n), y(3 * n), trial(3 * n), step(3 * n), factors(9 * n * n), pivots(3 * n), statuses(n)
   {
   }
 
@@ -78,6 +78,9 @@ namespace vibrocontact
           by_R[j * m + row[a]] -= by_force * normal.by_gap * A(i, j);
         by_b[i * m + row[a]] -= by_force * normal.by_gap;
       }
+      statuses[i] = normal.force <= 0   ? ContactStatus::open
+                    : tangential.sticks ? ContactStatus::stick
+                                        : ContactStatus::slip;
       size = std::max({size, normal.force, rho * std::abs(b[i])});
       for (const unsigned int k : {i, row[0], row[1]})
         largest = std::max(largest, std::abs(defect[k]));

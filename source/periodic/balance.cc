@@ -55,6 +55,7 @@ namespace vibrocontact
     by_u.resize(body.n_points() * blocks);
     by_v.resize(by_u.size());
     by_c.resize(by_u.size());
+    status.resize(body.n_points() * samples->n_samples());
     bool is_massless = settings.friction > 0 && !spring && body.relaxation == 0;
     for (unsigned int i = 0; i < body.n_contact_rows(); ++i)
       is_massless = is_massless && body.residual(i, i) > 0;
@@ -118,7 +119,7 @@ namespace vibrocontact
           size = std::max(size, std::abs(linear.compliance[(m * n + i) * n + i]));
         is_inert[i] = size <= 1e-14 * normal;
       }
-    // kept while they are of the right size: a solution does not depend on them, its derivatives on the way do
+    // kept while they are of the right size: solutions depend on them within the error of the functions
     const auto renew = [&](double &rho, const double wanted)
     {
       if (!(rho > wanted / 4 && rho < wanted * 4))
@@ -217,6 +218,7 @@ namespace vibrocontact
           du[k] = -value.by_gap;
           dc[k] = value.by_force;
         }
+        status[p * count + k] = du[k] != 0 ? ContactStatus::slip : ContactStatus::open;
       }
       if (!friction)
         continue;
@@ -227,6 +229,8 @@ namespace vibrocontact
         const Vector2 trial = {{c_samples[first + k] - tangential_rho * f * v_samples[first + k],
                                 c_samples[second + k] - tangential_rho * f * v_samples[second + k]}};
         const auto value = project_on_disc(trial, settings.friction * law_samples[normal + k]);
+        if (value.sticks && status[p * count + k] != ContactStatus::open)
+          status[p * count + k] = ContactStatus::stick;
         for (unsigned int a = 0; a < 2; ++a)
         {
           if (is_inert[p * rows + 1 + a])
@@ -268,13 +272,10 @@ namespace vibrocontact
     }
     if (!massless->march(modal_samples, body.gap, law_samples))
       law_samples[0] = std::numeric_limits<double>::quiet_NaN(); // Newton's method turns back
-    std::fill(by_u.begin(), by_u.end(), 0.);
+    status = massless->status();
     for (unsigned int i = 0; i < n; i += rows)
       for (unsigned int k = 0; k < count; ++k)
-      {
         law_samples[i * count + k] *= -1;
-        by_u[i * rows * count + k] = law_samples[i * count + k] > 0 ? 1. : 0.;
-      }
   }
 
   std::array<double, 3> PeriodicBalance::contact_force(const std::array<double, 3> &given, const double gap,
@@ -335,14 +336,15 @@ namespace vibrocontact
           if (!spring || (a > 0 && b > 0))
             samples->add_weighted(&by_c[at], Quantity::force, -1., jacobian, row, column);
         }
-    // minus (by displacement) H sign
+    // minus (by displacement) H sign; forces of a point without history depend on its own motion alone
     const auto axpy = [&](const double factor, const unsigned int from, const unsigned int to)
     {
       if (factor == 0)
         return;
-      const double *const x = &by_displacement(0, from);
-      double *const y = &jacobian(0, to);
-      for (unsigned int r = 0; r < n * N; ++r)
+      const unsigned int size = massless ? n * N : rows * N, begin = massless ? 0 : from / size * size;
+      const double *const x = &by_displacement(begin, from);
+      double *const y = &jacobian(begin, to);
+      for (unsigned int r = 0; r < size; ++r)
         y[r] += factor * x[r];
     };
     for (unsigned int m = 0; 2 * m <= N; ++m)
@@ -404,8 +406,7 @@ namespace vibrocontact
     by_parameter.assign(slope.size(), 0.);
     if (massless)
     {
-      DenseMatrix unused;
-      assemble(unused);
+      // as assembled
       for (unsigned int j = 0; j < slope.size(); ++j)
         for (unsigned int i = 0; i < slope.size(); ++i)
           by_parameter[i] -= by_displacement(i, j) * slope[j];
@@ -443,31 +444,26 @@ namespace vibrocontact
   {
     apply_law(c);
     residual_of(c, residual);
-    if (jacobian)
-      assemble(*jacobian);
+    DenseMatrix unwanted;
+    if (jacobian || (by_parameter && massless))
+      assemble(jacobian ? *jacobian : unwanted);
     if (by_parameter)
       slope_of(motion_slope(c, parameter), parameter == SceneParameter::frequency, *by_parameter);
   }
 
   std::size_t PeriodicBalance::active_pattern() const
   {
-    const unsigned int count = samples->n_samples(), rows = body.rows_per_point;
     std::size_t hash = 0;
-    for (unsigned int p = 0; p < body.n_points(); ++p)
-      for (unsigned int k = 0; k < count; ++k)
-        if (by_u[p * rows * rows * count + k] != 0)
-          hash = (hash ^ (p * count + k + 1)) * 1099511628211ull;
+    for (std::size_t k = 0; k < status.size(); ++k)
+      if (status[k] != ContactStatus::open)
+        hash = (hash ^ (3 * k + std::size_t(status[k]))) * 1099511628211ull;
     return hash;
   }
 
   unsigned int PeriodicBalance::n_active() const
   {
-    const unsigned int count = samples->n_samples(), rows = body.rows_per_point;
-    unsigned int result = 0;
-    for (unsigned int p = 0; p < body.n_points(); ++p)
-      for (unsigned int k = 0; k < count; ++k)
-        result += by_u[p * rows * rows * count + k] != 0;
-    return result;
+    return std::count_if(status.begin(), status.end(),
+                         [](const ContactStatus s) { return s != ContactStatus::open; });
   }
 
   std::vector<double> PeriodicBalance::contact_stiffness(const unsigned int point, const double rigid) const
@@ -501,5 +497,12 @@ namespace vibrocontact
       }
     }
     return result;
+  }
+
+  std::array<std::vector<double>, 2> PeriodicBalance::normal_tangent(const unsigned int point) const
+  {
+    const unsigned int count = samples->n_samples();
+    const auto first = std::size_t(point) * body.rows_per_point * body.rows_per_point * count;
+    return {{{&by_u[first], &by_u[first] + count}, {&by_c[first], &by_c[first] + count}}};
   }
 } // namespace vibrocontact

@@ -7,8 +7,12 @@ namespace vibrocontact
 {
   namespace
   {
-    constexpr double shortest_line_step = 1. / 256, shortest_gap_step = 1e-3, gentler_projection = 1. / 3;
+    constexpr double shortest_line_step = 1. / 512, shortest_gap_step = 1e-3, gentler_projection = 1. / 3;
     constexpr unsigned int n_gentler = 2;
+    /// unknowns from which on a factorisation costs several evaluations
+    constexpr unsigned int costly_factorisation = 200;
+    /// of the coarsest motion that others are refined from
+    constexpr unsigned int fewest_functions = 7, fewest_samples = 512;
     /// of the law's stiffness: where it begins over the body's own, steps in the logarithm of its range. Long ones that double and
     /// are halved leave the solution where it folds; even short ones find others.
     constexpr double softest_law = 1e-3, long_stiffness_step = 1. / 16, short_stiffness_step = 1. / 200,
@@ -22,19 +26,25 @@ namespace vibrocontact
       return std::sqrt(sum);
     }
 
-    /// x of matrix x = rhs; false if the matrix is singular or not finite
-    bool solve_dense(DenseMatrix &matrix, const std::vector<double> &rhs, std::vector<double> &x)
+    /// false if the matrix is singular or not finite
+    bool factorise(DenseMatrix &matrix)
     {
-      DenseVector b(rhs.begin(), rhs.end());
       try
       {
         matrix.compute_lu_factorization();
-        matrix.solve(b);
       }
       catch (const dealii::ExceptionBase &)
       {
         return false;
       }
+      return true;
+    }
+
+    /// x of factors x = rhs; false if it is not finite
+    bool solve_dense(const DenseMatrix &factors, const std::vector<double> &rhs, std::vector<double> &x)
+    {
+      DenseVector b(rhs.begin(), rhs.end());
+      factors.solve(b);
       x.assign(b.begin(), b.end());
       return std::all_of(x.begin(), x.end(), [](const double value) { return std::isfinite(value); });
     }
@@ -43,7 +53,9 @@ namespace vibrocontact
   bool PeriodicBalance::newton(std::vector<double> &c, PeriodicSolution &solution)
   {
     std::vector<double> residual, step, trial(c.size());
-    DenseMatrix jacobian;
+    DenseMatrix factors;
+    // factors serve further steps while each with them reduces the residual by ten
+    bool are_fresh = true;
     evaluate(c, residual, nullptr, nullptr);
     for (unsigned int iteration = 0; iteration < settings.max_iterations; ++iteration)
     {
@@ -54,21 +66,31 @@ namespace vibrocontact
       if (solution.residual <= settings.tolerance)
         return true;
       ++solution.iterations;
-      assemble(jacobian);
-      if (!solve_dense(jacobian, residual, step))
+      if (are_fresh)
+      {
+        assemble(factors);
+        if (!factorise(factors))
+          return false;
+      }
+      if (!solve_dense(factors, residual, step))
         return false;
-      double length = 1;
-      for (;; length /= 2)
+      bool falls = false;
+      double next = size;
+      for (double length = 1; !falls && length >= (are_fresh ? shortest_line_step : 1.); length /= 2)
       {
         for (unsigned int k = 0; k < c.size(); ++k)
           trial[k] = c[k] - length * step[k];
         evaluate(trial, residual, nullptr, nullptr);
-        if (euclidean(residual) <= (1 - 1e-4 * length) * size)
-          break;
-        if (length < shortest_line_step)
-          return false;
+        next = euclidean(residual);
+        falls = next <= (1 - 1e-4 * length) * size;
       }
-      c = trial;
+      if (!falls && are_fresh)
+        return false;
+      are_fresh = !falls || next > 0.1 * size || c.size() < costly_factorisation;
+      if (falls)
+        c = trial;
+      else
+        evaluate(c, residual, nullptr, nullptr);
     }
     return false;
   }
@@ -78,23 +100,58 @@ namespace vibrocontact
     PeriodicSolution solution;
     solution.excitation = force;
     std::vector<double> c = start;
-    if (c.empty())
-      c.assign(n_unknowns(), 0.);
-    solution.converged = newton(c, solution);
-    // forces that spread farther over the samples are found where those of the usual parameter are not
-    const double rho = normal_rho;
-    for (unsigned int k = 0; k < n_gentler && !solution.converged && !spring && !(fixed_rho > 0); ++k)
-    {
-      normal_rho *= gentler_projection;
-      c = start.empty() ? std::vector<double>(n_unknowns(), 0.) : start;
-      solution.converged = newton(c, solution);
-    }
-    if (!solution.converged)
-      normal_rho = rho;
-    solution.converged = solution.converged || follow_gap(c, solution) || follow_stiffness(c, solution);
+    solution.converged = find(c, solution) || follow_gap(c, solution) || follow_stiffness(c, solution);
     solution.force = c;
     solution.displacement = displacement(c);
     return solution;
+  }
+
+  /// Newton's method from c, or from what an empty c means in solve().
+  bool PeriodicBalance::find(std::vector<double> &c, PeriodicSolution &solution)
+  {
+    const std::vector<double> start = c.empty() ? std::vector<double>(n_unknowns(), 0.) : c;
+    if (c.empty() && (body.n_points() > 1 || massless) && refine_fewer_functions(c, solution))
+      return true;
+    c = start;
+    bool found = newton(c, solution);
+    // forces that spread farther over the samples are found where those of the usual parameter are not
+    const double rho = normal_rho;
+    for (unsigned int k = 0; k < n_gentler && !found && !spring && !massless && !(fixed_rho > 0); ++k)
+    {
+      normal_rho *= gentler_projection;
+      c = start;
+      found = newton(c, solution);
+    }
+    if (!found)
+      normal_rho = rho;
+    return found;
+  }
+
+  /// From the motion of half as many functions, which is found from that of a quarter and so on. Few functions cannot follow how
+  /// the points close one after the other; once they have found when all are closed, every doubling takes a few of Newton's
+  /// steps.
+  bool PeriodicBalance::refine_fewer_functions(std::vector<double> &c, PeriodicSolution &solution)
+  {
+    const unsigned int N = settings.n_functions, n = (N - 1) / 2 | 1;
+    if (n < fewest_functions || receptances)
+      return false;
+    if (!fewer)
+    {
+      BalanceSettings coarse = settings;
+      coarse.n_functions = n;
+      coarse.n_samples = std::max(settings.n_samples / 2, std::min(settings.n_samples, fewest_samples));
+      fewer = std::make_unique<PeriodicBalance>(body, law, coarse);
+    }
+    fewer->set_force(force);
+    fewer->set_gap(body.gap);
+    std::vector<double> found;
+    if (!fewer->find(found, solution))
+      return false;
+    // low orders come first in the layout of every basis; n is odd
+    c.assign(n_unknowns(), 0.);
+    for (unsigned int row = 0; row < body.n_contact_rows(); ++row)
+      std::copy_n(&found[row * n], n, &c[row * N]);
+    return newton(c, solution);
   }
 
   /// From no contact at the gap that the linear motion just reaches to the gap asked for.

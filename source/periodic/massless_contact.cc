@@ -56,6 +56,7 @@ namespace vibrocontact
     rate_w.assign(count, {});
     rate_before.assign(count, {});
     p.assign(w.size(), 0.);
+    statuses.assign(w.size() / 3, ContactStatus::open);
     load(order[0]);
     before = here;
     bool solved = true;
@@ -71,6 +72,8 @@ namespace vibrocontact
           R[at(i)] = sign(i) * force[i];
         }
         solved = contact.solve(b.data(), R.data()) && solved;
+        for (unsigned int i = 0; i < n / 3; ++i)
+          statuses[i * count + k] = contact.status(i);
         solved = contact.sensitivity(rates.data()) && solved;
         rate_w[k].resize(n * n);
         rate_before[k].assign(n * n, 0.);
@@ -100,9 +103,23 @@ namespace vibrocontact
                                   DenseMatrix &into) const
   {
     const unsigned int count = basis.m(), N = basis.n(), columns = n * N;
-    std::vector<double> values(N), values_before(N), weight(N);
+    std::vector<double> values(N), values_before(N);
+    // samples are summed in batches, as products of matrices
+    constexpr unsigned int batch = 64;
+    DenseMatrix weight(N, batch), rates(n * columns, batch), sums(N, n * columns);
+    unsigned int waiting = 0;
+    const auto add_waiting = [&]
+    {
+      for (; waiting > 0 && waiting < batch; ++waiting)
+        std::fill_n(&weight(0, waiting), N, 0.);
+      if (waiting > 0)
+        weight.mTmult(sums, rates, true);
+      waiting = 0;
+    };
     // rates of the force and of the position before by all coefficients, row by row
     std::vector<double> rate(n * columns), position(n * columns);
+    // rows whose force changes
+    std::vector<unsigned int> loaded;
     for (unsigned int turn = 0; turn < order.size(); ++turn)
     {
       const unsigned int k = order[turn];
@@ -113,7 +130,6 @@ namespace vibrocontact
       {
         values[l] = basis(k, l);
         values_before[l] = basis(last, l);
-        weight[l] = weights(k, l);
       }
       if (turn == 0 || rate_w[last].empty())
       {
@@ -122,10 +138,13 @@ namespace vibrocontact
           std::copy(values_before.begin(), values_before.end(), &position[i * columns + i * N]);
       }
       std::fill(rate.begin(), rate.end(), 0.);
+      loaded.clear();
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)
         {
           const double direct = rate_w[k][i * n + j], history = rate_before[k][i * n + j];
+          if ((direct != 0 || history != 0) && (loaded.empty() || loaded.back() != i))
+            loaded.push_back(i);
           double *const to = &rate[i * columns];
           if (direct != 0)
             for (unsigned int l = 0; l < N; ++l)
@@ -135,26 +154,27 @@ namespace vibrocontact
               to[l] += history * position[j * columns + l];
         }
       if (turn + count >= order.size())
-        for (unsigned int column = 0; column < columns; ++column)
-        {
-          double *const to = &into(0, column);
-          for (unsigned int i = 0; i < n; ++i)
-          {
-            const double value = rate[i * columns + column];
-            if (value != 0)
-              for (unsigned int l = 0; l < N; ++l)
-                to[i * N + l] += weight[l] * value;
-          }
-        }
+      {
+        for (unsigned int l = 0; l < N; ++l)
+          weight(l, waiting) = weights(k, l);
+        std::copy(rate.begin(), rate.end(), &rates(0, waiting));
+        if (++waiting == batch)
+          add_waiting();
+      }
       // u = w + S p
       std::fill(position.begin(), position.end(), 0.);
       for (unsigned int i = 0; i < n; ++i)
       {
         std::copy(values.begin(), values.end(), &position[i * columns + i * N]);
-        for (unsigned int j = 0; j < n; ++j)
+        for (const unsigned int j : loaded)
           for (unsigned int l = 0; l < columns; ++l)
             position[i * columns + l] += S(i, j) * rate[j * columns + l];
       }
     }
+    add_waiting();
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int column = 0; column < columns; ++column)
+        for (unsigned int l = 0; l < N; ++l)
+          into(i * N + l, column) += sums(l, i * columns + column);
   }
 } // namespace vibrocontact

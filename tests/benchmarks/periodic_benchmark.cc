@@ -55,25 +55,6 @@ namespace
     return ms[ms.size() / 2];
   }
 
-  /// Stops at n nodes at equal distances from the tip inwards, each with the gap in which the first mode would reach all at once.
-  ForcedBody with_points(const AxialBarCase &c, const unsigned int n)
-  {
-    ForcedBody body = axial_bar(c);
-    const DenseMatrix tip = body.trace;
-    body.trace.reinit(n, body.n_modes());
-    body.residual.reinit(n, n);
-    body.residual_load.assign(n, 0.);
-    body.gap.resize(n);
-    for (unsigned int i = 0; i < n; ++i)
-    {
-      const double x = 1 - 0.04 * i;
-      for (unsigned int k = 0; k < body.n_modes(); ++k)
-        body.trace(i, k) = tip(0, k) * std::sin((k + 0.5) * M_PI * x) / std::sin((k + 0.5) * M_PI);
-      body.gap[i] = c.gap * std::sin(0.5 * M_PI * x);
-    }
-    return body;
-  }
-
   void costs()
   {
     const AxialBarCase c = axial_bar_1275();

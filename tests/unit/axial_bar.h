@@ -93,4 +93,23 @@ namespace vibrocontact
       body.trace(0, k) = all.trace(0, k);
     return body;
   }
+
+  /// Stops at n nodes at equal distances from the tip inwards, each with the gap in which the first mode would reach all at once.
+  inline ForcedBody with_points(const AxialBarCase &c, const unsigned int n)
+  {
+    ForcedBody body = axial_bar(c);
+    const DenseMatrix tip = body.trace;
+    body.trace.reinit(n, body.n_modes());
+    body.residual.reinit(n, n);
+    body.residual_load.assign(n, 0.);
+    body.gap.resize(n);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const double x = 1 - 0.04 * i;
+      for (unsigned int k = 0; k < body.n_modes(); ++k)
+        body.trace(i, k) = tip(0, k) * std::sin((k + 0.5) * M_PI * x) / std::sin((k + 0.5) * M_PI);
+      body.gap[i] = c.gap * std::sin(0.5 * M_PI * x);
+    }
+    return body;
+  }
 } // namespace vibrocontact

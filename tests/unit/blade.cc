@@ -147,7 +147,7 @@ TEST(Blade, WithoutTwistIsAPlate)
     EXPECT_NEAR(blade.plate_number(k, material) / thin[k], 1, 0.003) << blade.plate_number(k, material);
 }
 
-// Exact law at one and at four corners, with Coulomb friction at one: balance against many steps in time.
+// Exact law at one and at four corners, without friction and with Coulomb's: balance against many steps in time.
 TEST(Blade, RubsItsCasingAsInTime)
 {
   const Blade blade(coarse(40), titanium(), 8, MPI_COMM_SELF);
@@ -155,14 +155,12 @@ TEST(Blade, RubsItsCasingAsInTime)
   for (const unsigned int n_corners : {1u, 4u})
     for (const double mu : {0., 0.3})
     {
-      if (n_corners > 1 && mu > 0)
-        continue; // a minute
       SCOPED_TRACE(std::to_string(n_corners) + " corners, friction " + std::to_string(mu));
       ForcedBody body = blade.before_casing(n_corners, mu > 0);
       const HarmonicForce force{20., body.omega[0] / (2 * PI)};
       BalanceSettings settings;
-      settings.n_functions = mu > 0 ? 61 : 81;
-      settings.n_samples = 1024;
+      settings.n_functions = mu > 0 ? 101 : 81;
+      settings.n_samples = mu > 0 ? 4096 : 1024;
       settings.friction = mu;
       double peak = 0;
       {
@@ -187,7 +185,7 @@ TEST(Blade, RubsItsCasingAsInTime)
         const double error = relative_error(motion.points[p].displacement, stepping.displacement(p));
         std::printf("%u corners, mu %g, corner %u: peak %g, error %.3g, %u iterations, %u gap steps\n",
                     n_corners, mu, p, peak, error, solution.iterations, solution.homotopy_steps);
-        EXPECT_LT(error, 0.01);
+        EXPECT_LT(error, mu > 0 ? 2e-3 : 5e-4);
       }
     }
 }

@@ -395,3 +395,27 @@ TEST(PeriodicBalance, DerivativesOfABodyByPoles)
   PeriodicBalance balance(body, create_normal_law("signorini"), settings);
   expect_right_derivatives(balance, {1., 0.4});
 }
+
+// Neighbouring nodes of the bar, whose gaps close at nearly the same time: refined from few functions, and followed from a gap
+// that the motion does not touch.
+TEST(PeriodicBalance, SeveralPointsAreRefinedFromFewFunctions)
+{
+  const AxialBarCase c = axial_bar_1275();
+  for (const unsigned int n_points : {2u, 4u, 8u})
+  {
+    PeriodicBalance balance(with_points(c, n_points), penalty(c), pair("fourier", "fourier", 63));
+    balance.set_force(c.excitation());
+    const PeriodicSolution refined = balance.solve(),
+                           followed = balance.solve(std::vector<double>(balance.n_unknowns(), 0.));
+    ASSERT_TRUE(refined.converged && followed.converged);
+    EXPECT_EQ(refined.homotopy_steps, 0u);
+    EXPECT_LT(refined.iterations, 60u);
+    double difference = 0, size = 0;
+    for (unsigned int k = 0; k < refined.force.size(); ++k)
+    {
+      difference += std::pow(refined.force[k] - followed.force[k], 2);
+      size += std::pow(followed.force[k], 2);
+    }
+    EXPECT_LT(std::sqrt(difference / size), 1e-8) << n_points;
+  }
+}

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/base/dense.h>
-#include <vibrocontact/contact/laws/normal_law.h>
+#include <vibrocontact/contact/contact_problem.h>
 
 #include <memory>
 #include <vector>
@@ -25,6 +25,8 @@ namespace vibrocontact
     /// @return whether it was found: the largest defect of a projection is below 1e-11 of the largest
     /// force, or of that which would close the widest gap
     bool solve(const double *b, double *R);
+    /// of the last solution
+    ContactStatus status(const unsigned int point) const { return statuses[point]; }
     /// dR/db at the last solution, 3 n square, by columns. @return false if it has none
     bool sensitivity(double *rates);
 
@@ -39,5 +41,6 @@ namespace vibrocontact
     std::vector<double> defect, by_R, by_b;
     std::vector<double> y, trial, step, factors;
     std::vector<dealii::types::blas_int> pivots;
+    std::vector<ContactStatus> statuses;
   };
 } // namespace vibrocontact

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <vibrocontact/contact/laws/friction_law.h>
-#include <vibrocontact/contact/laws/normal_law.h>
+#include <vibrocontact/contact/contact_problem.h>
 #include <vibrocontact/periodic/condensation.h>
 #include <vibrocontact/periodic/massless_contact.h>
 #include <vibrocontact/periodic/time_sampling.h>
@@ -82,7 +81,8 @@ namespace vibrocontact
     void set_force(const HarmonicForce &force);
     void set_gap(const std::vector<double> &gap) { body.gap = gap; }
     void set(SceneParameter parameter, double value);
-    /// Parameter of the normal projections, whatever the force from now on [N/m]; 0: by BalanceSettings::projection.
+    /// Parameter of the normal projections, whatever the force from now on [N/m]; 0: by BalanceSettings::projection. Solutions
+    /// depend on it within the error of the functions.
     void set_projection(const double rho)
     {
       fixed_rho = rho;
@@ -95,18 +95,22 @@ namespace vibrocontact
     void evaluate(const std::vector<double> &c, std::vector<double> &residual, DenseMatrix *jacobian,
                   std::vector<double> *by_parameter, SceneParameter parameter = SceneParameter::frequency);
 
-    /// Of the last c that was evaluated: displacement of a row at the samples [m]; a number that changes with the set of samples in
-    /// contact; how many there are.
+    /// Of the last c that was evaluated: displacement of a row at the samples [m]; a number that changes with the sets of samples
+    /// in contact and of those that stick; how many are in contact.
     const double *row_samples(const unsigned int row) const { return &u_samples[row * samples->n_samples()]; }
     std::size_t active_pattern() const;
     unsigned int n_active() const;
     /// Tangent stiffness of a point's law around each sample [N/m], first touch and release placed between samples by the
     /// gap; of a rigid stop `rigid` where it carries force.
     std::vector<double> contact_stiffness(unsigned int point, double rigid) const;
+    /// Derivatives of a point's normal law at the samples that the Jacobian is made of: by the displacement towards the stop
+    /// [N/m] and by the force [-].
+    std::array<std::vector<double>, 2> normal_tangent(unsigned int point) const;
 
-    /// From c, or from the motion without contact if c is empty. If Newton's method fails from there, the motion is followed
-    /// from a gap that it just does not touch; if that fails too, for laws that are functions of the gap, from a soft one. Never
-    /// throws for want of convergence: see `converged`.
+    /// From c, or if c is empty from the motion without contact; at several points, whose gaps may close at nearly the same time,
+    /// and where points without mass stick and slip, from the motion of half as many functions. If Newton's method fails from
+    /// there, the motion is followed from a gap that it just does not touch; if that fails too, for laws that are functions of
+    /// the gap, from a soft one. Never throws for want of convergence: see `converged`.
     PeriodicSolution solve(const std::vector<double> &start = {});
 
     unsigned int n_unknowns() const { return body.n_contact_rows() * settings.n_functions; }
@@ -145,7 +149,9 @@ namespace vibrocontact
     /// derivative of the rows' coefficients at fixed c
     std::vector<double> motion_slope(const std::vector<double> &c, SceneParameter parameter) const;
     CondensedBody condensed_at(const HarmonicForce &at) const;
+    bool find(std::vector<double> &c, PeriodicSolution &solution);
     bool newton(std::vector<double> &c, PeriodicSolution &solution);
+    bool refine_fewer_functions(std::vector<double> &c, PeriodicSolution &solution);
     std::vector<double> linear_excess() const;
     bool follow_gap(std::vector<double> &c, PeriodicSolution &solution);
     bool follow_stiffness(std::vector<double> &c, PeriodicSolution &solution);
@@ -176,10 +182,14 @@ namespace vibrocontact
     // work space: coefficients and samples of the rows; derivatives of the law by point and pair of its rows
     std::vector<double> u, u_samples, v_samples, c_samples, law_samples, by_u, by_v, by_c;
     DenseMatrix by_displacement;
+    /// of each point's samples
+    std::vector<ContactStatus> status;
     /// with friction before a rigid stop and residual flexibility without relaxation: forces follow from the motion of
     /// the modes alone; values of the trial functions and weights of the moments at the samples
     std::unique_ptr<MasslessContact> massless;
     DenseMatrix trial_values, moment_weights;
     std::vector<double> modal_samples;
+    /// the same balance with half as many functions, made when solve() needs it
+    std::unique_ptr<PeriodicBalance> fewer;
   };
 } // namespace vibrocontact

@@ -24,6 +24,9 @@ namespace vibrocontact
     /// @return false if a sample found no solution
     bool march(const std::vector<double> &w, const std::vector<double> &gap, std::vector<double> &p);
 
+    /// Of the last march, at the samples of each point.
+    const std::vector<ContactStatus> &status() const { return statuses; }
+
     /// Moments of the rates of p: for every sample k, weight(k, i) (dp_r / dw_(s, j) basis(., j)) summed into
     /// (r n_weights + i, s n_functions + j) of `into`. After march().
     void add_rates(const DenseMatrix &basis, const DenseMatrix &weights, DenseMatrix &into) const;
@@ -35,5 +38,6 @@ namespace vibrocontact
     /// order of the samples; dp/dw and dp/d(position before) of each in contact, empty in flight
     std::vector<unsigned int> order;
     std::vector<std::vector<double>> rate_w, rate_before;
+    std::vector<ContactStatus> statuses;
   };
 } // namespace vibrocontact
