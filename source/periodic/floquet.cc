@@ -194,27 +194,33 @@ namespace vibrocontact
 
   namespace
   {
-    /// Logarithm of Hill's determinant at lambda.
+    bool is_open(const std::vector<double> &stiffness)
+    {
+      return std::all_of(stiffness.begin(), stiffness.end(), [](const double value) { return value == 0; });
+    }
+
+    /// Logarithm of Hill's determinant at lambda, times what is zero at the multipliers of the free modes, the determinant's
+    /// poles.
     class HillDeterminant
     {
     public:
       HillDeterminant(const ForcedBody &body, const TangentContact &contact, const int n_harmonics)
-          : body(body), H(n_harmonics), points(body.n_points()), Omega(2 * M_PI * contact.frequency),
-            spectrum(points * (4 * H + 1))
+          : body(body), H(n_harmonics), Omega(2 * M_PI * contact.frequency)
       {
-        const unsigned int count = contact.stiffness[0].size();
-        for (unsigned int p = 0; p < points; ++p)
-          for (unsigned int i = 0; i < count; ++i)
-            if (contact.stiffness[p][i] > 0)
-              for (int m = -2 * H; m <= 2 * H; ++m)
-                spectrum[p * (4 * H + 1) + m + 2 * H] +=
-                    contact.stiffness[p][i] / count * std::polar(1., -2 * M_PI * m * i / count);
+        for (unsigned int p = 0; p < body.n_points(); ++p)
+          if (!is_open(contact.stiffness[p]))
+          {
+            rows.push_back(p * body.rows_per_point);
+            stiffness.push_back(spectrum(contact.stiffness[p]));
+            share.push_back(contact.share.empty() ? std::vector<Complex>(4 * H + 1)
+                                                  : spectrum(contact.share[p]));
+          }
       }
 
       Complex logarithm(const Complex lambda)
       {
+        const unsigned int points = rows.size();
         const dealii::types::blas_int n = points * (2 * H + 1);
-        const unsigned int rows = body.rows_per_point;
         matrix.assign(std::size_t(n) * n, 0.);
         std::vector<Complex> receptance(points * points);
         for (int l = -H; l <= H; ++l)
@@ -222,22 +228,24 @@ namespace vibrocontact
           const Complex s = lambda + Complex(0, l * Omega);
           for (unsigned int p = 0; p < points; ++p)
             for (unsigned int q = 0; q < points; ++q)
-            {
-              Complex sum = body.residual(p * rows, q * rows) / (1. + body.relaxation * s);
-              for (unsigned int k = 0; k < body.n_modes(); ++k)
-                sum +=
-                    body.trace(p * rows, k) * body.trace(q * rows, k) /
-                    (s * s + 2 * body.damping_ratio[k] * body.omega[k] * s + body.omega[k] * body.omega[k]);
-              receptance[p * points + q] = sum;
-            }
+              receptance[p * points + q] = body.residual(rows[p], rows[q]) / (1. + body.relaxation * s);
+          for (unsigned int k = 0; k < body.n_modes(); ++k)
+          {
+            const Complex mode =
+                1. / (s * s + 2 * body.damping_ratio[k] * body.omega[k] * s + body.omega[k] * body.omega[k]);
+            for (unsigned int p = 0; p < points; ++p)
+              for (unsigned int q = 0; q < points; ++q)
+                receptance[p * points + q] += body.trace(rows[p], k) * body.trace(rows[q], k) * mode;
+          }
           for (unsigned int q = 0; q < points; ++q)
             for (int k = -H; k <= H; ++k)
               for (unsigned int p = 0; p < points; ++p)
               {
                 const std::size_t row = (k + H) * points + p, column = (l + H) * points + q;
-                matrix[column * n + row] =
-                    (row == column ? 1. : 0.) +
-                    spectrum[p * (4 * H + 1) + k - l + 2 * H] * receptance[p * points + q];
+                Complex &entry = matrix[column * n + row];
+                entry = stiffness[p][k - l + 2 * H] * receptance[p * points + q];
+                if (p == q)
+                  entry += (k == l ? 1. : 0.) - share[p][k - l + 2 * H];
               }
         }
         pivots.resize(n);
@@ -247,15 +255,46 @@ namespace vibrocontact
         for (int i = 0; i < n; ++i)
           result +=
               std::log(pivots[i] == i + 1 ? matrix[std::size_t(i) * n + i] : -matrix[std::size_t(i) * n + i]);
+        const double T = 2 * M_PI / Omega;
+        for (unsigned int k = 0; k < body.n_modes(); ++k)
+          if (body.omega[k] < (H + 0.5) * Omega)
+          {
+            const double zeta = body.damping_ratio[k];
+            const Complex root = std::sqrt(Complex(zeta * zeta - 1));
+            for (const double sign : {1., -1.})
+              result += std::log(1. - std::exp((body.omega[k] * (sign * root - zeta) - lambda) * T));
+          }
         return result;
       }
 
     private:
+      /// Fourier coefficients of orders -2 H to 2 H
+      std::vector<Complex> spectrum(const std::vector<double> &samples) const
+      {
+        std::vector<Complex> result(4 * H + 1);
+        const double count = samples.size();
+        for (unsigned int i = 0; i < samples.size(); ++i)
+        {
+          if (samples[i] == 0)
+            continue;
+          const Complex turn = std::polar(1., -2 * M_PI * i / count);
+          Complex factor = samples[i] / count * std::polar(1., 4 * M_PI * H * i / count);
+          for (Complex &value : result)
+          {
+            value += factor;
+            factor *= turn;
+          }
+        }
+        return result;
+      }
+
       const ForcedBody &body;
       const int H;
-      const unsigned int points;
       const double Omega;
-      std::vector<Complex> spectrum, matrix;
+      /// of the points that touch: their normal rows, spectra of stiffness and share
+      std::vector<unsigned int> rows;
+      std::vector<std::vector<Complex>> stiffness, share;
+      std::vector<Complex> matrix;
       std::vector<dealii::types::blas_int> pivots;
     };
   } // namespace
@@ -263,8 +302,6 @@ namespace vibrocontact
   Complex hill_multiplier(const ForcedBody &body, const TangentContact &contact,
                           const unsigned int n_harmonics, const Complex start)
   {
-    const auto is_open = [](const std::vector<double> &k)
-    { return std::all_of(k.begin(), k.end(), [](const double value) { return value == 0; }); };
     if (std::all_of(contact.stiffness.begin(), contact.stiffness.end(), is_open))
       return start; // free modes, the determinant is one
     HillDeterminant determinant(body, contact, n_harmonics);

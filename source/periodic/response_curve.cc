@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/periodic/floquet.h>
 #include <vibrocontact/periodic/response_curve.h>
 
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace vibrocontact
 {
@@ -85,6 +87,35 @@ namespace vibrocontact
              std::abs(a.active - b.active) <= same_part;
     }
 
+    /// Parameter of the projections for a whole branch, between those of its stiffest and its most compliant motion. Forces of N
+    /// functions depend on it within the error of the functions; the branch must not change with it on the way.
+    double projection_of_branch(PeriodicBalance &balance, const BranchSettings &settings)
+    {
+      const ForcedBody &body = balance.linear_body();
+      std::vector<double> values = {settings.start};
+      for (unsigned int k = 0; k < body.n_modes() && settings.parameter == SceneParameter::frequency; ++k)
+      {
+        const double natural = body.omega[k] / (2 * M_PI);
+        if (natural > settings.least && natural < settings.most)
+          values.push_back(natural);
+      }
+      double least = 1e300, most = 0;
+      for (const double value : values)
+      {
+        balance.set(settings.parameter, value);
+        const CondensedBody &condensed = balance.condensed();
+        const unsigned int n = condensed.n_rows;
+        double compliance = 0;
+        for (std::size_t m = 0; m < condensed.compliance.size() / (n * n); ++m)
+          for (unsigned int row = 0; row < body.n_contact_rows(); row += body.rows_per_point)
+            compliance = std::max(compliance, std::abs(condensed.compliance[(m * n + row) * n + row]));
+        least = std::min(least, compliance);
+        most = std::max(most, compliance);
+      }
+      balance.set(settings.parameter, settings.start);
+      return balance.settings.projection / std::sqrt(least * most);
+    }
+
     /// force that closes the gap at rest
     double force_scale(const PeriodicBalance &balance)
     {
@@ -99,22 +130,66 @@ namespace vibrocontact
       }
       return scale > 0 ? scale : 1.;
     }
+
+    /// By Hill's method, near the multiplier of the monodromy matrix or near one: at a rigid stop that matrix sees a stiff spring,
+    /// and begin and end of the contact to a sample.
+    std::complex<double> largest_near(const ForcedBody &body, const TangentContact &tangent,
+                                      const unsigned int n_harmonics, const std::complex<double> &start)
+    {
+      using Complex = std::complex<double>;
+      std::optional<Complex> largest;
+      const auto look_from = [&](const Complex &from)
+      {
+        try
+        {
+          const Complex found = hill_multiplier(body, tangent, n_harmonics, from);
+          if (!largest || std::abs(found) > std::abs(*largest))
+            largest = found;
+        }
+        catch (const ConvergenceError &)
+        {
+          // another start may find one
+        }
+      };
+      look_from(start);
+      if (!largest || std::abs(*largest - start) > 0.1)
+        look_from(1.);
+      // from a real start secants stay on the real axis
+      for (const std::complex<double> from :
+           {Complex(0.9, 0.2), Complex(0.7, 0.4), Complex(1.1), Complex(0.7)})
+        if (!largest)
+          look_from(from);
+      if (!largest)
+        throw ConvergenceError("No multiplier of the motion against the rigid stop was found at " +
+                               number_text(tangent.frequency) +
+                               " Hz: give more functions or samples, or set Stability = none.");
+      return *largest;
+    }
   } // namespace
 
   std::complex<double> largest_multiplier(const PeriodicBalance &balance, const StabilityMethod method,
                                           const double mode_limit, const unsigned int hill_harmonics)
   {
     const ForcedBody &body = balance.linear_body();
-    TangentContact contact;
-    contact.frequency = balance.excitation().frequency;
+    const bool is_spring = balance.normal_law().is_function_of_gap();
+    TangentContact contact, tangent;
+    tangent.frequency = contact.frequency = balance.excitation().frequency;
     for (unsigned int p = 0; p < body.n_points(); ++p)
     {
       const double residual = body.residual(p * body.rows_per_point, p * body.rows_per_point);
       contact.stiffness.push_back(balance.contact_stiffness(p, residual > 0 ? 1e4 / residual : 0.));
+      const auto [by_displacement, by_force] = balance.normal_tangent(p);
+      tangent.stiffness.push_back(by_displacement);
+      if (!is_spring)
+        tangent.share.push_back(by_force);
     }
     const std::complex<double> found =
         monodromy_multipliers(slow_part(body, 2 * M_PI * contact.frequency * mode_limit), contact)[0];
-    return method == StabilityMethod::hill ? hill_multiplier(body, contact, hill_harmonics, found) : found;
+    if (!is_spring && balance.n_active() > 0)
+      return largest_near(body, tangent, balance.settings.n_functions / 2, found);
+    return is_spring && method == StabilityMethod::hill
+               ? hill_multiplier(body, contact, hill_harmonics, found)
+               : found;
   }
 
   void merge_folds(ResponseCurve &curve)
@@ -182,7 +257,7 @@ namespace vibrocontact
     ResponseCurve result;
     result.parameter = settings.parameter;
     result.has_stability = wants_stability;
-    balance.set(settings.parameter, settings.start);
+    balance.set_projection(projection_of_branch(balance, settings));
     const PeriodicSolution first = balance.solve();
     if (!first.converged)
     {
@@ -236,6 +311,7 @@ namespace vibrocontact
         result.grazing.push_back(point.p);
       result.points.push_back(std::move(response));
     }
+    balance.set_projection(0);
     merge_folds(result);
     result.stability_seconds = timer.wall_time() - stability_begin;
     result.seconds = timer.wall_time();

@@ -487,3 +487,43 @@ TEST(ResponseCurve, RefusesStabilityItCannotTell)
   balance.set_force(bar_case.excitation());
   EXPECT_THROW(follow_response(balance, over_frequency(StabilityMethod::monodromy)), InputError);
 }
+
+// A rigid stop: where the branch turns a multiplier of its own tangents is one; elsewhere it is near that by shooting.
+TEST(ResponseCurve, MultipliersAtARigidStop)
+{
+  BalanceSettings settings;
+  settings.n_functions = 63;
+  settings.n_samples = 16384;
+  const ForcedBody body = axial_bar(bar_case, true);
+  const auto law = create_normal_law("signorini");
+  PeriodicBalance balance(body, law, settings);
+  balance.set_force(bar_case.excitation());
+  const ResponseCurve curve = follow_response(balance, over_frequency(StabilityMethod::monodromy));
+  EXPECT_TRUE(curve.complete) << curve.reason;
+  EXPECT_EQ(curve.folds.size(), 2u);
+  bool before_fold = true;
+  unsigned int compared = 0;
+  for (std::size_t k = 0; k < curve.points.size(); ++k)
+  {
+    const BranchPoint &point = curve.points[k];
+    const double f = point.excitation.frequency;
+    if (point.kind == CurvePoint::Kind::fold)
+    {
+      before_fold = false;
+      std::printf("fold at %.6f Hz: multiplier %.6f\n", f, point.multiplier.real());
+      EXPECT_NEAR(std::abs(point.multiplier - 1.), 0, 1e-3) << f;
+    }
+    // where there is one motion
+    if (before_fold && f < 1310 && k % 12 == 0)
+    {
+      const std::complex<double> exact =
+          floquet_multipliers(shoot(body, law, {bar_case.force, f}).monodromy)[0];
+      std::printf("%.3f Hz: %.6f%+.6fj, by shooting %.6f%+.6fj\n", f, point.multiplier.real(),
+                  std::abs(point.multiplier.imag()), exact.real(), std::abs(exact.imag()));
+      EXPECT_NEAR(point.multiplier.real(), exact.real(), 3e-2) << f;
+      EXPECT_NEAR(std::abs(point.multiplier.imag()), std::abs(exact.imag()), 3e-2) << f;
+      ++compared;
+    }
+  }
+  EXPECT_GE(compared, 3u);
+}

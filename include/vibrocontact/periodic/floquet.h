@@ -20,12 +20,14 @@ namespace vibrocontact
     double frequency = 0;
     /// k_p around each of equal parts of the period [N/m]; n_points x n_samples
     std::vector<std::vector<double>> stiffness;
+    /// of laws as projections, N = P(N, gap): dP/dN beside k = -dP/dgap; as many, or empty: the force follows from the gap [-]
+    std::vector<std::vector<double>> share = {};
   };
 
   /// Modes up to an angular frequency; the others answer statically (with the body's relaxation), in its residual.
   ForcedBody slow_part(const ForcedBody &body, double omega);
 
-  /// Multipliers by the monodromy matrix, the largest first: an impulse k dt at every sample in contact (second order in the
+  /// Multipliers by the monodromy matrix, the largest first, for forces that follow from the gap: an impulse k dt at every sample in contact (second order in the
   /// sample), exact motion of the modes from one to the next, one exponential for each flight.
   std::vector<std::complex<double>> monodromy_multipliers(const ForcedBody &body,
                                                           const TangentContact &contact);
