@@ -93,11 +93,10 @@ namespace vibrocontact
           throw InputError(values + " or range is given, but no entry: name it in " + entry + ".");
         return;
       }
-      for (const char *forbidden : {"Output/", "Stability/Sweep/", "Rolling/Sweep/", "Transient/"})
-        if (axis.entry.rfind(forbidden, 0) == 0)
-          throw InputError(entry + " is " + axis.entry +
-                           ", which changes nothing of the equilibrium: sweep an "
-                           "entry of the bodies, of Contact, Rolling or Stability.");
+      if (axis.entry.rfind("Output/", 0) == 0 || axis.entry.find("/Sweep/") != std::string::npos)
+        throw InputError(entry + " is " + axis.entry +
+                         ", which changes nothing that a case computes: sweep an entry of the bodies, of "
+                         "their contact or of the analysis.");
       if (axis.entry.find('/') == std::string::npos)
         throw InputError(entry + " is " + axis.entry +
                          ", which names no entry of a section: write it as "

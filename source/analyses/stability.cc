@@ -44,17 +44,13 @@ namespace vibrocontact
         "bodies, without eigenvalues (consistent linearisation; some ten seconds for 500 modes). "
         "Units: none.",
         Bool());
-    sweep.declare_parameters(prm);
   }
 
   void StabilityParameters::check() const
   {
-    sweep.check("Stability");
-    if (model != "reduced" && (second_count || sweep.any()))
-      throw InputError(
-          "Stability/Model is " + model +
-          ", but Sweep and Second count are those of the reduced model: set it to reduced or leave "
-          "them out.");
+    if (model != "reduced" && second_count)
+      throw InputError("Stability/Model is " + model +
+                       ", but Second count is that of the reduced model: set it to reduced or leave it out.");
     if (second_count && linearisation != "consistent")
       throw InputError("Stability/Second count is for the consistent linearisation: set Linearisation to "
                        "consistent, or Second count to false.");

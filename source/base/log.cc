@@ -1,4 +1,5 @@
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/run_communicator.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -26,7 +27,7 @@ namespace vibrocontact
     bool is_first_rank()
     {
       return !dealii::Utilities::MPI::job_supports_mpi() ||
-             dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+             dealii::Utilities::MPI::this_mpi_process(run_communicator()) == 0;
     }
 
     double seconds_since(const std::chrono::steady_clock::time_point &begin)
@@ -182,22 +183,38 @@ namespace vibrocontact
   void Log::warning(const std::string &text)
   {
     ++warnings;
-    if (is_first_rank() && !screen)
+    if (is_first_rank() && !screen && errors)
       std::cerr << "warning: " << text << std::endl;
     line("WARNING: " + text);
   }
 
-  Log &run_log()
-  {
-    static Log log;
-    return log;
-  }
-
   namespace
   {
-    /// the innermost
-    std::atomic<Progress *> current_progress = nullptr;
+    Log *&current_log()
+    {
+      static Log of_the_run;
+      static Log *current = &of_the_run;
+      return current;
+    }
   } // namespace
+
+  Log &run_log()
+  {
+    return *current_log();
+  }
+
+  Log::Aside::Aside(const std::string &file_name, const bool append) : outer(current_log())
+  {
+    own.screen = own.errors = false;
+    own.open_file(file_name, append);
+    current_log() = &own;
+  }
+
+  Log::Aside::~Aside()
+  {
+    own.end_block();
+    current_log() = outer;
+  }
 
   /// Keeps the status on the terminal current, second by second, in a thread of its own.
   struct Progress::Clock
@@ -213,8 +230,8 @@ namespace vibrocontact
           {
             std::unique_lock<std::mutex> lock(mutex);
             while (!stop.wait_for(lock, std::chrono::seconds(1), [this] { return stops; }))
-              if (current_progress == &progress)
-                run_log().status("  " + progress.text(seconds_since(progress.begin)));
+              if (progress.log.current_progress == &progress)
+                progress.log.status("  " + progress.text(seconds_since(progress.begin)));
           });
       pthread_sigmask(SIG_SETMASK, &before, nullptr);
     }
@@ -236,23 +253,23 @@ namespace vibrocontact
   };
 
   Progress::Progress(const std::string &what, const double n_steps, const double expected)
-      : what(what), total(n_steps), expected(expected), begin(std::chrono::steady_clock::now()),
-        outer(current_progress.exchange(this))
+      : log(run_log()), what(what), total(n_steps), expected(expected),
+        begin(std::chrono::steady_clock::now()), outer(log.current_progress.exchange(this))
   {
     if (!is_first_rank())
       return;
     if (expected >= next_line)
-      run_log().say(what + ": about " + time_text(std::ceil(expected)), !run_log().on_terminal());
-    if (run_log().on_terminal())
+      log.say(what + ": about " + time_text(std::ceil(expected)), !log.on_terminal());
+    if (log.on_terminal())
       clock = std::make_unique<Clock>(*this);
   }
 
   Progress::~Progress()
   {
     clock.reset();
-    current_progress = outer;
+    log.current_progress = outer;
     if (is_first_rank())
-      run_log().status("");
+      log.status("");
   }
 
   std::string Progress::text(const double seconds) const
@@ -290,7 +307,7 @@ namespace vibrocontact
     if (!line_is_due)
       return;
     next_line = 2 * seconds;
-    run_log().say(text(seconds), !run_log().on_terminal());
+    log.say(text(seconds), !log.on_terminal());
   }
 
   std::string time_text(const double seconds)

@@ -2,6 +2,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/base/parameter_file.h>
+#include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/base/utf8.h>
 
 #include <deal.II/base/mpi.h>
@@ -293,7 +294,7 @@ namespace vibrocontact
   std::string read_file_on_all_ranks(const std::string &file_name, const std::string &what)
   {
     std::pair<std::string, std::string> bytes_and_error;
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    if (dealii::Utilities::MPI::this_mpi_process(run_communicator()) == 0)
     {
       std::ifstream file(file_name, std::ios::binary);
       std::ostringstream content;
@@ -307,7 +308,7 @@ namespace vibrocontact
         content << file.rdbuf();
       bytes_and_error.first = content.str();
     }
-    bytes_and_error = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, bytes_and_error);
+    bytes_and_error = dealii::Utilities::MPI::broadcast(run_communicator(), bytes_and_error);
     if (!bytes_and_error.second.empty())
       throw InputError("the " + what + " \"" + file_name + "\" " + bytes_and_error.second +
                        "; give the name of an existing one");

@@ -7,6 +7,8 @@ namespace vibrocontact
   namespace
   {
     volatile std::sig_atomic_t last_signal = 0;
+    /// StopSignals alive
+    unsigned int n_listeners = 0;
 
     extern "C" void keep_signal(const int signal)
     {
@@ -24,6 +26,8 @@ namespace vibrocontact
 
   StopSignals::StopSignals()
   {
+    if (n_listeners++ > 0)
+      return;
     last_signal = 0;
     for (const int signal : {SIGTERM, SIGINT})
       handle(signal, keep_signal);
@@ -31,6 +35,8 @@ namespace vibrocontact
 
   StopSignals::~StopSignals()
   {
+    if (--n_listeners > 0)
+      return;
     for (const int signal : {SIGTERM, SIGINT})
       handle(signal, SIG_DFL);
   }

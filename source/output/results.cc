@@ -1,5 +1,6 @@
 #include <vibrocontact/base/checksum.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/output/results.h>
 
@@ -13,17 +14,6 @@ namespace vibrocontact
 {
   namespace
   {
-    void check_finite(const nlohmann::ordered_json &node, const std::string &path)
-    {
-      if (node.is_number_float() && !std::isfinite(node.get<double>()))
-        throw ConvergenceError(
-            "The result " + path +
-            " is not a finite number: numbers of the input lie too far apart for double precision.");
-      if (node.is_structured())
-        for (const auto &[key, child] : node.items())
-          check_finite(child, path + "/" + key);
-    }
-
     /// Letters that are none, of a folder's name for instance, become the mark of an unknown one.
     std::string text_of(const nlohmann::ordered_json &node, const int indent)
     {
@@ -42,9 +32,20 @@ namespace vibrocontact
     }
   } // namespace
 
+  void check_finite(const nlohmann::ordered_json &node, const std::string &path)
+  {
+    if (node.is_number_float() && !std::isfinite(node.get<double>()))
+      throw ConvergenceError(
+          "The result " + path +
+          " is not a finite number: numbers of the input lie too far apart for double precision.");
+    if (node.is_structured())
+      for (const auto &[key, child] : node.items())
+        check_finite(child, path + "/" + key);
+  }
+
   std::string results_text(const Results &results, const double wall_seconds)
   {
-    check_finite(results.analyses, "analyses");
+    check_finite(results.analyses);
     nlohmann::ordered_json top;
     if (!results.title.empty())
       top["title"] = results.title;
@@ -116,6 +117,6 @@ namespace vibrocontact
   {
     dealii::Utilities::System::MemoryStats memory;
     dealii::Utilities::System::get_memory_stats(memory);
-    return dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, memory.VmHWM * 1024e-6);
+    return dealii::Utilities::MPI::all_gather(run_communicator(), memory.VmHWM * 1024e-6);
   }
 } // namespace vibrocontact

@@ -123,6 +123,11 @@ namespace vibrocontact
     collect("fields", {".vtu"});
     collect("figures", {".png"});
     collect("contact_problems", {".h5"});
+    // folders of a run's own
+    std::error_code ignored;
+    for (const auto &entry : fs::recursive_directory_iterator(fs::path(folder) / "sweep", ignored))
+      if (entry.is_regular_file() && entry.last_write_time() >= begin)
+        names.push_back(fs::relative(entry.path(), folder).string());
     for (const std::string &name : earlier_files)
       if (fs::is_regular_file(fs::path(folder) / name))
         names.push_back(name);

@@ -143,12 +143,12 @@ namespace vibrocontact
                         0);
     }
 
-    void check_sweep_meshes(const MeshedBodies &bodies, const StabilityCases &sweep)
+    void check_sweep_meshes(const MeshedBodies &bodies, const SweepCases &sweep)
     {
-      std::set<std::string> seen;
+      std::set<std::string> seen = {""};
       for (const auto &body : bodies)
         seen.insert(body ? body->reduction.request().key : "");
-      for (const StabilityCase &one : sweep.cases)
+      for (const SweepCase &one : sweep.cases)
         for (unsigned int k = 0; k < one.keys.size(); ++k)
         {
           if (!seen.insert(one.keys[k]).second)
@@ -162,7 +162,7 @@ namespace vibrocontact
           }
           catch (const InputError &error)
           {
-            throw InputError("Stability/Sweep, " + case_text(sweep, one) + ": " + error.what());
+            throw InputError(sweep.section + ", " + case_text(sweep, one) + ": " + error.what());
           }
         }
     }
@@ -202,7 +202,8 @@ namespace vibrocontact
       check_modal_convolution(parameters, bodies, measured);
   }
 
-  void check_places(const Parameters &parameters, const MeshedBodies &bodies, const StabilityCases &sweep)
+  void check_places(const Parameters &parameters, const MeshedBodies &bodies,
+                    const std::vector<SweepCases> &sweeps)
   {
     const Scene &scene = parameters.scene;
     if (scene.runs("frequency response"))
@@ -211,6 +212,7 @@ namespace vibrocontact
       check_forced_points(parameters, bodies);
     if (scene.runs("transient"))
       check_probes(parameters, bodies);
-    check_sweep_meshes(bodies, sweep);
+    for (const SweepCases &sweep : sweeps)
+      check_sweep_meshes(bodies, sweep);
   }
 } // namespace vibrocontact

@@ -176,11 +176,10 @@ namespace vibrocontact
     }
   } // namespace
 
-  std::vector<std::string> entries_out_of_use(const ParameterFile &file,
-                                              const std::vector<std::string> &overrides,
-                                              const std::vector<Analysis> &analyses,
-                                              const Parameters &parameters,
-                                              const DeclaredParameters &declared, const StabilityCases &sweep)
+  std::vector<std::string>
+  entries_out_of_use(const ParameterFile &file, const std::vector<std::string> &overrides,
+                     const std::vector<Analysis> &analyses, const Parameters &parameters,
+                     const DeclaredParameters &declared, const std::vector<SweepCases> &sweeps)
   {
     std::map<std::string, Given> set;
     std::map<std::string, std::string> values;
@@ -208,17 +207,23 @@ namespace vibrocontact
       }
 
     const Readers readers(analyses, parameters);
+    const auto is_read_in_a_case = [&](const SweepCases &sweep, const std::string &path)
+    {
+      return std::any_of(sweep.cases.begin(), sweep.cases.end(),
+                         [&](const SweepCase &one) { return Readers(analyses, one.parameters).read(path); });
+    };
     const auto is_read = [&](const std::string &path)
     {
-      return readers.read(path) || std::any_of(sweep.cases.begin(), sweep.cases.end(),
-                                               [&](const StabilityCase &one)
-                                               { return Readers(analyses, one.parameters).read(path); });
+      return readers.read(path) ||
+             std::any_of(sweeps.begin(), sweeps.end(),
+                         [&](const SweepCases &sweep) { return is_read_in_a_case(sweep, path); });
     };
-    for (const std::string &entry : sweep.entries)
-      if (!is_read(entry))
-        throw InputError(file.where("Stability/Sweep", "Entry") + ": " + entry +
-                         " is swept, but it changes nothing: " + who_reads(entry, analyses, parameters) +
-                         ". Sweep another entry.");
+    for (const SweepCases &sweep : sweeps)
+      for (const std::string &entry : sweep.entries)
+        if (!is_read(entry))
+          throw InputError(file.where(sweep.section, "Entry") + ": " + entry +
+                           " is swept, but it changes nothing: " + who_reads(entry, analyses, parameters) +
+                           ". Sweep another entry.");
     ReadersOfTheFile readers_of_the_file(file, analyses, parameters);
     std::vector<std::string> out_of_use, refused;
     for (const std::string &path : order)
@@ -256,10 +261,16 @@ namespace vibrocontact
             (name == "Friction coefficient" ? "Contact/" : "Rolling/") + name,
             {"quasi-static rolling", "stability"});
     }
-    if (parameters.scene.runs("stability"))
-      for (const ParameterSweep::Axis *const axis :
-           {&parameters.stability.sweep.first, &parameters.stability.sweep.second})
+    for (const Analysis &analysis : analyses)
+    {
+      const std::string &name = analysis.type.name;
+      if (!parameters.scene.runs(name) || analysis.type.sweep_section.empty())
+        continue;
+      const ParameterSweep &sweep = parameters.sweeps.at(name);
+      for (const ParameterSweep::Axis *const axis : {&sweep.first, &sweep.second})
         if (!axis->entry.empty())
-          check("Stability/Sweep", axis->entry + " in stability alone", axis->entry, {"stability"});
+          check(analysis.type.sweep_section + "/Sweep", axis->entry + " in " + name + " alone", axis->entry,
+                {name});
+    }
   }
 } // namespace vibrocontact

@@ -137,12 +137,21 @@ namespace vibrocontact
                          "held.");
     }
 
+    /// The unreduced bodies are made and marched by all ranks together.
+    void check_sweep_model(const std::string &section, const std::string &model)
+    {
+      if (model != "reduced")
+        throw InputError(section + "/Model is " + model + ", but " + section +
+                         "/Sweep is that of the reduced model: set it to reduced or leave the sweep out.");
+    }
+
     void check_sweep(const Parameters &parameters)
     {
-      const ParameterSweep &sweep = parameters.stability.sweep;
+      const ParameterSweep &sweep = parameters.sweeps.at("stability");
       parameters.stability.check();
       if (!sweep.any())
         return;
+      check_sweep_model("Stability", parameters.stability.model);
       const RollingParameters::Sweep &rolling = parameters.rolling.sweep;
       if (!rolling.given().empty())
         throw InputError("Stability/Sweep/Entry and Rolling/Sweep are both given: leave one of them out.");
@@ -319,6 +328,9 @@ namespace vibrocontact
     }
     for (const auto &[name, mode] : modes)
       mode.check(name + "/Modes");
+    for (const AnalysisType &type : scene.known_analyses)
+      if (scene.runs(type.name) && !type.sweep_section.empty())
+        sweeps.at(type.name).check(type.sweep_section);
     if (scene.runs("modes"))
     {
       bool any = false;
@@ -351,6 +363,8 @@ namespace vibrocontact
       for (const auto &[name, mode] : modes)
         with_modes.push_back(name);
       check_transient(transient, rolling, scene, with_modes);
+      if (sweeps.at("transient").any())
+        check_sweep_model("Transient", transient.model);
       signals.check(with_modes, transient);
     }
     if (scene.runs("frequency response"))

@@ -12,8 +12,7 @@ namespace vibrocontact
       for (const BodyParameters &body : parameters.scene.bodies)
         if (body.is_wheel() || (&body == &parameters.scene.bodies[0] && body.type == "block"))
           return true;
-      return parameters.scene.runs("stability") &&
-             parameters.stability.sweep.sweeps(ParameterSweep::lateral_position);
+      return parameters.lateral_sweep() != nullptr;
     }
 
     /// @param condition in words of what holds where the law acts

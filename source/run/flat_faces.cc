@@ -7,7 +7,7 @@ namespace vibrocontact
 {
   void Parameters::find_flat_faces()
   {
-    const bool shifted = scene.runs("stability") && stability.sweep.sweeps(ParameterSweep::lateral_position);
+    const bool shifted = lateral_sweep() != nullptr;
     const bool touches =
         scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient");
     // hats beside the edge of a face would reach beyond it

@@ -1,5 +1,4 @@
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/base/log.h>
 #include <vibrocontact/bodies/point_reduction.h>
 #include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/fe/dense_system.h>
@@ -8,8 +7,6 @@
 #include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/run/forced_body.h>
 #include <vibrocontact/run/road_body.h>
-
-#include <deal.II/base/numbers.h>
 
 namespace vibrocontact
 {
@@ -98,7 +95,7 @@ namespace vibrocontact
         modes = all_modes(system, modes);
         damping_ratio = strain_energy_damping(system, modes);
       }
-      const ModeParameters &damping = reduction.request().modes;
+      const ModeParameters &damping = parameters.modes.at(parameters.scene.bodies[0].name);
       ForcedBody body{reduce_to_points(system, reduction.flexibility(), modes,
                                        damping.scaled(damping_ratio, modes.omega), rows)};
       body.relaxation = damping.stiffness_damping;
@@ -151,13 +148,6 @@ namespace vibrocontact
                                                            1 / (periodic.frequency * periodic.n_samples)}),
                                                 rows_per_point);
     body.rows_per_point = rows_per_point;
-
-    Log &log = run_log();
-    log.value(body.n_modes() > 0 ? "modes" : "poles", body.n_modes() + body.n_poles());
-    if (body.n_modes() > 0)
-      log.value("first frequency", body.omega[0] / (2 * dealii::numbers::PI), "Hz");
-    log.value("contact points", body.n_points());
-    log.value("residual flexibility of the first point", body.residual(0, 0), "m/N");
     return body;
   }
 

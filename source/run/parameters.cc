@@ -67,6 +67,9 @@ namespace vibrocontact
     prm.leave_subsection();
     declare("Identification", identification);
     declare("Periodic", periodic);
+    for (const AnalysisType &type : scene.known_analyses)
+      if (!type.sweep_section.empty())
+        declare(type.sweep_section, sweeps[type.name]);
   }
 
   bool Parameters::has_identification() const
@@ -96,14 +99,23 @@ namespace vibrocontact
     return contact.grid();
   }
 
+  const ParameterSweep *Parameters::lateral_sweep() const
+  {
+    for (const AnalysisType &type : scene.known_analyses)
+      if (type.sweeps_band && scene.runs(type.name) &&
+          sweeps.at(type.name).sweeps(ParameterSweep::lateral_position))
+        return &sweeps.at(type.name);
+    return nullptr;
+  }
+
   Parameters::LateralPositions Parameters::lateral_positions() const
   {
     LateralPositions positions;
-    if (!scene.runs("stability") || !stability.sweep.sweeps(ParameterSweep::lateral_position))
+    const ParameterSweep *const sweep = lateral_sweep();
+    if (!sweep)
       return positions;
-    const ParameterSweep::Axis &axis = stability.sweep.first.entry == ParameterSweep::lateral_position
-                                           ? stability.sweep.first
-                                           : stability.sweep.second;
+    const ParameterSweep::Axis &axis =
+        sweep->first.entry == ParameterSweep::lateral_position ? sweep->first : sweep->second;
     for (const std::string &text : axis.values())
     {
       char *end = nullptr;

@@ -1,6 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/memory.h>
+#include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/output/scene_picture.h>
 #include <vibrocontact/output/scene_summary.h>
@@ -58,6 +59,17 @@ namespace vibrocontact
     body.damping_ratio = modes.scaled(body.damping_ratio, body.omega);
   }
 
+  void reduce_bodies(const MeshedBodies &bodies, const bool with_modes)
+  {
+    for (const auto &body : bodies)
+      if (body)
+      {
+        body->reduction.statics();
+        if (with_modes && body->reduction.request().modes.any())
+          body->reduction.modal();
+      }
+  }
+
   std::unique_ptr<const PreparedPair> prepare_pair(const Parameters &parameters, const MeshedBodies &bodies,
                                                    const bool with_modes)
   {
@@ -68,7 +80,7 @@ namespace vibrocontact
       if (bodies[k])
       {
         pair->reduced[k] = bodies[k]->reduction.reduced(with_modes);
-        scale_damping(pair->reduced[k], bodies[k]->reduction.request().modes);
+        scale_damping(pair->reduced[k], parameters.modes.at(parameters.scene.bodies[k].name));
       }
       pair->bodies.push_back({&parameters.scene.bodies[k], bodies[k] ? &pair->reduced[k] : nullptr});
     }
@@ -185,7 +197,8 @@ namespace vibrocontact
           stages[stage] = stages.value(stage, 0.) + seconds;
         const ElasticBody<3> *const made = body->made();
         const auto dofs = dealii::Utilities::MPI::all_gather(
-            MPI_COMM_WORLD, made ? static_cast<unsigned long long>(made->locally_owned.n_elements()) : 0ull);
+            run_communicator(),
+            made ? static_cast<unsigned long long>(made->locally_owned.n_elements()) : 0ull);
         for (unsigned int r = 0; r < dofs.size() && made; ++r)
           ranks.push_back({{"dofs", dofs[r]}, {"peak_memory_MB", memory[r]}});
         result[body->parameters.name] = {{"stages_s", stages}, {"ranks", ranks}};

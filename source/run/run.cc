@@ -17,10 +17,13 @@
 #include <vibrocontact/run/prepare_bodies.h>
 #include <vibrocontact/run/run.h>
 #include <vibrocontact/run/run_identification.h>
+#include <vibrocontact/run/run_sweep.h>
+#include <vibrocontact/run/swept_runs.h>
 #include <vibrocontact/run/unreduced_pair.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 
@@ -69,7 +72,7 @@ namespace vibrocontact
 
     /// @param resume whether an earlier run in the folder is continued
     void run_analyses(const Tables &tables, const Parameters &parameters, const MeshedBodies &bodies,
-                      const std::optional<MeasuredData> &measured, const StabilityCases &sweep,
+                      const std::optional<MeasuredData> &measured, const std::vector<SweepCases> &sweeps,
                       RunRecord &record, Results &results, const bool resume, const Clock &clock)
     {
       const auto save = [&]
@@ -77,22 +80,36 @@ namespace vibrocontact
         results.reductions = reductions_json(bodies);
         record.save(results, clock.seconds());
       };
-      const AnalysisRun on{
-          parameters,      bodies,        measured,
-          sweep,           record.folder, resume,
-          results,         save,          [&] { record.save_sometimes(results, clock.seconds()); },
-          tables.recorders};
+      const SweepCases nothing_swept;
       for (const Analysis &analysis : tables.analyses)
       {
+        if (results.stopped_by != 0)
+          break;
         const std::string &name = analysis.type.name;
         if (analysis.continues)
           results.finished.erase(name);
         if (!parameters.scene.runs(name) || results.finished.count(name) > 0)
           continue;
         const std::size_t n_failures = results.failures.size();
-        analysis.run(on);
-        // one that continues and did not converge or was stopped goes on from its checkpoint
-        if (!analysis.continues || (results.stopped_by == 0 && results.failures.size() == n_failures))
+        const auto sweep = std::find_if(sweeps.begin(), sweeps.end(),
+                                        [&](const SweepCases &one) { return one.analysis == name; });
+        const bool swept = sweep != sweeps.end();
+        const AnalysisRun on{parameters,
+                             bodies,
+                             measured,
+                             swept ? *sweep : nothing_swept,
+                             record.folder,
+                             resume,
+                             results,
+                             save,
+                             [&] { record.save_sometimes(results, clock.seconds()); },
+                             tables.recorders};
+        if (swept)
+          run_sweep(analysis, on);
+        else
+          analysis.run(on);
+        // what was stopped, or continues and did not converge, goes on from its checkpoint
+        if (results.stopped_by == 0 && (!analysis.continues || results.failures.size() == n_failures))
           results.finished.insert(name);
         save();
       }
@@ -102,7 +119,14 @@ namespace vibrocontact
     {
       std::vector<AnswerKind> kinds;
       for (const Analysis &analysis : analyses)
+      {
         kinds.insert(kinds.end(), analysis.answers.begin(), analysis.answers.end());
+        if (analysis.swept)
+        {
+          const std::string key = analysis_key(analysis.type.name) + "_sweep";
+          kinds.push_back({key, analysis.type.name + " sweep", sweep_answer, {key + ".csv"}});
+        }
+      }
       return kinds;
     }
 
@@ -153,9 +177,9 @@ namespace vibrocontact
     dealii::ParameterHandler prm;
     read_parameters(file, prm, parameters, tables.analysis_types(),
                     std::make_shared<const EntryTables>(tables));
-    const StabilityCases sweep = stability_cases(parameters, file, command_line.overrides);
+    const std::vector<SweepCases> sweeps = sweep_cases(parameters, file, command_line.overrides);
     const std::vector<std::string> out_of_use = entries_out_of_use(
-        file, command_line.overrides, tables.analyses, parameters, declared_parameters(prm), sweep);
+        file, command_line.overrides, tables.analyses, parameters, declared_parameters(prm), sweeps);
     banner(command_line, parameters.scene);
     if (!out_of_use.empty())
       run_log().line("Entries that options have put out of use: " + quoted_list(out_of_use, "and") + ".");
@@ -180,7 +204,7 @@ namespace vibrocontact
       check_before_run(parameters, bodies, measured);
       if (command_line.check)
       {
-        check_places(parameters, bodies, sweep);
+        check_places(parameters, bodies, sweeps);
         if (command_line.resume)
           earlier_results(folder, used, parameters.transient.end_time);
       }
@@ -216,7 +240,7 @@ namespace vibrocontact
     RunRecord record(folder, file, used, command_line.resume ? &results : nullptr);
     try
     {
-      run_analyses(tables, parameters, bodies, measured, sweep, record, results, command_line.resume, clock);
+      run_analyses(tables, parameters, bodies, measured, sweeps, record, results, command_line.resume, clock);
     }
     catch (const MachineError &)
     {

@@ -1,6 +1,7 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/output/modal_convolution_output.h>
 #include <vibrocontact/run/checkpoint.h>
@@ -11,6 +12,7 @@
 #include <vibrocontact/run/run_method_comparison.h>
 #include <vibrocontact/run/run_modal_convolution.h>
 #include <vibrocontact/run/say_residual_damping.h>
+#include <vibrocontact/run/swept_runs.h>
 #include <vibrocontact/run/verdict.h>
 
 #include <deal.II/base/mpi.h>
@@ -157,7 +159,7 @@ namespace vibrocontact
     const Road road(road_parameters, body.places, body.shapes, own.end_time);
     ModalConvolution motion(own, parameters.contact_solver, poles, road, road_laws(parameters));
 
-    const bool first = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    const bool first = dealii::Utilities::MPI::this_mpi_process(run_communicator()) == 0;
     std::optional<ModalConvolutionHistory> history;
     if (first)
       history.emplace(own, n_points, folder);
@@ -335,18 +337,47 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    void do_modal_convolution(const AnalysisRun &on)
+    {
+      run_modal_convolution(on.parameters, on.bodies, on.measured, on.folder, on.resume, on.results);
+    }
+
+    PreparedRun prepare_modal_convolution(const AnalysisRun &on)
+    {
+      reduce_bodies({on.bodies[0]}, true);
+      return do_modal_convolution;
+    }
+  } // namespace
+
   Analysis modal_convolution_analysis()
   {
     return {{"modal convolution",
-             "a body known by its Green's functions rolls over a road in unilateral contact", 1, true, true},
+             "a body known by its Green's functions rolls over a road in unilateral contact",
+             1,
+             true,
+             true,
+             "",
+             {},
+             "Modal convolution"},
             modal_convolution_read,
-            [](const AnalysisRun &on) {
-              run_modal_convolution(on.parameters, on.bodies, on.measured, on.folder, on.resume, on.results);
-            },
+            do_modal_convolution,
             true,
             {{"modal_convolution",
               "modal convolution",
               modal_convolution_answer,
-              {"histories.h5", "impacts.csv", "third_octaves.csv", "figures/modal_convolution*.png"}}}};
+              {"histories.h5", "impacts.csv", "third_octaves.csv", "figures/modal_convolution*.png"}}},
+            swept_runs(prepare_modal_convolution,
+                       {{"impulse_Ns", "/modal_convolution/impulse_Ns/0"},
+                        {"largest_force_N", "/modal_convolution/largest_force_N"},
+                        {"rms_force_N", "/modal_convolution/rms_force_N"},
+                        {"closed_points_mean", "/modal_convolution/closed_points_mean"},
+                        {"n_impacts", "/modal_convolution/n_impacts"},
+                        {"input_J", "/modal_convolution/energy/input_J"},
+                        {"friction_J", "/modal_convolution/energy/friction_J"},
+                        {"estimated_error", "/modal_convolution/estimated_error"},
+                        {"steps", "/modal_convolution/steps"},
+                        {"time_s", "/modal_convolution/time_s"}})};
   }
 } // namespace vibrocontact

@@ -7,6 +7,7 @@
 #include <vibrocontact/run/forced_body.h>
 #include <vibrocontact/run/run_periodic.h>
 #include <vibrocontact/run/run_response.h>
+#include <vibrocontact/run/swept_runs.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -57,6 +58,16 @@ namespace vibrocontact
       return result;
     }
 
+    void tell(const ForcedBody &body)
+    {
+      Log &log = run_log();
+      log.value(body.n_modes() > 0 ? "modes" : "poles", body.n_modes() + body.n_poles());
+      if (body.n_modes() > 0)
+        log.value("first frequency", body.omega[0] / (2 * dealii::numbers::PI), "Hz");
+      log.value("contact points", body.n_points());
+      log.value("residual flexibility of the first point", body.residual(0, 0), "m/N");
+    }
+
     void tell(const PeriodicCase &solved)
     {
       Log &log = run_log();
@@ -80,12 +91,12 @@ namespace vibrocontact
     }
   } // namespace
 
-  void run_periodic(const Parameters &parameters, const MeshedBodies &bodies,
-                    const std::optional<MeasuredData> &measured, const std::string &folder, Results &results)
+  void run_periodic(const Parameters &parameters, const ForcedBody &body, const std::string &folder,
+                    Results &results)
   {
     const PeriodicParameters &periodic = parameters.periodic;
     run_log().block("Periodic motion");
-    const ForcedBody body = forced_body(parameters, bodies, measured);
+    tell(body);
     const std::shared_ptr<const NormalLaw> law = parameters.periodic_law();
     const std::string law_name = periodic.law_in_results(parameters.contact.normal_law);
     run_log().value("normal law", law->description().name);
@@ -221,17 +232,42 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    PreparedRun prepare_periodic(const AnalysisRun &on)
+    {
+      const auto body =
+          std::make_shared<const ForcedBody>(forced_body(on.parameters, on.bodies, on.measured));
+      return [body](const AnalysisRun &one) { run_periodic(one.parameters, *body, one.folder, one.results); };
+    }
+  } // namespace
+
   Analysis periodic_analysis()
   {
-    return {{"periodic", "periodic motions of body 1 against a stop, by weighted residuals in time", 1},
+    return {{"periodic",
+             "periodic motions of body 1 against a stop, by weighted residuals in time",
+             1,
+             false,
+             false,
+             "",
+             {},
+             "Periodic"},
             periodic_read,
-            [](const AnalysisRun &on)
-            { run_periodic(on.parameters, on.bodies, on.measured, on.folder, on.results); },
+            [](const AnalysisRun &on) { prepare_periodic(on)(on); },
             false,
             {{"periodic",
               "periodic",
               periodic_answer,
               {"periodic_0.csv", "periodic_errors.csv", "figures/periodic_motion.png"}},
-             {"response", "response curve", response_answer, {"response.csv", "figures/response.png"}}}};
+             {"response", "response curve", response_answer, {"response.csv", "figures/response.png"}}},
+            swept_runs(prepare_periodic, {{"tip_max_m", "/periodic/0/tip_max_m"},
+                                          {"tip_min_m", "/periodic/0/tip_min_m"},
+                                          {"impulse_Ns", "/periodic/0/impulse_Ns/0"},
+                                          {"energy_norm_J", "/periodic/0/energy_norm_J"},
+                                          {"newton_iterations", "/periodic/0/newton_iterations"},
+                                          {"error_to_reference", "/periodic/0/error_to_reference"},
+                                          {"largest_amplitude_m", "/response/largest_amplitude_m"},
+                                          {"largest_at_Hz", "/response/largest_at_Hz"},
+                                          {"response_points", "/response/points"}})};
   }
 } // namespace vibrocontact

@@ -1,12 +1,14 @@
 #include <vibrocontact/analyses/rolling_scene.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/contact/problem_file.h>
 #include <vibrocontact/output/contact_patch.h>
 #include <vibrocontact/output/field_writer.h>
 #include <vibrocontact/output/rolling_output.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/run_rolling.h>
+#include <vibrocontact/run/swept_runs.h>
 
 #include <filesystem>
 #include <sstream>
@@ -135,7 +137,7 @@ namespace vibrocontact
     };
     const RollingResult last =
         quasi_static_rolling(parameters.rolling, parameters.contact, parameters.contact_solver, interface,
-                             scene.operator_at, finished, MPI_COMM_WORLD)
+                             scene.operator_at, finished, run_communicator())
             .back();
     on_first_rank(
         [&]
@@ -213,16 +215,44 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    /// Its cases have no deformation of the bodies, which is found by all ranks.
+    PreparedRun prepare_rolling(const AnalysisRun &on)
+    {
+      reduce_bodies(on.bodies, on.parameters.contact.replaces_flexibility());
+      return [](const AnalysisRun &one)
+      { run_rolling(one.parameters, one.bodies, one.folder, one.results, one.save_sometimes); };
+    }
+  } // namespace
+
   Analysis rolling_analysis()
   {
-    return {{"quasi-static rolling", "steady rolling contact of body 1 on body 2 with friction", 2, true},
-            rolling_read,
-            do_rolling,
-            false,
-            {{"quasi_static_rolling",
-              "quasi-static rolling",
-              rolling_answer,
-              {"rolling.csv", "contact_patch_0.csv", "figures/contact_patch_0.png",
-               "figures/creep_curves.png"}}}};
+    return {
+        {"quasi-static rolling",
+         "steady rolling contact of body 1 on body 2 with friction",
+         2,
+         true,
+         false,
+         "",
+         {},
+         "Rolling"},
+        rolling_read,
+        do_rolling,
+        false,
+        {{"quasi_static_rolling",
+          "quasi-static rolling",
+          rolling_answer,
+          {"rolling.csv", "contact_patch_0.csv", "figures/contact_patch_0.png", "figures/creep_curves.png"}}},
+        swept_runs(prepare_rolling,
+                   {{"normal_force_N", "/quasi_static_rolling/cases/0/normal_force_N"},
+                    {"tangential_force_x_N", "/quasi_static_rolling/cases/0/tangential_force_N/0"},
+                    {"tangential_force_y_N", "/quasi_static_rolling/cases/0/tangential_force_N/1"},
+                    {"spin_moment_Nm", "/quasi_static_rolling/cases/0/spin_moment_Nm"},
+                    {"utilisation", "/quasi_static_rolling/cases/0/utilisation"},
+                    {"approach_m", "/quasi_static_rolling/cases/0/approach_m"},
+                    {"max_pressure_Pa", "/quasi_static_rolling/cases/0/max_pressure_Pa"},
+                    {"contact_points", "/quasi_static_rolling/cases/0/contact_points"},
+                    {"stick_points", "/quasi_static_rolling/cases/0/stick_points"}})};
   }
 } // namespace vibrocontact

@@ -146,29 +146,29 @@ namespace vibrocontact
                      "Linearise sticking points");
       entries.add_if(parameters.stability.model == "finite elements", "Stability/Model is finite elements",
                      section, "Number of roots");
-      entries.add(section + "/Sweep", "Entry, Values, Range, Second entry, Second values, Second range");
     }
 
-    void do_stability(const AnalysisRun &on)
-    {
-      if (on.sweep.cases.empty())
-        run_stability(on.parameters, on.bodies, on.folder, on.results);
-      else
-        run_stability_sweep(on.sweep, on.bodies, on.folder, on.results, on.save_sometimes);
-    }
   } // namespace
 
   Analysis stability_analysis()
   {
-    return {
-        {"stability", "complex eigenvalues about the rolling equilibrium: which modes squeal", 2, true, true},
-        stability_read,
-        do_stability,
-        false,
-        {{"stability",
-          "stability",
-          stability_answer,
-          {"stability.csv", "stability_map.csv", "stability_sweep.csv", "figures/divergence_rates.png",
-           "figures/stability_map.png", "figures/unstable_shapes.png"}}}};
+    return {{"stability",
+             "complex eigenvalues about the rolling equilibrium: which modes squeal",
+             2,
+             true,
+             true,
+             "",
+             {},
+             "Stability",
+             true},
+            stability_read,
+            [](const AnalysisRun &on) { run_stability(on.parameters, on.bodies, on.folder, on.results); },
+            false,
+            {{"stability",
+              "stability",
+              stability_answer,
+              {"stability.csv", "stability_map.csv", "stability_sweep.csv", "figures/divergence_rates.png",
+               "figures/stability_map.png", "figures/unstable_shapes.png"}}},
+            swept_stability};
   }
 } // namespace vibrocontact

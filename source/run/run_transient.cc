@@ -16,6 +16,7 @@
 #include <vibrocontact/run/make_mode_recorder.h>
 #include <vibrocontact/run/run_transient.h>
 #include <vibrocontact/run/say_residual_damping.h>
+#include <vibrocontact/run/swept_runs.h>
 #include <vibrocontact/run/transient_probes.h>
 #include <vibrocontact/run/unreduced_pair.h>
 #include <vibrocontact/run/verdict.h>
@@ -325,6 +326,11 @@ namespace vibrocontact
 
   namespace
   {
+    void do_transient(const AnalysisRun &on)
+    {
+      run_transient(on.parameters, on.bodies, on.folder, on.resume, on.results, on.recorders);
+    }
+
     void transient_read(EntriesRead &entries, const Parameters &parameters)
     {
       add_partners(entries, parameters, moving_in_contact());
@@ -385,17 +391,42 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    /// Bodies with their modes, and shapes where probes are, are made by all ranks.
+    PreparedRun prepare_transient(const AnalysisRun &on)
+    {
+      for (const ProbeRequest &request : parse_probes(on.parameters.signals.probes))
+        for (const auto &body : on.bodies)
+          if (body && (request.body == body->parameters.name ||
+                       (request.name.empty() && body->reduction.request().wheel)))
+            body->reduction.surface_shapes();
+      reduce_bodies(on.bodies, true);
+      return do_transient;
+    }
+  } // namespace
+
   Analysis transient_analysis()
   {
-    return {{"transient", "motion in time of body 1 on body 2", 2, true, true},
+    return {{"transient", "motion in time of body 1 on body 2", 2, true, true, "", {}, "Transient"},
             transient_read,
-            [](const AnalysisRun &on)
-            { run_transient(on.parameters, on.bodies, on.folder, on.resume, on.results, on.recorders); },
+            do_transient,
             true,
             {{"transient",
               "transient",
               transient_answer,
               {"histories.h5", "mode_amplitudes.csv", "figures/transient_*.png", "figures/mode_growth.png",
-               "figures/spectrum_*.png", "*.wav"}}}};
+               "figures/spectrum_*.png", "*.wav"}}},
+            swept_runs(prepare_transient, {{"impulse_Ns", "/transient/impulse_Ns"},
+                                           {"rms_normal_force_N", "/transient/rms_normal_force_N"},
+                                           {"last_normal_force_N", "/transient/last/normal_force_N"},
+                                           {"smallest_gap_m", "/transient/smallest_gap_m"},
+                                           {"dominant_frequency_Hz", "/transient/dominant_frequencies_Hz/0"},
+                                           {"input_J", "/transient/energy/input_J"},
+                                           {"friction_J", "/transient/energy/friction_J"},
+                                           {"imbalance_J", "/transient/energy/imbalance_J"},
+                                           {"estimated_error", "/transient/estimated_error"},
+                                           {"steps", "/transient/steps"},
+                                           {"time_s", "/transient/time_s"}})};
   }
 } // namespace vibrocontact

@@ -44,6 +44,8 @@ namespace vibrocontact
     AssertThrow(known != analyses.end(), dealii::ExcMessage("unknown analysis " + analysis));
     if (known->type.make_parameters)
       add_all_entries(entries, known->type.section, *known->type.make_parameters());
+    if (!known->type.sweep_section.empty())
+      entries.add(known->type.sweep_section + "/Sweep", ParameterSweep::names);
     known->reads(entries, parameters);
     return entries;
   }

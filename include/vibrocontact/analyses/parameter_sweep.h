@@ -7,7 +7,7 @@
 
 namespace vibrocontact
 {
-  /// `subsection Sweep` of an analysis: one or two entries of the scene and their values. The second entry
+  /// `subsection Sweep` of an analysis: one or two entries of the file and their values. The second entry
   /// runs through all of its values for each value of the first.
   struct ParameterSweep
   {
@@ -25,6 +25,7 @@ namespace vibrocontact
     Axis first, second;
 
     static constexpr const char *lateral_position = "Contact/Lateral position";
+    static constexpr const char *names = "Entry, Values, Range, Second entry, Second values, Second range";
 
     bool any() const { return !first.entry.empty(); }
     bool sweeps(const std::string &entry) const { return first.entry == entry || second.entry == entry; }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <vibrocontact/analyses/linearised_contact.h>
-#include <vibrocontact/analyses/parameter_sweep.h>
 #include <vibrocontact/analyses/quasi_static_rolling.h>
 #include <vibrocontact/analyses/root_count.h>
 
@@ -32,7 +31,6 @@ namespace vibrocontact
     bool stick = false;
     /// count the unstable roots by the argument principle as well, see count_unstable_roots()
     bool second_count = false;
-    ParameterSweep sweep;
 
     void declare_parameters(dealii::ParameterHandler &prm);
     /// @throws InputError

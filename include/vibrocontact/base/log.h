@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <fstream>
 #include <functional>
@@ -9,6 +10,8 @@
 
 namespace vibrocontact
 {
+  class Progress;
+
   /// What the user reads while the program works: the screen and log.txt, written by rank 0 alone.
   ///
   ///     Wheel                                             <- block(): one per step
@@ -61,6 +64,10 @@ namespace vibrocontact
     /// Warnings so far.
     unsigned int n_warnings() const { return warnings; }
 
+    /// While it lives, run_log() of this rank is a log of its own that goes to a file and nowhere else: that of a case
+    /// which this rank computes alone (LoneRank). Made after the LoneRank.
+    class Aside;
+
   private:
     friend class Progress;
 
@@ -71,7 +78,10 @@ namespace vibrocontact
     /// The line that the next one replaces, on a terminal only; empty: none.
     void status(const std::string &text);
 
-    bool screen = true, has_status = false;
+    /// warnings go to standard error where nothing goes to the screen
+    bool screen = true, errors = true, has_status = false;
+    /// the innermost, which has the line
+    std::atomic<Progress *> current_progress{nullptr};
     unsigned int warnings = 0;
     /// title of the block or part, and the one that the last line stands under
     std::string kept, title, heading;
@@ -81,8 +91,22 @@ namespace vibrocontact
     std::mutex screen_mutex;
   };
 
-  /// The log of this run.
+  /// The log of this run, or of the case that this rank computes alone.
   Log &run_log();
+
+  class Log::Aside
+  {
+  public:
+    /// @param append behind what an earlier run left in the file
+    Aside(const std::string &file_name, bool append);
+    ~Aside();
+    Aside(const Aside &) = delete;
+    Aside &operator=(const Aside &) = delete;
+
+  private:
+    Log own;
+    Log *const outer;
+  };
 
   /// Progress of a long step: how far it is and the time left, from the start if that is known beforehand. On a terminal
   /// one line is kept current, also while nothing advances (a factorisation is one call). Elsewhere, and in the file,
@@ -108,6 +132,7 @@ namespace vibrocontact
 
     std::string text(double seconds) const;
 
+    Log &log;
     std::string what, detail;
     double total, expected, done = 0, seconds_done = 0, next_line = 5, next_detail = 0;
     std::chrono::steady_clock::time_point begin;

@@ -3,7 +3,7 @@
 namespace vibrocontact
 {
   /// While one lives, SIGTERM and SIGINT do not end the program but are kept for whoever asks; each a second
-  /// time ends it at once. Before and after, they end it as usual.
+  /// time ends it at once. Before and after, they end it as usual. Of several alive, all hear of a signal.
   class StopSignals
   {
   public:

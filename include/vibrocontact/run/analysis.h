@@ -6,9 +6,11 @@
 #include <vibrocontact/run/entry_list.h>
 #include <vibrocontact/run/measured_data.h>
 #include <vibrocontact/run/prepare_bodies.h>
-#include <vibrocontact/run/stability_cases.h>
+#include <vibrocontact/run/sweep_cases.h>
+#include <vibrocontact/run/swept_analysis.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,7 +36,8 @@ namespace vibrocontact
     const MeshedBodies &bodies;
     /// of section Identification, if something needs them
     const std::optional<MeasuredData> &measured;
-    const StabilityCases &sweep;
+    /// of this analysis; no cases: nothing is swept
+    const SweepCases &sweep;
     /// of the results
     const std::string &folder;
     /// whether an earlier run in the folder is continued
@@ -59,5 +62,7 @@ namespace vibrocontact
     bool continues;
     /// what its objects in results.json answer
     std::vector<AnswerKind> answers;
+    /// With AnalysisType::sweep_section: begins a sweep, in place of `run`, see run_sweep(); swept_runs() for most. Collective.
+    std::function<std::unique_ptr<SweptAnalysis>(const AnalysisRun &)> swept = {};
   };
 } // namespace vibrocontact

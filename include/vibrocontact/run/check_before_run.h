@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/run/measured_data.h>
-#include <vibrocontact/run/stability_cases.h>
+#include <vibrocontact/run/sweep_cases.h>
 
 namespace vibrocontact
 {
@@ -19,7 +19,8 @@ namespace vibrocontact
   void check_transient_files(const Parameters &parameters, const MeshedBodies &bodies);
 
   /// The same for what needs meshes and matrices, which `--check` makes for it: places of points and probes, contact
-  /// surfaces of the cases of a sweep. Collective.
+  /// surfaces of the cases of sweeps. Collective.
   /// @throws InputError
-  void check_places(const Parameters &parameters, const MeshedBodies &bodies, const StabilityCases &sweep);
+  void check_places(const Parameters &parameters, const MeshedBodies &bodies,
+                    const std::vector<SweepCases> &sweeps);
 } // namespace vibrocontact

@@ -2,7 +2,7 @@
 
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/run/parameters.h>
-#include <vibrocontact/run/stability_cases.h>
+#include <vibrocontact/run/sweep_cases.h>
 #include <vibrocontact/run/tables.h>
 
 #include <string>
@@ -17,12 +17,12 @@ namespace vibrocontact
   ///
   /// What the file by itself would read and an option has put out of use (an analysis that --set Analyses=... leaves
   /// out, a method that --set replaces) is not refused but returned, for the log; used.prm does without it.
-  /// @param overrides options of the command line  @param declared with the values of the run  @param sweep entries may be read by any of its cases
+  /// @param overrides options of the command line  @param declared with the values of the run  @param sweeps entries may be read by any of their cases
   /// @throws InputError
   std::vector<std::string>
   entries_out_of_use(const ParameterFile &file, const std::vector<std::string> &overrides,
                      const std::vector<Analysis> &analyses, const Parameters &parameters,
-                     const DeclaredParameters &declared, const StabilityCases &sweep);
+                     const DeclaredParameters &declared, const std::vector<SweepCases> &sweeps);
 
   /// Refuses a sweep that an analysis of the same file reads (entries_read()) and does not follow: it would silently
   /// stay at a single value. @throws InputError

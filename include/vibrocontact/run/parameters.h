@@ -3,6 +3,7 @@
 #include <vibrocontact/analyses/frequency_response.h>
 #include <vibrocontact/analyses/identification.h>
 #include <vibrocontact/analyses/method_comparison.h>
+#include <vibrocontact/analyses/parameter_sweep.h>
 #include <vibrocontact/analyses/periodic.h>
 #include <vibrocontact/analyses/stability.h>
 #include <vibrocontact/analyses/transient_parameters.h>
@@ -40,6 +41,8 @@ namespace vibrocontact
     /// of the meshed bodies, by name
     std::map<std::string, ModeParameters> modes;
     IdentificationParameters identification;
+    /// of the analyses that take a Sweep, by name
+    std::map<std::string, ParameterSweep> sweeps;
     /// what entries choose from
     std::shared_ptr<const EntryTables> tables;
 
@@ -76,7 +79,9 @@ namespace vibrocontact
     std::shared_ptr<const NormalLaw> periodic_law() const;
     /// The grid of section Contact, or one point if a body has no more.
     ContactGrid contact_grid() const;
-    /// The lateral positions of a stability sweep [m]: those whose contact point lies on the tread of a
+    /// The sweep of a listed analysis that moves the contact over a band of body 1 (AnalysisType::sweeps_band); null: none.
+    const ParameterSweep *lateral_sweep() const;
+    /// The lateral positions of lateral_sweep() [m]: those whose contact point lies on the tread of a
     /// wheel, at least two rows of points from its ends, and those left out. Empty if the position is not
     /// swept.
     struct LateralPositions

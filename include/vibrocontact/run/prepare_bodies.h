@@ -11,8 +11,9 @@
 
 namespace vibrocontact
 {
-  /// The meshed bodies of a scene in its order, null for the others.
-  using MeshedBodies = std::vector<std::unique_ptr<MeshedBody>>;
+  /// The meshed bodies of a scene in its order, null for the others. Cases of a sweep share those that are equal; their
+  /// damping factors, which come in after the reduction, are those of the case's parameters.
+  using MeshedBodies = std::vector<std::shared_ptr<MeshedBody>>;
 
   /// The key of the reduction of meshed body k of the scene; see body_key().
   std::string reduction_key(const Parameters &parameters, const DeclaredParameters &declared, unsigned int k);
@@ -31,6 +32,9 @@ namespace vibrocontact
     /// body 1, body 2; they refer to `reduced` and to the parameters
     std::vector<ContactBody> bodies;
   };
+
+  /// Reduces the bodies or finds them in the cache, so that whoever asks for them later needs no other rank. Collective.
+  void reduce_bodies(const MeshedBodies &bodies, bool with_modes);
 
   /// Reduces the two bodies of the scene (or finds them in the cache), with their modes or for a static
   /// analysis. Collective.

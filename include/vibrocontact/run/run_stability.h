@@ -4,9 +4,8 @@
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/run/analysis.h>
 #include <vibrocontact/run/prepare_bodies.h>
-#include <vibrocontact/run/stability_cases.h>
 
-#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,14 +19,11 @@ namespace vibrocontact
   void run_stability(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
                      Results &results);
 
-  /// The same for each case of a sweep, with stability_sweep.csv and stability_map.csv: bodies whose keys are
-  /// equal are reduced once, roots keep their names along the sweep. A case without an equilibrium in full
+  /// The same for each case of a sweep, with stability_sweep.csv and stability_map.csv: roots keep their names along the
+  /// sweep. A case without an equilibrium in full
   /// sliding, or with a contact that reaches the edge of its grid, is left out and said; one that does not
-  /// converge makes the run not converged. Collective.
-  /// @param save called after each case
-  /// @throws InputError if no case is left
-  void run_stability_sweep(const StabilityCases &sweep, const MeshedBodies &bodies, const std::string &folder,
-                           Results &results, const std::function<void()> &save);
+  /// converge makes the run not converged.
+  std::unique_ptr<SweptAnalysis> swept_stability(const AnalysisRun &on);
 
   /// Its row of the table of analyses.
   Analysis stability_analysis();

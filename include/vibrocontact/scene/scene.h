@@ -22,6 +22,10 @@ namespace vibrocontact
     /// of an analysis that a program adds: its section, and what makes its entries
     std::string section = "";
     std::function<std::shared_ptr<ParameterGroup>()> make_parameters = {};
+    /// the section that holds its subsection Sweep; empty: there is none
+    std::string sweep_section = "";
+    /// whether a swept Contact/Lateral position moves the contact over one reduction of body 1, not anew for each
+    bool sweeps_band = false;
   };
 
   /// What a parameter file describes, before any mesh is made: bodies in the order of the entry Bodies, the

@@ -1,0 +1,207 @@
+#include <vibrocontact/base/checksum.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/run/sweep_cases.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <utility>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    std::variant<double, std::string> as_number(const std::string &text)
+    {
+      char *end = nullptr;
+      const double value = std::strtod(text.c_str(), &end);
+      if (!text.empty() && *end == 0)
+        return value;
+      return text;
+    }
+
+    /// wheel/Material/Young modulus, Pa -> young_modulus_Pa
+    /// @param path whether the sections stand in it as well
+    std::string column_name(const std::string &entry, const DeclaredParameters &declared, const bool path)
+    {
+      const std::size_t slash = entry.rfind('/');
+      std::string name = path ? entry : entry.substr(slash + 1);
+      std::transform(name.begin(), name.end(), name.begin(),
+                     [](const unsigned char c) { return std::isalnum(c) ? std::tolower(c) : '_'; });
+      const DeclaredParameters::Entry *const found =
+          declared.find(entry.substr(0, slash), entry.substr(slash + 1));
+      std::string unit = found ? unit_of(found->documentation) : "";
+      std::replace_if(
+          unit.begin(), unit.end(), [](const unsigned char c) { return !std::isalnum(c); }, '_');
+      return unit.empty() ? name : name + "_" + unit;
+    }
+
+    std::vector<std::string> column_names(const std::vector<std::string> &entries,
+                                          const DeclaredParameters &declared)
+    {
+      std::vector<std::string> columns;
+      for (const bool path : {false, true})
+      {
+        columns.clear();
+        for (const std::string &entry : entries)
+          columns.push_back(column_name(entry, declared, path));
+        if (columns.front() != columns.back() || columns.size() == 1)
+          break;
+      }
+      return columns;
+    }
+
+    std::vector<std::string> wanted_values(const ParameterSweep::Axis &axis,
+                                           const std::vector<double> &left_out)
+    {
+      std::vector<std::string> values = axis.values();
+      if (axis.entry == ParameterSweep::lateral_position)
+        values.erase(std::remove_if(values.begin(), values.end(),
+                                    [&](const std::string &text) {
+                                      return std::count(left_out.begin(), left_out.end(),
+                                                        std::strtod(text.c_str(), nullptr)) > 0;
+                                    }),
+                     values.end());
+      return values;
+    }
+
+    /// What tells a reduction apart.
+    std::string reduction_text(const unsigned int k, const std::string &key, const ModeParameters &modes)
+    {
+      return std::to_string(k) + "\n" + key + "\n" + modes.key();
+    }
+
+    unsigned long long mark_of(DeclaredParameters declared, const double lateral_position)
+    {
+      declared.entries.erase(std::remove_if(declared.entries.begin(), declared.entries.end(),
+                                            [](const DeclaredParameters::Entry &entry)
+                                            { return entry.section == "Output"; }),
+                             declared.entries.end());
+      const std::string text = print_parameters(declared, ParameterStyle::values_only);
+      Checksum sum;
+      sum.add(text.data(), text.size());
+      sum.add(&lateral_position, sizeof lateral_position);
+      return sum.value();
+    }
+
+    /// Reads the case's file. @param options that set the swept entries
+    void read_case(SweepCase &one, SweepCases &sweep, const Parameters &parameters, const ParameterFile &file,
+                   const std::vector<std::string> &options, const std::string &text)
+    {
+      dealii::ParameterHandler prm;
+      try
+      {
+        ParameterFile varied(file.file_name(), file.bytes(), options);
+        read_parameters(varied, prm, one.parameters, parameters.scene.known_analyses, parameters.tables);
+      }
+      catch (const InputError &error)
+      {
+        throw InputError(file.where(sweep.section, "Entry") + ": " + text + ": " + error.what());
+      }
+      const DeclaredParameters declared = declared_parameters(prm);
+      one.mark = mark_of(declared, one.lateral_position);
+      if (sweep.columns.empty())
+        sweep.columns = column_names(sweep.entries, declared);
+      for (unsigned int k = 0; k < one.parameters.scene.bodies.size(); ++k)
+        one.keys.push_back(
+            one.parameters.scene.bodies[k].is_meshed() ? reduction_key(one.parameters, declared, k) : "");
+    }
+
+    SweepCases cases_of(const AnalysisType &type, const Parameters &parameters, const ParameterFile &file,
+                        const std::vector<std::string> &overrides)
+    {
+      const ParameterSweep &asked = parameters.sweeps.at(type.name);
+      SweepCases sweep;
+      sweep.analysis = type.name;
+      sweep.section = type.sweep_section + "/Sweep";
+      const bool on_a_band = type.sweeps_band && asked.sweeps(ParameterSweep::lateral_position);
+      if (on_a_band)
+        sweep.left_out = parameters.lateral_positions().left_out;
+      sweep.entries = {asked.first.entry};
+      std::vector<std::string> first = wanted_values(asked.first, sweep.left_out), second = {""};
+      if (!asked.second.entry.empty())
+      {
+        sweep.entries.push_back(asked.second.entry);
+        second = wanted_values(asked.second, sweep.left_out);
+      }
+      for (unsigned int i = 0; i < first.size(); ++i)
+        for (unsigned int j = 0; j < second.size(); ++j)
+        {
+          SweepCase one;
+          one.first = i;
+          one.second = j;
+          one.lateral_position = parameters.contact.lateral_position;
+          std::vector<std::string> options = overrides;
+          std::string text;
+          for (unsigned int k = 0; k < sweep.entries.size(); ++k)
+          {
+            const std::string &value = k == 0 ? first[i] : second[j];
+            one.values.push_back(as_number(value));
+            if (on_a_band && sweep.entries[k] == ParameterSweep::lateral_position)
+              one.lateral_position = std::strtod(value.c_str(), nullptr);
+            else
+              options.push_back(sweep.entries[k] + "=" + value);
+            text += (k == 0 ? "" : ", ") + sweep.entries[k] + " = " + value;
+          }
+          read_case(one, sweep, parameters, file, options, text);
+          sweep.cases.push_back(std::move(one));
+        }
+      return sweep;
+    }
+  } // namespace
+
+  std::vector<SweepCases> sweep_cases(const Parameters &parameters, const ParameterFile &file,
+                                      const std::vector<std::string> &overrides)
+  {
+    std::vector<SweepCases> result;
+    for (const AnalysisType &type : parameters.scene.known_analyses)
+      if (parameters.scene.runs(type.name) && !type.sweep_section.empty() &&
+          parameters.sweeps.at(type.name).any())
+        result.push_back(cases_of(type, parameters, file, overrides));
+    return result;
+  }
+
+  std::string case_text(const SweepCases &sweep, const SweepCase &one)
+  {
+    std::ostringstream text;
+    for (unsigned int k = 0; k < one.values.size(); ++k)
+    {
+      text << (k == 0 ? "" : ", ") << sweep.columns[k] << " ";
+      std::visit([&](const auto &value) { text << value; }, one.values[k]);
+    }
+    return text.str();
+  }
+
+  std::vector<MeshedBodies> bodies_of_cases(const SweepCases &sweep, const MeshedBodies &of_the_file)
+  {
+    std::map<std::string, std::shared_ptr<MeshedBody>> known;
+    for (unsigned int k = 0; k < of_the_file.size(); ++k)
+      if (of_the_file[k])
+      {
+        const ReductionRequest &own = of_the_file[k]->reduction.request();
+        known[reduction_text(k, own.key, own.modes)] = of_the_file[k];
+      }
+    std::vector<MeshedBodies> result;
+    for (const SweepCase &one : sweep.cases)
+    {
+      result.emplace_back();
+      for (unsigned int k = 0; k < one.keys.size(); ++k)
+      {
+        std::shared_ptr<MeshedBody> body;
+        if (!one.keys[k].empty())
+        {
+          const ModeParameters &modes = one.parameters.modes.at(one.parameters.scene.bodies[k].name);
+          std::shared_ptr<MeshedBody> &there = known[reduction_text(k, one.keys[k], modes)];
+          if (!there)
+            there = meshed_body(one.parameters, one.keys[k], k);
+          body = there;
+        }
+        result.back().push_back(body);
+      }
+    }
+    return result;
+  }
+} // namespace vibrocontact
