@@ -8,6 +8,8 @@
 #include <zmumps_c.h>
 
 #include <exception>
+#include <type_traits>
+#include <utility>
 
 namespace vibrocontact
 {
@@ -61,19 +63,39 @@ namespace vibrocontact
       AssertThrow(mass.size() == stiffness.size() && loss.size() == stiffness.size(),
                   dealii::ExcMessage("The matrices of body " + system.body + " differ in their patterns."));
     }
+
+    /// The entries and the order of all ranks on each of them.
+    void gather(const MPI_Comm all)
+    {
+      const auto join = [&](auto &values)
+      {
+        std::remove_reference_t<decltype(values)> joined;
+        for (const auto &part : dealii::Utilities::MPI::all_gather(all, values))
+          joined.insert(joined.end(), part.begin(), part.end());
+        values = std::move(joined);
+      };
+      join(rows);
+      join(columns);
+      join(stiffness);
+      join(loss);
+      join(mass);
+      position = dealii::Utilities::MPI::broadcast(all, position);
+    }
   };
 
-  HarmonicSolver::HarmonicSolver(const SecondOrderSystem &system)
+  HarmonicSolver::HarmonicSolver(const SecondOrderSystem &system, const Ranks ranks)
       : implementation(std::make_unique<Implementation>())
   {
     Implementation &my = *implementation;
-    my.communicator = system.communicator;
+    my.communicator = ranks == Ranks::alone ? MPI_COMM_SELF : system.communicator;
     my.is_host = dealii::Utilities::MPI::this_mpi_process(my.communicator) == 0;
     my.n = system.stiffness.m();
     my.position = fill_reducing_order(system.stiffness, {});
     const auto [begin, end] = system.stiffness.local_range();
     for (PetscInt row = begin; row < static_cast<PetscInt>(end); ++row)
       my.add_row(system, row);
+    if (ranks == Ranks::alone)
+      my.gather(system.communicator);
 
     ZMUMPS_STRUC_C &mumps = my.mumps;
     mumps.comm_fortran = MPI_Comm_c2f(my.communicator);
@@ -108,6 +130,11 @@ namespace vibrocontact
       return;
     implementation->mumps.job = -2;
     zmumps_c(&implementation->mumps);
+  }
+
+  double HarmonicSolver::factorisation_bytes() const
+  {
+    return 1e6 * implementation->mumps.infog[15];
   }
 
   std::vector<std::complex<double>> HarmonicSolver::receptance(const double omega,

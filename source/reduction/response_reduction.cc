@@ -1,11 +1,17 @@
+#include <vibrocontact/base/memory.h>
 #include <vibrocontact/base/petsc_check.h>
+#include <vibrocontact/base/shared_cases.h>
 #include <vibrocontact/reduction/response_reduction.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/timer.h>
 
+#include <boost/serialization/complex.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace vibrocontact
 {
@@ -153,6 +159,20 @@ namespace vibrocontact
     return result;
   }
 
+  namespace
+  {
+    /// Of frequencies that ranks share out, if each rank's memory holds the factors; null otherwise. Collective.
+    std::unique_ptr<HarmonicSolver> lone_solver(const SecondOrderSystem &system,
+                                                const std::size_t n_frequencies)
+    {
+      if (dealii::Utilities::MPI::n_mpi_processes(system.communicator) == 1 || n_frequencies < 2)
+        return nullptr;
+      auto solver = std::make_unique<HarmonicSolver>(system, HarmonicSolver::Ranks::alone);
+      const bool is_short = !memory_shortage("", solver->factorisation_bytes(), system.communicator).empty();
+      return is_short ? nullptr : std::move(solver);
+    }
+  } // namespace
+
   DirectResponse solve_directly(const SecondOrderSystem &system, const std::vector<TraceRow> &points,
                                 const std::vector<double> &frequency, const std::function<void()> &advance)
   {
@@ -162,16 +182,31 @@ namespace vibrocontact
     const unsigned int m = points.size();
     result.real.reinit(frequency.size(), m * m);
     result.imaginary.reinit(frequency.size(), m * m);
-    HarmonicSolver solver(system);
-    for (unsigned int k = 0; k < frequency.size(); ++k)
+    const auto take = [&](const unsigned int k, const std::vector<std::complex<double>> &receptance)
     {
-      const auto receptance = solver.receptance(2 * dealii::numbers::PI * frequency[k], points);
       for (unsigned int i = 0; i < m * m; ++i)
       {
         result.real(k, i) = receptance[i].real();
         result.imaginary(k, i) = receptance[i].imag();
       }
       advance();
+    };
+    if (const auto alone = lone_solver(system, frequency.size()))
+      share_cases<std::vector<std::complex<double>>>(
+          frequency.size(), 1,
+          [&]
+          {
+            return [&](const unsigned int k)
+            { return alone->receptance(2 * dealii::numbers::PI * frequency[k], points); };
+          },
+          [&](const unsigned int k, const std::function<std::vector<std::complex<double>>()> &solved)
+          { take(k, solved()); },
+          system.communicator);
+    else
+    {
+      HarmonicSolver solver(system);
+      for (unsigned int k = 0; k < frequency.size(); ++k)
+        take(k, solver.receptance(2 * dealii::numbers::PI * frequency[k], points));
     }
     result.seconds = timer.wall_time();
     return result;

@@ -138,6 +138,15 @@ TEST(FrequencyResponseMpi, modal_response_converges_to_the_direct_one)
   unsigned int n_advance = 0;
   const DirectResponse direct = solve_directly(*system, points, frequency, [&] { ++n_advance; });
   EXPECT_EQ(n_advance, frequency.size());
+  // ranks that share the frequencies, each with all of the matrices, and all ranks together
+  HarmonicSolver together(*system);
+  for (unsigned int k = 0; k < frequency.size(); ++k)
+  {
+    const auto receptance = together.receptance(two_pi * frequency[k], points);
+    for (unsigned int i = 0; i < 9; ++i)
+      EXPECT_LT(std::abs(receptance[i] - Complex(direct.real(k, i), direct.imaginary(k, i))),
+                1e-9 * std::abs(receptance[0]));
+  }
   double last = 1e300, diagonal = 0;
   for (const double cut : {5000., 12000.})
   {

@@ -15,14 +15,23 @@ namespace vibrocontact
   ///
   /// The matrix is complex symmetric, not Hermitian: L D L^T by MUMPS's complex arithmetic (PETSc is built
   /// for real numbers), analysed once, factorised anew for every frequency; four times the operations of a
-  /// real factorisation. All members are collective.
+  /// real factorisation. All members are collective, but for ranks that solve alone.
   class HarmonicSolver
   {
   public:
-    explicit HarmonicSolver(const SecondOrderSystem &system);
+    /// By all ranks together, or every rank alone with all of the matrices: then receptance() is this rank's own.
+    enum class Ranks
+    {
+      together,
+      alone
+    };
+    explicit HarmonicSolver(const SecondOrderSystem &system, Ranks ranks = Ranks::together);
     ~HarmonicSolver();
     HarmonicSolver(const HarmonicSolver &) = delete;
     HarmonicSolver &operator=(const HarmonicSolver &) = delete;
+
+    /// What the factorisation will take on this rank, estimated by its analysis [byte].
+    double factorisation_bytes() const;
 
     /// P (K + i K'' - w^2 M)^-1 P^T between the rows of P, on all ranks: entry [i * n + j] is the motion of
     /// row i under a unit force on row j [m/N]. @param omega [rad/s]

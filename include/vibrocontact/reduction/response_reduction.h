@@ -48,7 +48,8 @@ namespace vibrocontact
                                     const Modes &modes, const std::vector<double> &damping_ratio, bool wheel,
                                     const std::vector<TraceRow> &points);
 
-  /// @param advance called after each frequency
+  /// By all ranks together, or, of several frequencies, shared out over ranks that hold all factors each if their memory
+  /// allows it. Collective. @param advance called after each frequency
   DirectResponse solve_directly(const SecondOrderSystem &system, const std::vector<TraceRow> &points,
                                 const std::vector<double> &frequency, const std::function<void()> &advance);
 } // namespace vibrocontact
