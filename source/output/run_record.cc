@@ -18,6 +18,8 @@ namespace vibrocontact
   namespace
   {
     const char *list_name = ".vibrocontact_files";
+    /// of the cases of sweeps, all of it a run's own
+    const char *sweep_folder = "sweep";
     /// first line of the list: no file of the user's begins like this
     const std::string list_head = "files written by vibrocontact, removed by its next run here";
 
@@ -44,6 +46,18 @@ namespace vibrocontact
              {"results.json.", "histories.h5.", "signals.h5.", "checkpoint.h5.", "modal_convolution.h5."})
           if (entry.path().filename().string().rfind(name, 0) == 0 && entry.path().extension() == ".part")
             fs::remove(entry.path(), ignored);
+      for (const auto &entry : fs::recursive_directory_iterator(folder / sweep_folder, ignored))
+        if (entry.path().extension() == ".part")
+          fs::remove(entry.path(), ignored);
+    }
+
+    /// And the folders above it that are empty then.
+    void remove_file(const fs::path &folder, const fs::path &name)
+    {
+      std::error_code ignored;
+      fs::remove(folder / name, ignored);
+      for (fs::path place = name.parent_path(); !place.empty(); place = place.parent_path())
+        fs::remove(folder / place, ignored);
     }
 
     void remove_earlier_results(const fs::path &folder, const bool keeps_input)
@@ -54,7 +68,7 @@ namespace vibrocontact
       std::error_code ignored;
       for (const std::string &name : names)
         if (!(keeps_input && name == "input.prm"))
-          fs::remove(folder / name, ignored);
+          remove_file(folder, name);
       // a killed run may have written these after its list
       for (const char *name :
            {"results.json", "histories.rows", "signals.rows", "checkpoint.h5", "modal_convolution.h5"})
@@ -125,7 +139,7 @@ namespace vibrocontact
     collect("contact_problems", {".h5"});
     // folders of a run's own
     std::error_code ignored;
-    for (const auto &entry : fs::recursive_directory_iterator(fs::path(folder) / "sweep", ignored))
+    for (const auto &entry : fs::recursive_directory_iterator(fs::path(folder) / sweep_folder, ignored))
       if (entry.is_regular_file() && entry.last_write_time() >= begin)
         names.push_back(fs::relative(entry.path(), folder).string());
     for (const std::string &name : earlier_files)
@@ -171,11 +185,7 @@ namespace vibrocontact
             return;
           std::error_code ignored;
           for (const auto &name : own_files())
-          {
-            fs::remove(folder / fs::path(name), ignored);
-            // Folders go when they are empty; fs::remove() leaves others alone.
-            fs::remove((folder / fs::path(name)).parent_path(), ignored);
-          }
+            remove_file(folder, name);
           fs::remove(fs::path(folder) / list_name, ignored);
         });
   }

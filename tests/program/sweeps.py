@@ -5,7 +5,7 @@ Each case has the results and files of a run of its own with the entry at its va
 everything but times, digit for digit. A case that fails is marked, the others go on, exit code 2; if all fail, or an entry
 does not take a value, the input is wrong. --resume of a run that is done leaves all as it was.
 """
-import csv, json, os, subprocess, sys, time
+import csv, json, math, os, subprocess, sys, time
 
 program, mpirun, files = sys.argv[1:4]
 examples = files + "/examples"
@@ -106,6 +106,13 @@ check("curve", "periodic", oscillator, "Periodic/Force", ["300", "200"], "Period
       "Periodic/Reference=false", "Periodic/Continuation/Parameter=frequency", "Periodic/Continuation/First value=80",
       "Periodic/Continuation/Last value=130")
 check("disc", "quasi_static_rolling", f"{examples}/half_space_rolling.prm", "Rolling/Normal force", ["3e4", "6e4", "9e4"])
+
+# the mass follows the sine while spring and inertia need less than its weight
+run("speeds", f"{examples}/speeds_over_a_sine.prm", "Output/Figures=false", "Modal convolution/End time=0.2", ranks=2)
+for row in rows("speeds/modal_convolution_sweep.csv"):
+    omega, height = 2 * math.pi * float(row["speed_m_s"]) / 0.025, float(row["expression_m"].split("*")[0])
+    if (height * abs(4e5 - omega**2) < 9.81) != (float(row["closed_points_mean"]) == 1):
+        fail(f"the mass at {row['speed_m_s']} m/s over {height} m: {row['closed_points_mean']} closed")
 
 # one case reaches the end of its grid
 half_space = (f"{examples}/half_space_rolling.prm", "Output/Figures=false", "Rolling/Sweep/Entry=Rolling/Normal force")
