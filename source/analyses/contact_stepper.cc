@@ -45,10 +45,10 @@ namespace vibrocontact
   } // namespace
 
   ContactStepper::ContactStepper(const ContactPair &pair, const CreepScheme &scheme,
-                                 const ContactParameters &contact, const std::vector<ModalStep> &steps,
+                                 const ContactSections &contact, const std::vector<ModalStep> &steps,
                                  const double h, const double speed)
       : pair(pair), scheme(scheme), steps(steps), h(h), speed(speed), damper(pair.hub.get(), steps),
-        matrices(step_matrices(pair.interface.grid, scheme, pair.modal_trace, pair.residual_flexibility,
+        matrices(step_matrices(pair.interface.contacts, scheme, pair.modal_trace, pair.residual_flexibility,
                                steps, h, speed, pair.hub.get())),
         q(pair.n_modes()), v(pair.n_modes())
   {
@@ -57,9 +57,14 @@ namespace vibrocontact
     const ContactProblem whole = rolling_problem(nullptr, pair.interface, scheme, none, contact);
     constant_response = whole.b;
     problem.title = "step of the transient";
-    problem.normal_law = whole.normal_law;
-    problem.friction_law = whole.friction_law;
+    normal_laws = whole.normal_law;
+    friction_laws = whole.friction_law;
     friction = whole.mu;
+    to_force = whole.to_force;
+    // a hub that moves slips along a contact whose normal is inclined to it
+    by_approach = to_force;
+    for (unsigned int row = pair.n_points(); row < by_approach.size(); ++row)
+      by_approach[row] /= h;
     for (DenseVector *const x : {&free_displacement, &free_velocity, &displacement, &velocity, &c_n, &c_t})
       x->reinit(matrices.shapes.rank());
   }
@@ -118,7 +123,8 @@ namespace vibrocontact
     std::vector<double> gap(pair.n_points());
     for (unsigned int i = 0; i < gap.size(); ++i)
     {
-      gap[i] = constant_response[i] + residual[i] + pair.force_response(i) * force - approach;
+      gap[i] =
+          constant_response[i] + residual[i] + pair.force_response(i) * force - approach * by_approach[i];
       if (!state.roughness.empty())
         gap[i] += state.roughness[i];
       for (unsigned int k = 0; k < shapes.size(); ++k)
@@ -167,6 +173,17 @@ namespace vibrocontact
     problem.mu.clear();
     for (const unsigned int i : points)
       problem.mu.push_back(friction[i]);
+    problem.normal_law = normal_laws.at(points);
+    problem.friction_law = friction_laws.at(points);
+    const unsigned int n = pair.n_points(), m = points.size();
+    problem.by_approach.reinit(3 * m);
+    problem.to_force.reinit(3 * m);
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int i = 0; i < m; ++i)
+      {
+        problem.by_approach[contact_row(m, c, i)] = by_approach[contact_row(n, c, points[i])];
+        problem.to_force[contact_row(m, c, i)] = to_force[contact_row(n, c, points[i])];
+      }
     problem.b.reinit(step_operator->n_rows());
   }
 
@@ -233,14 +250,14 @@ namespace vibrocontact
         another_within(state, state.moved_since_search))
       search_proximity(state);
 
-    const DenseVector rigid = rigid_slip(pair.interface.grid, scheme, drive.creepage);
+    const DenseVector rigid = rigid_slip(pair.interface.contacts, scheme, drive.creepage);
     unsigned int iterations = 0;
     do
     {
       take_points(state.nearby);
       advance_modes(state, drive);
       set_problem(state, drive, rigid);
-      if (problem.friction_law->depends_on_speed())
+      if (problem.friction_law.any(&FrictionLaw::depends_on_speed))
         solve_with_modal_slip_in_friction(state, solver);
       else
         solution = solver.solve(problem, solution);
@@ -291,7 +308,8 @@ namespace vibrocontact
         if (c > 0)
           problem.b[here] += (pair.force_response(there) * (drive.force - state.force) -
                               state.residual_displacement[there]) /
-                             h;
+                                 h +
+                             by_approach[there] * state.contact.approach;
         else
           problem.b[here] += pair.force_response(there) * drive.force +
                              (state.roughness.empty() ? 0. : state.roughness[points[i]]);
@@ -308,8 +326,7 @@ namespace vibrocontact
     multiply(matrices.velocity_gain, c_n, velocity);
     A.respond(displacement, velocity, solution.y);
     solution.y += problem.b;
-    for (unsigned int i = 0; i < m; ++i)
-      solution.y[i] -= problem.approach;
+    problem.move(solution.y, problem.approach);
     solution.approach = problem.approach;
     solution.response_known = true;
   }
@@ -320,7 +337,7 @@ namespace vibrocontact
     const unsigned int n = pair.n_points(), m = points.size();
     // starts from what the state alone says, so that a resumed run does the same
     for (unsigned int i = 0; i < m; ++i)
-      problem.mu[i] = problem.friction_law->coefficient(
+      problem.mu[i] = problem.friction_law[i].coefficient(
           std::hypot(state.contact.y[n + points[i]], state.contact.y[2 * n + points[i]]),
           state.contact.status[points[i]] == ContactStatus::stick);
     std::vector<unsigned int> place(3 * n, 0);

@@ -152,7 +152,7 @@ namespace vibrocontact
   }
 
   DriveFunction drive_function(const TransientParameters &transient, const RollingCase &constant,
-                               const ContactGrid &grid)
+                               const PlacedContacts &contacts)
   {
     Sources sources(transient);
     const Source force = force_source(transient, constant.normal_force),
@@ -172,9 +172,9 @@ namespace vibrocontact
     const auto load = sources.function(by_force ? force : hub);
     const Source exciting{"Exciting force", "exciting_force_N", "N", transient.exciting_force, 0.};
     const bool excited = sources.given(exciting);
-    if (excited && grid.n_points() != 1)
+    if (excited && contacts.n_points() != 1)
       throw InputError("Transient/Exciting force acts at the only contact point, but this contact has " +
-                       std::to_string(grid.n_points()) +
+                       std::to_string(contacts.n_points()) +
                        " points: leave it out, or move the body by a Hub displacement.");
     const auto exciting_force = sources.function(exciting);
     sources.check_all_used();
@@ -182,15 +182,18 @@ namespace vibrocontact
     const FunctionOfTime hub_acceleration =
         moved ? acceleration(load, h, sources.last_time()) : FunctionOfTime();
 
-    std::shared_ptr<const Roughness> roughness;
+    std::vector<std::shared_ptr<const Roughness>> roughness;
     if (transient.roughness.any())
     {
       if (speed == 0)
         throw InputError("Section Transient/Roughness gives a roughness, but Rolling/Speed is 0, so that it "
                          "does not move: give a speed or leave it out.");
-      roughness = std::make_shared<Roughness>(transient.roughness, grid);
-      roughness->heights(0);
-      roughness->heights(speed * transient.end_time);
+      for (const PlacedContact &contact : contacts.all)
+      {
+        roughness.push_back(std::make_shared<Roughness>(transient.roughness, contact.grid));
+        roughness.back()->heights(0);
+        roughness.back()->heights(speed * transient.end_time);
+      }
     }
     return [=, creepage = constant.creepage, force_name = sources.name(force)](const double t)
     {
@@ -212,8 +215,8 @@ namespace vibrocontact
       if (hub_acceleration)
         drive.hub_acceleration = hub_acceleration(t);
       drive.force = exciting_force(t);
-      if (roughness)
-        for (const double height : roughness->heights(speed * t))
+      for (const auto &one : roughness)
+        for (const double height : one->heights(speed * t))
         {
           if (!std::isfinite(height))
             throw wrong_value("Transient/Roughness", height, "m", t,
@@ -248,7 +251,8 @@ namespace vibrocontact
     return driven;
   }
 
-  void check_drive(const TransientParameters &transient, const RollingCase &constant, const ContactGrid &grid)
+  void check_drive(const TransientParameters &transient, const RollingCase &constant,
+                   const PlacedContacts &contacts)
   {
     const auto look = [&](const DriveFunction &drive, const double most_instants)
     {
@@ -260,9 +264,9 @@ namespace vibrocontact
     };
     TransientParameters smooth = transient;
     smooth.roughness = {};
-    const Drive first = look(drive_function(smooth, constant, grid), 20000);
+    const Drive first = look(drive_function(smooth, constant, contacts), 20000);
     if (transient.roughness.any())
-      look(drive_function(transient, constant, grid), 200);
+      look(drive_function(transient, constant, contacts), 200);
     const auto replaces = [](const char *by, const double value, const char *unit, const char *replaced)
     {
       std::ostringstream text;

@@ -13,7 +13,7 @@ namespace vibrocontact
     }
   } // namespace
 
-  double stored_energy(const ContactPair &pair, const NormalLaw &law, const DynamicState &state)
+  double stored_energy(const ContactPair &pair, const PointLaws<NormalLaw> &law, const DynamicState &state)
   {
     double energy = modal_energy(pair, state) + 0.5 * (state.R * state.residual_displacement);
     if (state.force != 0)
@@ -24,30 +24,39 @@ namespace vibrocontact
     }
     if (!state.contact.empty())
       for (unsigned int i = 0; i < pair.n_points(); ++i)
-        energy += law.potential(state.contact.y[i]);
+        energy += law[i].potential(state.contact.y[i]);
     return energy;
   }
 
-  double upwind_power(const ContactGrid &grid, const CreepScheme &scheme, const double speed,
+  double upwind_power(const PlacedContacts &contacts, const CreepScheme &scheme, const double speed,
                       const DenseVector &R, const DenseVector &residual_displacement)
   {
-    const unsigned int n = grid.n_points();
+    const unsigned int n = contacts.n_points();
     const double *const u = residual_displacement.begin();
-    double sum = 0;
-    for (unsigned int row = n; row < 3 * n; ++row)
+    double power = 0;
+    unsigned int first = n;
+    for (const PlacedContact &contact : contacts.all)
     {
-      const unsigned int i = row % grid.n_x;
-      if (R[row] == 0 || i < scheme.reach() || i + 1 >= grid.n_x)
-        continue;
-      double difference = -(u[row + 1] - u[row - 1]) / 2;
-      for (unsigned int k = 0; k < scheme.coefficients.size(); ++k)
-        difference += scheme.coefficients[k] * u[row - k];
-      sum += R[row] * difference;
+      const ContactGrid &grid = contact.grid;
+      double sum = 0;
+      for (const unsigned int begin : {first, first + n})
+        for (unsigned int point = 0; point < grid.n_points(); ++point)
+        {
+          const unsigned int row = begin + point, i = point % grid.n_x;
+          if (R[row] == 0 || i < scheme.reach() || i + 1 >= grid.n_x)
+            continue;
+          double difference = -(u[row + 1] - u[row - 1]) / 2;
+          for (unsigned int k = 0; k < scheme.coefficients.size(); ++k)
+            difference += scheme.coefficients[k] * u[row - k];
+          sum += R[row] * difference;
+        }
+      power += speed * contact.share_of_speed() / grid.spacing_x * sum;
+      first += grid.n_points();
     }
-    return speed / grid.spacing_x * sum;
+    return power;
   }
 
-  void add_step(EnergyAccount &account, const ContactPair &pair, const NormalLaw &law,
+  void add_step(EnergyAccount &account, const ContactPair &pair, const PointLaws<NormalLaw> &law,
                 const CreepScheme &scheme, const DynamicState &before, const Drive &drive_before,
                 const DynamicState &after, const Drive &drive_after)
   {
@@ -90,22 +99,39 @@ namespace vibrocontact
 
     account.friction += h * (before.friction_power + after.friction_power) / 2;
     account.creepage += h * (before.creepage_power + after.creepage_power) / 2;
-    const ContactGrid &grid = pair.interface.grid;
+    const PlacedContacts &contacts = pair.interface.contacts;
     const double upwind =
         h / 2 *
-        (upwind_power(grid, scheme, drive_before.creepage.speed, before.R, before.residual_displacement) +
-         upwind_power(grid, scheme, drive_after.creepage.speed, after.R, after.residual_displacement));
+        (upwind_power(contacts, scheme, drive_before.creepage.speed, before.R, before.residual_displacement) +
+         upwind_power(contacts, scheme, drive_after.creepage.speed, after.R, after.residual_displacement));
     account.numerical_upwind += upwind;
     account.transport += h * (before.transport_power + after.transport_power) / 2 + upwind;
     for (unsigned int i = n; i < 3 * n; ++i)
       account.numerical_rate +=
           (after.R[i] - before.R[i]) / 2 * (after.residual_displacement[i] - before.residual_displacement[i]);
     const double approach = after.contact.approach - before.contact.approach;
-    for (unsigned int i = 0; i < n; ++i)
+    if (approach != 0)
+    {
+      const auto force = [&](const DynamicState &state) { return contacts.resultants(state.R); };
+      std::vector<std::array<double, 3>> mean = force(before);
+      const std::vector<std::array<double, 3>> last = force(after);
+      double all = 0, along = 0;
+      for (unsigned int k = 0; k < mean.size(); ++k)
+        for (unsigned int c = 0; c < 3; ++c)
+          mean[k][c] = (mean[k][c] + last[k][c]) / 2;
+      all = contacts.force_on(0, mean)[2] * approach;
+      for (std::array<double, 3> &one : mean)
+        one[0] = 0;
+      along = contacts.force_on(0, mean)[2] * approach;
+      account.hub += all;
+      // what the slip of inclined contacts has taken it for
+      account.transport -= along;
+    }
+    for (unsigned int i = 0; i < n && !(drive_after.gap.empty() && drive_before.gap.empty()); ++i)
     {
       const double roughness = (drive_after.gap.empty() ? 0 : drive_after.gap[i]) -
                                (drive_before.gap.empty() ? 0 : drive_before.gap[i]);
-      account.hub += (before.R[i] + after.R[i]) / 2 * (approach - roughness);
+      account.hub -= (before.R[i] + after.R[i]) / 2 * roughness;
     }
     account.available = std::max(account.available, account.initial + account.input());
   }

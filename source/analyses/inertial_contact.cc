@@ -57,7 +57,7 @@ namespace vibrocontact
   {
     const unsigned int m = pair.n_modes();
     InertialPair result;
-    result.grid = pair.interface.grid;
+    result.grid = pair.interface.contacts.only();
     result.mass.reinit(m);
     result.damping.reinit(m);
     result.stiffness.reinit(m);

@@ -41,21 +41,22 @@ namespace vibrocontact
       return b;
     }
 
-    // inverse(G) b; with a given force the approach adds a constant to b that makes the columns sum to zero
-    DenseMatrix close_gaps(const DenseMatrix &G, const DenseMatrix &b, const bool force_given)
+    // inverse(G) b; with a given force the approach moves the gaps by `hub`, along which the columns then sum to zero
+    DenseMatrix close_gaps(const DenseMatrix &G, const DenseMatrix &b, const bool force_given,
+                           const std::vector<double> &hub)
     {
       if (G.m() == 0 || b.n() == 0)
         return b;
       DenseMatrix right(b.m(), b.n() + 1);
       add_block(right, b, 0, 0);
       for (unsigned int i = 0; i < b.m(); ++i)
-        right(i, b.n()) = 1;
+        right(i, b.n()) = hub[i];
       const DenseMatrix x = solve(G, right, "normal flexibility");
       const auto sum = [&](const unsigned int column)
       {
         double result = 0;
         for (unsigned int i = 0; i < x.m(); ++i)
-          result += x(i, column);
+          result += hub[i] * x(i, column);
         return result;
       };
       const double approach = sum(b.n());
@@ -76,6 +77,15 @@ namespace vibrocontact
     for (unsigned int i = 0; i < equilibrium.normal_compliance.size(); ++i)
       W(i, i) += equilibrium.normal_compliance[i];
     return W;
+  }
+
+  std::vector<double> gaps_by_approach(const ContactPair &pair, const std::vector<unsigned int> &points)
+  {
+    const DenseMatrix hub = pair.interface.contacts.translation_of(0);
+    std::vector<double> result;
+    for (const unsigned int point : points)
+      result.push_back(hub(point, 2));
+    return result;
   }
 
   DenseMatrix linearised_contact(const ContactPair &pair, const CreepScheme &scheme,
@@ -105,8 +115,8 @@ namespace vibrocontact
     {
       slip_by_q = Psi;
       slip_by_R = W;
-      convert_to_slip_rows(pair.interface.grid, scheme, equilibrium.speed, slip_by_q);
-      convert_to_slip_rows(pair.interface.grid, scheme, equilibrium.speed, slip_by_R);
+      convert_to_slip_rows(pair.interface.contacts, scheme, equilibrium.speed, slip_by_q);
+      convert_to_slip_rows(pair.interface.contacts, scheme, equilibrium.speed, slip_by_R);
     }
 
     // R = E_N N + E_z z + E_q q + E_v v; the last two from friction that falls with the speed, itself among R
@@ -132,6 +142,7 @@ namespace vibrocontact
 
     // R = X_q q + X_v v + X_z z from the closed gaps
     const DenseMatrix W_n = rows(W, points), G = product(W_n, E_N);
+    const std::vector<double> hub = gaps_by_approach(pair, points);
     const auto closed = [&](const DenseMatrix &E, const DenseMatrix *const gap)
     {
       if (E.n() == 0)
@@ -139,7 +150,7 @@ namespace vibrocontact
       DenseMatrix opened = product(W_n, E);
       if (gap)
         opened.add(1., *gap);
-      DenseMatrix X = product(E_N, close_gaps(G, opened, equilibrium.force_given));
+      DenseMatrix X = product(E_N, close_gaps(G, opened, equilibrium.force_given, hub));
       X *= -1;
       X.add(1., E);
       return X;

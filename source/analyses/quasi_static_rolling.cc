@@ -5,6 +5,7 @@
 #include <vibrocontact/contact/friction_of_speed.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vibrocontact
@@ -112,8 +113,9 @@ namespace vibrocontact
         throw InputError("Rolling/Sweep/Normal force lists a force that is not positive: take it out.");
   }
 
-  std::vector<RollingCase> rolling_cases(const RollingParameters &rolling, const ContactParameters &contact)
+  std::vector<RollingCase> rolling_cases(const RollingParameters &rolling, const ContactSections &sections)
   {
+    const ContactParameters &contact = sections.first();
     RollingCase base;
     base.curve = "single";
     base.creepage = rolling.creepage;
@@ -155,28 +157,81 @@ namespace vibrocontact
 
   namespace
   {
-    RollingResult resultants(const RollingCase &rolling_case, const ContactInterface &interface,
-                             ContactSolution solution)
+    double utilisation(const double Tx, const double Ty, const double bound)
     {
-      const ContactGrid &grid = interface.grid;
-      const unsigned int n = grid.n_points();
-      RollingResult result;
-      result.rolling_case = rolling_case;
-      for (unsigned int i = 0; i < n; ++i)
+      return bound > 0 ? std::hypot(Tx, Ty) / bound : 0;
+    }
+
+    /// @param first its first point
+    ContactResultants resultants(const PlacedContact &contact, const unsigned int first,
+                                 const double friction, const std::vector<double> &gap,
+                                 const ContactSolution &solution)
+    {
+      const ContactGrid &grid = contact.grid;
+      const unsigned int n = solution.status.size();
+      ContactResultants result;
+      result.friction = friction;
+      double least = gap[first];
+      for (unsigned int i = 0; i < grid.n_points(); ++i)
       {
-        const double N = solution.R[i], Tx = solution.R[n + i], Ty = solution.R[2 * n + i];
+        const unsigned int point = first + i;
+        const double N = solution.R[point], Tx = solution.R[n + point], Ty = solution.R[2 * n + point];
         result.normal_force += N;
         result.tangential_force[0] += Tx;
         result.tangential_force[1] += Ty;
         result.spin_moment += grid.x(i) * Ty - grid.y(i) * Tx;
         result.max_pressure = std::max(result.max_pressure, N / grid.cell_area());
-        result.stick_points += solution.status[i] == ContactStatus::stick;
-        result.slip_points += solution.status[i] == ContactStatus::slip;
+        result.stick_points += solution.status[point] == ContactStatus::stick;
+        result.slip_points += solution.status[point] == ContactStatus::slip;
+        least = std::min(least, gap[point]);
       }
       result.contact_points = result.stick_points + result.slip_points;
-      const double bound = rolling_case.friction * result.normal_force;
       result.utilisation =
-          bound > 0 ? std::hypot(result.tangential_force[0], result.tangential_force[1]) / bound : 0;
+          utilisation(result.tangential_force[0], result.tangential_force[1], friction * result.normal_force);
+      // how far body 1 has moved against the normal
+      const double moved = contact.above == 0 ? 1 : contact.below == 0 ? -1 : 0;
+      result.approach = moved * contact.frame.axes[0][2] * solution.approach - least;
+      return result;
+    }
+
+    RollingResult resultants(const RollingCase &rolling_case, const ContactInterface &interface,
+                             const ContactSections &sections, ContactSolution solution)
+    {
+      const PlacedContacts &contacts = interface.contacts;
+      RollingResult result;
+      result.rolling_case = rolling_case;
+      result.friction = sections.first().friction;
+      std::vector<std::array<double, 3>> forces;
+      double bound = 0;
+      for (unsigned int k = 0; k < contacts.all.size(); ++k)
+      {
+        const PlacedContact &contact = contacts.all[k];
+        result.contacts.push_back(
+            resultants(contact, contacts.first_point(k), sections.all[k].friction, interface.gap, solution));
+        const ContactResultants &one = result.contacts.back();
+        forces.push_back({{one.normal_force, one.tangential_force[0], one.tangential_force[1]}});
+        result.max_pressure = std::max(result.max_pressure, one.max_pressure);
+        result.stick_points += one.stick_points;
+        result.slip_points += one.slip_points;
+        result.contact_points += one.contact_points;
+        const double sign = contact.above == 0 ? 1 : contact.below == 0 ? -1 : 0;
+        if (sign == 0)
+          continue;
+        bound += one.friction * one.normal_force;
+        // about the z axis of body 1
+        const std::array<double, 3> &origin = sign > 0 ? contact.frame.origin : contact.origin_below;
+        std::array<double, 3> there = {{0, 0, 0}};
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int d = 0; d < 3; ++d)
+            there[d] += sign * contact.frame.axes[c][d] * forces.back()[c];
+        result.spin_moment +=
+            sign * contact.frame.axes[0][2] * one.spin_moment + origin[0] * there[1] - origin[1] * there[0];
+      }
+      const std::array<double, 3> force = contacts.force_on(0, forces);
+      result.normal_force = force[2];
+      result.tangential_force[0] = force[0];
+      result.tangential_force[1] = force[1];
+      result.utilisation = utilisation(force[0], force[1], bound);
       result.approach = solution.approach - *std::min_element(interface.gap.begin(), interface.gap.end());
       result.solution = std::move(solution);
       return result;
@@ -201,19 +256,23 @@ namespace vibrocontact
     struct RollingSweep
     {
       const RollingParameters &rolling;
-      const ContactParameters &contact;
+      const ContactSections &contact;
       const ContactSolverParameters &solver_parameters;
       const ContactInterface &interface;
       const CreepScheme &scheme;
       const std::shared_ptr<const ContactOperator> A;
       const std::vector<RollingCase> cases;
 
+      /// With the friction of a case, if that is swept.
+      ContactSections sections(const unsigned int k) const
+      {
+        return rolling.sweep.friction.empty() ? contact : contact.with_friction(cases[k].friction);
+      }
+
       ContactProblem problem(const unsigned int k) const
       {
         const RollingCase &one = cases[k];
-        ContactParameters laws = contact;
-        laws.friction = one.friction;
-        ContactProblem result = rolling_problem(A, interface, scheme, one.creepage, laws);
+        ContactProblem result = rolling_problem(A, interface, scheme, one.creepage, sections(k));
         result.title = "case " + std::to_string(k) + " of quasi-static rolling";
         result.normal_force = one.normal_force;
         result.approach = one.hub_displacement;
@@ -263,7 +322,7 @@ namespace vibrocontact
         if (solution.converged)
           try
           {
-            check_contact_in_grid(sweep.interface.grid, sweep.contact, sweep.rolling.creepage.speed,
+            check_contact_in_grid(sweep.interface.contacts, sweep.contact, sweep.rolling.creepage.speed,
                                   solution.status);
           }
           catch (const InputError &error)
@@ -274,7 +333,7 @@ namespace vibrocontact
             failure = error.what();
             solution.converged = false;
           }
-        last = resultants(one, sweep.interface, std::move(solution));
+        last = resultants(one, sweep.interface, sweep.sections(k), std::move(solution));
         last.failure = failure;
         last.point_friction = problem.mu;
         return last;
@@ -288,7 +347,7 @@ namespace vibrocontact
   } // namespace
 
   std::vector<RollingResult>
-  quasi_static_rolling(const RollingParameters &rolling, const ContactParameters &contact,
+  quasi_static_rolling(const RollingParameters &rolling, const ContactSections &contact,
                        const ContactSolverParameters &solver_parameters, const ContactInterface &interface,
                        const std::function<std::shared_ptr<const ContactOperator>(double)> &operator_at,
                        const std::function<void(const RollingResult &, const ContactProblem &)> &finished,
@@ -298,7 +357,7 @@ namespace vibrocontact
                                 contact,
                                 solver_parameters,
                                 interface,
-                                find_creep_scheme(contact.creep_scheme),
+                                find_creep_scheme(contact.first().creep_scheme),
                                 operator_at(rolling.creepage.speed),
                                 rolling_cases(rolling, contact)};
     std::vector<RollingResult> results;

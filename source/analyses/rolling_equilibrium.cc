@@ -3,8 +3,10 @@
 
 namespace vibrocontact
 {
-  RollingEquilibrium rolling_equilibrium(const ContactSolution &contact, const FrictionLaw &friction,
-                                         const NormalLaw &normal, const double speed, const bool force_given)
+  RollingEquilibrium rolling_equilibrium(const ContactSolution &contact,
+                                         const PointLaws<FrictionLaw> &friction,
+                                         const PointLaws<NormalLaw> &normal, const double speed,
+                                         const bool force_given)
   {
     RollingEquilibrium result;
     result.contact = contact;
@@ -13,13 +15,14 @@ namespace vibrocontact
     const std::vector<double> slips = slip_speed(contact);
     for (unsigned int i = 0; i < slips.size(); ++i)
     {
-      const FrictionLaw::Coefficient mu = friction.coefficient(slips[i]);
+      const FrictionLaw::Coefficient mu = friction[i].coefficient(slips[i]);
       const bool sticks = contact.status[i] == ContactStatus::stick;
-      result.friction.push_back(mu.value + (sticks ? friction.jump() : 0.));
-      if (friction.depends_on_speed())
+      result.friction.push_back(mu.value + (sticks ? friction[i].jump() : 0.));
+      if (friction.any(&FrictionLaw::depends_on_speed))
         result.friction_slope.push_back(mu.slope);
-      if (!normal.is_rigid())
-        result.normal_compliance.push_back(normal.compression(contact.R[i]).compliance);
+      if (normal.any([](const NormalLaw &law) { return !law.is_rigid(); }))
+        result.normal_compliance.push_back(
+            normal[i].is_rigid() ? 0. : normal[i].compression(contact.R[i]).compliance);
     }
     return result;
   }

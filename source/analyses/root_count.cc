@@ -46,7 +46,7 @@ namespace vibrocontact
       const auto split = [&](const DenseMatrix &response, DenseMatrix &rows_0, DenseMatrix &rows_1)
       {
         DenseMatrix moved = response;
-        convert_to_slip_rows(pair.interface.grid, scheme, equilibrium.speed, moved);
+        convert_to_slip_rows(pair.interface.contacts, scheme, equilibrium.speed, moved);
         rows_0.reinit(size, response.n());
         rows_1.reinit(size, response.n());
         for (unsigned int j = 0; j < response.n(); ++j)
@@ -65,9 +65,10 @@ namespace vibrocontact
         shapes.basis.Tmmult(F.P, E);
       for (unsigned int k = 0; k < n_z; ++k)
         F.A_0(c + k, c + k) += frame.mobility[k];
+      const std::vector<double> hub = gaps_by_approach(pair, frame.points);
       if (equilibrium.force_given)
         for (unsigned int k = 0; k < c; ++k)
-          F.A_0(k, size - 1) = F.A_0(size - 1, k) = 1;
+          F.A_0(k, size - 1) = F.A_0(size - 1, k) = hub[k];
       F.n_states = n_z;
       return F;
     }

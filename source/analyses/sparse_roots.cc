@@ -185,7 +185,7 @@ namespace vibrocontact
           for (const auto &[dof, weight] : bodies[b].system->trace.rows[row])
             trace(row, touched.at({b, dof})) += b == 0 ? weight : -weight;
     const ContactCoupling coupling =
-        contact_coupling(trace, pair.interface.grid, scheme, equilibrium, options);
+        contact_coupling(trace, pair.interface.contacts.only(), scheme, equilibrium, options);
     const unsigned int n_forces = coupling.gaps.n();
 
     const Layout layout(bodies, n_forces, communicator);

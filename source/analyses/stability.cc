@@ -85,15 +85,15 @@ namespace vibrocontact
   }
 
   std::vector<StabilityResult> stability(const StabilityParameters &parameters,
-                                         const RollingParameters &rolling, const ContactParameters &contact,
+                                         const RollingParameters &rolling, const ContactSections &contact,
                                          const ContactSolverParameters &solver, const ContactPair &pair,
                                          const std::function<void(const StabilityResult &)> &finished,
                                          const RootFinder &roots_about)
   {
-    const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
+    const CreepScheme &scheme = find_creep_scheme(contact.first().creep_scheme);
     std::vector<StabilityResult> results;
     const auto operator_at = [&](const double speed)
-    { return rolling_operator(pair.interface.grid, static_compliance(pair), scheme, speed); };
+    { return rolling_operator(pair.interface.contacts, static_compliance(pair), scheme, speed); };
     // the preload is no part of the linearisation
     std::shared_ptr<const ContactPair> suspended;
     if (rolling.hub == "suspended")
@@ -111,10 +111,11 @@ namespace vibrocontact
       result.stick_points = equilibrium.stick_points;
       result.normal_force = equilibrium.normal_force;
       result.approach = equilibrium.solution.approach;
+      result.contacts = equilibrium.contacts;
       result.hub = rolling.hub;
       result.suspended = suspended;
       const RollingEquilibrium about = rolling_equilibrium(
-          equilibrium.solution, *problem.friction_law, *problem.normal_law, rolling.creepage.speed,
+          equilibrium.solution, problem.friction_law, problem.normal_law, rolling.creepage.speed,
           rolling.hub == "massless" || (rolling.hub == "none" && problem.force_given()));
       result.roots =
           roots_about

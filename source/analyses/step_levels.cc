@@ -35,7 +35,7 @@ namespace vibrocontact
     }
   } // namespace
 
-  StepLevels::StepLevels(const TransientParameters &parameters, const ContactParameters &contact,
+  StepLevels::StepLevels(const TransientParameters &parameters, const ContactSections &contact,
                          const ContactSolverParameters &solver, const ContactPair &pair, const double speed)
       : parameters(parameters), contact(contact), solver(solver), pair(pair), speed(speed),
         levels(count_levels(parameters))
@@ -56,7 +56,7 @@ namespace vibrocontact
     if (!levels[k])
     {
       const double h = std::ldexp(shortest_step, k);
-      levels[k].reset(new Level{{pair, find_creep_scheme(contact.creep_scheme), contact,
+      levels[k].reset(new Level{{pair, find_creep_scheme(contact.first().creep_scheme), contact,
                                  modal_steps(parameters, pair, h), h, speed},
                                 nullptr});
     }

@@ -55,14 +55,14 @@ namespace vibrocontact
     }
   } // namespace
 
-  StepMatrices step_matrices(const ContactGrid &grid, const CreepScheme &scheme,
+  StepMatrices step_matrices(const PlacedContacts &contacts, const CreepScheme &scheme,
                              const DenseMatrix &modal_trace, const DenseMatrix &residual_flexibility,
                              const std::vector<ModalStep> &steps, const double h, const double speed,
                              const SuspendedHub *const hub)
   {
-    const unsigned int n = grid.n_points();
+    const unsigned int n = contacts.n_points();
     StepMatrices result;
-    result.grid = grid;
+    result.contacts = contacts;
     result.scheme = scheme;
     result.step = h;
     result.speed = speed;
@@ -73,12 +73,12 @@ namespace vibrocontact
     result.displacement_gain = gain(shapes.amplitudes, steps, 0, damper);
     result.velocity_gain = gain(shapes.amplitudes, steps, 1, damper);
     result.by_displacement = result.by_velocity = shapes.basis;
-    convert_to_slip_rows(grid, scheme, speed, result.by_displacement);
+    convert_to_slip_rows(contacts, scheme, speed, result.by_displacement);
     for (unsigned int k = 0; k < shapes.rank(); ++k)
       std::fill_n(&result.by_velocity(0, k), n, 0.);
 
     DenseMatrix &A = result.response;
-    convert_to_slip_rows(grid, scheme, speed, A);
+    convert_to_slip_rows(contacts, scheme, speed, A);
     for (unsigned int j = 0; j < 3 * n; ++j)
       for (unsigned int i = n; i < 3 * n; ++i)
         A(i, j) += residual_flexibility(i, j) / h;
@@ -100,16 +100,20 @@ namespace vibrocontact
         std::copy_n(&rows(0, k), rows.m(), &by_motion(0, part * basis.n() + k));
     }
     motion.reinit(2 * basis.n());
-    const ContactGrid &grid = matrices.grid;
-    const unsigned int n = grid.n_points();
+    const PlacedContacts &contacts = matrices.contacts;
+    const unsigned int n = contacts.n_points();
+    const auto contact_of = [&](const unsigned int point) -> const PlacedContact &
+    { return contacts.all[contacts.contact_of(point)]; };
+    const auto column_of = [&](const unsigned int point)
+    { return (point - contacts.first_point(contacts.contact_of(point))) % contact_of(point).grid.n_x; };
     const auto coefficients = [&](const unsigned int point) -> const std::vector<double> &
-    { return matrices.scheme.at_column(point % grid.n_x); };
+    { return matrices.scheme.at_column(column_of(point)); };
     std::vector<unsigned int> wet;
     for (const unsigned int point : nearby)
     {
       for (unsigned int k = 0; k < coefficients(point).size(); ++k)
         wet.push_back(point - k);
-      if (point % grid.n_x + 1 < grid.n_x)
+      if (column_of(point) + 1 < contact_of(point).grid.n_x)
         wet.push_back(point + 1);
     }
     std::sort(wet.begin(), wet.end());
@@ -118,11 +122,12 @@ namespace vibrocontact
     for (const unsigned int point : nearby)
     {
       const std::vector<double> &c = coefficients(point);
+      const PlacedContact &contact = contact_of(point);
+      const double speed_in_spacings = matrices.speed * contact.share_of_speed() / contact.grid.spacing_x;
       transport.emplace_back();
       for (unsigned int k = 0; k < c.size(); ++k)
         transport.back().emplace_back(std::lower_bound(wet.begin(), wet.end(), point - k) - wet.begin(),
-                                      matrices.speed / grid.spacing_x * c[k] +
-                                          (k == 0 ? 1 / matrices.step : 0));
+                                      speed_in_spacings * c[k] + (k == 0 ? 1 / matrices.step : 0));
     }
 
     rows = nearby;
@@ -142,7 +147,7 @@ namespace vibrocontact
   void StepOperator::vmult(DenseVector &y, const DenseVector &R,
                            const std::vector<unsigned int> &sources) const
   {
-    const unsigned int m = n_points(), n = matrices.grid.n_points(), n_sources = sources.size();
+    const unsigned int m = n_points(), n = matrices.contacts.n_points(), n_sources = sources.size();
     y.reinit(3 * m + rows.size());
     if (n_sources == 0)
       return;
@@ -213,7 +218,7 @@ namespace vibrocontact
 
   void StepOperator::extract(const std::vector<unsigned int> &points, DenseMatrix &block) const
   {
-    const unsigned int n = matrices.grid.n_points(), m = points.size();
+    const unsigned int n = matrices.contacts.n_points(), m = points.size();
     block.reinit(3 * m);
     for (unsigned int component = 0; component < 3; ++component)
       for (unsigned int j = 0; j < m; ++j)

@@ -12,8 +12,6 @@ namespace vibrocontact
   {
     /// modes with less of it do not move the hub
     constexpr double least_participation = 1e-7;
-    /// of the contact's rows, the block that a translation along x, y, z moves
-    constexpr unsigned int block_of_direction[] = {1, 2, 0};
 
     /// The new modes in the places of those they are most alike.
     void put_in_places(const std::vector<unsigned int> &places, const DenseMatrix &mass,
@@ -130,12 +128,13 @@ namespace vibrocontact
     ContactPair pair = held;
     const DenseMatrix &X = hub->shapes;
     DenseMatrix coordinates(3 * n, n_1 + 3);
+    const DenseMatrix translation = held.interface.contacts.translation_of(0);
     for (unsigned int i = 0; i < 3 * n; ++i)
     {
       for (unsigned int k = 0; k < n_1; ++k)
         coordinates(i, k) = held.modal_trace(i, k);
       for (unsigned int d = 0; d < 3; ++d)
-        coordinates(i, n_1 + d) = i / n == block_of_direction[d];
+        coordinates(i, n_1 + d) = translation(i, d);
     }
     pair.modal_trace.reinit(3 * n, n_modes + 3);
     add_block(pair.modal_trace, product(coordinates, X), 0, 0);

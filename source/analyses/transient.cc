@@ -50,14 +50,13 @@ namespace vibrocontact
     }
   } // namespace
 
-  ContactSolution transient_equilibrium(const ContactParameters &contact,
-                                        const ContactSolverParameters &solver, const ContactPair &pair,
-                                        const Drive &drive)
+  ContactSolution transient_equilibrium(const ContactSections &contact, const ContactSolverParameters &solver,
+                                        const ContactPair &pair, const Drive &drive)
   {
     const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
-    const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
+    const CreepScheme &scheme = find_creep_scheme(contact.first().creep_scheme);
     ContactProblem problem = rolling_problem(
-        rolling_operator(pair.interface.grid, static_compliance(pair), scheme, drive.creepage.speed),
+        rolling_operator(pair.interface.contacts, static_compliance(pair), scheme, drive.creepage.speed),
         static_interface(pair), scheme, drive.creepage, contact);
     problem.title = "equilibrium from which the transient starts";
     problem.normal_force = drive.normal_force;
@@ -80,12 +79,11 @@ namespace vibrocontact
            << solution.residual << " after " << solution.iterations << " iterations.";
       throw ConvergenceError(text.str());
     }
-    if (n > 1)
-      check_contact_in_grid(pair.interface.grid, contact, drive.creepage.speed, solution.status);
+    check_contact_in_grid(pair.interface.contacts, contact, drive.creepage.speed, solution.status);
     return solution;
   }
 
-  DynamicState initial_state(const TransientParameters &transient, const ContactParameters &contact,
+  DynamicState initial_state(const TransientParameters &transient, const ContactSections &contact,
                              const ContactSolverParameters &solver, const ContactPair &pair,
                              const Drive &drive)
   {
@@ -118,8 +116,10 @@ namespace vibrocontact
                      (pair.omega[k] * pair.omega[k]);
     }
     perturb(transient, pair, state);
-    complete(pair, rigid_slip(pair.interface.grid, find_creep_scheme(contact.creep_scheme), drive.creepage),
-             state);
+    complete(
+        pair,
+        rigid_slip(pair.interface.contacts, find_creep_scheme(contact.first().creep_scheme), drive.creepage),
+        state);
     return state;
   }
 
@@ -134,19 +134,21 @@ namespace vibrocontact
     class March
     {
     public:
-      March(const TransientParameters &parameters, const ContactParameters &contact,
+      March(const TransientParameters &parameters, const ContactSections &contact,
             const ContactSolverParameters &solver, const ContactPair &pair, const DriveFunction &drive,
             DynamicState &state, TransientResult &result)
-          : pair(pair), contact(contact), law(contact.law()), scheme(find_creep_scheme(contact.creep_scheme)),
-            drive(drive), state(state), result(result), now(drive(state.time)),
+          : pair(pair), contact(contact), law(normal_law_of_points(contact, pair.interface.contacts)),
+            scheme(find_creep_scheme(contact.first().creep_scheme)), drive(drive), state(state),
+            result(result), forces(forces_of(state)), now(drive(state.time)),
             step_levels(parameters, contact, solver, pair, now.creepage.speed), next(state),
             // never beyond the end, where tables may stop
             last(std::floor(parameters.end_time / step_levels.shortest() + 1e-6))
       {
+        result.contacts.resize(pair.interface.contacts.all.size());
         if (result.steps > 0)
           return;
         result.energy.initial = result.energy.stored = result.energy.available =
-            stored_energy(pair, *law, state);
+            stored_energy(pair, law, state);
         result.level = step_levels.n_levels() - 1;
       }
 
@@ -156,12 +158,10 @@ namespace vibrocontact
       /// result.converged = false, and the state as it was, if it does not converge
       void step()
       {
-        const unsigned int n = pair.n_points();
         try
         {
           step_levels.advance(state, drive, last, next, then, result);
-          if (n > 1)
-            check_contact_in_grid(pair.interface.grid, contact, then.creepage.speed, next.contact.status);
+          check_contact_in_grid(pair.interface.contacts, contact, then.creepage.speed, next.contact.status);
         }
         // what was computed so far is kept, whoever gives up
         catch (const InputError &error)
@@ -179,41 +179,63 @@ namespace vibrocontact
         ++result.steps;
         result.time = next.time;
         const double h = next.time - state.time;
-        double before = 0, after = 0;
-        result.tangential_square += h * (tangential_square(state.R) + tangential_square(next.R)) / 2;
-        for (unsigned int i = 0; i < n; ++i)
+        const Forces then_forces = forces_of(next);
+        add(result, h, forces.on_body, then_forces.on_body);
+        const PlacedContacts &contacts = pair.interface.contacts;
+        unsigned int first = 0;
+        for (unsigned int k = 0; k < contacts.all.size(); ++k)
         {
-          before += state.R[i];
-          after += next.R[i];
-          result.smallest_gap = std::min(result.smallest_gap, next.contact.y[i]);
+          ForceSums &sums = result.contacts[k];
+          const auto local = [&](const Forces &all) -> std::array<double, 3> {
+            return {{all.of_contacts[k][1], all.of_contacts[k][2], all.of_contacts[k][0]}};
+          };
+          add(sums, h, local(forces), local(then_forces));
+          for (const unsigned int end = first + contacts.all[k].grid.n_points(); first < end; ++first)
+            sums.smallest_gap = std::min(sums.smallest_gap, next.contact.y[first]);
+          result.smallest_gap = std::min(result.smallest_gap, sums.smallest_gap);
         }
-        result.impulse += h * (before + after) / 2;
-        result.force_square += h * (before * before + after * after) / 2;
-        add_step(result.energy, pair, *law, scheme, state, now, next, then);
+        forces = then_forces;
+        add_step(result.energy, pair, law, scheme, state, now, next, then);
         state = next;
         now = then;
       }
 
     private:
-      /// of the resultant of contact forces [N^2]
-      template <typename Forces>
-      double tangential_square(const Forces &R) const
+      /// Resultants at an instant [N]: of each contact (normal, x, y), and on body 1 along x, y, z.
+      struct Forces
       {
-        const unsigned int n = pair.n_points();
-        double sum[2] = {0, 0};
-        for (unsigned int c = 0; c < 2 && R.size() == 3 * n; ++c)
-          for (unsigned int i = 0; i < n; ++i)
-            sum[c] += R[contact_row(n, 1 + c, i)];
-        return sum[0] * sum[0] + sum[1] * sum[1];
+        std::vector<std::array<double, 3>> of_contacts;
+        std::array<double, 3> on_body;
+      };
+
+      Forces forces_of(const DynamicState &at) const
+      {
+        const PlacedContacts &contacts = pair.interface.contacts;
+        Forces forces;
+        forces.of_contacts = contacts.resultants(at.R);
+        forces.on_body = contacts.force_on(0, forces.of_contacts);
+        return forces;
+      }
+
+      /// Two tangential components, then the normal one.
+      static void add(ForceSums &sums, const double h, const std::array<double, 3> &before,
+                      const std::array<double, 3> &after)
+      {
+        const auto tangential_square = [](const std::array<double, 3> &force)
+        { return force[0] * force[0] + force[1] * force[1]; };
+        sums.tangential_square += h * (tangential_square(before) + tangential_square(after)) / 2;
+        sums.impulse += h * (before[2] + after[2]) / 2;
+        sums.force_square += h * (before[2] * before[2] + after[2] * after[2]) / 2;
       }
 
       const ContactPair &pair;
-      const ContactParameters &contact;
-      const std::shared_ptr<const NormalLaw> law;
+      const ContactSections &contact;
+      const PointLaws<NormalLaw> law;
       const CreepScheme &scheme;
       const DriveFunction &drive;
       DynamicState &state;
       TransientResult &result;
+      Forces forces;
       Drive now, then;
       StepLevels step_levels;
       DynamicState next;
@@ -230,10 +252,12 @@ namespace vibrocontact
 
     /// What a step leaves out is of third order: nothing weights the end of a step more than its beginning, as theta > 1/2,
     /// reactions of the end alone and the backward rate of W~ R in the slip do.
-    bool is_second_order(const TransientParameters &parameters, const ContactParameters &contact)
+    bool is_second_order(const TransientParameters &parameters, const ContactSections &contact)
     {
       return (parameters.integrator == "exact propagator" || parameters.theta == 0.5) &&
-             parameters.reaction == "as other forces" && contact.friction == 0;
+             parameters.reaction == "as other forces" &&
+             std::all_of(contact.all.begin(), contact.all.end(),
+                         [](const ContactParameters &one) { return one.friction == 0; });
     }
 
     /// of the error of the rms force, that of the impulse is no less, however well both runs agree in it: forces too early
@@ -303,7 +327,7 @@ namespace vibrocontact
     return parameters;
   }
 
-  TransientResult transient(const TransientParameters &parameters, const ContactParameters &contact,
+  TransientResult transient(const TransientParameters &parameters, const ContactSections &contact,
                             const ContactSolverParameters &solver, const ContactPair &pair,
                             const DriveFunction &drive, DynamicState &state,
                             const std::function<bool(const DynamicState &, const TransientResult &)> &observe,

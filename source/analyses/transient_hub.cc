@@ -3,7 +3,7 @@
 #include <vibrocontact/analyses/transient_hub.h>
 #include <vibrocontact/base/exceptions.h>
 
-#include <numeric>
+#include <array>
 
 namespace vibrocontact
 {
@@ -26,7 +26,7 @@ namespace vibrocontact
   }
 
   HubMotion hub_motion(const std::string &hub, const RollingParameters &rolling, const LoadOverTime &load,
-                       const ContactParameters &contact, const ContactSolverParameters &solver,
+                       const ContactSections &contact, const ContactSolverParameters &solver,
                        const std::shared_ptr<const ContactPair> &held, const DriveFunction &drive)
   {
     HubMotion motion{held, [](const DriveFunction &given) { return given; }, drive};
@@ -35,17 +35,15 @@ namespace vibrocontact
     if (hub == "none" || (hub == "held" && !by_force) || (hub == "massless" && by_force))
       return motion;
     const ContactSolution equilibrium = transient_equilibrium(contact, solver, *held, start);
-    const DenseVector &R = equilibrium.R;
-    const unsigned int n = held->n_points();
-    const auto sum = [&](const unsigned int block)
-    { return std::accumulate(R.begin() + block * n, R.begin() + (block + 1) * n, 0.); };
+    const PlacedContacts &contacts = held->interface.contacts;
+    const std::array<double, 3> force = contacts.force_on(0, contacts.resultants(equilibrium.R));
     motion.place = equilibrium.approach;
-    motion.normal_force = sum(0);
+    motion.normal_force = force[2];
     const double place = motion.place, normal_force = motion.normal_force, mass = rolling.suspension.mass;
     const bool loaded = load.normal_force;
     if (hub == "suspended")
       motion.pair = std::make_shared<const ContactPair>(
-          suspended_pair(*held, rolling.suspension, {sum(1), sum(2), sum(0) + start.force}));
+          suspended_pair(*held, rolling.suspension, {force[0], force[1], force[2] + start.force}));
     const bool by_displacement = hub != "massless", suspended = hub == "suspended";
     motion.driven = [=](const DriveFunction &given) -> DriveFunction
     {
@@ -63,7 +61,7 @@ namespace vibrocontact
     return motion;
   }
 
-  DynamicState initial_state(const TransientParameters &transient, const ContactParameters &contact,
+  DynamicState initial_state(const TransientParameters &transient, const ContactSections &contact,
                              const ContactSolverParameters &solver, const ContactPair &held,
                              const HubMotion &hub)
   {
@@ -73,7 +71,8 @@ namespace vibrocontact
     {
       hang(*hub.pair, state);
       complete(*hub.pair,
-               rigid_slip(held.interface.grid, find_creep_scheme(contact.creep_scheme), start.creepage),
+               rigid_slip(held.interface.contacts, find_creep_scheme(contact.first().creep_scheme),
+                          start.creepage),
                state);
     }
     return state;

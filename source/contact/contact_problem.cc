@@ -7,6 +7,26 @@
 
 namespace vibrocontact
 {
+  double ContactProblem::resultant(const DenseVector &R) const
+  {
+    const unsigned int n = n_points();
+    double sum = 0;
+    for (unsigned int i = 0; i < n && to_force.size() == 0; ++i)
+      sum += R[i];
+    for (unsigned int row = 0; row < to_force.size(); ++row)
+      sum += to_force[row] * R[row];
+    return sum;
+  }
+
+  void ContactProblem::move(DenseVector &y, const double change) const
+  {
+    const unsigned int n = n_points();
+    for (unsigned int i = 0; i < n && by_approach.size() == 0; ++i)
+      y[i] -= change;
+    for (unsigned int row = 0; row < by_approach.size(); ++row)
+      y[row] -= change * by_approach[row];
+  }
+
   void check_finite(const ContactProblem &problem)
   {
     const auto finite = [](const double x) { return std::isfinite(x); };
@@ -71,7 +91,7 @@ namespace vibrocontact
     double difference = 0, scale = 0, normal = 0;
     for (unsigned int i = 0; i < n; ++i)
     {
-      const double force = problem.normal_law->project(R[i], y[i], rho_normal).force;
+      const double force = problem.normal_law[i].project(R[i], y[i], rho_normal).force;
       const DiscProjection friction = project_on_disc(
           {{R[n + i] - rho_tangential * y[n + i], R[2 * n + i] - rho_tangential * y[2 * n + i]}},
           problem.mu[i] * force);
@@ -107,7 +127,6 @@ namespace vibrocontact
   {
     problem.A->vmult(y, R, loaded_points(R));
     y += problem.b;
-    for (unsigned int i = 0; i < problem.n_points(); ++i)
-      y[i] -= approach;
+    problem.move(y, approach);
   }
 } // namespace vibrocontact

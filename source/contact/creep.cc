@@ -26,39 +26,52 @@ namespace vibrocontact
     return find_named(creep_schemes(), name, "creep scheme");
   }
 
-  DenseVector rigid_slip(const ContactGrid &grid, const CreepScheme &scheme, const Creepage &creepage)
+  DenseVector rigid_slip(const PlacedContacts &contacts, const CreepScheme &scheme, const Creepage &creepage)
   {
-    const unsigned int n = grid.n_points();
+    const unsigned int n = contacts.n_points();
     DenseVector slip(3 * n);
-    for (unsigned int i = 0; i < n; ++i)
+    unsigned int first = 0;
+    for (const PlacedContact &contact : contacts.all)
     {
-      slip[contact_row(n, 1, i)] =
-          creepage.sliding_x + creepage.speed * (creepage.longitudinal - creepage.spin * grid.y(i));
-      slip[contact_row(n, 2, i)] =
-          creepage.sliding_y +
-          creepage.speed *
-              (creepage.lateral + creepage.spin * (grid.x(i) - scheme.spin_shift * grid.spacing_x));
+      const ContactGrid &grid = contact.grid;
+      const Creepage seen = contact.seen(creepage);
+      for (unsigned int i = 0; i < grid.n_points(); ++i)
+      {
+        slip[contact_row(n, 1, first + i)] =
+            seen.sliding_x + seen.speed * (seen.longitudinal - seen.spin * grid.y(i));
+        slip[contact_row(n, 2, first + i)] =
+            seen.sliding_y +
+            seen.speed * (seen.lateral + seen.spin * (grid.x(i) - scheme.spin_shift * grid.spacing_x));
+      }
+      first += grid.n_points();
     }
     return slip;
   }
 
-  void convert_to_slip_rows(const ContactGrid &grid, const CreepScheme &scheme, const double speed,
+  void convert_to_slip_rows(const PlacedContacts &contacts, const CreepScheme &scheme, const double speed,
                             DenseMatrix &matrix)
   {
-    const unsigned int n = grid.n_points();
+    const unsigned int n = contacts.n_points();
     std::vector<double> displacement(2 * n);
-    const double factor = speed / grid.spacing_x;
     for (unsigned int column = 0; column < matrix.n(); ++column)
     {
       double *const tangential = &matrix(n, column);
       std::copy(tangential, tangential + 2 * n, displacement.begin());
-      for (unsigned int row = 0; row < 2 * n; ++row)
+      unsigned int first = 0;
+      for (const PlacedContact &contact : contacts.all)
       {
-        const std::vector<double> &c = scheme.at_column(row % grid.n_x);
-        double derivative = 0;
-        for (unsigned int k = 0; k < c.size(); ++k)
-          derivative += c[k] * displacement[row - k];
-        tangential[row] = factor * derivative;
+        const ContactGrid &grid = contact.grid;
+        const double factor = speed * contact.share_of_speed() / grid.spacing_x;
+        for (const unsigned int begin : {first, n + first})
+          for (unsigned int i = 0; i < grid.n_points(); ++i)
+          {
+            const std::vector<double> &c = scheme.at_column(i % grid.n_x);
+            double derivative = 0;
+            for (unsigned int k = 0; k < c.size(); ++k)
+              derivative += c[k] * displacement[begin + i - k];
+            tangential[begin + i] = factor * derivative;
+          }
+        first += grid.n_points();
       }
     }
   }

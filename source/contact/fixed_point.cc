@@ -87,8 +87,8 @@ namespace vibrocontact
 
     constexpr unsigned int iterations_per_check = 100;
 
-    /// approach at which the projections of N - rho (gap - shift) sum to the force; shift is added to the
-    /// approach
+    /// approach at which the projections of N - rho (gap - shift a) add up to the force, with the tangential forces as they
+    /// are; shift is added to the approach
     double shift_for_force(const ContactProblem &problem, const DenseVector &R, const DenseVector &y,
                            const double rho)
     {
@@ -97,7 +97,13 @@ namespace vibrocontact
       {
         double total = 0;
         for (unsigned int i = 0; i < n; ++i)
-          total += problem.normal_law->project(R[i], y[i] - shift, rho).force;
+        {
+          const std::array<double, 3> l = problem.share_of(i);
+          total +=
+              l[0] *
+                  problem.normal_law[i].project(R[i], y[i] - shift * problem.approach_of(i)[0], rho).force +
+              l[1] * R[n + i] + l[2] * R[2 * n + i];
+        }
         return total - problem.normal_force;
       };
       const double unit = problem.normal_force / rho / n;
@@ -148,9 +154,11 @@ namespace vibrocontact
       double change = 0, size = 0;
       for (unsigned int i = 0; i < n; ++i)
       {
-        const double force = problem.normal_law->project(s.R[i], s.y[i] - shift, rho_n).force;
+        const std::array<double, 3> a = problem.approach_of(i);
+        const double force = problem.normal_law[i].project(s.R[i], s.y[i] - shift * a[0], rho_n).force;
         const DiscProjection friction =
-            project_on_disc({{s.R[n + i] - rho_t * s.y[n + i], s.R[2 * n + i] - rho_t * s.y[2 * n + i]}},
+            project_on_disc({{s.R[n + i] - rho_t * (s.y[n + i] - shift * a[1]),
+                              s.R[2 * n + i] - rho_t * (s.y[2 * n + i] - shift * a[2])}},
                             problem.mu[i] * force);
         const double next[3] = {force, friction.force[0], friction.force[1]};
         for (unsigned int c = 0; c < 3; ++c)

@@ -18,10 +18,9 @@ namespace vibrocontact
   solve_with_friction_of_speed(ContactProblem &problem, ContactSolver &solver, const ContactSolution &start,
                                const std::function<std::vector<double>(const ContactSolution &)> &speed)
   {
-    if (!problem.friction_law || !problem.friction_law->depends_on_speed())
+    if (!problem.friction_law || !problem.friction_law.any(&FrictionLaw::depends_on_speed))
       return solver.solve(problem, start);
     constexpr unsigned int max_rounds = 100;
-    const FrictionLaw &law = *problem.friction_law;
     ContactSolution solution = start;
     unsigned int iterations = 0, factorisations = 0, linear_iterations = 0, fallbacks = 0;
     double seconds = 0;
@@ -42,7 +41,8 @@ namespace vibrocontact
       double change = 0, largest = 0;
       for (unsigned int i = 0; i < now.size(); ++i)
       {
-        const double mu = law.coefficient(now[i], solution.status[i] == ContactStatus::stick);
+        const double mu =
+            problem.friction_law[i].coefficient(now[i], solution.status[i] == ContactStatus::stick);
         largest = std::max(largest, mu);
         // what an open point would have matters to nobody
         if (solution.status[i] != ContactStatus::open)

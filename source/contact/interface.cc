@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace vibrocontact
 {
@@ -47,9 +48,81 @@ namespace vibrocontact
       law_values.text(parameter);
   }
 
+  void ContactParameters::declare_place(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    const List place(Double(), 0, 3), direction(Double(), 3, 3);
+    prm.add_parameter(
+        "Bodies", bodies,
+        "The two bodies that it joins: the one above (the normal points to it), the one below. Units: "
+        "none.",
+        List(Anything(), 0, 2));
+    prm.add_parameter("Origin", origin,
+                      "Nominal contact point x, y, z in the coordinates of its first body. Units: m.",
+                      List(Double(), 3, 3));
+    prm.add_parameter(
+        "Origin on body 2", origin_below,
+        "The same point in the coordinates of its second body; empty: the same numbers. Units: m.", place);
+    prm.add_parameter("Normal", normal,
+                      "Direction x, y, z from its second body to its first, of any length. Units: none.",
+                      direction);
+    prm.add_parameter(
+        "Gap", gap,
+        "Distance of the two bodies at the nominal point, beside that of their surfaces. Units: m.",
+        Double());
+    const std::string added = ", added to what Rolling/";
+    for (const auto &[entry, value, unit] :
+         {std::make_tuple("Longitudinal creepage", &own_creepage.longitudinal, "none"),
+          {"Lateral creepage", &own_creepage.lateral, "none"},
+          {"Spin", &own_creepage.spin, "1/m"},
+          {"Sliding velocity x", &own_creepage.sliding_x, "m/s"},
+          {"Sliding velocity y", &own_creepage.sliding_y, "m/s"}})
+      prm.add_parameter(entry, *value,
+                        std::string("Of its first body against its second in the frame of this contact") +
+                            added + entry + " is there. Units: " + unit + ".",
+                        Double(-1000, 1000));
+  }
+
+  namespace
+  {
+    ContactFrame frame_at(const ContactParameters &contact, const std::vector<double> &origin,
+                          const char *const entry)
+    {
+      const auto three = [&](const std::vector<double> &values, const char *const name)
+      {
+        if (values.size() != 3)
+          throw InputError(contact.section + "/" + name + " lists " + std::to_string(values.size()) +
+                           " numbers: give three, x, y and z.");
+        return std::array<double, 3>{{values[0], values[1], values[2]}};
+      };
+      try
+      {
+        return contact_frame(three(origin, entry), three(contact.normal, "Normal"));
+      }
+      catch (const InputError &error)
+      {
+        if (std::string(error.what()).rfind("a normal", 0) != 0)
+          throw;
+        throw InputError(contact.section + "/Normal is " + error.what() + ": give another one.");
+      }
+    }
+  } // namespace
+
+  ContactFrame ContactParameters::frame() const
+  {
+    return frame_at(*this, origin, "Origin");
+  }
+
+  ContactFrame ContactParameters::frame_below() const
+  {
+    return origin_below.empty() ? frame() : frame_at(*this, origin_below, "Origin on body 2");
+  }
+
   void ContactParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
+    if (!name.empty())
+      declare_place(prm);
     const LawParameter mu = friction_coefficient();
     prm.add_parameter(mu.name, friction, mu.help, *mu.pattern);
     prm.add_parameter("Grid spacing", spacing, "Distance of the contact points along x and y. Units: m.",
@@ -179,61 +252,123 @@ namespace vibrocontact
     return std::make_shared<HalfSpaceRollingOperator>(grid, pair, scheme, speed);
   }
 
-  std::shared_ptr<const ContactOperator> rolling_operator(const ContactGrid &grid, DenseMatrix compliance,
-                                                          const CreepScheme &scheme, const double speed)
+  ContactSections ContactSections::with_friction(const double coefficient) const
   {
-    convert_to_slip_rows(grid, scheme, speed, compliance);
+    ContactSections result = *this;
+    for (ContactParameters &contact : result.all)
+      contact.friction = coefficient;
+    return result;
+  }
+
+  namespace
+  {
+    template <typename Law, typename Make>
+    PointLaws<Law> laws_of(const ContactSections &sections, const PlacedContacts &contacts, const Make &make)
+    {
+      std::vector<std::pair<std::shared_ptr<const Law>, unsigned int>> all;
+      for (unsigned int k = 0; k < contacts.all.size(); ++k)
+        all.emplace_back(make(sections.all[k]), contacts.all[k].grid.n_points());
+      return PointLaws<Law>::of_contacts(all);
+    }
+  } // namespace
+
+  PointLaws<NormalLaw> normal_law_of_points(const ContactSections &sections, const PlacedContacts &contacts)
+  {
+    return laws_of<NormalLaw>(sections, contacts, [](const ContactParameters &one) { return one.law(); });
+  }
+
+  PointLaws<FrictionLaw> friction_law_of_points(const ContactSections &sections,
+                                                const PlacedContacts &contacts)
+  {
+    return laws_of<FrictionLaw>(sections, contacts,
+                                [](const ContactParameters &one) { return one.law_of_friction(); });
+  }
+
+  std::shared_ptr<const ContactOperator> rolling_operator(const PlacedContacts &contacts,
+                                                          DenseMatrix compliance, const CreepScheme &scheme,
+                                                          const double speed)
+  {
+    convert_to_slip_rows(contacts, scheme, speed, compliance);
     return std::make_shared<DenseContactOperator>(std::move(compliance));
   }
 
   ContactProblem rolling_problem(std::shared_ptr<const ContactOperator> A, const ContactInterface &interface,
                                  const CreepScheme &scheme, const Creepage &creepage,
-                                 const ContactParameters &parameters)
+                                 const ContactSections &sections)
   {
-    const unsigned int n = interface.grid.n_points();
+    const PlacedContacts &contacts = interface.contacts;
+    const unsigned int n = contacts.n_points();
     ContactProblem problem;
     problem.A = std::move(A);
-    problem.b = rigid_slip(interface.grid, scheme, creepage);
+    problem.b = rigid_slip(contacts, scheme, creepage);
     std::copy(interface.gap.begin(), interface.gap.end(), problem.b.begin());
     if (interface.load_jump.size() > 0)
     {
       DenseMatrix jump(3 * n, 1);
       std::copy(interface.load_jump.begin(), interface.load_jump.end(), &jump(0, 0));
-      convert_to_slip_rows(interface.grid, scheme, creepage.speed, jump);
+      convert_to_slip_rows(contacts, scheme, creepage.speed, jump);
       for (unsigned int i = 0; i < 3 * n; ++i)
         problem.b[i] += jump(i, 0);
     }
-    problem.friction_law = parameters.law_of_friction();
-    problem.mu.assign(n, parameters.friction);
-    problem.normal_law = parameters.law();
+    problem.friction_law = friction_law_of_points(sections, contacts);
+    for (unsigned int k = 0; k < contacts.all.size(); ++k)
+      problem.mu.insert(problem.mu.end(), contacts.all[k].grid.n_points(), sections.all[k].friction);
+    problem.normal_law = normal_law_of_points(sections, contacts);
+    // the hub of body 1 moves down by the approach, which is constant: it slips nowhere
+    const DenseMatrix hub = contacts.translation_of(0);
+    problem.by_approach.reinit(3 * n);
+    problem.to_force.reinit(3 * n);
+    for (unsigned int row = 0; row < 3 * n; ++row)
+    {
+      problem.to_force[row] = hub(row, 2);
+      problem.by_approach[row] = row < n ? hub(row, 2) : 0;
+    }
     return problem;
   }
 
-  void check_contact_in_grid(const ContactGrid &grid, const ContactParameters &contact, const double speed,
-                             const std::vector<ContactStatus> &status)
+  namespace
   {
-    if (grid.whole_surface)
-      return;
-    const SurfaceEnds ends = contact.ends(grid);
-    const bool rolls = speed > 0;
-    const unsigned int free_upstream = rolls ? 2 : ends.upstream ? 0 : 1;
-    const std::string larger_x = "enlarge Contact/Half length", larger_y = "enlarge Contact/Half width";
-    for (unsigned int point = 0; point < grid.n_points(); ++point)
+    void check_in_grid(const ContactGrid &grid, const ContactParameters &contact, const double speed,
+                       const ContactStatus *const status)
     {
-      if (status[point] == ContactStatus::open)
-        continue;
-      const unsigned int i = point % grid.n_x, j = point / grid.n_x;
-      if (i < free_upstream)
-        throw InputError(
-            "The contact reaches the upstream side of the contact grid (x = " + number_text(grid.x(point)) +
-            " m)" + (rolls ? ", where two columns must stay free: " : ": ") + larger_x +
-            " or lower the load.");
-      if (i + 1 == grid.n_x && !ends.downstream)
-        throw InputError("The contact reaches the downstream side of the contact grid (x = " +
-                         number_text(grid.x(point)) + " m): " + larger_x + " or lower the load.");
-      if (grid.n_y > 1 && ((j == 0 && !ends.low_y) || (j + 1 == grid.n_y && !ends.high_y)))
-        throw InputError("The contact reaches the lateral side of the contact grid (y = " +
-                         number_text(grid.y(point)) + " m): " + larger_y + " or lower the load.");
+      if (grid.whole_surface)
+        return;
+      const SurfaceEnds ends = contact.ends(grid);
+      const bool rolls = speed > 0;
+      const unsigned int free_upstream = rolls ? 2 : ends.upstream ? 0 : 1;
+      const std::string larger_x = "enlarge " + contact.section + "/Half length",
+                        larger_y = "enlarge " + contact.section + "/Half width";
+      for (unsigned int point = 0; point < grid.n_points(); ++point)
+      {
+        if (status[point] == ContactStatus::open)
+          continue;
+        const unsigned int i = point % grid.n_x, j = point / grid.n_x;
+        if (i < free_upstream)
+          throw InputError(
+              "The contact reaches the upstream side of the contact grid (x = " + number_text(grid.x(point)) +
+              " m)" + (rolls ? ", where two columns must stay free: " : ": ") + larger_x +
+              " or lower the load.");
+        if (i + 1 == grid.n_x && !ends.downstream)
+          throw InputError("The contact reaches the downstream side of the contact grid (x = " +
+                           number_text(grid.x(point)) + " m): " + larger_x + " or lower the load.");
+        if (grid.n_y > 1 && ((j == 0 && !ends.low_y) || (j + 1 == grid.n_y && !ends.high_y)))
+          throw InputError("The contact reaches the lateral side of the contact grid (y = " +
+                           number_text(grid.y(point)) + " m): " + larger_y + " or lower the load.");
+      }
+    }
+  } // namespace
+
+  void check_contact_in_grid(const PlacedContacts &contacts, const ContactSections &sections,
+                             const double speed, const std::vector<ContactStatus> &status)
+  {
+    unsigned int first = 0;
+    for (unsigned int k = 0; k < contacts.all.size(); ++k)
+    {
+      const ContactGrid &grid = contacts.all[k].grid;
+      // a single point has no neighbours that could touch as well
+      if (grid.n_points() > 1)
+        check_in_grid(grid, sections.all[k], speed, &status[first]);
+      first += grid.n_points();
     }
   }
 } // namespace vibrocontact

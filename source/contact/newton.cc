@@ -30,10 +30,7 @@ namespace vibrocontact
     {
       if (!problem.force_given())
         return residual;
-      double sum = 0;
-      for (unsigned int i = 0; i < problem.n_points(); ++i)
-        sum += R[i];
-      return std::max(residual, std::abs(sum / problem.normal_force - 1));
+      return std::max(residual, std::abs(problem.resultant(R) / problem.normal_force - 1));
     }
 
     /// One solution by Newton's steps: its state and what the strategy remembers of the way.
@@ -129,7 +126,8 @@ namespace vibrocontact
           const auto known = J.apply(k, 0, 0, 0, dy[i], dy[n + i], dy[2 * n + i]);
           for (unsigned int c = 0; c < 3; ++c)
             rhs[c * m + k] = projected[c * n + i] - s.R[c * n + i] - known[c];
-          sum += s.R[i];
+          const std::array<double, 3> l = problem.share_of(i);
+          sum += l[0] * s.R[i] + l[1] * s.R[n + i] + l[2] * s.R[2 * n + i];
         }
         if (problem.force_given())
           rhs[3 * m] = problem.normal_force - sum;
@@ -188,8 +186,7 @@ namespace vibrocontact
           trial_R.add(step, dR);
           trial_y = s.y;
           trial_y.add(step, dy);
-          for (unsigned int i = 0; i < n; ++i)
-            trial_y[i] -= step * d_approach;
+          problem.move(trial_y, step * d_approach);
           trial = merit(problem, residual.evaluate(trial_R, trial_y, projected, status), trial_R);
           falls = trial < bound || trial <= 0.1 * parameters.tolerance;
         }

@@ -8,7 +8,7 @@ namespace vibrocontact
   {
     for (unsigned int i = 0; i < n; ++i)
     {
-      const NormalLaw::Projection normal = problem.normal_law->project(R[i], y[i], rho_normal);
+      const NormalLaw::Projection normal = problem.normal_law[i].project(R[i], y[i], rho_normal);
       if (normal.by_force == 0 && normal.by_gap == 0)
         continue;
       const DiscProjection friction = project_on_disc(
@@ -36,6 +36,13 @@ namespace vibrocontact
              dTy - r.by_trial[1][0] * tx - r.by_trial[1][1] * ty - r.by_radius[1] * dP}};
   }
 
+  std::array<double, 3> NewtonJacobian::by_approach(const unsigned int k, const Row &row) const
+  {
+    const std::array<double, 3> a = problem.approach_of(active[k]);
+    const double scale = approach_scale();
+    return apply(row, 0, 0, 0, -scale * a[0], -scale * a[1], -scale * a[2]);
+  }
+
   void NewtonJacobian::vmult(DenseVector &dst, const DenseVector &src) const
   {
     const unsigned int m = active.size();
@@ -47,11 +54,14 @@ namespace vibrocontact
     for (unsigned int k = 0; k < m; ++k)
     {
       const unsigned int i = active[k];
-      const auto value =
-          apply(rows[k], dR[i], dR[n + i], dR[2 * n + i], dy[i] - d_approach, dy[n + i], dy[2 * n + i]);
+      const std::array<double, 3> a = problem.approach_of(i), l = problem.share_of(i);
+      const auto value = apply(rows[k], dR[i], dR[n + i], dR[2 * n + i], dy[i] - d_approach * a[0],
+                               dy[n + i] - d_approach * a[1], dy[2 * n + i] - d_approach * a[2]);
       for (unsigned int c = 0; c < 3; ++c)
+      {
         dst[c * m + k] = value[c];
-      sum += dR[i];
+        sum += l[c] * dR[c * n + i];
+      }
     }
     if (problem.force_given())
       dst[3 * m] = sum;
@@ -77,12 +87,12 @@ namespace vibrocontact
       for (unsigned int row = 0; row < 3; ++row)
         out[row * m + own] += diagonal[row];
       if (problem.force_given())
-        J(3 * m, column) = c == 0 ? 1 : 0;
+        J(3 * m, column) = problem.share_of(active[own])[c];
     }
     if (problem.force_given())
       for (unsigned int k = 0; k < m; ++k)
       {
-        const std::array<double, 3> value = apply(rows[k], 0, 0, 0, -approach_scale(), 0, 0);
+        const std::array<double, 3> value = by_approach(k, rows[k]);
         for (unsigned int row = 0; row < 3; ++row)
           J(row * m + k, 3 * m) = value[row];
       }
@@ -105,8 +115,7 @@ namespace vibrocontact
     }
     if (problem.force_given())
     {
-      const auto now = apply(rows[k], 0, 0, 0, -approach_scale(), 0, 0),
-                 then = apply(before, 0, 0, 0, -approach_scale(), 0, 0);
+      const auto now = by_approach(k, rows[k]), then = by_approach(k, before);
       for (unsigned int row = 0; row < 2; ++row)
         differences(at + row, 3 * m) = now[row + 1] - then[row + 1];
     }

@@ -254,14 +254,23 @@ namespace vibrocontact
     DenseMatrix A;
     problem.A->extract(points, A);
     part.A = std::make_shared<DenseContactOperator>(std::move(A));
-    part.b.reinit(3 * m);
+    const auto restrict_rows = [&](const DenseVector &from, DenseVector &to)
+    {
+      to.reinit(3 * m);
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int k = 0; k < m; ++k)
+          to[c * m + k] = from[c * n + points[k]];
+    };
+    restrict_rows(problem.b, part.b);
+    if (problem.by_approach.size() > 0)
+      restrict_rows(problem.by_approach, part.by_approach);
+    if (problem.to_force.size() > 0)
+      restrict_rows(problem.to_force, part.to_force);
     part.mu.resize(m);
     for (unsigned int k = 0; k < m; ++k)
-    {
       part.mu[k] = problem.mu[points[k]];
-      for (unsigned int c = 0; c < 3; ++c)
-        part.b[c * m + k] = problem.b[c * n + points[k]];
-    }
+    part.normal_law = problem.normal_law.at(points);
+    part.friction_law = problem.friction_law.at(points);
     return part;
   }
 } // namespace vibrocontact

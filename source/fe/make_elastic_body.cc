@@ -1,10 +1,28 @@
 #include <vibrocontact/fe/make_elastic_body.h>
 
+#include <cmath>
+#include <optional>
+
 namespace vibrocontact
 {
+  namespace
+  {
+    /// The face of a block that looks at its partner.
+    std::string face_towards(const ContactPlace &place)
+    {
+      static const char *const faces[3][2] = {{"left", "right"}, {"front", "back"}, {"bottom", "top"}};
+      const std::array<double, 3> &normal = place.frame.axes[0];
+      unsigned int axis = 0;
+      for (unsigned int d = 1; d < 3; ++d)
+        if (std::abs(normal[d]) > std::abs(normal[axis]))
+          axis = d;
+      return faces[axis][(normal[axis] > 0) != place.above];
+    }
+  } // namespace
+
   std::unique_ptr<ElasticBody<3>> make_elastic_body(const BodyParameters &parameters,
                                                     const double lateral_position,
-                                                    const ContactGrid *const grid,
+                                                    const std::vector<ContactPlace> &places,
                                                     const MPI_Comm communicator)
   {
     ElasticModel<3> model;
@@ -19,6 +37,9 @@ namespace vibrocontact
       model.material = model.zones.at(0);
     BodyMesh<3> mesh;
     unsigned int degree = 2;
+    const std::optional<ContactGrid> covered =
+        places.empty() ? std::nullopt : std::make_optional(covering_grid(places));
+    const ContactGrid *const grid = covered ? &*covered : nullptr;
     if (parameters.type == "wheel")
     {
       mesh = make_wheel(parameters.wheel, lateral_position, grid, parameters.name, communicator, materials);
@@ -36,6 +57,9 @@ namespace vibrocontact
       BlockParameters block = parameters.block;
       block.offset_y -= lateral_position;
       mesh = make_block<3>(block, parameters.name, communicator);
+      for (const ContactPlace &place : places)
+        if (!place.frame.is_usual())
+          mesh.contact_boundaries.insert(mesh.boundary_id(face_towards(place)));
       for (const std::string &boundary : parameters.block.held)
         model.held.push_back(mesh.boundary_id(boundary));
     }

@@ -32,8 +32,8 @@ namespace vibrocontact
     class TraceMaker
     {
     public:
-      TraceMaker(const ElasticBody<dim> &body, const ContactGrid &grid)
-          : body(body), grid(grid), communicator(body.communicator()),
+      TraceMaker(const ElasticBody<dim> &body, const ContactGrid &grid, const ContactFrame &frame)
+          : body(body), grid(grid), frame(frame), communicator(body.communicator()),
             rank(Utilities::MPI::this_mpi_process(communicator)), scalar(body.element.base_element(0)),
             n(grid.n_points()), x_low(grid.x_first - grid.spacing_x / 2),
             x_high(x_low + grid.n_x * grid.spacing_x), y_low(grid.y_first - grid.spacing_y / 2),
@@ -70,6 +70,18 @@ namespace vibrocontact
       /// the three (two) dofs of a node
       using Key = std::array<types::global_dof_index, 3>;
 
+      /// A place in the contact's frame.
+      Point<dim> seen(const Point<dim> &place) const
+      {
+        if (dim == 2 || frame.is_usual())
+          return place;
+        const auto there = frame.coordinates({{place[0], place[1], place[dim - 1]}});
+        Point<dim> result;
+        for (unsigned int d = 0; d < dim; ++d)
+          result[d] = there[d];
+        return result;
+      }
+
       static BoundingBox<dim> box(const std::vector<Point<dim>> &positions)
       {
         BoundingBox<dim> result(std::make_pair(positions[0], positions[0]));
@@ -94,7 +106,9 @@ namespace vibrocontact
                   body.mesh.contact_boundaries.count(cell->face(f)->boundary_id()) == 0)
                 continue;
               face_nodes[f]->reinit(typename Triangulation<dim>::active_cell_iterator(cell));
-              const auto &positions = face_nodes[f]->get_quadrature_points();
+              std::vector<Point<dim>> positions = face_nodes[f]->get_quadrature_points();
+              for (Point<dim> &position : positions)
+                position = seen(position);
               const BoundingBox<dim> bounds = box(positions);
               if (bounds.upper_bound(0) < x_low || bounds.lower_bound(0) > x_high ||
                   (dim == 3 && (bounds.upper_bound(1) < y_low || bounds.lower_bound(1) > y_high)))
@@ -279,7 +293,9 @@ namespace vibrocontact
             const Face &face = faces[hits[k].face];
             const Point<dim> unit = map.on_cell(face.number, hits[k].s);
             const double w = quadrature.weight(k % n_q);
-            n_up += face.cell->face(face.number)->center()[dim - 1] > face.cell->center()[dim - 1] ? 1 : -1;
+            n_up += seen(face.cell->face(face.number)->center())[dim - 1] > seen(face.cell->center())[dim - 1]
+                        ? 1
+                        : -1;
             face.cell->get_dof_indices(dofs);
             const auto tractions = quadrature.tractions(k / n_q, k % n_q);
             for (const auto &[point, tau] : tractions)
@@ -314,6 +330,7 @@ namespace vibrocontact
         Utilities::MPI::sum(surface_height, communicator, trace.surface_height);
         trace.faces_up = Utilities::MPI::sum(n_up, communicator) > 0;
         trace.rows.resize(3 * n);
+        trace.lifting.resize(3 * n);
         const auto all = Utilities::MPI::all_gather(communicator, weights);
         for (unsigned int i = 0; i < n; ++i)
         {
@@ -332,16 +349,28 @@ namespace vibrocontact
               continue;
             auto &row = trace.rows[contact_row(n, c, i)];
             for (const auto &entry : merged)
-              if (std::abs(entry.second) > 1e-15)
-                row.emplace_back(entry.first[c == 0 ? dim - 1 : c - 1], entry.second);
+              for (unsigned int d = 0; d < dim; ++d)
+              {
+                const double share = direction(c, d);
+                if (std::abs(entry.second) > 1e-15 && share != 0)
+                  row.emplace_back(entry.first[d], entry.second * share);
+              }
             std::sort(row.begin(), row.end());
+            trace.lifting[contact_row(n, c, i)] = direction(c, dim - 1);
           }
         }
         return trace;
       }
 
+      /// Share of a component of the displacement in a component of the contact.
+      double direction(const unsigned int c, const unsigned int d) const
+      {
+        return dim == 2 ? d == (c == 0 ? dim - 1 : c - 1) : frame.axes[c][d];
+      }
+
       const ElasticBody<dim> &body;
       const ContactGrid &grid;
+      const ContactFrame frame;
       const MPI_Comm communicator;
       const unsigned int rank;
       const FiniteElement<dim> &scalar;
@@ -364,12 +393,13 @@ namespace vibrocontact
   } // namespace
 
   template <int dim>
-  ContactTrace make_contact_trace(const ElasticBody<dim> &body, const ContactGrid &grid)
+  ContactTrace make_contact_trace(const ElasticBody<dim> &body, const ContactGrid &grid,
+                                  const ContactFrame &frame)
   {
     AssertThrow(dim == 3 || grid.n_y == 1, ExcMessage("The contact of a plane body is a line: n_y = 1."));
-    return TraceMaker<dim>(body, grid).make();
+    return TraceMaker<dim>(body, grid, frame).make();
   }
 
-  template ContactTrace make_contact_trace(const ElasticBody<2> &, const ContactGrid &);
-  template ContactTrace make_contact_trace(const ElasticBody<3> &, const ContactGrid &);
+  template ContactTrace make_contact_trace(const ElasticBody<2> &, const ContactGrid &, const ContactFrame &);
+  template ContactTrace make_contact_trace(const ElasticBody<3> &, const ContactGrid &, const ContactFrame &);
 } // namespace vibrocontact

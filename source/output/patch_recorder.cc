@@ -5,9 +5,9 @@
 
 namespace vibrocontact
 {
-  PatchRecorder::PatchRecorder(const ContactGrid &grid, const double begin, const double interval,
+  PatchRecorder::PatchRecorder(const PlacedContacts &contacts, const double begin, const double interval,
                                const std::string &folder)
-      : grid(grid), begin(begin), interval(interval), folder(folder)
+      : contacts(contacts), begin(begin), interval(interval), folder(folder)
   {
   }
 
@@ -16,7 +16,9 @@ namespace vibrocontact
     // the first state may have no contact solution: bodies apart
     if (state.time < begin + interval * (times.size() - 1e-6) || state.contact.empty())
       return;
-    write_contact_patch(state.contact, grid, true, folder + "/" + field_name("patch", times.size()));
+    for (unsigned int k = 0; k < contacts.all.size(); ++k)
+      write_contact_patch(state.contact, contacts, k, true,
+                          folder + "/" + field_name(with_contact("patch", contacts.all[k]), times.size()));
     times.push_back(state.time);
   }
 
@@ -27,9 +29,13 @@ namespace vibrocontact
 
   void PatchRecorder::finish(bool)
   {
-    std::vector<std::pair<double, std::string>> files;
-    for (unsigned int k = 0; k < times.size(); ++k)
-      files.emplace_back(times[k], field_name("patch", k));
-    write_pvd(files, folder + "/patch.pvd");
+    for (const PlacedContact &contact : contacts.all)
+    {
+      const std::string name = with_contact("patch", contact);
+      std::vector<std::pair<double, std::string>> files;
+      for (unsigned int k = 0; k < times.size(); ++k)
+        files.emplace_back(times[k], field_name(name, k));
+      write_pvd(files, folder + "/" + name + ".pvd");
+    }
   }
 } // namespace vibrocontact

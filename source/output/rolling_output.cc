@@ -13,6 +13,11 @@ namespace vibrocontact
 {
   nlohmann::ordered_json rolling_case_json(const RollingResult &result)
   {
+    return rolling_case_json(result, result);
+  }
+
+  nlohmann::ordered_json rolling_case_json(const RollingResult &result, const ContactResultants &of)
+  {
     const ContactSolution &s = result.solution;
     nlohmann::ordered_json one;
     one["curve"] = result.rolling_case.curve;
@@ -20,16 +25,16 @@ namespace vibrocontact
     one["lateral_creepage"] = result.rolling_case.creepage.lateral;
     one["spin_1_m"] = result.rolling_case.creepage.spin;
     one["speed_m_s"] = result.rolling_case.creepage.speed;
-    one["friction"] = result.rolling_case.friction;
-    one["normal_force_N"] = result.normal_force;
-    one["tangential_force_N"] = {result.tangential_force[0], result.tangential_force[1]};
-    one["spin_moment_Nm"] = result.spin_moment;
-    one["utilisation"] = result.utilisation;
-    one["approach_m"] = result.approach;
-    one["max_pressure_Pa"] = result.max_pressure;
-    one["contact_points"] = result.contact_points;
-    one["stick_points"] = result.stick_points;
-    one["slip_points"] = result.slip_points;
+    one["friction"] = of.friction;
+    one["normal_force_N"] = of.normal_force;
+    one["tangential_force_N"] = {of.tangential_force[0], of.tangential_force[1]};
+    one["spin_moment_Nm"] = of.spin_moment;
+    one["utilisation"] = of.utilisation;
+    one["approach_m"] = of.approach;
+    one["max_pressure_Pa"] = of.max_pressure;
+    one["contact_points"] = of.contact_points;
+    one["stick_points"] = of.stick_points;
+    one["slip_points"] = of.slip_points;
     one["iterations"] = s.iterations;
     one["factorisations"] = s.factorisations;
     one["linear_iterations"] = s.linear_iterations;
@@ -40,7 +45,7 @@ namespace vibrocontact
     return one;
   }
 
-  Table contact_patch_table(const RollingResult &result, const ContactInterface &interface)
+  Table contact_patch_table(const RollingResult &result, const PlacedContacts &contacts, const unsigned int k)
   {
     std::vector<std::string> columns = {"x_m", "y_m"};
     columns.insert(columns.end(), contact_patch_columns().begin(), contact_patch_columns().end());
@@ -49,10 +54,11 @@ namespace vibrocontact
         {"Contact patch, one row per point; origin: nominal contact point; the contact travels towards -x",
          "gap > 0 open; pressure > 0 compression; tractions act on body 1; slip = body 1 minus body 2",
          "status: 0 open, 1 stick, 2 slip; tractions are constant on the point's cell"});
-    for (unsigned int point = 0; point < interface.grid.n_points(); ++point)
+    const ContactGrid &grid = contacts.all[k].grid;
+    for (unsigned int point = 0; point < grid.n_points(); ++point)
     {
-      std::vector<Table::Cell> row = {interface.grid.x(point), interface.grid.y(point)};
-      for (const double value : contact_patch_values(result.solution, interface.grid, point))
+      std::vector<Table::Cell> row = {grid.x(point), grid.y(point)};
+      for (const double value : contact_patch_values(result.solution, grid, contacts.first_point(k) + point))
         row.emplace_back(value);
       table.add_row(row);
     }

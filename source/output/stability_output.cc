@@ -199,6 +199,23 @@ namespace vibrocontact
     return result;
   }
 
+  void add_contacts(const StabilityOutcome &outcome, const PlacedContacts &contacts,
+                    nlohmann::ordered_json &json)
+  {
+    for (unsigned int k = 0; k < contacts.all.size(); ++k)
+      for (const StabilityResult &result : outcome.results)
+        if (!contacts.all[k].name.empty())
+        {
+          const ContactResultants &one = result.contacts[k];
+          json["contacts"][contacts.all[k].name]["cases"].push_back(
+              {{"friction", one.friction},
+               {"normal_force_N", one.normal_force},
+               {"tangential_force_N", {one.tangential_force[0], one.tangential_force[1]}},
+               {"contact_points", one.contact_points},
+               {"stick_points", one.stick_points}});
+        }
+  }
+
   void add_new_cases(const StabilityOutcome &outcome, nlohmann::ordered_json &json)
   {
     for (std::size_t k = json["cases"].size(); k < outcome.results.size(); ++k)

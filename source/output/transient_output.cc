@@ -4,14 +4,14 @@
 #include <vibrocontact/output/transient_output.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
 
 namespace vibrocontact
 {
   namespace
   {
-    std::vector<std::string> history_columns(const std::vector<Probe> &probes)
+    std::vector<std::string> history_columns(const std::vector<Probe> &probes, const PlacedContacts &contacts)
     {
       std::vector<std::string> names = {
           "time_s",      "normal_force_N", "tangential_force_x_N", "tangential_force_y_N",
@@ -22,14 +22,19 @@ namespace vibrocontact
         names.push_back(probe.name + "_displacement_m");
         names.push_back(probe.name + "_velocity_m_s");
       }
+      for (const PlacedContact &contact : contacts.all)
+        for (const char *const column : {"normal_force_N", "tangential_force_x_N", "tangential_force_y_N"})
+          if (!contact.name.empty())
+            names.push_back(contact.name + "_" + column);
       return names;
     }
   } // namespace
 
-  TransientHistory::TransientHistory(const ContactPair &pair, const NormalLaw &law, const double interval,
-                                     const std::vector<Probe> &probes, const std::string &folder)
+  TransientHistory::TransientHistory(const ContactPair &pair, const PointLaws<NormalLaw> &law,
+                                     const double interval, const std::vector<Probe> &probes,
+                                     const std::string &folder)
       : pair(pair), law(law), interval(interval), probes(probes),
-        rows(folder + "/histories", history_columns(probes))
+        rows(folder + "/histories", history_columns(probes, pair.interface.contacts))
   {
   }
 
@@ -39,10 +44,9 @@ namespace vibrocontact
       return;
     next += interval;
     const unsigned int n = pair.n_points();
-    double force[3] = {0, 0, 0};
-    for (unsigned int c = 0; c < 3; ++c)
-      for (unsigned int i = 0; i < n; ++i)
-        force[c] += state.R[c * n + i];
+    const PlacedContacts &contacts = pair.interface.contacts;
+    const std::vector<std::array<double, 3>> forces = contacts.resultants(state.R);
+    const std::array<double, 3> force = contacts.force_on(0, forces);
     const ContactSolution &contact = state.contact;
     const auto count = [&](const ContactStatus status)
     { return double(std::count(contact.status.begin(), contact.status.end(), status)); };
@@ -50,13 +54,16 @@ namespace vibrocontact
     const double gap =
         contact.y.size() == 0 ? 0 : *std::min_element(contact.y.begin(), contact.y.begin() + n);
     std::vector<double> line = {
-        state.time, force[0],     force[1], force[2], contact.approach,
+        state.time, force[2],     force[0], force[1], contact.approach,
         gap,        stick + slip, stick,    slip,     stored_energy(pair, law, state)};
     for (const Probe &probe : probes)
     {
       line.push_back(probe.displacement(state));
       line.push_back(probe.velocity(state));
     }
+    for (unsigned int k = 0; k < contacts.all.size(); ++k)
+      if (!contacts.all[k].name.empty())
+        line.insert(line.end(), forces[k].begin(), forces[k].end());
     rows.add(line);
   }
 
@@ -66,9 +73,10 @@ namespace vibrocontact
     rows.exchange("histories", file);
   }
 
-  void write_history_table(const std::vector<Probe> &probes, const std::string &folder)
+  void write_history_table(const std::vector<Probe> &probes, const PlacedContacts &contacts,
+                           const std::string &folder)
   {
-    const std::vector<std::string> names = history_columns(probes);
+    const std::vector<std::string> names = history_columns(probes, contacts);
     Hdf5Reader file(folder + "/histories.h5");
     std::vector<std::vector<double>> columns;
     for (const std::string &name : names)
@@ -110,45 +118,57 @@ namespace vibrocontact
             {"most_contact_points", most_touching}};
   }
 
-  nlohmann::ordered_json transient_json(const TransientResult &result, const DynamicState &last)
+  nlohmann::ordered_json transient_json(const TransientResult &result, const DynamicState &last,
+                                        const PlacedContacts &contacts)
   {
-    const unsigned int n = last.R.size() / 3;
-    const auto sum = [&](const unsigned int c)
-    { return std::accumulate(last.R.begin() + c * n, last.R.begin() + (c + 1) * n, 0.); };
+    const std::vector<std::array<double, 3>> forces = contacts.resultants(last.R);
+    const std::array<double, 3> force = contacts.force_on(0, forces);
     const EnergyAccount &energy = result.energy;
     const double steps = std::max<double>(1, result.steps);
-    return {{"steps", result.steps},
-            {"time_s", result.time},
-            {"seconds_per_step", result.seconds / steps},
-            {"iterations_per_step", result.iterations / steps},
-            {"factorisations_per_step", result.factorisations / steps},
-            {"fallbacks", result.fallbacks},
-            {"rejected_steps", result.rejected},
-            {"steps_above_tolerance", result.above_tolerance},
-            {"impulse_Ns", result.impulse},
-            {"rms_normal_force_N", result.rms_force()},
-            {"smallest_gap_m", result.smallest_gap},
-            {"energy",
-             {{"initial_J", energy.initial},
-              {"input_J", energy.input()},
-              {"stored_J", energy.stored},
-              {"friction_J", energy.friction},
-              {"damping_J", energy.damping},
-              {"numerical_J", energy.numerical()},
-              {"imbalance_J", energy.imbalance()},
-              {"available_J", energy.available},
-              {"numerical_modes_J", energy.numerical_modes},
-              {"numerical_upwind_J", energy.numerical_upwind},
-              {"numerical_rate_J", energy.numerical_rate},
-              {"creepage_J", energy.creepage},
-              {"transport_J", energy.transport},
-              {"hub_J", energy.hub},
-              {"loads_J", energy.loads}}},
-            {"last",
-             {{"normal_force_N", sum(0)},
-              {"tangential_force_N", {sum(1), sum(2)}},
-              {"approach_m", last.contact.approach}}},
-            {"histories", "histories.h5"}};
+    nlohmann::ordered_json json = {{"steps", result.steps},
+                                   {"time_s", result.time},
+                                   {"seconds_per_step", result.seconds / steps},
+                                   {"iterations_per_step", result.iterations / steps},
+                                   {"factorisations_per_step", result.factorisations / steps},
+                                   {"fallbacks", result.fallbacks},
+                                   {"rejected_steps", result.rejected},
+                                   {"steps_above_tolerance", result.above_tolerance},
+                                   {"impulse_Ns", result.impulse},
+                                   {"rms_normal_force_N", result.rms_force()},
+                                   {"smallest_gap_m", result.smallest_gap},
+                                   {"energy",
+                                    {{"initial_J", energy.initial},
+                                     {"input_J", energy.input()},
+                                     {"stored_J", energy.stored},
+                                     {"friction_J", energy.friction},
+                                     {"damping_J", energy.damping},
+                                     {"numerical_J", energy.numerical()},
+                                     {"imbalance_J", energy.imbalance()},
+                                     {"available_J", energy.available},
+                                     {"numerical_modes_J", energy.numerical_modes},
+                                     {"numerical_upwind_J", energy.numerical_upwind},
+                                     {"numerical_rate_J", energy.numerical_rate},
+                                     {"creepage_J", energy.creepage},
+                                     {"transport_J", energy.transport},
+                                     {"hub_J", energy.hub},
+                                     {"loads_J", energy.loads}}},
+                                   {"last",
+                                    {{"normal_force_N", force[2]},
+                                     {"tangential_force_N", {force[0], force[1]}},
+                                     {"approach_m", last.contact.approach}}},
+                                   {"histories", "histories.h5"}};
+    for (unsigned int k = 0; k < contacts.all.size(); ++k)
+    {
+      if (contacts.all[k].name.empty())
+        continue;
+      const ForceSums &sums = result.contacts[k];
+      json["contacts"][contacts.all[k].name] = {
+          {"impulse_Ns", sums.impulse},
+          {"rms_normal_force_N", result.time > 0 ? std::sqrt(sums.force_square / result.time) : 0.},
+          {"smallest_gap_m", sums.smallest_gap},
+          {"last", {{"normal_force_N", forces[k][0]}, {"tangential_force_N", {forces[k][1], forces[k][2]}}}}};
+    }
+    return json;
   }
 
   namespace

@@ -80,7 +80,9 @@ namespace vibrocontact
     }
     // A held body without springs follows its held boundary rigidly: exact.
     result.lifting.assign(n_rows, 0.);
-    if (system.follows_hub)
+    if (system.follows_hub && !system.trace.lifting.empty())
+      result.lifting = system.trace.lifting;
+    else if (system.follows_hub)
       std::fill_n(result.lifting.begin(), n_points, 1.);
     result.rigid_trace = trace_of(system.trace, flexibility.rigid_modes(), system.n_rigid_modes);
     result.rigid_load = products(system, flexibility.rigid_modes(), system.n_rigid_modes);

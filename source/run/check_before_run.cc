@@ -174,8 +174,8 @@ namespace vibrocontact
       return;
     const TransientParameters &transient = parameters.transient;
     transient_hub(parameters.hub(), load_over_time(transient));
-    check_drive(transient, rolling_cases(parameters.rolling, parameters.contact).front(),
-                parameters.contact_grid());
+    check_drive(transient, rolling_cases(parameters.rolling, parameters.contacts).front(),
+                parameters.placed_contacts());
     if (transient.model != "reduced")
       return; // its modes are others
     for (const auto &body : bodies)

@@ -258,7 +258,7 @@ namespace vibrocontact
     {
       const std::string name = entry.substr(entry.rfind('/') + 1);
       check(entry, "quasi-static rolling and stability",
-            (name == "Friction coefficient" ? "Contact/" : "Rolling/") + name,
+            (name == "Friction coefficient" ? parameters.contact().section + "/" : "Rolling/") + name,
             {"quasi-static rolling", "stability"});
     }
     for (const Analysis &analysis : analyses)

@@ -3,6 +3,7 @@
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/contact/problem_file.h>
 #include <vibrocontact/reduction/window.h>
+#include <vibrocontact/run/check_contacts.h>
 #include <vibrocontact/run/check_transient.h>
 #include <vibrocontact/run/parameters.h>
 
@@ -187,21 +188,20 @@ namespace vibrocontact
     }
 
     /// What stands in place of the elements' local flexibility, and what then carries the rest.
-    void check_local_flexibility(const Parameters &parameters)
+    void check_local_flexibility(const Parameters &parameters, const ContactParameters &contact)
     {
-      const ContactParameters &contact = parameters.contact;
       if (!contact.replaces_flexibility())
         return;
       const std::string entry = contact.half_space_flexibility()
-                                    ? "Contact/Local flexibility is half-space"
-                                    : "Contact/Normal-tangential coupling is false";
+                                    ? contact.section + "/Local flexibility is half-space"
+                                    : contact.section + "/Normal-tangential coupling is false";
       for (const auto &[section, model] : unreduced_models(parameters))
         throw InputError(
             entry + ", but " + section + "/Model is " + model +
             ", which takes the local flexibility from the elements themselves: set it to reduced.");
       if (contact.half_space_flexibility() && contact.quadrature == "consistent")
-        throw InputError(entry + ", which knows tractions that are constant on each cell only: set "
-                                 "Contact/Quadrature to lumped.");
+        throw InputError(entry + ", which knows tractions that are constant on each cell only: set " +
+                         contact.section + "/Quadrature to lumped.");
       for (const BodyParameters &body : parameters.scene.bodies)
       {
         if (contact.half_space_flexibility() && (body.type == "bar" || body.type == "layer"))
@@ -219,17 +219,18 @@ namespace vibrocontact
     }
 
     /// A beam rail and a half-space lie below the contact, or carry tractions that are constant on each cell.
-    void check_half_space_contact(const Scene &scene, const ContactParameters &contact)
+    void check_half_space_contact(const std::vector<const BodyParameters *> &bodies,
+                                  const ContactParameters &contact)
     {
-      if (scene.bodies[0].type == "beam rail")
-        throw InputError(scene.bodies[0].name +
+      if (bodies[0]->type == "beam rail")
+        throw InputError(bodies[0]->name +
                          " is a beam rail, which lies below the contact, but is body 1, above; "
                          "list it second in Bodies.");
-      for (const BodyParameters &body : scene.bodies)
-        if (contact.quadrature == "consistent" && (body.type == "beam rail" || body.type == "half-space"))
-          throw InputError("Contact/Quadrature is consistent, but the half-space under the contact of " +
-                           body.name +
-                           " knows tractions that are constant on each cell only: set it to lumped.");
+      for (const BodyParameters *const body : bodies)
+        if (contact.quadrature == "consistent" && (body->type == "beam rail" || body->type == "half-space"))
+          throw InputError(
+              contact.section + "/Quadrature is consistent, but the half-space under the contact of " +
+              body->name + " knows tractions that are constant on each cell only: set it to lumped.");
     }
 
     /// Two bodies without a mesh touch in a point (in a line along a strip), and one of them gives way.
@@ -285,7 +286,7 @@ namespace vibrocontact
       const PeriodicParameters &periodic = parameters.periodic;
       const std::string moves = ", but " + body.name + ", of type " + body.type + ", ";
       const bool rolls = body.rolls(), by_poles = rolls || body.type == "identified",
-                 friction = parameters.contact.friction > 0;
+                 friction = parameters.contact().friction > 0;
       if (!periodic.contact_points.empty() || !periodic.force_point.empty())
         throw InputError(std::string("Periodic/") +
                          (periodic.contact_points.empty() ? "Force point" : "Contact points") + " is given" +
@@ -297,7 +298,7 @@ namespace vibrocontact
         throw InputError("Periodic/Model is finite elements" + moves + "has none: set it to reduced.");
       if (friction && (by_poles || body.type == "oscillator"))
         throw InputError(
-            "Contact/Friction coefficient is " + number_text(parameters.contact.friction) + moves +
+            "Contact/Friction coefficient is " + number_text(parameters.contact().friction) + moves +
             (rolls ? "rolls: the slip of material that flows through the contact points is not known here"
              : by_poles ? "has no data about motion along the stop"
                         : "does not move along the stop, as nothing drives it there") +
@@ -317,14 +318,23 @@ namespace vibrocontact
   void Parameters::check() const
   {
     scene.check();
+    check_contacts(*this);
     if (has_contact())
     {
       check_layer(scene, rolling);
-      check_half_space_contact(scene, contact);
-      // a body on a road has no partner
-      if (scene.bodies.size() > 1 && !scene.runs("modal convolution"))
-        check_touch(scene.bodies[0], scene.bodies[1], contact.strip_length > 0);
-      check_local_flexibility(*this);
+      for (unsigned int k = 0; k < contacts.all.size(); ++k)
+      {
+        const ContactParameters &one = contacts.all[k];
+        const auto [above, below] = bodies_of_contact(k);
+        std::vector<const BodyParameters *> joined = {&scene.bodies[above]};
+        // a body on a road has no partner
+        if (below < scene.bodies.size())
+          joined.push_back(&scene.bodies[below]);
+        check_half_space_contact(joined, one);
+        if (joined.size() > 1 && !scene.runs("modal convolution"))
+          check_touch(*joined[0], *joined[1], one.strip_length > 0);
+        check_local_flexibility(*this, one);
+      }
     }
     for (const auto &[name, mode] : modes)
       mode.check(name + "/Modes");
@@ -343,17 +353,22 @@ namespace vibrocontact
     }
     if (scene.runs("quasi-static rolling") || scene.runs("stability"))
     {
-      rolling.check(contact.friction == 0 && rolling.sweep.friction.empty() && !scene.runs("stability"));
+      // what moves each of several contacts is asked of them
+      rolling.check(!scene.contacts.empty() ||
+                    (contact().friction == 0 && rolling.sweep.friction.empty() && !scene.runs("stability")));
       check_supports(scene);
-      if (!rolling.sweep.friction.empty() && !contact.takes_coefficient())
-        throw InputError("Rolling/Sweep/Friction coefficient is given, but Contact/Friction law is " +
-                         contact.friction_law +
-                         ", which has its own coefficients: leave the sweep out or take another law.");
-      // a single value left at its default is not given; used.prm of a sweep has to be valid
-      if (!rolling.sweep.friction.empty() && contact.friction != ContactParameters().friction)
-        throw InputError(
-            "Contact/Friction coefficient and Rolling/Sweep/Friction coefficient are both given, "
-            "but the sweep takes the place of the single value: leave one of them out.");
+      for (const ContactParameters &one : contacts.all)
+      {
+        if (!rolling.sweep.friction.empty() && !one.takes_coefficient())
+          throw InputError("Rolling/Sweep/Friction coefficient is given, but " + one.section +
+                           "/Friction law is " + one.friction_law +
+                           ", which has its own coefficients: leave the sweep out or take another law.");
+        // a single value left at its default is not given; used.prm of a sweep has to be valid
+        if (!rolling.sweep.friction.empty() && one.friction != ContactParameters().friction)
+          throw InputError(one.section +
+                           "/Friction coefficient and Rolling/Sweep/Friction coefficient are both given, "
+                           "but the sweep takes the place of the single value: leave one of them out.");
+      }
     }
     if (scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient"))
       check_hub_of_body_1(*this);
@@ -387,11 +402,11 @@ namespace vibrocontact
       modal_convolution.check();
       comparison.check();
       check_road_friction(*this);
-      if (comparison.any() && !contact.law()->is_rigid())
+      if (comparison.any() && !contact().law()->is_rigid())
         throw InputError(
             "Comparison/Rows asks for a comparison of methods, whose exact motion knows rigid points "
             "only, but Contact/Normal law is " +
-            contact.normal_law + ": set it to signorini or leave the rows out.");
+            contact().normal_law + ": set it to signorini or leave the rows out.");
       if (!rolling.normal_force.empty() && road.indentation != 0)
         throw InputError("Rolling/Normal force and Road/Indentation are both given, but one follows from the "
                          "other: leave one of them out.");
@@ -413,9 +428,9 @@ namespace vibrocontact
       periodic.check();
       // an analysis beside it may have the other law
       if (!scene.runs("quasi-static rolling") && !scene.runs("stability") && !scene.runs("transient"))
-        check_law_of_periodic(contact, periodic);
-      if (contact.friction > 0)
-        check_constant_friction(contact, "", "periodic motion");
+        check_law_of_periodic(contact(), periodic);
+      if (contact().friction > 0)
+        check_constant_friction(contact(), "", "periodic motion");
       const bool rigid = periodic_law()->is_rigid();
       if (!scene.bodies[0].is_meshed() && !scene.bodies[0].is_green())
         throw InputError("Analyses lists periodic, but " + scene.bodies[0].name + " is a " +
@@ -432,7 +447,7 @@ namespace vibrocontact
         throw InputError("Analyses lists periodic, whose body 2 is a stop, but " + scene.bodies[1].name +
                          " is a " + scene.bodies[1].type + ": make it rigid or leave it out.");
       const bool tells_stability = periodic.continuation.tells_stability();
-      if (tells_stability && contact.friction > 0)
+      if (tells_stability && contact().friction > 0)
         throw InputError(
             "Periodic/Continuation/Stability knows no friction: set it to none or Contact/Friction "
             "coefficient to 0.");
@@ -442,7 +457,7 @@ namespace vibrocontact
             "Periodic/Continuation/Stability with the rigid law needs a contact node without mass: set " +
             scene.bodies[0].name +
             "/Bar/Massless contact node to true or Periodic/Continuation/Stability to none.");
-      if (periodic.reference && contact.friction > 0)
+      if (periodic.reference && contact().friction > 0)
         throw InputError(
             "Periodic/Reference knows no friction: set Contact/Friction coefficient to 0 or leave it out.");
       if (periodic.reference && rigid && periodic.model == "finite elements" &&
@@ -451,20 +466,27 @@ namespace vibrocontact
                          scene.bodies[0].name +
                          "/Bar/Massless contact node to true or Periodic/Law to penalty.");
     }
-    if ((scene.runs("transient") || scene.runs("periodic")) && scene.bodies[0].type == "bar" &&
-        contact.friction > 0)
-      throw InputError(
-          scene.bodies[0].name +
-          " is a bar, which moves in one direction only: set Contact/Friction coefficient to 0.");
+    for (unsigned int k = 0; k < contacts.all.size(); ++k)
+    {
+      const ContactParameters &one = contacts.all[k];
+      for (const unsigned int b : {bodies_of_contact(k).first, bodies_of_contact(k).second})
+        if ((scene.runs("transient") || scene.runs("periodic")) && one.friction > 0 &&
+            b < scene.bodies.size() && scene.bodies[b].type == "bar" && (b == 0 || !one.name.empty()))
+          throw InputError(scene.bodies[b].name + " is a bar, which moves in one direction only: set " +
+                           one.section + "/Friction coefficient to 0.");
+    }
     if (has_dynamics() || scene.runs("periodic"))
       for (const BodyParameters &body : scene.bodies)
         if (body.is_meshed() && !modes.at(body.name).any())
           throw InputError(body.name + "/Modes asks for no modes, but stability, transient, modal "
                                        "convolution and periodic move the body by "
                                        "them; give Upper frequency or Count");
-    if (scene.runs("stability") && !scene.bodies[0].is_meshed() && !scene.bodies[1].is_meshed())
+    if (scene.runs("stability") && std::none_of(scene.bodies.begin(), scene.bodies.end(),
+                                                [](const BodyParameters &body) { return body.is_meshed(); }))
       throw InputError("Analyses asks for stability, but no body has modes; leave \"stability\" out");
-    if (scene.runs("stability") && stability.second_count && contact.law_of_friction()->depends_on_speed())
+    if (scene.runs("stability") && stability.second_count &&
+        std::any_of(contacts.all.begin(), contacts.all.end(),
+                    [](const ContactParameters &one) { return one.law_of_friction()->depends_on_speed(); }))
       throw InputError(
           "Stability/Second count knows constant friction only: take the Contact/Friction law coulomb (a "
           "Static friction ratio of 1) or leave the count out.");
@@ -476,16 +498,22 @@ namespace vibrocontact
                            "the body rigid or of solid elements.");
     if (has_contact())
     {
-      const ContactGrid grid = contact_grid();
       // a meshed body has a dense compliance, 1.8 GB for 5,000 points; half-spaces a convolution
       const bool dense = std::any_of(scene.bodies.begin(), scene.bodies.end(),
                                      [](const BodyParameters &body) { return body.is_meshed(); });
-      const double n_points = double(grid.n_x) * grid.n_y;
-      const std::string points =
-          std::to_string(grid.n_x) + " x " + std::to_string(grid.n_y) + " contact points";
+      const PlacedContacts placed = placed_contacts();
+      double n_points = 0;
+      std::string points;
+      for (const PlacedContact &one : placed.all)
+      {
+        n_points += double(one.grid.n_x) * one.grid.n_y;
+        points += (points.empty() ? "" : " and ") + std::to_string(one.grid.n_x) + " x " +
+                  std::to_string(one.grid.n_y);
+      }
+      points += " contact points";
       if (n_points > (dense ? 5000 : 250000))
         throw InputError(
-            "Contact/Grid spacing asks for " + points + ", more than the " +
+            contact().section + "/Grid spacing asks for " + points + ", more than the " +
             (dense ? "5,000 that can be solved with a meshed body" : "250,000 that can be solved") +
             "; enlarge it or make Half length and Half width smaller");
       if (output.contact_problems && n_points > most_points_in_file)

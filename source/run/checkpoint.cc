@@ -66,6 +66,15 @@ namespace vibrocontact
       file(run + "result/force_square", result.force_square);
       file(run + "result/tangential_square", result.tangential_square);
       file(run + "result/smallest_gap", result.smallest_gap);
+      for (std::size_t k = 0; k < result.contacts.size() && result.contacts.size() > 1; ++k)
+      {
+        const std::string contact = run + "result/contact_" + std::to_string(k) + "/";
+        ForceSums &sums = result.contacts[k];
+        file(contact + "impulse", sums.impulse);
+        file(contact + "force_square", sums.force_square);
+        file(contact + "tangential_square", sums.tangential_square);
+        file(contact + "smallest_gap", sums.smallest_gap);
+      }
       EnergyAccount &energy = result.energy;
       file(run + "energy/initial", energy.initial);
       file(run + "energy/stored", energy.stored);
@@ -227,6 +236,10 @@ namespace vibrocontact
                          "changed" +
                          advice);
     }
+    const std::size_t n_contacts = pair.interface.contacts.all.size();
+    result.contacts.resize(n_contacts);
+    if (coarse)
+      coarse->sums.contacts.resize(n_contacts);
     CheckpointFile file(*reader);
     read_whole(name,
                [&]

@@ -19,52 +19,64 @@ namespace vibrocontact
     void add_friction_law(EntriesRead &entries, const ContactParameters &contact, const bool rubs,
                           const std::string &condition)
     {
-      entries.add_if(rubs, condition, "Contact", "Friction law");
-      entries.add_if(rubs && contact.friction_law.empty(), condition + " and Contact/Friction law is empty",
-                     "Contact", "Static friction ratio");
+      const std::string &section = contact.section;
+      entries.add_if(rubs, condition, section, "Friction law");
+      entries.add_if(rubs && contact.friction_law.empty(),
+                     condition + " and " + section + "/Friction law is empty", section,
+                     "Static friction ratio");
       const std::string own = contact.friction_entry().name;
       for (const FrictionLawEntry &law : contact.laws->friction)
         for (const LawParameter &parameter : law.parameters)
           if (parameter.name != friction_coefficient().name)
             entries.add_if(rubs && law.name == own,
-                           condition + " and the Contact/Friction law is " + law.name, "Contact",
+                           condition + " and the " + section + "/Friction law is " + law.name, section,
                            parameter.name);
     }
   } // namespace
 
   void add_friction_coefficient(EntriesRead &entries, const ContactParameters &contact)
   {
-    entries.add_if(contact.takes_coefficient(), "the Contact/Friction law is scaled by it", "Contact",
-                   "Friction coefficient");
+    entries.add_if(contact.takes_coefficient(), "the " + contact.section + "/Friction law is scaled by it",
+                   contact.section, "Friction coefficient");
   }
 
   void add_friction(EntriesRead &entries, const ContactParameters &contact, const bool rubs,
                     const std::string &condition)
   {
     entries.add_if(rubs && contact.takes_coefficient(),
-                   condition + " and the Contact/Friction law is scaled by it", "Contact",
-                   "Friction coefficient");
+                   condition + " and the " + contact.section + "/Friction law is scaled by it",
+                   contact.section, "Friction coefficient");
     add_friction_law(entries, contact, rubs, condition);
   }
 
   void add_lateral_position(EntriesRead &entries, const Parameters &parameters)
   {
-    entries.add_if(moves_with_the_lateral_position(parameters), "body 1 is a wheel or a block", "Contact",
-                   "Lateral position");
+    entries.add_if(moves_with_the_lateral_position(parameters), "body 1 is a wheel or a block",
+                   parameters.contact().section, "Lateral position");
   }
 
   void add_contact_grid(EntriesRead &entries, const Parameters &parameters)
   {
-    const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
-    const bool own = std::none_of(bodies.begin(), bodies.end(),
-                                  [](const BodyParameters &body) {
-                                    return body.is_point() || body.own_grid() || body.type == "layer" ||
-                                           body.type == "ring";
-                                  });
-    const std::string whose = "no body (bar, layer, ring) brings its own contact points";
-    entries.add_if(own, whose, "Contact", "Grid spacing, Half length, Strip length, Offset x, Quadrature");
-    entries.add_if(own && parameters.contact.strip_length == 0, whose + " and Strip length is 0", "Contact",
-                   "Half width, Offset y");
+    for (unsigned int k = 0; k < parameters.contacts.all.size(); ++k)
+    {
+      const ContactParameters &contact = parameters.contacts.all[k];
+      const std::string &section = contact.section;
+      std::vector<const BodyParameters *> bodies;
+      for (const BodyParameters &body : parameters.scene.bodies)
+        if (contact.name.empty() || std::count(contact.bodies.begin(), contact.bodies.end(), body.name) > 0)
+          bodies.push_back(&body);
+      const bool own = std::none_of(bodies.begin(), bodies.end(),
+                                    [](const BodyParameters *const body) {
+                                      return body->is_point() || body->own_grid() || body->type == "layer" ||
+                                             body->type == "ring";
+                                    });
+      const std::string whose = "no body (bar, layer, ring) brings its own contact points";
+      entries.add_if(own, whose, section, "Grid spacing, Half length, Strip length, Offset x, Quadrature");
+      entries.add_if(own && contact.strip_length == 0, whose + " and Strip length is 0", section,
+                     "Half width, Offset y");
+      if (!contact.name.empty())
+        entries.add(section, "Bodies, Origin, Origin on body 2, Normal, Gap");
+    }
     add_lateral_position(entries, parameters);
   }
 
@@ -81,34 +93,46 @@ namespace vibrocontact
                    "Max fixed point iterations");
   }
 
-  void add_normal_law(EntriesRead &entries, const ContactLaws &laws, const std::string &name,
+  void add_normal_law(EntriesRead &entries, const ContactParameters &contact, const std::string &name,
                       const std::string &entry)
   {
-    for (const NormalLawEntry &law : laws.normal)
+    for (const NormalLawEntry &law : contact.laws->normal)
       for (const LawParameter &parameter : law.parameters)
-        entries.add_if(law.name == name, entry + " is " + law.name, "Contact", parameter.name);
+        entries.add_if(law.name == name, entry + " is " + law.name, contact.section, parameter.name);
   }
 
-  void add_contact(EntriesRead &entries, const Parameters &parameters, const double largest_friction)
+  void add_contacts(EntriesRead &entries, const Parameters &parameters,
+                    const std::vector<double> &swept_friction)
   {
-    const ContactParameters &contact = parameters.contact;
     const auto any_body = [&](const auto &is)
     { return std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(), is); };
+    const bool rolls = parameters.rolling.creepage.speed > 0;
     add_contact_grid(entries, parameters);
     add_contact_solver(entries, parameters);
-    entries.add("Contact", "Normal law");
-    add_normal_law(entries, *contact.laws, contact.normal_law, "Contact/Normal law");
-    entries.add_if(any_body([](const BodyParameters &body) { return body.is_solid(); }),
-                   "a body is a solid of finite elements", "Contact", "Local flexibility");
-    entries.add_if(parameters.rolling.creepage.speed > 0, "Rolling/Speed is above 0", "Contact",
-                   "Creep scheme");
-    const std::string rubs = "there is friction";
-    entries.add_if(largest_friction > 0, rubs, "Contact", "Normal-tangential coupling");
-    add_friction_law(entries, contact, largest_friction > 0, rubs);
+    for (const ContactParameters &contact : parameters.contacts.all)
+    {
+      const std::string &section = contact.section;
+      const double friction = swept_friction.empty()
+                                  ? contact.friction
+                                  : *std::max_element(swept_friction.begin(), swept_friction.end());
+      entries.add(section, "Normal law");
+      add_normal_law(entries, contact, contact.normal_law, section + "/Normal law");
+      entries.add_if(any_body([](const BodyParameters &body) { return body.is_solid(); }),
+                     "a body is a solid of finite elements", section, "Local flexibility");
+      entries.add_if(rolls, "Rolling/Speed is above 0", section, "Creep scheme");
+      const std::string rubs = "there is friction";
+      entries.add_if(friction > 0, rubs, section, "Normal-tangential coupling");
+      add_friction_law(entries, contact, friction > 0, rubs);
+      if (contact.name.empty())
+        continue;
+      entries.add_if(friction > 0, rubs, section, "Sliding velocity x, Sliding velocity y");
+      entries.add_if(friction > 0 && rolls, rubs + " and Rolling/Speed is above 0", section,
+                     "Longitudinal creepage, Lateral creepage, Spin");
+    }
   }
 
   void add_rolling_cases(EntriesRead &entries, const RollingParameters &rolling,
-                         const ContactParameters &contact)
+                         const ContactSections &contacts)
   {
     const RollingParameters::Sweep &sweep = rolling.sweep;
     const std::vector<std::pair<std::string, const std::vector<double> *>> curves = {
@@ -132,9 +156,11 @@ namespace vibrocontact
     }
     entries.add("Rolling", "Speed, Sliding velocity x, Sliding velocity y");
     entries.add("Rolling/Sweep", "Friction coefficient");
-    entries.add_if(sweep.friction.empty() && contact.takes_coefficient(),
-                   "Rolling/Sweep/Friction coefficient is empty and the Contact/Friction law is scaled by it",
-                   "Contact", "Friction coefficient");
+    for (const ContactParameters &contact : contacts.all)
+      entries.add_if(sweep.friction.empty() && contact.takes_coefficient(),
+                     "Rolling/Sweep/Friction coefficient is empty and the " + contact.section +
+                         "/Friction law is scaled by it",
+                     contact.section, "Friction coefficient");
   }
 
   void add_hub(EntriesRead &entries, const Parameters &parameters)
@@ -154,7 +180,7 @@ namespace vibrocontact
   double largest_friction(const Parameters &parameters)
   {
     const std::vector<double> &swept = parameters.rolling.sweep.friction;
-    return swept.empty() ? parameters.contact.friction : *std::max_element(swept.begin(), swept.end());
+    return swept.empty() ? parameters.contact().friction : *std::max_element(swept.begin(), swept.end());
   }
 
   BodyUse moving_in_contact()

@@ -10,33 +10,48 @@ namespace vibrocontact
     const bool shifted = lateral_sweep() != nullptr;
     const bool touches =
         scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient");
+    if (touches && !shifted)
+      for (unsigned int k = 0; k < contacts.all.size(); ++k)
+        find_flat_faces(k);
+  }
+
+  void Parameters::find_flat_faces(const unsigned int contact_number)
+  {
+    ContactParameters &contact = contacts.all[contact_number];
     // hats beside the edge of a face would reach beyond it
-    if (!touches || shifted || contact.quadrature == "consistent")
+    if (contact.quadrature == "consistent" || !contact.frame().has_usual_axes())
       return;
-    const ContactGrid asked = contact_grid();
+    const ContactGrid asked = contact_grid(contact_number);
+    const auto [above, below] = bodies_of_contact(contact_number);
+    const BodyParameters *const bodies[2] = {&scene.bodies[above], &scene.bodies[below]};
+    const ContactFrame frames[2] = {contact.frame(), contact.frame_below()};
     std::optional<FlatFace> faces[2];
     for (unsigned int k = 0; k < 2; ++k)
     {
-      faces[k] = scene.bodies[k].flat_face(k == 0 ? contact.lateral_position : 0.);
-      if (faces[k])
-        contact.flat_faces.push_back(*faces[k]);
+      faces[k] = bodies[k]->flat_face(bodies[k] == &scene.bodies[0] ? contacts.first().lateral_position : 0.);
+      if (!faces[k])
+        continue;
+      const auto &origin = frames[k].origin;
+      contact.flat_faces.push_back({faces[k]->x_low - origin[0], faces[k]->x_high - origin[0],
+                                    faces[k]->y_low - origin[1], faces[k]->y_high - origin[1]});
     }
     contact.at_rest = rolling.creepage.speed == 0;
     const auto is_flat = [&](const unsigned int k)
     {
-      const BodyParameters &body = scene.bodies[k];
+      const BodyParameters &body = *bodies[k];
       return faces[k] || ((body.type == "rigid" || body.type == "half-space") &&
                           body.half_space.curvature_x() == 0 && body.half_space.curvature_y() == 0);
     };
-    const ContactGrid grid = contact_grid();
+    const ContactGrid grid = contact_grid(contact_number);
+    const std::string of = contact.name.empty() ? "" : " of " + contact.name;
     if (grid.n_points() != asked.n_points() || grid.x_first != asked.x_first || grid.y_first != asked.y_first)
-      run_log().line("The contact grid ends with the flat face of a body: " + std::to_string(grid.n_x) +
-                     " x " + std::to_string(grid.n_y) + " points, spacing " + number_text(grid.spacing_x) +
-                     " m x " + number_text(grid.spacing_y) + " m.");
+      run_log().line("The contact grid" + of + " ends with the flat face of a body: " +
+                     std::to_string(grid.n_x) + " x " + std::to_string(grid.n_y) + " points, spacing " +
+                     number_text(grid.spacing_x) + " m x " + number_text(grid.spacing_y) + " m.");
     if (contact.flat_faces.empty() || !is_flat(0) || !is_flat(1) || transient.roughness.any() ||
         contact.strip_length > 0)
       return;
-    const std::string &name = scene.bodies[faces[0] ? 0 : 1].name;
+    const std::string &name = bodies[faces[0] ? 0 : 1]->name;
     if (rolling.creepage.speed > 0)
       throw InputError(
           "Rolling/Speed is not 0, but the flat face of " + name +
@@ -46,9 +61,9 @@ namespace vibrocontact
     if (ends.all())
       return;
     const bool x = !ends.upstream || !ends.downstream;
-    throw InputError("The flat face of " + name +
-                     " touches a flat surface all over, but the contact grid ends " +
-                     "before the face does: enlarge Contact/" + (x ? "Half length" : "Half width") +
-                     " to half the face's size or more; the grid then ends with the face.");
+    throw InputError(
+        "The flat face of " + name + " touches a flat surface all over, but the contact grid ends " +
+        "before the face does: enlarge " + contact.section + "/" + (x ? "Half length" : "Half width") +
+        " to half the face's size or more; the grid then ends with the face.");
   }
 } // namespace vibrocontact

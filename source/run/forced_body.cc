@@ -139,7 +139,7 @@ namespace vibrocontact
                          const std::optional<MeasuredData> &measured)
   {
     const PeriodicParameters &periodic = parameters.periodic;
-    const bool friction = parameters.contact.friction > 0;
+    const bool friction = parameters.contact().friction > 0;
     const unsigned int rows_per_point = friction ? 3 : 1;
     ForcedBody body = bodies[0] ? by_elements(parameters, bodies[0]->reduction, rows_per_point)
                                 : by_its_points(periodic,
@@ -154,6 +154,6 @@ namespace vibrocontact
   void check_forced_points(const Parameters &parameters, const MeshedBodies &bodies)
   {
     if (bodies[0])
-      all_rows(parameters, bodies[0]->reduction.system(), parameters.contact.friction > 0 ? 3 : 1);
+      all_rows(parameters, bodies[0]->reduction.system(), parameters.contact().friction > 0 ? 3 : 1);
   }
 } // namespace vibrocontact

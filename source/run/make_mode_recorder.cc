@@ -24,11 +24,12 @@ namespace vibrocontact
       return "";
     }
 
-    RollingEquilibrium equilibrium_of(const DynamicState &rest, const ContactParameters &contact,
-                                      const Drive &drive)
+    RollingEquilibrium equilibrium_of(const DynamicState &rest, const ContactSections &sections,
+                                      const PlacedContacts &contacts, const Drive &drive)
     {
-      return rolling_equilibrium(rest.contact, *contact.law_of_friction(), *contact.law(),
-                                 drive.creepage.speed, drive.normal_force > 0);
+      return rolling_equilibrium(rest.contact, friction_law_of_points(sections, contacts),
+                                 normal_law_of_points(sections, contacts), drive.creepage.speed,
+                                 drive.normal_force > 0);
     }
   } // namespace
 
@@ -46,12 +47,12 @@ namespace vibrocontact
         TransientParameters at_rest = parameters.transient;
         at_rest.perturbed_mode.clear();
         const DynamicState rest =
-            initial_state(at_rest, parameters.contact, parameters.contact_solver, held, hub);
+            initial_state(at_rest, parameters.contacts, parameters.contact_solver, held, hub);
         const unsigned int perturbed = perturbed_mode(parameters.transient, held.labels);
         return std::make_unique<ModeRecorder>(
-            ModeProjection(pair, find_creep_scheme(parameters.contact.creep_scheme),
-                           equilibrium_of(rest, parameters.contact, hub.drive(0)), rest,
-                           parameters.signals.n_modes,
+            ModeProjection(pair, find_creep_scheme(parameters.contact().creep_scheme),
+                           equilibrium_of(rest, parameters.contacts, pair.interface.contacts, hub.drive(0)),
+                           rest, parameters.signals.n_modes,
                            perturbed < held.n_modes() ? held.labels[perturbed] : ""),
             folder);
       }

@@ -8,6 +8,7 @@
 #include <vibrocontact/fe/bar_elements.h>
 #include <vibrocontact/fe/beam_elements.h>
 #include <vibrocontact/fe/layer_elements.h>
+#include <vibrocontact/fe/nearest_dof.h>
 #include <vibrocontact/fe/ring_elements.h>
 #include <vibrocontact/fe/trace_assembly.h>
 #include <vibrocontact/run/meshed_body.h>
@@ -18,7 +19,7 @@
 namespace vibrocontact
 {
   std::string body_key(const DeclaredParameters &parameters, const std::string &body,
-                       const double lateral_position, const ContactGrid *const grid)
+                       const double lateral_position, const std::vector<ContactPlace> &places)
   {
     std::ostringstream key;
     key.precision(17);
@@ -40,10 +41,22 @@ namespace vibrocontact
       key << name << " " << fingerprint(mesh_directory() + "/" + name) << "\n";
     // a wheel lies as high as its tread is there, with or without contact
     key << "lateral position=" << lateral_position << "\n";
-    if (grid)
-      key << "grid=" << grid->n_x << " x " << grid->n_y << " from " << grid->x_first << ", " << grid->y_first
-          << " by " << grid->spacing_x << ", " << grid->spacing_y << ", traction " << int(grid->traction)
+    for (const ContactPlace &place : places)
+    {
+      const ContactGrid &grid = place.grid;
+      key << "grid=" << grid.n_x << " x " << grid.n_y << " from " << grid.x_first << ", " << grid.y_first
+          << " by " << grid.spacing_x << ", " << grid.spacing_y << ", traction " << int(grid.traction)
           << "\n";
+      if (places.size() == 1 && place.frame.is_usual())
+        continue;
+      key << (place.above ? "above" : "below") << " at";
+      for (const double value : place.frame.origin)
+        key << " " << value;
+      for (const auto &axis : place.frame.axes)
+        for (const double value : axis)
+          key << " " << value;
+      key << "\n";
+    }
     return key.str();
   }
 
@@ -72,30 +85,35 @@ namespace vibrocontact
   } // namespace
 
   MeshedBody::MeshedBody(const BodyParameters &parameters, const ModeParameters &modes, const bool above,
-                         const double lateral_position, const ContactGrid *const grid, const std::string &key,
-                         const std::string &cache_directory, const MPI_Comm communicator)
-      : parameters(parameters), above(above), lateral_position(lateral_position),
-        grid(grid ? std::make_optional(*grid) : std::nullopt), communicator(communicator),
-        reduction(
-            request(parameters, modes, lateral_position, key, cache_directory),
-            [this]() { return assemble(); }, communicator)
+                         const double lateral_position, const std::vector<ContactPlace> &places,
+                         const std::string &key, const std::string &cache_directory,
+                         const MPI_Comm communicator)
+      : parameters(parameters), above(above), lateral_position(lateral_position), places(places),
+        communicator(communicator), reduction(
+                                        request(parameters, modes, lateral_position, key, cache_directory),
+                                        [this]() { return assemble(); }, communicator)
   {
   }
 
   std::unique_ptr<SecondOrderSystem> MeshedBody::assemble()
   {
-    const ContactGrid *const pointer = grid ? &*grid : nullptr;
+    const ContactGrid *const pointer = places.empty() ? nullptr : &places.front().grid;
     if (parameters.type == "bar")
-      return assemble_bar(parameters.bar, parameters.material, parameters.name, above, pointer, communicator,
-                          parameters.loads.gravity);
+    {
+      auto system = assemble_bar(parameters.bar, parameters.material, parameters.name, above, pointer,
+                                 communicator, parameters.loads.gravity);
+      if (!places.empty())
+        system->trace = points_of_bar(*system);
+      return system;
+    }
     if (parameters.type == "beam rail")
     {
       auto system = assemble_beam_rail(parameters.beam_rail, parameters.material, parameters.name, pointer,
                                        communicator);
-      if (grid)
+      if (pointer)
         system->local_compliance =
-            half_space_compliance(*grid, HalfSpacePair({std::numeric_limits<double>::infinity(), 0.},
-                                                       half_space_material(parameters)));
+            half_space_compliance(*pointer, HalfSpacePair({std::numeric_limits<double>::infinity(), 0.},
+                                                          half_space_material(parameters)));
       return system;
     }
     if (parameters.type == "ring")
@@ -109,7 +127,7 @@ namespace vibrocontact
     const Progress progress(parameters.name + ": assembly of " + number_text(n_dofs) + " dofs", 1,
                             20e-6 * n_dofs / dealii::Utilities::MPI::n_mpi_processes(communicator));
     std::unique_ptr<SecondOrderSystem> system = assemble_body(elastic_body());
-    if (grid)
+    if (!places.empty())
     {
       check_contact();
       system->trace = std::move(*trace);
@@ -120,13 +138,38 @@ namespace vibrocontact
 
   void MeshedBody::check_contact()
   {
-    if (!grid || trace)
+    if (places.empty() || trace)
       return;
-    trace = make_contact_trace(elastic_body(), *grid);
-    if (trace->faces_up == !above)
+    std::vector<ContactTrace> traces;
+    for (const ContactPlace &place : places)
+    {
+      traces.push_back(make_contact_trace(elastic_body(), place.grid, place.frame));
+      check_side(place.above, traces.back().faces_up);
+    }
+    trace = joined(traces);
+  }
+
+  ContactTrace MeshedBody::points_of_bar(const SecondOrderSystem &system) const
+  {
+    // assembled for the point at its contact end
+    std::vector<ContactTrace> traces;
+    for (const ContactPlace &place : places)
+    {
+      traces.push_back(system.trace);
+      const double z = place.frame.origin[2];
+      if (z != 0)
+        traces.back().rows[0] = nearest_dof(
+            system, {0., 0., z}, 2, "The contact of " + parameters.name + " at z = " + number_text(z) + " m");
+    }
+    return joined(traces);
+  }
+
+  void MeshedBody::check_side(const bool above, const bool faces_up) const
+  {
+    if (faces_up == !above)
       return;
     const std::string &name = parameters.name, is = above ? "body 1, above" : "body 2, below",
-                      looks = trace->faces_up ? "up" : "down";
+                      looks = faces_up ? "up" : "down";
     if (parameters.type == "block")
       throw InputError(name + "/Block/Contact face looks " + looks + ", but " + name + " is " + is +
                        " the plane of contact: set it to " + (above ? "bottom" : "top") +
@@ -145,7 +188,7 @@ namespace vibrocontact
     {
       const Log::Part part("Finite elements of " + parameters.name);
       const Progress progress(parameters.name + ": mesh", 1);
-      body = make_elastic_body(parameters, lateral_position, grid ? &*grid : nullptr, communicator);
+      body = make_elastic_body(parameters, lateral_position, places, communicator);
       run_log().value("cells", static_cast<unsigned int>(body->mesh.triangulation->n_global_active_cells()));
       run_log().value("dofs", static_cast<unsigned int>(body->dof_handler.n_dofs()));
     }

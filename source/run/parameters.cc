@@ -15,16 +15,39 @@ namespace vibrocontact
   void Parameters::take(const std::shared_ptr<const EntryTables> &from)
   {
     tables = from;
-    contact = ContactParameters({from, &from->laws});
+    contacts = ContactParameters({from, &from->laws});
     contact_solver.methods = {from, &from->contact_solvers};
     periodic.bases = {from, &from->time_bases};
     modal_convolution.methods = {from, &from->response_methods};
   }
 
+  namespace
+  {
+    /// Beside a list of contacts, section Contact has the solver alone.
+    void refuse_single_contact(const ParameterFile &file, ContactParameters single)
+    {
+      dealii::ParameterHandler prm;
+      single.declare_parameters(prm);
+      for (const DeclaredParameters::Entry &entry : declared_parameters(prm).entries)
+        if (!file.raw_value("Contact", entry.name).empty())
+          throw InputError(file.where("Contact", entry.name) +
+                           ": Contacts lists several, and section Contact is given as well: set " +
+                           entry.name + " in the sections of the contacts, or leave Contacts out");
+    }
+  } // namespace
+
   void Parameters::read_lists(const ParameterFile &file, dealii::ParameterHandler &prm,
                               const std::vector<AnalysisType> &known_analyses)
   {
     scene = read_scene_lists(file, known_analyses, {tables, &tables->body_types});
+    if (!scene.contacts.empty())
+    {
+      refuse_single_contact(file, contact());
+      const ContactParameters like = contact();
+      contacts.all.assign(scene.contacts.size(), like);
+      for (unsigned int k = 0; k < scene.contacts.size(); ++k)
+        contacts.all[k].section = contacts.all[k].name = scene.contacts[k];
+    }
     declare(prm);
   }
 
@@ -45,8 +68,9 @@ namespace vibrocontact
         prm.leave_subsection();
       }
     declare("Output", output);
+    for (ContactParameters &one : contacts.all)
+      declare(one.section, one);
     prm.enter_subsection("Contact");
-    contact.declare_parameters(prm);
     declare("Solver", contact_solver);
     prm.leave_subsection();
     declare("Rolling", rolling);
@@ -80,9 +104,27 @@ namespace vibrocontact
                        { return body.type == "identified" && body.identified.poles_file.empty(); });
   }
 
-  ContactGrid Parameters::contact_grid() const
+  std::pair<unsigned int, unsigned int> Parameters::bodies_of_contact(const unsigned int k) const
   {
-    for (const BodyParameters &body : scene.bodies)
+    const auto place = [&](const std::string &name) -> unsigned int
+    {
+      const auto found = std::find_if(scene.bodies.begin(), scene.bodies.end(),
+                                      [&](const BodyParameters &body) { return body.name == name; });
+      return found - scene.bodies.begin();
+    };
+    const ContactParameters &one = contacts.all[k];
+    return one.name.empty() ? std::make_pair(0u, 1u)
+                            : std::make_pair(place(one.bodies.at(0)), place(one.bodies.at(1)));
+  }
+
+  ContactGrid Parameters::contact_grid(const unsigned int k) const
+  {
+    const auto [above, below] = bodies_of_contact(k);
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+    {
+      const BodyParameters &body = scene.bodies[b];
+      if (!contacts.all[k].name.empty() && b != above && b != below)
+        continue;
       if (body.type == "bar")
       {
         ContactGrid point;
@@ -96,7 +138,50 @@ namespace vibrocontact
         return body.layer.grid();
       else if (body.type == "ring")
         return body.ring.grid();
-    return contact.grid();
+    }
+    return contacts.all[k].grid();
+  }
+
+  PlacedContacts Parameters::placed_contacts() const
+  {
+    PlacedContacts placed;
+    placed.all.clear();
+    for (unsigned int k = 0; k < contacts.all.size(); ++k)
+    {
+      const ContactParameters &one = contacts.all[k];
+      const auto [above, below] = bodies_of_contact(k);
+      placed.all.push_back(
+          {one.name, contact_grid(k), one.frame(), one.frame_below().origin, above, below, one.own_creepage});
+    }
+    return placed;
+  }
+
+  std::vector<ContactPlace> Parameters::places(const unsigned int k) const
+  {
+    std::vector<ContactPlace> result;
+    for (unsigned int c = 0; c < contacts.all.size() && has_contact(); ++c)
+    {
+      const ContactParameters &one = contacts.all[c];
+      const auto [above, below] = bodies_of_contact(c);
+      if (one.name.empty())
+        result.push_back({body_grid(k), ContactFrame(), k == 0});
+      else if (k == above)
+        result.push_back({contact_grid(c), one.frame(), true});
+      else if (k == below)
+        result.push_back({contact_grid(c), one.frame_below(), false});
+    }
+    return result;
+  }
+
+  bool Parameters::is_above(const unsigned int k) const
+  {
+    for (unsigned int c = 0; c < contacts.all.size() && !scene.contacts.empty(); ++c)
+    {
+      const auto [above, below] = bodies_of_contact(c);
+      if (k == above || k == below)
+        return k == above;
+    }
+    return k == 0;
   }
 
   const ParameterSweep *Parameters::lateral_sweep() const
@@ -123,7 +208,7 @@ namespace vibrocontact
       if (*end != 0 || !std::isfinite(value))
         throw InputError("Stability/Sweep/Values lists " + text +
                          " for Contact/Lateral position: give numbers in m.");
-      const ContactGrid grid = contact_grid(value);
+      const ContactGrid grid = contact_grid_at(value);
       const double two_rows = 1.999 * grid.spacing_y;
       const bool lies_on = grid.n_y > 0 && grid.y(0) <= -two_rows && grid.y(grid.n_points() - 1) >= two_rows;
       (lies_on ? positions.kept : positions.left_out).push_back(value);
@@ -135,7 +220,7 @@ namespace vibrocontact
     return positions;
   }
 
-  ContactGrid Parameters::contact_grid(const double lateral_position) const
+  ContactGrid Parameters::contact_grid_at(const double lateral_position) const
   {
     const auto limits = scene.bodies[0].contact_limits();
     const ContactGrid grid = contact_grid();
@@ -148,7 +233,7 @@ namespace vibrocontact
     const std::vector<double> positions = lateral_positions().kept;
     if (k != 0 || positions.empty() || !scene.bodies[0].is_meshed())
       return grid;
-    const double nominal = contact.lateral_position;
+    const double nominal = contact().lateral_position;
     for (const double position : positions)
       band(grid, position - nominal, position - nominal);
     const ContactGrid whole = band(grid, *std::min_element(positions.begin(), positions.end()) - nominal,
@@ -160,7 +245,7 @@ namespace vibrocontact
   std::shared_ptr<const NormalLaw> Parameters::periodic_law() const
   {
     const std::string own = periodic.own_law();
-    return own.empty() ? contact.law() : contact.law(own);
+    return own.empty() ? contact().law() : contact().law(own);
   }
 
   void read_parameters(ParameterFile &file, dealii::ParameterHandler &prm, Parameters &parameters,
@@ -181,7 +266,8 @@ namespace vibrocontact
       }
       file.parse(prm);
       if (parameters.has_contact() || parameters.scene.runs("periodic"))
-        parameters.contact.read_curves(parameters.periodic.own_law());
+        for (ContactParameters &contact : parameters.contacts.all)
+          contact.read_curves(parameters.periodic.own_law());
       parameters.check();
       parameters.find_flat_faces();
     }

@@ -21,17 +21,16 @@ namespace vibrocontact
     double lateral_position(const Parameters &parameters, const unsigned int k)
     {
       const std::string &type = parameters.scene.bodies[k].type;
-      return k == 0 || type == "wheel" || type == "mesh" ? parameters.contact.lateral_position : 0.;
+      return k == 0 || type == "wheel" || type == "mesh" ? parameters.contact().lateral_position : 0.;
     }
   } // namespace
 
   std::string reduction_key(const Parameters &parameters, const DeclaredParameters &declared,
                             const unsigned int k)
   {
-    const ContactGrid grid = parameters.has_contact() ? parameters.body_grid(k) : ContactGrid();
     return body_key(declared, parameters.scene.bodies[k].name, lateral_position(parameters, k),
-                    parameters.has_contact() ? &grid : nullptr) +
-           (k == 0 ? "above" : "below");
+                    parameters.places(k)) +
+           (parameters.is_above(k) ? "above" : "below");
   }
 
   std::unique_ptr<MeshedBody> meshed_body(const Parameters &parameters, const std::string &key,
@@ -40,10 +39,9 @@ namespace vibrocontact
     const BodyParameters &body = parameters.scene.bodies[k];
     if (!body.is_meshed())
       return nullptr;
-    const ContactGrid grid = parameters.has_contact() ? parameters.body_grid(k) : ContactGrid();
-    return std::make_unique<MeshedBody>(
-        body, parameters.modes.at(body.name), k == 0, lateral_position(parameters, k),
-        parameters.has_contact() ? &grid : nullptr, key, parameters.output.cache_directory, MPI_COMM_WORLD);
+    return std::make_unique<MeshedBody>(body, parameters.modes.at(body.name), parameters.is_above(k),
+                                        lateral_position(parameters, k), parameters.places(k), key,
+                                        parameters.output.cache_directory, MPI_COMM_WORLD);
   }
 
   MeshedBodies meshed_bodies(const Parameters &parameters, const DeclaredParameters &declared)
@@ -74,8 +72,8 @@ namespace vibrocontact
                                                    const bool with_modes)
   {
     auto pair = std::make_unique<PreparedPair>();
-    pair->reduced.resize(2);
-    for (unsigned int k = 0; k < 2; ++k)
+    pair->reduced.resize(bodies.size());
+    for (unsigned int k = 0; k < bodies.size(); ++k)
     {
       if (bodies[k])
       {
@@ -104,7 +102,7 @@ namespace vibrocontact
       const ModeParameters &modes = body.reduction.request().modes;
       const double n_modes = modes.count > 0 ? modes.count : supposed_modes;
       return reduction_cost(body.elastic_body().dof_handler.n_dofs(),
-                            parameters.has_contact() ? 3. * parameters.contact_grid().n_points() : 0.,
+                            parameters.has_contact() ? 3. * parameters.placed_contacts().n_points() : 0.,
                             wants_modes(parameters, body) ? n_modes : 0., modes.count == 0);
     }
 
@@ -172,8 +170,13 @@ namespace vibrocontact
       if (solid)
         print_cost(cost_of(parameters, *bodies[k]));
     }
-    if (contact_grid)
-      print_contact_grid(grid);
+    for (const PlacedContact &contact : parameters.placed_contacts().all)
+    {
+      if (!contact.name.empty())
+        run_log().value("contact", contact.name);
+      if (contact_grid)
+        print_contact_grid(contact.grid);
+    }
     if (!picture_folder.empty())
     {
       run_log().block("Picture of the scene");

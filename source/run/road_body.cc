@@ -91,8 +91,8 @@ namespace vibrocontact
 
   RoadLaws road_laws(const Parameters &parameters)
   {
-    return {parameters.contact.law(),
-            parameters.modal_convolution.friction ? parameters.contact.law_of_friction() : nullptr};
+    return {parameters.contact().law(),
+            parameters.modal_convolution.friction ? parameters.contact().law_of_friction() : nullptr};
   }
 
   RoadParameters road_of(const Parameters &parameters, const RoadBody &body)

@@ -301,7 +301,7 @@ namespace vibrocontact
           section,
           "Method, Time step, End time, Friction, History interval, Checkpoint interval, Error estimate");
       entries.add_if(steps, section + "/Method is no event located", section, "Force shape");
-      const bool rigid = parameters.contact.law()->is_rigid();
+      const bool rigid = parameters.contact().law()->is_rigid();
       entries.add_if(steps && !own.friction && rigid,
                      section +
                          "/Method is no event located, Friction is false and Contact/Normal law is signorini",
@@ -311,8 +311,8 @@ namespace vibrocontact
       entries.add_if(stands_under_loads(bodies[0]), "body 1 stands under a load", section, "Initial state");
       entries.add_if(!own.is_event_located(), section + "/Method is no event located", "Contact",
                      "Normal law");
-      add_normal_law(entries, *parameters.contact.laws, parameters.contact.normal_law, "Contact/Normal law");
-      add_friction(entries, parameters.contact, own.friction, section + "/Friction is true");
+      add_normal_law(entries, parameters.contact(), parameters.contact().normal_law, "Contact/Normal law");
+      add_friction(entries, parameters.contact(), own.friction, section + "/Friction is true");
       add_contact_solver(entries, parameters,
                          own.friction || own.contact_solver == "common" || (steps && !rigid),
                          section + "/Contact solver is common");

@@ -98,7 +98,7 @@ namespace vibrocontact
     run_log().block("Periodic motion");
     tell(body);
     const std::shared_ptr<const NormalLaw> law = parameters.periodic_law();
-    const std::string law_name = periodic.law_in_results(parameters.contact.normal_law);
+    const std::string law_name = periodic.law_in_results(parameters.contact().normal_law);
     run_log().value("normal law", law->description().name);
     if (law->is_rigid() && !(body.residual(0, 0) > 0))
       run_log().warning(
@@ -137,7 +137,7 @@ namespace vibrocontact
 
     nlohmann::ordered_json &json = results.analyses["periodic"] = nlohmann::ordered_json::array();
     Table table = periodic_error_table();
-    const std::vector<BalanceSettings> asked = periodic.solutions(parameters.contact.friction);
+    const std::vector<BalanceSettings> asked = periodic.solutions(parameters.contact().friction);
     Progress progress("periodic motions", asked.size());
     for (const BalanceSettings &settings : asked)
     {
@@ -177,7 +177,7 @@ namespace vibrocontact
     if (reference)
       on_first_rank([&] { table.write(folder + "/periodic_errors.csv"); });
     if (periodic.continuation.is_wanted())
-      run_response(periodic, body, law, law_name, parameters.contact.friction, folder, results);
+      run_response(periodic, body, law, law_name, parameters.contact().friction, folder, results);
   }
 
   namespace
@@ -190,23 +190,23 @@ namespace vibrocontact
       const bool on_grid = own.contact_points.empty();
       BodyUse use = moving_in_contact();
       use.contact = on_grid;
-      use.tangential = parameters.contact.friction > 0;
+      use.tangential = parameters.contact().friction > 0;
       add_body(entries, parameters, 0, use);
       entries.add_if(body.rolls(), "the ring rolls", "Road", "Speed");
       if (on_grid && body.is_meshed())
         add_contact_grid(entries, parameters);
-      add_friction_coefficient(entries, parameters.contact);
-      entries.add_if(parameters.contact.friction > 0, "there is friction", "Contact", "Friction law");
+      add_friction_coefficient(entries, parameters.contact());
+      entries.add_if(parameters.contact().friction > 0, "there is friction", "Contact", "Friction law");
       entries.add_if(own.law.empty(), "Periodic/Law is empty", "Contact", "Normal law");
-      add_normal_law(entries, *parameters.contact.laws,
-                     own.law.empty() ? parameters.contact.normal_law : own.own_law(),
+      add_normal_law(entries, parameters.contact(),
+                     own.law.empty() ? parameters.contact().normal_law : own.own_law(),
                      "the normal law of Periodic or Contact");
       entries.add(section, "Trial basis, Weighting basis, Number of functions, Form, Law, Frequency, Force, "
                            "Force point, Contact points, Gap, Model, Samples, "
                            "Quadrature points, Reference, Output samples");
       entries.add_if(
           !on_grid || own.stop_axis().first != 2 || !own.force_point.empty() ||
-              parameters.contact.friction > 0 || stands_under_loads(body),
+              parameters.contact().friction > 0 || stands_under_loads(body),
           "there are Contact points, a Force point, friction or a load, which tell one side from the other",
           section, "Stop direction");
       entries.add(section + "/Comparison", "Numbers");

@@ -22,15 +22,15 @@ namespace vibrocontact
 
     void write_case(const std::string &folder, const unsigned int k, const unsigned int n_cases,
                     const RollingResult &result, const ContactProblem &problem,
-                    const ContactInterface &interface, const OutputParameters &output)
+                    const PlacedContacts &contacts, const OutputParameters &output)
     {
       const std::string number = std::to_string(k);
-      if (output.writes_patch(k, n_cases))
+      for (unsigned int c = 0; c < contacts.all.size() && output.writes_patch(k, n_cases); ++c)
       {
-        contact_patch_table(result, interface).write(folder + "/contact_patch_" + number + ".csv");
+        const std::string name = with_contact("contact_patch", contacts.all[c]) + "_" + number;
+        contact_patch_table(result, contacts, c).write(folder + "/" + name + ".csv");
         if (output.fields)
-          write_contact_patch(result.solution, interface.grid, false,
-                              folder + "/fields/contact_patch_" + number + ".vtu");
+          write_contact_patch(result.solution, contacts, c, false, folder + "/fields/" + name + ".vtu");
       }
       if (output.contact_problems)
       {
@@ -109,26 +109,35 @@ namespace vibrocontact
   RollingResult run_rolling(const Parameters &parameters, const MeshedBodies &bodies,
                             const std::string &folder, Results &results, const std::function<void()> &save)
   {
-    const auto pair = prepare_pair(parameters, bodies, parameters.contact.replaces_flexibility());
+    const auto pair = prepare_pair(parameters, bodies, parameters.contact().replaces_flexibility());
     results.reductions = reductions_json(bodies);
     save();
 
     run_log().block("Quasi-static rolling");
-    const RollingScene scene =
-        rolling_scene(pair->bodies[0], pair->bodies[1], parameters.contact, parameters.contact_grid());
+    const RollingScene scene = rolling_scene(pair->bodies, parameters.contacts, parameters.placed_contacts());
     const ContactInterface &interface = scene.interface;
-    run_log().value("contact points", interface.grid.n_points());
-    const unsigned int n_cases = rolling_cases(parameters.rolling, parameters.contact).size();
+    const PlacedContacts &contacts = interface.contacts;
+    run_log().value("contact points", contacts.n_points());
+    const unsigned int n_cases = rolling_cases(parameters.rolling, parameters.contacts).size();
     Progress progress("rolling cases", n_cases);
     results.analyses["quasi_static_rolling"]["hub"] = parameters.hub();
     run_log().value("hub", hub_text(parameters.hub()));
+    for (const PlacedContact &contact : contacts.all)
+      if (!contact.name.empty())
+        results.analyses["quasi_static_rolling"]["contacts"][contact.name]["cases"] =
+            nlohmann::ordered_json::array();
+    // nothing is added to the object beside it from here on
     nlohmann::ordered_json &cases = results.analyses["quasi_static_rolling"]["cases"];
     cases = nlohmann::ordered_json::array();
     const auto finished = [&](const RollingResult &result, const ContactProblem &problem)
     {
       const unsigned int k = cases.size();
-      on_first_rank([&] { write_case(folder, k, n_cases, result, problem, interface, parameters.output); });
+      on_first_rank([&] { write_case(folder, k, n_cases, result, problem, contacts, parameters.output); });
       cases.push_back(rolling_case_json(result));
+      for (unsigned int c = 0; c < contacts.all.size(); ++c)
+        if (!contacts.all[c].name.empty())
+          results.analyses["quasi_static_rolling"]["contacts"][contacts.all[c].name]["cases"].push_back(
+              rolling_case_json(result, result.contacts[c]));
       if (parameters.hub() == "suspended")
         cases.back()["suspension_deflection_m"] = deflection(result, parameters.rolling.suspension);
       judge(result, k, cases.back(), results);
@@ -136,19 +145,23 @@ namespace vibrocontact
       progress.advance();
     };
     const RollingResult last =
-        quasi_static_rolling(parameters.rolling, parameters.contact, parameters.contact_solver, interface,
+        quasi_static_rolling(parameters.rolling, parameters.contacts, parameters.contact_solver, interface,
                              scene.operator_at, finished, run_communicator())
             .back();
     on_first_rank(
         [&]
         {
           rolling_table(cases).write(folder + "/rolling.csv");
-          std::vector<std::pair<double, std::string>> patches;
-          for (unsigned int k = 0; k < n_cases; ++k)
-            if (parameters.output.writes_patch(k, n_cases))
-              patches.emplace_back(k, "fields/contact_patch_" + std::to_string(k) + ".vtu");
-          if (parameters.output.fields && !patches.empty())
-            write_pvd(patches, folder + "/contact_patch.pvd");
+          for (const PlacedContact &contact : contacts.all)
+          {
+            const std::string name = with_contact("contact_patch", contact);
+            std::vector<std::pair<double, std::string>> patches;
+            for (unsigned int k = 0; k < n_cases; ++k)
+              if (parameters.output.writes_patch(k, n_cases))
+                patches.emplace_back(k, "fields/" + name + "_" + std::to_string(k) + ".vtu");
+            if (parameters.output.fields && !patches.empty())
+              write_pvd(patches, folder + "/" + name + ".pvd");
+          }
         });
     print(last, n_cases);
     if (n_cases > 2 && !parameters.output.writes_patch(1, n_cases) &&
@@ -161,6 +174,7 @@ namespace vibrocontact
   void write_deformation(const RollingResult &result, const Parameters &parameters,
                          const MeshedBodies &bodies, const std::string &folder)
   {
+    const PlacedContacts contacts = parameters.placed_contacts();
     for (unsigned int k = 0; k < bodies.size(); ++k)
       if (bodies[k] && bodies[k]->parameters.is_solid())
       {
@@ -172,12 +186,13 @@ namespace vibrocontact
                          "Output/Deformation = always to have the deformation all the same.");
           continue;
         }
-        if (parameters.contact.replaces_flexibility())
+        if (parameters.contact().replaces_flexibility())
           run_log().line("It is that of the elements under these forces, not what Local flexibility or "
                          "Normal-tangential coupling make of the contact.");
-        DenseVector force = result.solution.R;
-        if (k == 1)
-          force *= -1;
+        const PlacedContacts::Rows own = contacts.rows_of(k);
+        DenseVector force(own.rows.size());
+        for (unsigned int i = 0; i < own.rows.size(); ++i)
+          force[i] = own.sign[i] * result.solution.R[own.rows[i]];
         dealii::PETScWrappers::MPI::Vector displacement;
         bodies[k]->reduction.flexibility().static_displacement(displacement, force);
         const bool follows_hub = k == 0 && bodies[k]->reduction.system().follows_hub;
@@ -193,10 +208,10 @@ namespace vibrocontact
     {
       BodyUse use;
       use.contact = use.loads = true;
-      use.motion = parameters.contact.replaces_flexibility();
+      use.motion = parameters.contact().replaces_flexibility();
       add_partners(entries, parameters, use);
-      add_contact(entries, parameters, largest_friction(parameters));
-      add_rolling_cases(entries, parameters.rolling, parameters.contact);
+      add_contacts(entries, parameters, parameters.rolling.sweep.friction);
+      add_rolling_cases(entries, parameters.rolling, parameters.contacts);
       entries.add("Output", "Contact problems, Contact patches");
       entries.add_if(parameters.output.fields &&
                          std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),

@@ -36,15 +36,15 @@ namespace vibrocontact
     InertialPair with_inertia(const Parameters &parameters, const MeshedBodies &bodies,
                               const PreparedPair &prepared)
     {
-      std::vector<ReducedBody> reduced(2);
+      std::vector<ReducedBody> reduced(bodies.size());
       std::vector<ContactBody> with = prepared.bodies;
-      for (unsigned int k = 0; k < 2; ++k)
+      for (unsigned int k = 0; k < bodies.size(); ++k)
         if (bodies[k])
         {
           reduced[k] = with_attachment_inertia(prepared.reduced[k], bodies[k]->reduction.attachment_mass());
           with[k].reduced = &reduced[k];
         }
-      return inertial_pair(contact_pair(with[0], with[1], parameters.contact, parameters.contact_grid()));
+      return inertial_pair(contact_pair(with, parameters.contacts, parameters.placed_contacts()));
     }
 
     /// Of what Stability/Model says; empty for the reduced pair itself.
@@ -52,7 +52,7 @@ namespace vibrocontact
                            const PreparedPair &prepared, const ContactPair &pair)
     {
       const StabilityParameters &stability = parameters.stability;
-      const CreepScheme &scheme = find_creep_scheme(parameters.contact.creep_scheme);
+      const CreepScheme &scheme = find_creep_scheme(parameters.contact().creep_scheme);
       const LinearisationOptions options = stability.options();
       const auto dense = [&](InertialPair &&inertial) -> RootFinder
       {
@@ -66,7 +66,7 @@ namespace vibrocontact
       if (stability.model == "attachment inertia")
         return dense(with_inertia(parameters, bodies, prepared));
       FiniteElementPair elements;
-      for (unsigned int k = 0; k < 2; ++k)
+      for (unsigned int k = 0; k < bodies.size(); ++k)
         elements.push_back(
             bodies[k] ? FiniteElementBody{&bodies[k]->reduction.system(), &bodies[k]->reduction.shapes()}
                       : FiniteElementBody());
@@ -95,10 +95,10 @@ namespace vibrocontact
     const auto prepared = prepare_pair(parameters, bodies, true);
     run_log().block("Stability");
     const ContactPair pair =
-        contact_pair(prepared->bodies[0], prepared->bodies[1], parameters.contact, parameters.contact_grid());
+        contact_pair(prepared->bodies, parameters.contacts, parameters.placed_contacts());
     run_log().value("modes", pair.n_modes());
     const RootFinder roots_about = root_finder(parameters, bodies, *prepared, pair);
-    Progress progress("stability cases", rolling_cases(parameters.rolling, parameters.contact).size());
+    Progress progress("stability cases", rolling_cases(parameters.rolling, parameters.contacts).size());
     const auto finished = [&](const StabilityResult &result)
     {
       print(result);
@@ -108,12 +108,13 @@ namespace vibrocontact
     rolling.hub = parameters.hub();
     run_log().value("hub", hub_text(rolling.hub));
     const std::vector<StabilityResult> all =
-        stability(parameters.stability, rolling, parameters.contact, parameters.contact_solver, pair,
+        stability(parameters.stability, rolling, parameters.contacts, parameters.contact_solver, pair,
                   finished, roots_about);
     StabilityOutcome outcome;
     outcome.results = all;
     on_first_rank([&] { stability_table(outcome).write(folder + "/stability.csv"); });
     results.analyses["stability"] = stability_json(outcome);
+    add_contacts(outcome, pair.interface.contacts, results.analyses["stability"]);
     if (parameters.stability.model == "reduced")
       say_residual_damping(parameters, *prepared, pair, frequencies_that_matter(all.front()), "stability",
                            results);
@@ -126,8 +127,8 @@ namespace vibrocontact
     void stability_read(EntriesRead &entries, const Parameters &parameters)
     {
       add_partners(entries, parameters, moving_in_contact());
-      add_contact(entries, parameters, largest_friction(parameters));
-      add_rolling_cases(entries, parameters.rolling, parameters.contact);
+      add_contacts(entries, parameters, parameters.rolling.sweep.friction);
+      add_rolling_cases(entries, parameters.rolling, parameters.contacts);
       add_hub(entries, parameters);
       const std::string section = "Stability";
       const bool paper = parameters.stability.linearisation == "paper",

@@ -19,7 +19,7 @@ namespace vibrocontact
   {
     ContactGrid grid_of_case(const SweepCase &one)
     {
-      return one.parameters.lateral_sweep() ? one.parameters.contact_grid(one.lateral_position)
+      return one.parameters.lateral_sweep() ? one.parameters.contact_grid_at(one.lateral_position)
                                             : one.parameters.contact_grid();
     }
 
@@ -39,7 +39,7 @@ namespace vibrocontact
           double lateral = 0, height = 0;
           if (k == 0)
           {
-            const double nominal = parameters.contact.lateral_position;
+            const double nominal = parameters.contact().lateral_position;
             lateral = one.lateral_position - nominal;
             if (const auto axle = body.axle_height(nominal))
               height = *axle - *body.axle_height(one.lateral_position);
@@ -49,7 +49,7 @@ namespace vibrocontact
         }
         bodies.push_back({&body, reduced ? &own[k] : nullptr});
       }
-      return contact_pair(bodies[0], bodies[1], parameters.contact, grid);
+      return contact_pair(bodies[0], bodies[1], parameters.contact(), grid);
     }
 
     /// A case with what its roots are followed by.
@@ -73,7 +73,7 @@ namespace vibrocontact
       RollingParameters rolling = one.parameters.rolling;
       rolling.hub = one.parameters.hub();
       SolvedCase solved;
-      solved.result = stability(one.parameters.stability, rolling, one.parameters.contact,
+      solved.result = stability(one.parameters.stability, rolling, one.parameters.contacts,
                                 one.parameters.contact_solver, pair, [](const StabilityResult &) {})
                           .front();
       const ContactPair &moving = solved.result.suspended ? *solved.result.suspended : pair;

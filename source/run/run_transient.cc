@@ -59,8 +59,7 @@ namespace vibrocontact
         unreduced = prepare_unreduced_pair(parameters, bodies);
       probes = transient_probes(parameters, bodies, unreduced.surfaces);
       prepared = unreduced.prepared ? std::move(unreduced.prepared) : prepare_pair(parameters, bodies, true);
-      return contact_pair(prepared->bodies[0], prepared->bodies[1], parameters.contact,
-                          parameters.contact_grid());
+      return contact_pair(prepared->bodies, parameters.contacts, parameters.placed_contacts());
     }
 
     void warn_of_spectrum(const Parameters &parameters, Results &results)
@@ -84,7 +83,7 @@ namespace vibrocontact
     };
 
     RunRecorders make_recorders(const Parameters &parameters, const ContactPair &held, const HubMotion &hub,
-                                const NormalLaw &law, const std::vector<Probe> &probes,
+                                const PointLaws<NormalLaw> &law, const std::vector<Probe> &probes,
                                 const std::string &folder, const std::vector<RecorderMaker> &further)
     {
       const ContactPair &pair = *hub.pair;
@@ -102,7 +101,7 @@ namespace vibrocontact
       recorders.push_back(std::make_unique<TransientHistory>(pair, law, parameters.transient.history_interval,
                                                              probes, folder));
       if (signals.patch_interval > 0 && parameters.output.fields)
-        recorders.push_back(std::make_unique<PatchRecorder>(pair.interface.grid, signals.patch_begin,
+        recorders.push_back(std::make_unique<PatchRecorder>(pair.interface.contacts, signals.patch_begin,
                                                             signals.patch_interval, folder));
       for (const RecorderMaker &make : further)
         if (auto recorder = make({parameters, pair, law, folder}))
@@ -112,8 +111,8 @@ namespace vibrocontact
 
     /// After the recorders have finished, on rank 0: spectra, growth rates, sounds and the table.
     void evaluate_signals(const SignalParameters &parameters, const RunRecorders &recorders,
-                          const std::vector<Probe> &probes, const std::string &folder,
-                          nlohmann::ordered_json &json)
+                          const std::vector<Probe> &probes, const PlacedContacts &contacts,
+                          const std::string &folder, nlohmann::ordered_json &json)
     {
       const double end_of_growth = recorders.signals->change_of_sticking();
       json.update(signals_json(recorded_signals(probes, folder), parameters, end_of_growth, folder));
@@ -128,7 +127,7 @@ namespace vibrocontact
         json["contact_states"] =
             contact_states_json(folder, signals[0]["spectrum_window_s"][0].get<double>());
       if (parameters.table)
-        write_history_table(probes, folder);
+        write_history_table(probes, contacts, folder);
     }
 
     std::vector<double> dominant_frequencies(const nlohmann::ordered_json &json)
@@ -172,7 +171,7 @@ namespace vibrocontact
       }
       if (resume)
         run_log().line("No checkpoint of the transient: it starts from its beginning.");
-      state = initial_state(parameters.transient, parameters.contact, parameters.contact_solver, held, hub);
+      state = initial_state(parameters.transient, parameters.contacts, parameters.contact_solver, held, hub);
       if (coarse)
         coarse->state = state;
       on_first_rank(
@@ -195,12 +194,12 @@ namespace vibrocontact
     run_log().block("Transient");
     run_log().value("modes", held->n_modes());
     run_log().value("contact points", held->n_points());
-    const RollingCase constants = rolling_cases(parameters.rolling, parameters.contact).front();
+    const RollingCase constants = rolling_cases(parameters.rolling, parameters.contacts).front();
     const LoadOverTime load = load_over_time(own);
     const std::string applied_hub = transient_hub(parameters.hub(), load);
     const HubMotion hub =
-        hub_motion(applied_hub, parameters.rolling, load, parameters.contact, parameters.contact_solver, held,
-                   drive_function(own, constants, parameters.contact_grid()));
+        hub_motion(applied_hub, parameters.rolling, load, parameters.contacts, parameters.contact_solver,
+                   held, drive_function(own, constants, parameters.placed_contacts()));
     run_log().value("hub", transient_hub_text(parameters.hub(), load));
     if (hub.place > 0)
     {
@@ -219,15 +218,15 @@ namespace vibrocontact
     std::optional<Companion> companion;
     if (own.error_estimate)
       companion = Companion{
-          hub.driven(drive_function(with_doubled_step(own), constants, parameters.contact_grid())), {}};
+          hub.driven(drive_function(with_doubled_step(own), constants, parameters.placed_contacts())), {}};
     CoarseRun *const coarse = companion ? &companion->run : nullptr;
     warn_of_ringing(parameters, pair, results);
     warn_of_spectrum(parameters, results);
 
-    const auto law = parameters.contact.law();
+    const PointLaws<NormalLaw> law = normal_law_of_points(parameters.contacts, held->interface.contacts);
     RunRecorders run_recorders;
     on_first_rank([&]
-                  { run_recorders = make_recorders(parameters, *held, hub, *law, probes, folder, further); });
+                  { run_recorders = make_recorders(parameters, *held, hub, law, probes, folder, further); });
     const Recorders &recorders = run_recorders.all;
     DynamicState state;
     TransientResult before;
@@ -278,7 +277,7 @@ namespace vibrocontact
         write(now, sums);
       return schedule.stopped_by() == 0;
     };
-    const TransientResult result = transient(own, parameters.contact, parameters.contact_solver, pair, drive,
+    const TransientResult result = transient(own, parameters.contacts, parameters.contact_solver, pair, drive,
                                              state, observe, before, companion ? &*companion : nullptr);
     meet();
     const bool at_the_end = result.converged && schedule.stopped_by() == 0;
@@ -293,8 +292,8 @@ namespace vibrocontact
     if (at_the_end)
       schedule.is_due(); // a signal in the last steps stops what would follow
     results.stopped_by = schedule.stopped_by();
-    results.analyses["transient"] = transient_json(result, state);
-    results.analyses["transient"]["friction"] = parameters.contact.friction;
+    results.analyses["transient"] = transient_json(result, state, pair.interface.contacts);
+    results.analyses["transient"]["friction"] = parameters.contact().friction;
     results.analyses["transient"]["hub"] = applied_hub;
     if (hub.place > 0)
       results.analyses["transient"]["hub_displacement_m"] = hub.place;
@@ -306,8 +305,10 @@ namespace vibrocontact
          {"spin_1_m", creepage.spin},
          {"sliding_velocity_m_s", {creepage.sliding_x, creepage.sliding_y}}});
     on_first_rank(
-        [&] {
-          evaluate_signals(parameters.signals, run_recorders, probes, folder, results.analyses["transient"]);
+        [&]
+        {
+          evaluate_signals(parameters.signals, run_recorders, probes, pair.interface.contacts, folder,
+                           results.analyses["transient"]);
         });
     if (results.stopped_by != 0)
       run_log().warning("Interrupted; a checkpoint is written, --resume continues.");
@@ -334,8 +335,9 @@ namespace vibrocontact
     void transient_read(EntriesRead &entries, const Parameters &parameters)
     {
       add_partners(entries, parameters, moving_in_contact());
-      add_contact(entries, parameters, parameters.contact.friction);
-      add_friction_coefficient(entries, parameters.contact);
+      add_contacts(entries, parameters);
+      for (const ContactParameters &contact : parameters.contacts.all)
+        add_friction_coefficient(entries, contact);
       add_hub(entries, parameters);
 
       const TransientParameters &own = parameters.transient;

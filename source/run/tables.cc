@@ -35,7 +35,7 @@ namespace vibrocontact
   {
     EntriesRead entries;
     // lists and names; where results go and what is drawn of them
-    entries.add("", "Title, Bodies, Analyses");
+    entries.add("", "Title, Bodies, Contacts, Analyses");
     entries.add("Output", "Directory, Cache directory, Fields, Figures");
     for (const BodyParameters &body : parameters.scene.bodies)
       entries.add(body.name, "Type");

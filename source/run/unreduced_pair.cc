@@ -11,7 +11,7 @@ namespace vibrocontact
   void check_unreduced_size(const MeshedBodies &bodies)
   {
     unsigned int n = 0;
-    for (unsigned int k = 0; k < 2; ++k)
+    for (unsigned int k = 0; k < bodies.size(); ++k)
       if (bodies[k])
         n += n_moving_dofs(bodies[k]->reduction.system());
     if (n > most_dense_dofs)
@@ -23,10 +23,10 @@ namespace vibrocontact
   UnreducedPair prepare_unreduced_pair(const Parameters &parameters, const MeshedBodies &bodies)
   {
     auto pair = std::make_unique<PreparedPair>();
-    pair->reduced.resize(2);
+    pair->reduced.resize(bodies.size());
     UnreducedPair result;
-    result.surfaces.resize(2);
-    for (unsigned int k = 0; k < 2; ++k)
+    result.surfaces.resize(bodies.size());
+    for (unsigned int k = 0; k < bodies.size(); ++k)
     {
       if (bodies[k])
       {

@@ -52,6 +52,31 @@ namespace vibrocontact
                        (nearest_names(name, others).empty() ? "add \"subsection " + name + "\" with its Type"
                                                             : name_suggestion(name, others)));
     }
+
+    std::vector<std::string> read_contacts(const ParameterFile &file, const std::vector<std::string> &bodies,
+                                           const std::vector<std::string> &reserved)
+    {
+      const std::vector<std::string> names = file.list("Contacts");
+      const std::string where = file.where("", "Contacts") + ": ";
+      for (const std::string &name : names)
+      {
+        if (std::count(names.begin(), names.end(), name) > 1)
+          throw InputError(where + "the contact \"" + name +
+                           "\" is listed twice; give each contact its own name");
+        if (contains(reserved, name) || contains(bodies, name))
+          throw InputError(where + "\"" + name + "\" cannot name a contact, it names " +
+                           (contains(bodies, name) ? "a body" : "another section") + "; choose another name");
+        for (const char c : name)
+          if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-')
+            throw InputError(where + "the name of contact \"" + name +
+                             "\" may hold letters, digits, _ and - only; separate names by commas");
+        if (!file.has_section(name))
+          throw InputError(where + "there is no section of the contact \"" + name + "\"; add \"subsection " +
+                           name + "\" with the entries of Contact and its two Bodies");
+      }
+      return names;
+    }
+
     /// Which subsections of Material there are. Each says what it is made of: a default beside another material
     /// would be a guess.
     void read_materials(const ParameterFile &file, BodyParameters &body)
@@ -124,6 +149,7 @@ namespace vibrocontact
       scene.bodies.push_back(body);
     }
 
+    scene.contacts = read_contacts(file, names, reserved);
     scene.analyses = file.list("Analyses");
     const std::vector<std::string> known = names_of(known_analyses);
     if (scene.analyses.empty())
@@ -144,9 +170,11 @@ namespace vibrocontact
 
   void Scene::declare_parameters(dealii::ParameterHandler &prm)
   {
-    bodies_entry = analyses_entry = "";
+    bodies_entry = contacts_entry = analyses_entry = "";
     for (const auto &body : bodies)
       bodies_entry += (bodies_entry.empty() ? "" : ", ") + body.name;
+    for (const auto &contact : contacts)
+      contacts_entry += (contacts_entry.empty() ? "" : ", ") + contact;
     for (const auto &analysis : analyses)
       analyses_entry += (analyses_entry.empty() ? "" : ", ") + analysis;
     std::string help;
@@ -160,6 +188,11 @@ namespace vibrocontact
         "Bodies", bodies_entry,
         "Names of the bodies, separated by commas; each has a section of its name. The first is body "
         "1, above (wheel), the second body 2, below (rail). Units: none.",
+        Anything());
+    prm.add_parameter(
+        "Contacts", contacts_entry,
+        "Names of several contacts, separated by commas; each has a section of its name with the entries of "
+        "Contact and the two Bodies that it joins. Empty: one, of section Contact. Units: none.",
         Anything());
     prm.add_parameter("Analyses", analyses_entry,
                       "What to compute, separated by commas. " + help + ". Units: none.", Anything());
@@ -186,7 +219,8 @@ namespace vibrocontact
       if (runs(type.name) && type.make_parameters)
         own_parameters.at(type.name)->check(type.section);
     for (const auto &type : known_analyses)
-      if (runs(type.name) && type.n_bodies == 2 && bodies.size() != 2)
+      if (runs(type.name) && type.n_bodies == 2 && bodies.size() != 2 &&
+          (contacts.empty() || bodies.size() < 2))
         throw InputError("Bodies lists " + std::to_string(bodies.size()) + " (" + bodies_entry +
                          "), but the analysis \"" + type.name +
                          "\" needs two, body 1 above and body 2 below; list exactly two");

@@ -51,8 +51,8 @@ namespace
     Creepage creep;
     creep.lateral = creepage;
     ContactProblem problem =
-        rolling_problem(rolling_operator(interface.grid, steel_pair(), scheme, creep.speed), interface,
-                        scheme, creep, contact);
+        rolling_problem(rolling_operator(interface.contacts.only(), steel_pair(), scheme, creep.speed),
+                        interface, scheme, creep, contact);
     problem.normal_force = 66e3;
     return problem;
   }

@@ -109,8 +109,8 @@ int main(int argc, char **argv)
   }
   ContactParameters contact;
   ContactInterface interface;
-  interface.grid = contact.grid();
-  const ContactGrid &grid = interface.grid;
+  interface.contacts.only() = contact.grid();
+  const ContactGrid &grid = interface.contacts.only();
   interface.gap.assign(grid.n_points(), 0.);
   DenseMatrix compliance(3 * grid.n_points());
   for (const bool second : {false, true})

@@ -18,7 +18,7 @@ namespace
   ContactPair small_pair(const bool with_mode)
   {
     ContactPair pair;
-    pair.interface.grid.n_x = 2;
+    pair.interface.contacts.only().n_x = 2;
     pair.interface.gap = {0., 1e-6};
     pair.residual_flexibility.reinit(6, 6);
     for (unsigned int i = 0; i < 6; ++i)

@@ -28,7 +28,7 @@ namespace contact_cases
   inline ContactInterface wheel_on_crown(const ContactGrid &grid)
   {
     ContactInterface interface;
-    interface.grid = grid;
+    interface.contacts.only() = grid;
     for (unsigned int i = 0; i < grid.n_points(); ++i)
       interface.gap.push_back(std::pow(grid.x(i), 2) / 0.92 + std::pow(grid.y(i), 2) / 0.6);
     return interface;

@@ -324,8 +324,8 @@ TEST(ContactLaws, ACurveOnTheFallingLawGivesItsRolling)
 
   const CreepScheme &scheme = find_creep_scheme(one.contact.creep_scheme);
   const ContactInterface interface = one.interface();
-  ContactProblem problem = rolling_problem(rolling_operator(interface.grid, one.pair, scheme, 20.), interface,
-                                           scheme, exact.rolling_case.creepage, one.contact);
+  ContactProblem problem = rolling_problem(rolling_operator(interface.contacts.only(), one.pair, scheme, 20.),
+                                           interface, scheme, exact.rolling_case.creepage, one.contact);
   problem.normal_force = exact.rolling_case.normal_force;
   problem.friction_law = curve;
   const ContactSolution s = solve_with_friction_of_speed(problem, *create_contact_solver(one.solver), {});

@@ -59,7 +59,7 @@ namespace
                                       const double pressure, const std::string &name)
   {
     ContactInterface interface;
-    interface.grid = g;
+    interface.contacts.only() = g;
     interface.gap = gap;
     ContactParameters parameters;
     parameters.friction = 0;

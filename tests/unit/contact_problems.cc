@@ -64,7 +64,7 @@ namespace
     contact.law_values.set("Penalty exponent", 1e6);
     const CreepScheme &scheme = find_creep_scheme(d.at("scheme"));
     ContactInterface interface = wheel_on_crown(contact.grid());
-    const ContactGrid &grid = interface.grid;
+    const ContactGrid &grid = interface.contacts.only();
     for (unsigned int i = 0; i < grid.n_points(); ++i)
       interface.gap[i] += number("waviness_um") * 1e-6 *
                           (2 - std::cos(2000 * grid.x(i)) - std::cos(2500 * grid.y(i) + 1000 * grid.x(i)));

@@ -21,7 +21,7 @@ namespace
   ContactPair held_bar(const unsigned int n_modes, const double residual)
   {
     ContactPair pair;
-    ContactGrid &grid = pair.interface.grid;
+    ContactGrid &grid = pair.interface.contacts.only();
     grid.n_x = grid.n_y = 1;
     grid.spacing_x = grid.spacing_y = 1;
     pair.interface.gap = {0.};
@@ -65,7 +65,7 @@ namespace
     ContactParameters contact;
     contact.friction = 0;
     const ContactSolverParameters solver;
-    const DriveFunction drive = drive_function(parameters, constant, pair.interface.grid);
+    const DriveFunction drive = drive_function(parameters, constant, pair.interface.contacts.only());
     DynamicState state = initial_state(parameters, contact, solver, pair, drive(0));
     Motion run;
     run.result = transient(
@@ -185,7 +185,7 @@ TEST(Driven, Tables)
   const ContactPair pair = held_bar(1, 0.1);
   TransientParameters p = parameters(1e-3, 2);
   p.drive_table = "driven_table.csv";
-  const DriveFunction drive = drive_function(p, constants(1, 0), pair.interface.grid);
+  const DriveFunction drive = drive_function(p, constants(1, 0), pair.interface.contacts.only());
   EXPECT_NEAR(drive(0.5).approach, -1.005, 1e-12);
   EXPECT_NEAR(drive(1.25).creepage.lateral, 0.0015, 1e-12);
   // a kink gives the impulse of its change of velocity, 0.02 m/s, once
@@ -194,10 +194,10 @@ TEST(Driven, Tables)
     impulse += 1e-3 * drive(i * 1e-3).hub_acceleration;
   EXPECT_NEAR(impulse, 0.02, 1e-9);
   p.end_time = 2.1;
-  EXPECT_THROW(drive_function(p, constants(1, 0), pair.interface.grid), InputError);
+  EXPECT_THROW(drive_function(p, constants(1, 0), pair.interface.contacts.only()), InputError);
   p.end_time = 2;
   p.lateral_creepage = "0.001";
-  EXPECT_THROW(drive_function(p, constants(1, 0), pair.interface.grid), InputError);
+  EXPECT_THROW(drive_function(p, constants(1, 0), pair.interface.contacts.only()), InputError);
   EXPECT_THROW(read_csv("x.csv", "a, b\n1, 2\n3\n"), InputError);
   EXPECT_THROW(read_csv("x.csv", "a, b\n1; 2\n"), InputError);
   EXPECT_THROW(LinearTable("x", {0, 0}, {1, 2}), InputError);

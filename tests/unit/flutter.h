@@ -20,7 +20,7 @@ namespace vibrocontact
     {
       const double a = 4e7, b = 6e7, c = 2e5;
       ContactPair pair;
-      ContactGrid &grid = pair.interface.grid;
+      ContactGrid &grid = pair.interface.contacts.only();
       // one point touches, the others are the free columns around it
       grid.n_x = n_points;
       grid.n_y = 1;

@@ -232,13 +232,13 @@ TEST(HalfSpaceRolling, CarterTractionsInTwoDimensions)
       {
         const double h = 2 * a / cells;
         ContactInterface interface;
-        interface.grid.n_x = cells + 8;
-        interface.grid.n_y = 1;
-        interface.grid.spacing_x = h;
-        interface.grid.spacing_y = length;
-        interface.grid.x_first = -a - 4 * h + 0.5 * h;
-        for (unsigned int i = 0; i < interface.grid.n_points(); ++i)
-          interface.gap.push_back(std::pow(interface.grid.x(i), 2) / (2 * radius));
+        interface.contacts.only().n_x = cells + 8;
+        interface.contacts.only().n_y = 1;
+        interface.contacts.only().spacing_x = h;
+        interface.contacts.only().spacing_y = length;
+        interface.contacts.only().x_first = -a - 4 * h + 0.5 * h;
+        for (unsigned int i = 0; i < interface.contacts.only().n_points(); ++i)
+          interface.gap.push_back(std::pow(interface.contacts.only().x(i), 2) / (2 * radius));
         const CreepScheme &creep_scheme = find_creep_scheme(scheme);
         Creepage creepage;
         const double creep = mu * (a - a_stick) / radius;
@@ -246,12 +246,12 @@ TEST(HalfSpaceRolling, CarterTractionsInTwoDimensions)
         ContactParameters contact;
         contact.friction = mu;
         ContactProblem problem =
-            rolling_problem(rolling_operator(interface.grid, pair, creep_scheme, creepage.speed), interface,
-                            creep_scheme, creepage, contact);
+            rolling_problem(rolling_operator(interface.contacts.only(), pair, creep_scheme, creepage.speed),
+                            interface, creep_scheme, creepage, contact);
         problem.normal_force = load;
         const ContactSolution s = create_contact_solver({})->solve(problem, {});
         ASSERT_TRUE(s.converged);
-        const unsigned int n = interface.grid.n_points(), component = lateral ? 2 : 1;
+        const unsigned int n = interface.contacts.only().n_points(), component = lateral ? 2 : 1;
         double force = 0;
         for (unsigned int i = 0; i < n; ++i)
           force += s.R[component * n + i];

@@ -19,7 +19,7 @@ namespace
   ContactPair half_spaces_with_modes(const unsigned int n_x, const unsigned int n_y)
   {
     ContactPair pair;
-    ContactGrid &grid = pair.interface.grid;
+    ContactGrid &grid = pair.interface.contacts.only();
     grid.n_x = n_x;
     grid.n_y = n_y;
     grid.spacing_x = grid.spacing_y = 2e-3;
@@ -97,7 +97,7 @@ namespace
     RollingCase constant;
     constant.creepage = {10, 0, 0, 0};
     constant.normal_force = 20e3;
-    const DriveFunction drive = drive_function(p, constant, pair.interface.grid);
+    const DriveFunction drive = drive_function(p, constant, pair.interface.contacts.only());
     DynamicState state = initial_state(p, contact, solver, pair, drive(0));
     Outcome outcome;
     bool was_open = false;

@@ -22,7 +22,7 @@ namespace
   ContactPair held_bar(const unsigned int n_modes)
   {
     ContactPair pair;
-    ContactGrid &grid = pair.interface.grid;
+    ContactGrid &grid = pair.interface.contacts.only();
     grid.n_x = grid.n_y = 1;
     grid.spacing_x = grid.spacing_y = 1;
     pair.interface.gap = {0.};
@@ -124,8 +124,8 @@ TEST(Hub, BarOnASuspendedHubHasTheFrequenciesOfItsClosedForm)
 TEST(Hub, RigidWheelOnItsSpringHasTheRootOfAnOscillator)
 {
   ContactPair pair;
-  pair.interface.grid.n_x = pair.interface.grid.n_y = 1;
-  pair.interface.grid.spacing_x = pair.interface.grid.spacing_y = 1e-3;
+  pair.interface.contacts.only().n_x = pair.interface.contacts.only().n_y = 1;
+  pair.interface.contacts.only().spacing_x = pair.interface.contacts.only().spacing_y = 1e-3;
   pair.interface.gap = {0.};
   pair.residual_flexibility.reinit(3, 3);
   pair.modal_trace.reinit(3, 0);
@@ -170,8 +170,8 @@ TEST(Hub, LimitsAreHeldAndMassless)
 TEST(Hub, LoadThatJumpsOnASuspendedWheelMovesItAsItsClosedForm)
 {
   auto pair = std::make_shared<ContactPair>();
-  pair->interface.grid.n_x = pair->interface.grid.n_y = 1;
-  pair->interface.grid.spacing_x = pair->interface.grid.spacing_y = 1e-3;
+  pair->interface.contacts.only().n_x = pair->interface.contacts.only().n_y = 1;
+  pair->interface.contacts.only().spacing_x = pair->interface.contacts.only().spacing_y = 1e-3;
   pair->interface.gap = {0.};
   pair->residual_flexibility.reinit(3, 3);
   pair->modal_trace.reinit(3, 0);

@@ -223,9 +223,9 @@ namespace
   ContactPair sliding_mass(const double omega, const double zeta)
   {
     ContactPair pair;
-    pair.interface.grid.n_x = pair.interface.grid.n_y = 1;
-    pair.interface.grid.spacing_x = pair.interface.grid.spacing_y = 1e-3;
-    pair.interface.grid.whole_surface = true;
+    pair.interface.contacts.only().n_x = pair.interface.contacts.only().n_y = 1;
+    pair.interface.contacts.only().spacing_x = pair.interface.contacts.only().spacing_y = 1e-3;
+    pair.interface.contacts.only().whole_surface = true;
     pair.interface.gap = {0};
     pair.omega = {omega};
     pair.damping_ratio = {zeta};
@@ -322,7 +322,7 @@ TEST_P(SlidingMass, GrowthUnderFrictionOfTheSlipSpeed)
   parameters.perturbed_mode = pair.labels[0];
   parameters.perturbation_velocity = 1e-3;
   const DriveFunction drive =
-      drive_function(parameters, rolling_cases(rolling, contact).front(), pair.interface.grid);
+      drive_function(parameters, rolling_cases(rolling, contact).front(), pair.interface.contacts.only());
   DynamicState state = initial_state(parameters, contact, solver, pair, drive(0));
   const double rest = state.q[0];
   const double mu = 0.3 * (1 + (ratio - 1) * std::exp(-slip / 0.3));
@@ -362,7 +362,7 @@ namespace
     parameters.perturbed_mode = pair.labels[0];
     parameters.perturbation_velocity = 0.2;
     const DriveFunction drive =
-        drive_function(parameters, rolling_cases(rolling, contact).front(), pair.interface.grid);
+        drive_function(parameters, rolling_cases(rolling, contact).front(), pair.interface.contacts.only());
     const ContactSolverParameters solver;
     DynamicState state = initial_state(parameters, contact, solver, pair, drive(0));
     unsigned int stick = 0, n = 0;

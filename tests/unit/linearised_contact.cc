@@ -115,7 +115,8 @@ TEST_P(GrowthOfTheTransient, IsTheRootOfTheConsistentLinearisation)
     pair = suspended_pair(pair, suspension, reaction);
     hang(pair, rest);
     complete(pair,
-             rigid_slip(pair.interface.grid, find_creep_scheme(contact.creep_scheme), drive(0).creepage),
+             rigid_slip(pair.interface.contacts.only(), find_creep_scheme(contact.creep_scheme),
+                        drive(0).creepage),
              rest);
   }
   RollingEquilibrium equilibrium;

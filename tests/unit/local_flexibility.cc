@@ -59,7 +59,8 @@ namespace
     own.height = own.divisions_z * spacing / elements_per_cell;
     own.contact_face = above ? "bottom" : "top";
     own.held = {above ? "top" : "bottom"};
-    const auto elastic = make_elastic_body(result.parameters, 0, &g, MPI_COMM_WORLD);
+    const auto elastic =
+        make_elastic_body(result.parameters, 0, {{g, ContactFrame(), above}}, MPI_COMM_WORLD);
     const auto system = assemble_body(*elastic, &g);
     Flexibility flexibility(*system);
     result.reduced = combine(reduce_statically(*system, flexibility), nullptr);

@@ -166,7 +166,7 @@ namespace
 
 TEST(Materials, bar_in_series_against_closed_form)
 {
-  const auto body = make_elastic_body(two_material_bar(), 0, nullptr, MPI_COMM_SELF);
+  const auto body = make_elastic_body(two_material_bar(), 0, {}, MPI_COMM_SELF);
   const auto system = assemble_body(*body);
   const double A = bar_width * bar_width;
   EXPECT_NEAR(system->total_mass / (A * (L1 * bar_steel.density + L2 * bar_rubber.density)), 1, 1e-12);
@@ -307,7 +307,7 @@ TEST(Materials, ring_of_two_layers_against_closed_form)
   parameters.type = "wheel";
   parameters.wheel = layered_ring();
   parameters.materials = {{"rim", rim}, {"core", core}}; // in any order
-  const auto body = make_elastic_body(parameters, 0, nullptr, MPI_COMM_SELF);
+  const auto body = make_elastic_body(parameters, 0, {}, MPI_COMM_SELF);
   const auto system = assemble_body(*body);
   const double area = numbers::PI * 2 * b_half;
   EXPECT_NEAR(system->total_mass /
@@ -354,7 +354,7 @@ TEST(Materials, anechoic_pieces_and_groups_are_kept_apart)
   parameters.rail.anechoic_loss_first = 0.1;
   parameters.rail.anechoic_loss_last = 1;
   parameters.materials = {{"foot", bar_rubber}, {"head", bar_steel}};
-  const auto body = make_elastic_body(parameters, 0, nullptr, MPI_COMM_SELF);
+  const auto body = make_elastic_body(parameters, 0, {}, MPI_COMM_SELF);
   const auto &triangulation = *body->mesh.triangulation;
   double low = 1e9, high = -1e9;
   for (const auto &p : triangulation.get_vertices())

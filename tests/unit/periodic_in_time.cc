@@ -28,7 +28,7 @@ namespace
   ContactPair pair_of(const ForcedBody &body)
   {
     ContactPair pair;
-    ContactGrid &grid = pair.interface.grid;
+    ContactGrid &grid = pair.interface.contacts.only();
     grid.n_x = grid.n_y = 1;
     grid.spacing_x = grid.spacing_y = 1;
     pair.interface.gap = body.gap;

@@ -45,7 +45,7 @@ namespace vibrocontact
   inline ContactPair reduce(const Structure &s, const unsigned int n_modes, const double zeta)
   {
     ContactPair pair;
-    ContactGrid &grid = pair.interface.grid;
+    ContactGrid &grid = pair.interface.contacts.only();
     grid.n_x = s.n_points;
     grid.n_y = 1;
     grid.spacing_x = grid.spacing_y = 1e-3;

@@ -189,7 +189,7 @@ namespace
     Scene scene;
     scene.name = name;
     ContactPair &pair = scene.pair;
-    ContactGrid &grid = pair.interface.grid;
+    ContactGrid &grid = pair.interface.contacts.only();
     grid.n_x = grid.n_y = 1;
     grid.spacing_x = grid.spacing_y = 1;
     pair.interface.gap = {0.};

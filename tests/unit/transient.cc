@@ -16,7 +16,7 @@ namespace
   ContactPair bar(const unsigned int n_modes)
   {
     ContactPair pair;
-    ContactGrid &grid = pair.interface.grid;
+    ContactGrid &grid = pair.interface.contacts.only();
     grid.n_x = grid.n_y = 1;
     grid.spacing_x = grid.spacing_y = std::sqrt(section);
     pair.interface.gap = {0.};

@@ -74,7 +74,7 @@ TEST(UnreducedTransientMpi, StepIsThatOfTheElements)
       const DenseMatrix S = product(elements.trace, response);
       DenseMatrix expected = S;
       expected *= h * h * theta;
-      convert_to_slip_rows(scene->all.interface.grid, scheme, speed, expected);
+      convert_to_slip_rows(scene->all.interface.contacts.only(), scheme, speed, expected);
       for (unsigned int j = 0; j < 3 * n; ++j)
         for (unsigned int i = n; i < 3 * n; ++i)
           expected(i, j) += h * S(i, j);
@@ -83,8 +83,9 @@ TEST(UnreducedTransientMpi, StepIsThatOfTheElements)
       for (unsigned int k = 0; k < N; ++k)
         steps.push_back(theta_step(scene->all.omega[k], scene->all.damping_ratio[k], theta, h,
                                    ReactionWeighting::end_of_step));
-      const StepMatrices matrices = step_matrices(scene->all.interface.grid, scheme, scene->all.modal_trace,
-                                                  scene->all.residual_flexibility, steps, h, speed);
+      const StepMatrices matrices =
+          step_matrices(scene->all.interface.contacts.only(), scheme, scene->all.modal_trace,
+                        scene->all.residual_flexibility, steps, h, speed);
       // gaps and slips have their own units; across the plane nothing moves
       double worst = 0;
       for (unsigned int row = 0; row < 2; ++row)

@@ -12,31 +12,32 @@
 
 namespace vibrocontact
 {
-  /// Two reduced bodies as one contact sees them: the jump of the contact displacements (body 1 minus body 2)
-  /// and the modes of both,
+  /// Reduced bodies as their contacts see them: the jump of the contact displacements (first body of each contact minus
+  /// the second) and the modes of all,
   ///
   ///   du = Psi q + W~ R + load_jump,      q'' + 2 zeta w q' + w^2 q = Psi^T R + load
   ///
-  /// R: forces on body 1; a given force on body 1 at its contact point along z adds its force_participation and
-  /// force_response. The opposite force on body 2 and its share of the jump are in the sign of its
-  /// columns of Psi, so that nothing after this distinguishes the bodies (Lai et al. 2018, Eqs 8-14).
+  /// R: forces on the first body; a given force on body 1 at its contact point along z adds its force_participation and
+  /// force_response. The opposite force on the second body and its share of the jump are in the sign of its
+  /// rows of Psi, so that nothing after this distinguishes the bodies (Lai et al. 2018, Eqs 8-14). A body in several
+  /// contacts couples them: by its modes, and by its blocks of W~ between their points.
   struct ContactPair
   {
     ContactInterface interface;
-    /// angular frequencies [rad/s], damping ratios [-], names as body:label; bodies (1 or 2); modes of body 1
-    /// first
+    /// angular frequencies [rad/s], damping ratios [-], names as body:label; bodies (counted from 1 in the order of
+    /// Bodies); modes of body 1 first
     std::vector<double> omega, damping_ratio;
     std::vector<std::string> labels;
     std::vector<unsigned int> body;
-    /// Psi: +Psi_1, -Psi_2; 3 n x n_modes [1/sqrt(kg)]
+    /// Psi: the traces of first bodies, less those of second ones; 3 n x n_modes [1/sqrt(kg)]
     DenseMatrix modal_trace;
     /// modal loads [N/sqrt(kg)]; n_modes
     std::vector<double> modal_load;
     /// phi^T M e of unit translations of the mode's body along x, y, z; n_modes x 3 [sqrt(kg)]
     DenseMatrix participation;
-    /// residual displacements of the contact per force on body 1 at its first contact point along z [m/N]; 3 n, empty: none
+    /// residual displacements of the contacts per force on body 1 at its first contact point along the normal [m/N]; 3 n, empty: none
     std::vector<double> force_residual;
-    /// W~ of both bodies: residual flexibilities (or what Contact/Local flexibility puts in their place), the
+    /// W~ of all bodies: residual flexibilities (or what Contact/Local flexibility puts in their place), the
     /// whole compliance of half-spaces, nothing of rigid bodies; 3 n square [m/N]
     DenseMatrix residual_flexibility;
     /// null: the hub of body 1 moves as the approach does
@@ -61,7 +62,7 @@ namespace vibrocontact
       return force_residual.empty() ? 0. : force_residual[row];
     }
 
-    unsigned int n_points() const { return interface.grid.n_points(); }
+    unsigned int n_points() const { return interface.contacts.n_points(); }
     unsigned int n_modes() const { return omega.size(); }
   };
 
@@ -77,16 +78,22 @@ namespace vibrocontact
   /// Elastic constants of a body without mesh, infinite stiffness of a rigid one.
   HalfSpaceMaterial half_space_material(const BodyParameters &body);
 
-  /// Grid, undeformed gap and loads of body 1 (above) on body 2 (below).
-  /// @throws InputError if body 1 cannot be moved by its hub or the quadrature does not suit the bodies
-  ContactInterface contact_interface(const ContactBody &body_1, const ContactBody &body_2,
-                                     const ContactGrid &grid);
+  /// Contacts and undeformed gaps of the bodies of a scene, in its order.
+  /// @throws InputError if the quadrature does not suit the bodies
+  ContactInterface contact_interface(const std::vector<ContactBody> &bodies, const ContactSections &sections,
+                                     const PlacedContacts &contacts);
 
-  /// Brings two bodies together. A meshed body's compliance is that of its own elements only, unless
+  /// Brings the bodies of a scene together. A meshed body's compliance is that of its own elements only, unless
   /// `contact` asks for half-spaces: these replace W~ of solid bodies, whose modes, undeformed surface and
   /// answer to loads stay. Without normal-tangential coupling W~'s blocks between the directions are zero.
-  ContactPair contact_pair(const ContactBody &body_1, const ContactBody &body_2,
-                           const ContactParameters &contact, const ContactGrid &grid);
+  ContactPair contact_pair(const std::vector<ContactBody> &bodies, const ContactSections &sections,
+                           const PlacedContacts &contacts);
+  /// Two bodies in one contact.
+  inline ContactPair contact_pair(const ContactBody &body_1, const ContactBody &body_2,
+                                  const ContactParameters &contact, const ContactGrid &grid)
+  {
+    return contact_pair({body_1, body_2}, contact, grid);
+  }
 
   /// W~ + Psi diag(w^-2) Psi^T: what a static analysis sees; 3 n square [m/N].
   /// @throws InputError if a body can move freely

@@ -90,7 +90,7 @@ namespace vibrocontact
   {
   public:
     /// @param steps one per mode of the pair, for a step of h [s]; @param speed V [m/s], 0 without rolling
-    ContactStepper(const ContactPair &pair, const CreepScheme &scheme, const ContactParameters &contact,
+    ContactStepper(const ContactPair &pair, const CreepScheme &scheme, const ContactSections &contact,
                    const std::vector<ModalStep> &steps, double h, double speed);
 
     /// state <- state at the end of the step. @return how the contact was solved; not converged: the best
@@ -127,8 +127,11 @@ namespace vibrocontact
     const StepMatrices matrices;
     /// gap and slip without forces that never change: undeformed gap and loads; 3 n
     DenseVector constant_response;
-    /// mu of all points; n
+    /// mu of all points, n, their laws, and ContactProblem::by_approach and to_force, 3 n
     std::vector<double> friction;
+    PointLaws<NormalLaw> normal_laws;
+    PointLaws<FrictionLaw> friction_laws;
+    DenseVector by_approach, to_force;
     std::shared_ptr<const StepOperator> step_operator;
     /// of the nearby points
     ContactProblem problem;

@@ -27,7 +27,7 @@ namespace vibrocontact
   /// positive: it throws otherwise, an InputError that names entry and time.
   /// @throws InputError for what cannot be read or is not covered. Collective.
   DriveFunction drive_function(const TransientParameters &transient, const RollingCase &constant,
-                               const ContactGrid &grid);
+                               const PlacedContacts &contacts);
 
   /// The entries of section Rolling that an expression of section Transient or a column of its table replaces. A
   /// table that cannot be read replaces none. Collective.
@@ -48,5 +48,5 @@ namespace vibrocontact
   /// section Rolling it replaces by the other kind.
   /// @throws InputError as drive_function() and what it makes. Collective.
   void check_drive(const TransientParameters &transient, const RollingCase &constant,
-                   const ContactGrid &grid);
+                   const PlacedContacts &contacts);
 } // namespace vibrocontact

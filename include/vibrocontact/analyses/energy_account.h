@@ -39,14 +39,14 @@ namespace vibrocontact
 
   /// Power that the creep scheme's d/dx of W~ R takes beyond a central difference, V T . (D - D_central) W~ R
   /// [W]; central differences of second order, both neighbours of a loaded point have to be in the grid.
-  double upwind_power(const ContactGrid &grid, const CreepScheme &scheme, double speed, const DenseVector &R,
-                      const DenseVector &residual_displacement);
+  double upwind_power(const PlacedContacts &contacts, const CreepScheme &scheme, double speed,
+                      const DenseVector &R, const DenseVector &residual_displacement);
 
   /// Energy stored in a state [J].
-  double stored_energy(const ContactPair &pair, const NormalLaw &law, const DynamicState &state);
+  double stored_energy(const ContactPair &pair, const PointLaws<NormalLaw> &law, const DynamicState &state);
 
   /// Adds the step between two states under their drives.
-  void add_step(EnergyAccount &account, const ContactPair &pair, const NormalLaw &law,
+  void add_step(EnergyAccount &account, const ContactPair &pair, const PointLaws<NormalLaw> &law,
                 const CreepScheme &scheme, const DynamicState &before, const Drive &drive_before,
                 const DynamicState &after, const Drive &drive_after);
 } // namespace vibrocontact

@@ -25,6 +25,9 @@ namespace vibrocontact
   /// W~ of the pair and, on the diagonal of its gaps, what the normal law yields at the equilibrium; 3 n square [m/N].
   DenseMatrix compliance_of_contact(const ContactPair &pair, const RollingEquilibrium &equilibrium);
 
+  /// How the gaps of some points close where the hub of body 1 moves down [-].
+  std::vector<double> gaps_by_approach(const ContactPair &pair, const std::vector<unsigned int> &points);
+
   /// The pair linearised about an equilibrium, x' = A x, x = (q, v, z): modal amplitudes and velocities, and
   /// what friction keeps in memory (doc/theory.md, "Steady sliding and its stability", "Time steps").
   ///

@@ -62,7 +62,7 @@ namespace vibrocontact
 
   /// Cases of a run in the order in which they are solved: curve by curve, each friction from its first to
   /// its last value.
-  std::vector<RollingCase> rolling_cases(const RollingParameters &rolling, const ContactParameters &contact);
+  std::vector<RollingCase> rolling_cases(const RollingParameters &rolling, const ContactSections &contact);
 
   template <typename Archive>
   void serialize(Archive &archive, ContactSolution &solution, const unsigned int)
@@ -72,13 +72,11 @@ namespace vibrocontact
     archive &solution.linear_iterations &solution.fallbacks &solution.seconds;
   }
 
-  /// Resultants of one case; forces and moment act on body 1.
-  struct RollingResult
+  /// What the forces of a contact add up to, in its own frame and on its first body; of a scene: along x, y, z on body 1.
+  struct ContactResultants
   {
-    RollingCase rolling_case;
-    ContactSolution solution;
-    /// sentence of a solver that gave up; the solution then is without forces and not converged
-    std::string failure;
+    /// friction coefficient, at high speed if it depends on the slip [-]
+    double friction = 0;
     double normal_force = 0;
     double tangential_force[2] = {0, 0};
     /// sum x Ty - y Tx about the nominal contact point [Nm]
@@ -89,14 +87,32 @@ namespace vibrocontact
     double approach = 0;
     double max_pressure = 0;
     unsigned int contact_points = 0, stick_points = 0, slip_points = 0;
-    /// friction coefficient of each point, that of its slip speed if friction falls; n
-    std::vector<double> point_friction;
 
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &rolling_case &solution &failure &normal_force &tangential_force &spin_moment &utilisation;
-      archive &approach &max_pressure &contact_points &stick_points &slip_points &point_friction;
+      archive &friction &normal_force &tangential_force &spin_moment &utilisation &approach;
+      archive &max_pressure &contact_points &stick_points &slip_points;
+    }
+  };
+
+  /// Resultants of one case.
+  struct RollingResult : ContactResultants
+  {
+    RollingCase rolling_case;
+    ContactSolution solution;
+    /// sentence of a solver that gave up; the solution then is without forces and not converged
+    std::string failure;
+    /// of each contact
+    std::vector<ContactResultants> contacts;
+    /// friction coefficient of each point, that of its slip speed if friction falls; n
+    std::vector<double> point_friction;
+
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int version)
+    {
+      ContactResultants::serialize(archive, version);
+      archive &rolling_case &solution &failure &contacts &point_friction;
     }
   };
 
@@ -110,7 +126,7 @@ namespace vibrocontact
   /// @param communicator the ranks that the cases are shared out over, see share_cases()
   /// @throws InputError if the contact reaches the edge of the grid
   std::vector<RollingResult>
-  quasi_static_rolling(const RollingParameters &rolling, const ContactParameters &contact,
+  quasi_static_rolling(const RollingParameters &rolling, const ContactSections &contact,
                        const ContactSolverParameters &solver, const ContactInterface &interface,
                        const std::function<std::shared_ptr<const ContactOperator>(double speed)> &operator_at,
                        const std::function<void(const RollingResult &, const ContactProblem &)> &finished,

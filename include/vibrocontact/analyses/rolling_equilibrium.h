@@ -24,6 +24,7 @@ namespace vibrocontact
   };
 
   /// The equilibrium with the tangents of the contact's laws.
-  RollingEquilibrium rolling_equilibrium(const ContactSolution &contact, const FrictionLaw &friction,
-                                         const NormalLaw &normal, double speed, bool force_given);
+  RollingEquilibrium rolling_equilibrium(const ContactSolution &contact,
+                                         const PointLaws<FrictionLaw> &friction,
+                                         const PointLaws<NormalLaw> &normal, double speed, bool force_given);
 } // namespace vibrocontact

@@ -7,7 +7,7 @@
 
 namespace vibrocontact
 {
-  /// Two bodies brought together: the geometry of their contact and the operator of steady rolling.
+  /// Bodies brought together: the geometry of their contacts and the operator of steady rolling.
   struct RollingScene
   {
     ContactInterface interface;
@@ -15,9 +15,15 @@ namespace vibrocontact
     std::function<std::shared_ptr<const ContactOperator>(double speed)> operator_at;
   };
 
-  /// Pairs body 1 (above) and body 2 (below), each a half-space or a reduced body. Two half-spaces keep their
+  /// Joins bodies, each a half-space, rigid or reduced, body 1 being moved by its hub. Two half-spaces keep their
   /// fast operator; otherwise the compliances are added, a meshed body's being that of its own elements only.
   /// @throws InputError if a body that is free to move is loaded
-  RollingScene rolling_scene(const ContactBody &body_1, const ContactBody &body_2,
-                             const ContactParameters &contact, const ContactGrid &grid);
+  RollingScene rolling_scene(const std::vector<ContactBody> &bodies, const ContactSections &sections,
+                             const PlacedContacts &contacts);
+  /// Two bodies in one contact.
+  inline RollingScene rolling_scene(const ContactBody &body_1, const ContactBody &body_2,
+                                    const ContactParameters &contact, const ContactGrid &grid)
+  {
+    return rolling_scene({body_1, body_2}, contact, grid);
+  }
 } // namespace vibrocontact

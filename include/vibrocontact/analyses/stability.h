@@ -45,6 +45,8 @@ namespace vibrocontact
     unsigned int contact_points = 0, stick_points = 0;
     /// [N]; displacement of the hub [m]
     double normal_force = 0, approach = 0;
+    /// of each contact at the equilibrium
+    std::vector<ContactResultants> contacts;
     /// RollingParameters::hub
     std::string hub;
     /// the pair whose modes the shapes of the roots are amplitudes of, if that is another than the held one
@@ -64,7 +66,8 @@ namespace vibrocontact
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &rolling_case &contact_points &stick_points &normal_force &approach &hub &roots &seconds;
+      archive &rolling_case &contact_points &stick_points &normal_force &approach &contacts &hub;
+      archive &roots &seconds;
       bool has_second_count = second_count.has_value();
       archive &has_second_count;
       if (has_second_count)
@@ -82,7 +85,7 @@ namespace vibrocontact
   /// @throws InputError if an equilibrium is not in full sliding and sticking points are not asked for;
   /// ConvergenceError if an equilibrium does not converge
   std::vector<StabilityResult> stability(const StabilityParameters &parameters,
-                                         const RollingParameters &rolling, const ContactParameters &contact,
+                                         const RollingParameters &rolling, const ContactSections &contact,
                                          const ContactSolverParameters &solver, const ContactPair &pair,
                                          const std::function<void(const StabilityResult &)> &finished,
                                          const RootFinder &roots_about = {});

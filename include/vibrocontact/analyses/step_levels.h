@@ -18,7 +18,7 @@ namespace vibrocontact
   class StepLevels
   {
   public:
-    StepLevels(const TransientParameters &parameters, const ContactParameters &contact,
+    StepLevels(const TransientParameters &parameters, const ContactSections &contact,
                const ContactSolverParameters &solver, const ContactPair &pair, double speed);
 
     unsigned int n_levels() const { return levels.size(); }
@@ -47,7 +47,7 @@ namespace vibrocontact
     Level &level(unsigned int k);
 
     const TransientParameters &parameters;
-    const ContactParameters &contact;
+    const ContactSections contact;
     const ContactSolverParameters &solver;
     const ContactPair &pair;
     const double speed;

@@ -11,11 +11,11 @@
 
 namespace vibrocontact
 {
-  /// What the contact problem of a time step is made of, on the whole grid; constant as long as step and
+  /// What the contact problem of a time step is made of, on all points; constant as long as step and
   /// rolling speed are.
   struct StepMatrices
   {
-    ContactGrid grid;
+    PlacedContacts contacts;
     CreepScheme scheme;
     /// h [s], V [m/s]
     double step = 0, speed = 0;
@@ -31,7 +31,7 @@ namespace vibrocontact
   };
 
   /// @param modal_trace Psi, 3 n x n_modes; @param steps one per mode; @param hub null: held
-  StepMatrices step_matrices(const ContactGrid &grid, const CreepScheme &scheme,
+  StepMatrices step_matrices(const PlacedContacts &contacts, const CreepScheme &scheme,
                              const DenseMatrix &modal_trace, const DenseMatrix &residual_flexibility,
                              const std::vector<ModalStep> &steps, double h, double speed,
                              const SuspendedHub *hub = nullptr);

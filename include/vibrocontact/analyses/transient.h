@@ -22,14 +22,13 @@ namespace vibrocontact
 
   /// The quasi-static equilibrium of the pair under a drive.
   /// @throws InputError, ConvergenceError
-  ContactSolution transient_equilibrium(const ContactParameters &contact,
-                                        const ContactSolverParameters &solver, const ContactPair &pair,
-                                        const Drive &drive);
+  ContactSolution transient_equilibrium(const ContactSections &contact, const ContactSolverParameters &solver,
+                                        const ContactPair &pair, const Drive &drive);
 
   /// State at time zero, by TransientParameters::initial_state. The quasi-static one is the equilibrium under
   /// the drive at time zero, q = diag(w^-2) Psi^T R, v = 0.
   /// @throws InputError, ConvergenceError
-  DynamicState initial_state(const TransientParameters &transient, const ContactParameters &contact,
+  DynamicState initial_state(const TransientParameters &transient, const ContactSections &contact,
                              const ContactSolverParameters &solver, const ContactPair &pair,
                              const Drive &drive);
 
@@ -47,7 +46,7 @@ namespace vibrocontact
   /// @param observe called after every step; false: stop
   /// @param before sums of the run that led to `state`, if it is continued
   /// @param companion follows the run and learns its errors; null: they are not estimated
-  TransientResult transient(const TransientParameters &parameters, const ContactParameters &contact,
+  TransientResult transient(const TransientParameters &parameters, const ContactSections &contact,
                             const ContactSolverParameters &solver, const ContactPair &pair,
                             const DriveFunction &drive, DynamicState &state,
                             const std::function<bool(const DynamicState &, const TransientResult &)> &observe,

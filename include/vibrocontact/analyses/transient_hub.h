@@ -35,11 +35,11 @@ namespace vibrocontact
   /// move from there as `hub` says (transient_hub()).
   /// @throws InputError, ConvergenceError
   HubMotion hub_motion(const std::string &hub, const RollingParameters &rolling, const LoadOverTime &load,
-                       const ContactParameters &contact, const ContactSolverParameters &solver,
+                       const ContactSections &contact, const ContactSolverParameters &solver,
                        const std::shared_ptr<const ContactPair> &held, const DriveFunction &drive);
 
   /// initial_state() of the held pair, as HubMotion::pair has it.
-  DynamicState initial_state(const TransientParameters &transient, const ContactParameters &contact,
+  DynamicState initial_state(const TransientParameters &transient, const ContactSections &contact,
                              const ContactSolverParameters &solver, const ContactPair &held,
                              const HubMotion &hub);
 } // namespace vibrocontact

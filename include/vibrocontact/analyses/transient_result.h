@@ -4,11 +4,23 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace vibrocontact
 {
-  /// Sums over a run and how it went.
-  struct TransientResult
+  /// Sums of the forces of a run, on body 1 or in one contact.
+  struct ForceSums
+  {
+    /// normal impulse over the run [Ns] and the integral of the normal force's square [N^2 s]
+    double impulse = 0, force_square = 0;
+    /// integral of the tangential resultant's square [N^2 s]
+    double tangential_square = 0;
+    /// least gap seen, negative: penetration [m]
+    double smallest_gap = 0;
+  };
+
+  /// Sums over a run and how it went. Of several contacts the resultants are those on body 1, normal: along z.
+  struct TransientResult : ForceSums
   {
     unsigned long steps = 0, iterations = 0, factorisations = 0, fallbacks = 0;
     /// steps that were repeated with half their length; the next step is 2^level of the shortest
@@ -17,12 +29,8 @@ namespace vibrocontact
     unsigned long above_tolerance = 0;
     unsigned int level = 0;
     double time = 0, seconds = 0;
-    /// normal impulse over the run [Ns] and the integral of the normal force's square [N^2 s]
-    double impulse = 0, force_square = 0;
-    /// integral of the tangential resultant's square [N^2 s]
-    double tangential_square = 0;
-    /// least gap seen, negative: penetration [m]
-    double smallest_gap = 0;
+    /// of each contact
+    std::vector<ForceSums> contacts;
     EnergyAccount energy;
     bool converged = true;
     /// why it did not

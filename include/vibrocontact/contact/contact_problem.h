@@ -3,8 +3,10 @@
 #include <vibrocontact/base/dense.h>
 #include <vibrocontact/contact/contact_operator.h>
 #include <vibrocontact/contact/laws/friction_law.h>
+#include <vibrocontact/contact/laws/point_laws.h>
 #include <vibrocontact/contact/laws/signorini.h>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,11 +16,11 @@ namespace vibrocontact
   /// The one discrete contact problem that every analysis ends in (doc/theory.md, "One contact problem for
   /// every analysis").
   ///
-  ///   find R = (N, Tx, Ty) with   y = A R + b - approach e_n,   y = (gap, slip_x, slip_y)
+  ///   find R = (N, Tx, Ty) with   y = A R + b - approach a,   y = (gap, slip_x, slip_y)
   ///   N_i = P(N_i, gap_i)  (normal law)   and   T_i = Proj_disc(mu_i N_i)(T_i - rho s_i)  (Coulomb)
   ///
-  /// at every point; e_n is one on every gap. The approach [m] is given, or it is one more unknown that makes
-  /// sum N_i equal to a given normal force. Friction that depends on the slip speed makes mu_i part of the solution
+  /// at every point. The approach [m] is given, or it is one more unknown that makes l . R equal to a given normal
+  /// force. Where one contact lies under the hub, a = l is one on every gap, so that l . R = sum N. Friction that depends on the slip speed makes mu_i part of the solution
   /// (friction_of_speed.h). Sizes 3 n by contact_row().
   struct ContactProblem
   {
@@ -28,16 +30,34 @@ namespace vibrocontact
     DenseVector b;
     /// friction coefficient of each point; n
     std::vector<double> mu;
-    /// what mu follows; null: mu is given
-    std::shared_ptr<const FrictionLaw> friction_law;
-    std::shared_ptr<const NormalLaw> normal_law = signorini().make({});
+    /// what mu follows; none: mu is given
+    PointLaws<FrictionLaw> friction_law;
+    PointLaws<NormalLaw> normal_law = signorini().make({});
     /// resultant N [N] > 0 to be reached, or 0 if the approach is given
     double normal_force = 0;
     /// given approach [m]; the starting value if the normal force is given
     double approach = 0;
+    /// a: rows of y per approach [-, 1/s]; l: normal force per force [-]; 3 n each, empty: one on every gap
+    DenseVector by_approach, to_force;
 
     unsigned int n_points() const { return A->n_points(); }
     bool force_given() const { return normal_force > 0; }
+    /// The three rows of a and of l at a point.
+    std::array<double, 3> approach_of(const unsigned int point) const { return rows_of(by_approach, point); }
+    std::array<double, 3> share_of(const unsigned int point) const { return rows_of(to_force, point); }
+    /// l . R [N]
+    double resultant(const DenseVector &R) const;
+    /// y -= change a
+    void move(DenseVector &y, double change) const;
+
+  private:
+    std::array<double, 3> rows_of(const DenseVector &values, const unsigned int point) const
+    {
+      if (values.size() == 0)
+        return {{1, 0, 0}};
+      const unsigned int n = values.size() / 3;
+      return {{values[point], values[n + point], values[2 * n + point]}};
+    }
   };
 
   /// @throws ConvergenceError if gaps, slips, friction coefficients or loads of the problem are not finite:
@@ -92,6 +112,6 @@ namespace vibrocontact
 
   /// Points with a force that is not zero.
   std::vector<unsigned int> loaded_points(const DenseVector &R);
-  /// y = A R + b - approach e_n
+  /// y = A R + b - approach a
   void contact_response(const ContactProblem &problem, const DenseVector &R, double approach, DenseVector &y);
 } // namespace vibrocontact

@@ -1,32 +1,13 @@
 #pragma once
 
 #include <vibrocontact/base/dense.h>
-#include <vibrocontact/scene/contact_grid.h>
+#include <vibrocontact/contact/placed_contacts.h>
 
 #include <string>
 #include <vector>
 
 namespace vibrocontact
 {
-  /// Rigid creep of body 1 against body 2 in steady rolling.
-  struct Creepage
-  {
-    /// rolling speed V >= 0 [m/s]
-    double speed = 10;
-    /// (velocity of body 1 - velocity of body 2) / V along x and y [-]
-    double longitudinal = 0, lateral = 0;
-    /// relative rotation about +z over V [1/m]
-    double spin = 0;
-    /// velocity of body 1 - velocity of body 2 along x and y, beside the creepages [m/s]
-    double sliding_x = 0, sliding_y = 0;
-
-    template <typename Archive>
-    void serialize(Archive &archive, const unsigned int)
-    {
-      archive &speed &longitudinal &lateral &spin &sliding_x &sliding_y;
-    }
-  };
-
   /// Eulerian slip velocity (Lai et al. 2018, Eq. 1), body 1 minus body 2:
   ///
   ///   s_x = V (xi_x - spin y) + V d(du_x)/dx      s_y = V (xi_y + spin x) + V d(du_y)/dx
@@ -55,12 +36,13 @@ namespace vibrocontact
   /// @throws InputError naming the known schemes
   const CreepScheme &find_creep_scheme(const std::string &name);
 
-  /// Rigid part of the slip at all points of a grid, y = (0, s_x, s_y) by contact_row(); 3 n [m/s].
-  DenseVector rigid_slip(const ContactGrid &grid, const CreepScheme &scheme, const Creepage &creepage);
+  /// Rigid part of the slip at all points, y = (0, s_x, s_y) by contact_row(); 3 n [m/s].
+  /// @param creepage of the scene, seen in each contact's frame
+  DenseVector rigid_slip(const PlacedContacts &contacts, const CreepScheme &scheme, const Creepage &creepage);
 
-  /// Replaces the tangential rows of a displacement compliance (3 n square, [m/N]) by slip rows V d/dx [m/(s
-  /// N)]. In the first columns, where the stencil leaves the grid, lower-order differences are used; such
+  /// Replaces the tangential rows of a displacement compliance (3 n rows, [m/N]) by slip rows V d/dx [m/(s
+  /// N)], x and V of each contact's own grid. In the first columns, where the stencil leaves the grid, lower-order differences are used; such
   /// points must stay open (see check_contact_in_grid).
-  void convert_to_slip_rows(const ContactGrid &grid, const CreepScheme &scheme, double speed,
+  void convert_to_slip_rows(const PlacedContacts &contacts, const CreepScheme &scheme, double speed,
                             DenseMatrix &matrix);
 } // namespace vibrocontact

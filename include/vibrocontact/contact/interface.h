@@ -7,11 +7,28 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace vibrocontact
 {
-  /// `subsection Contact`: where the two bodies of a scene may touch, and by which laws.
+  /// `subsection Contact`, or that of one of several contacts: where two bodies may touch, and by which laws.
   struct ContactParameters
   {
+    /// of its section; name in the entry Contacts, empty: the only one, of section Contact, which joins the two bodies
+    /// of the scene in the usual frame
+    std::string section = "Contact", name;
+    /// the two that it joins: the one above, the one below
+    std::vector<std::string> bodies;
+    /// nominal point in the coordinates of the first body and of the second (empty: the same) [m], direction from the
+    /// second to the first [-]
+    std::vector<double> origin = {0, 0, 0}, origin_below, normal = {0, 0, 1};
+    /// added to the undeformed gap [m]
+    double gap = 0;
+    /// creepages beside those of the scene, in the contact's own frame
+    Creepage own_creepage;
     /// mu [-]; where friction depends on the slip speed its value at high speed
     double friction = 0.3;
     /// spacing of the contact points along x and y [m]
@@ -49,7 +66,11 @@ namespace vibrocontact
     /// law_values are the defaults of the laws
     ContactParameters() : ContactParameters(std::make_shared<const ContactLaws>()) {}
     explicit ContactParameters(std::shared_ptr<const ContactLaws> laws);
+    /// Bodies and place are entries of a contact with a name.
     void declare_parameters(dealii::ParameterHandler &prm);
+    ContactFrame frame() const;
+    /// In the coordinates of the second body.
+    ContactFrame frame_below() const;
     /// Reads the curves of the laws that are named here or by another section, before any law is made, and takes `friction`
     /// from a law that the entry does not scale. Collective.
     /// @param further normal law that an analysis takes in place of `normal_law`, or empty
@@ -72,15 +93,37 @@ namespace vibrocontact
     bool half_space_flexibility() const { return local_flexibility == "half-space"; }
     /// Whether the local flexibility is another than the elements', so that modes have to carry the rest.
     bool replaces_flexibility() const { return half_space_flexibility() || !coupling; }
+
+  private:
+    void declare_place(dealii::ParameterHandler &prm);
   };
 
-  /// Geometry of the contact between two bodies on one grid.
+  /// Sections of all contacts of a scene, in the order of the entry Contacts.
+  struct ContactSections
+  {
+    std::vector<ContactParameters> all;
+
+    ContactSections() : ContactSections(ContactParameters()) {}
+    ContactSections(ContactParameters one) : all{std::move(one)} {}
+    /// the only one, of a scene that has one
+    ContactParameters &first() { return all.front(); }
+    const ContactParameters &first() const { return all.front(); }
+    /// With another friction coefficient in all of them.
+    ContactSections with_friction(double coefficient) const;
+  };
+
+  /// The laws of all points.
+  PointLaws<NormalLaw> normal_law_of_points(const ContactSections &sections, const PlacedContacts &contacts);
+  PointLaws<FrictionLaw> friction_law_of_points(const ContactSections &sections,
+                                                const PlacedContacts &contacts);
+
+  /// Geometry of the contacts of a scene.
   struct ContactInterface
   {
-    ContactGrid grid;
-    /// undeformed gap, surface of body 1 above that of body 2; n [m]
+    PlacedContacts contacts;
+    /// undeformed gap, surface of the first body above that of the second; n [m]
     std::vector<double> gap;
-    /// jump (body 1 minus body 2) of the contact displacements under loads on the bodies; 3 n [m], empty
+    /// jump (first body minus second) of the contact displacements under loads on the bodies; 3 n [m], empty
     /// without loads
     DenseVector load_jump;
   };
@@ -92,19 +135,20 @@ namespace vibrocontact
   /// y = A R of any two bodies in steady rolling: compliance is the sum of both bodies' contact compliances,
   /// 3 n square [m/N]. A_n = (P_c K^-1 P_c^T)_n, A_t = V d/dx (P_c K^-1 P_c^T)_t (doc/theory.md, "One contact
   /// problem for every analysis").
-  std::shared_ptr<const ContactOperator> rolling_operator(const ContactGrid &grid, DenseMatrix compliance,
-                                                          const CreepScheme &scheme, double speed);
+  std::shared_ptr<const ContactOperator> rolling_operator(const PlacedContacts &contacts,
+                                                          DenseMatrix compliance, const CreepScheme &scheme,
+                                                          double speed);
 
   /// The contact problem of steady rolling; neither force nor approach is set yet.
   ContactProblem rolling_problem(std::shared_ptr<const ContactOperator> A, const ContactInterface &interface,
                                  const CreepScheme &scheme, const Creepage &creepage,
-                                 const ContactParameters &parameters);
+                                 const ContactSections &sections);
 
-  /// Refuses a contact that reaches a side of the grid, beyond which it could go on: one row or column has to
+  /// Refuses a contact that reaches a side of its grid, beyond which it could go on: one row or column has to
   /// stay open, two columns on the upstream side of what rolls (the upwind difference starts from points
   /// without traction). Sides where the surface itself ends may be reached, upstream at rest only.
   /// @param speed rolling speed [m/s]
   /// @throws InputError naming the side and the entry to enlarge
-  void check_contact_in_grid(const ContactGrid &grid, const ContactParameters &contact, double speed,
+  void check_contact_in_grid(const PlacedContacts &contacts, const ContactSections &sections, double speed,
                              const std::vector<ContactStatus> &status);
 } // namespace vibrocontact

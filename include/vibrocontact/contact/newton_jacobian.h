@@ -12,9 +12,9 @@ namespace vibrocontact
   ///
   ///   normal row      dN - dP,                        dP = P_N dN + P_g dgap
   ///   tangential rows dT - D (dT - rho_t ds) - mu r dP,   D, r: derivatives of the projection on the disc
-  ///   last row        sum dN                          (only if the normal force is given)
+  ///   last row        l . dR                          (only if the normal force is given)
   ///
-  /// with (dgap, ds) = A dR - d_approach e_n. Unknowns: 3 m changes of forces (normal of all active points,
+  /// with (dgap, ds) = A dR - d_approach a (ContactProblem). Unknowns: 3 m changes of forces (normal of all active points,
   /// x, y), then, if the normal force is given, the approach divided by approach_scale(), which makes it a
   /// force.
   class NewtonJacobian
@@ -60,6 +60,8 @@ namespace vibrocontact
   private:
     std::array<double, 3> apply(const Row &row, double dN, double dTx, double dTy, double dgap, double dsx,
                                 double dsy) const;
+    /// the three rows of active point k for a unit of the last unknown
+    std::array<double, 3> by_approach(unsigned int k, const Row &row) const;
 
     const ContactProblem &problem;
     const unsigned int n;

@@ -16,10 +16,11 @@ namespace vibrocontact
   ///
   /// Its transpose spreads a force R_{c,i} = A_i r_{c,i} as the traction tau_i r_{c,i}, so that a uniform
   /// pressure is transmitted exactly whatever the nodes do (patch test), and P_c K^-1 P_c^T is symmetric.
-  /// The directions are the global axes (z up, x along the rail, y lateral) for either body: a body never
-  /// knows whether it is the first or the second. Replicated on all ranks.
+  /// The directions are those of the contact's frame (usually z up, x along the rail, y lateral) for either body: a
+  /// body never knows whether it is the first or the second. Replicated on all ranks.
   struct ContactTrace
   {
+    /// of several contacts the first
     ContactGrid grid;
     /// rows[contact_row(n, c, i)]: dofs sorted, no constrained dof; 3 n rows
     std::vector<TraceRow> rows;
@@ -27,5 +28,10 @@ namespace vibrocontact
     std::vector<double> surface_height;
     /// whether the outward normal of the surface under the grid points up, as that of a body below does
     bool faces_up = true;
+    /// displacement of the rows where the body moves as a whole by one along z; 3 n, empty: one on normal rows
+    std::vector<double> lifting;
   };
+
+  /// The traces of a body in several contacts as one: rows by contact_row() over the points of all.
+  ContactTrace joined(const std::vector<ContactTrace> &traces);
 } // namespace vibrocontact

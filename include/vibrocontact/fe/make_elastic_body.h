@@ -2,14 +2,15 @@
 
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/scene/body.h>
-#include <vibrocontact/scene/contact_grid.h>
+#include <vibrocontact/scene/contact_frame.h>
 
 namespace vibrocontact
 {
   /// Mesh, material, supports and loads of a meshed body as its parameters say, ready to be assembled.
   /// @param lateral_position of the contact on a wheel or, beside its offset, a block [m]
-  /// @param grid contact grid to refine for; null: a body without contact
+  /// @param places of its contacts, whose grids are refined for; empty: a body without contact
   /// @throws InputError for anything that the mesh makers refuse
   std::unique_ptr<ElasticBody<3>> make_elastic_body(const BodyParameters &parameters, double lateral_position,
-                                                    const ContactGrid *grid, MPI_Comm communicator);
+                                                    const std::vector<ContactPlace> &places,
+                                                    MPI_Comm communicator);
 } // namespace vibrocontact

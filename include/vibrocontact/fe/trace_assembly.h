@@ -2,6 +2,7 @@
 
 #include <vibrocontact/fe/contact_trace.h>
 #include <vibrocontact/fe/elastic_body.h>
+#include <vibrocontact/scene/contact_frame.h>
 
 namespace vibrocontact
 {
@@ -17,6 +18,8 @@ namespace vibrocontact
   ///
   /// @throws InputError if the grid leaves the contact surface, is finer than the nodes of the mesh (spacing
   ///   below cell size over degree), or touches held nodes. Collective: all ranks throw.
+  /// @param frame where the grid lies on a body of three dimensions
   template <int dim>
-  ContactTrace make_contact_trace(const ElasticBody<dim> &body, const ContactGrid &grid);
+  ContactTrace make_contact_trace(const ElasticBody<dim> &body, const ContactGrid &grid,
+                                  const ContactFrame &frame = {});
 } // namespace vibrocontact

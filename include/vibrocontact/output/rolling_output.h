@@ -13,9 +13,11 @@ namespace vibrocontact
 {
   /// One entry of analyses.quasi_static_rolling.cases[] in results.json.
   nlohmann::ordered_json rolling_case_json(const RollingResult &result);
+  /// The same of one of its contacts.
+  nlohmann::ordered_json rolling_case_json(const RollingResult &result, const ContactResultants &of);
 
-  /// The contact patch of one case, a row per grid point: contact_patch_<k>.csv.
-  Table contact_patch_table(const RollingResult &result, const ContactInterface &interface);
+  /// The patch of contact k in one case, a row per grid point: contact_patch_<case>.csv.
+  Table contact_patch_table(const RollingResult &result, const PlacedContacts &contacts, unsigned int k = 0);
 
   /// Resultants of all cases, the entries of cases[]: rolling.csv.
   Table rolling_table(const nlohmann::ordered_json &cases);

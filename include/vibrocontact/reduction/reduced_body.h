@@ -20,6 +20,7 @@ namespace vibrocontact
   struct ReducedBody
   {
     std::string name;
+    /// of several contacts the first; their points follow each other in all rows
     ContactGrid grid;
     /// dofs of the finite-element model behind it; 0 for a half-space
     unsigned int n_dofs = 0;

@@ -22,7 +22,7 @@ namespace vibrocontact
   {
     const Parameters &parameters;
     const ContactPair &pair;
-    const NormalLaw &law;
+    const PointLaws<NormalLaw> &law;
     /// of the results
     const std::string &folder;
   };

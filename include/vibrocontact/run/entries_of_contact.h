@@ -16,7 +16,7 @@ namespace vibrocontact
   bool stands_under_loads(const BodyParameters &body);
 
   void add_lateral_position(EntriesRead &entries, const Parameters &parameters);
-  /// Section Contact: places of the points.
+  /// Sections of the contacts: places of the points.
   void add_contact_grid(EntriesRead &entries, const Parameters &parameters);
   /// Section Contact/Solver. @param condition in words of what has to hold
   void add_contact_solver(EntriesRead &entries, const Parameters &parameters, bool holds = true,
@@ -27,13 +27,14 @@ namespace vibrocontact
   void add_friction(EntriesRead &entries, const ContactParameters &contact, bool rubs,
                     const std::string &condition);
   /// What a normal law is made of. @param entry that names it, for messages
-  void add_normal_law(EntriesRead &entries, const ContactLaws &laws, const std::string &name,
+  void add_normal_law(EntriesRead &entries, const ContactParameters &contact, const std::string &name,
                       const std::string &entry);
-  /// Contact of two bodies with friction: grid, laws, solver. @param largest_friction of all cases
-  void add_contact(EntriesRead &entries, const Parameters &parameters, double largest_friction);
+  /// Contacts with friction: grids, laws, solver. @param swept_friction in place of the sections' coefficients; empty: none
+  void add_contacts(EntriesRead &entries, const Parameters &parameters,
+                    const std::vector<double> &swept_friction = {});
   /// Cases of rolling and of the equilibria of stability.
   void add_rolling_cases(EntriesRead &entries, const RollingParameters &rolling,
-                         const ContactParameters &contact);
+                         const ContactSections &contacts);
   /// Of all cases of a sweep [-].
   double largest_friction(const Parameters &parameters);
   /// What becomes of the hub of body 1 once the load has found its place.

@@ -13,7 +13,7 @@ namespace vibrocontact
   /// Everything that determines the reduction of a body, as text: its own entries (all but those of its
   /// modes), the contact grid and the contents of the files that it names. The key of the reduction cache.
   std::string body_key(const DeclaredParameters &parameters, const std::string &body, double lateral_position,
-                       const ContactGrid *grid);
+                       const std::vector<ContactPlace> &places);
 
   /// Where the rim of a wheel begins, from its entry, or as far out as on the shipped wheel [m].
   double rim_radius(const BodyParameters &body, const ModeParameters &modes);
@@ -23,17 +23,17 @@ namespace vibrocontact
   {
   public:
     /// @param above whether this is body 1; @param key see body_key()
-    /// @param grid contact grid, copied; null if no analysis has contact
+    /// @param places of its contacts; none if no analysis has contact
     MeshedBody(const BodyParameters &parameters, const ModeParameters &modes, bool above,
-               double lateral_position, const ContactGrid *grid, const std::string &key,
+               double lateral_position, const std::vector<ContactPlace> &places, const std::string &key,
                const std::string &cache_directory, MPI_Comm communicator);
 
     /// Makes mesh and dofs of a solid. What is wrong with them is thrown here, before the expensive steps.
     /// Collective.
     const ElasticBody<3> &elastic_body();
-    /// Lays the contact grid on the body, if there is one, and keeps the trace for the assembly. What is
+    /// Lays the contact grids on the body, if there are any, and keeps the trace for the assembly. What is
     /// wrong with it is thrown here, before the expensive steps; also a contact surface that looks the wrong
-    /// way: down for body 1, which is above the plane z = 0, up for body 2. Collective.
+    /// way: down for the first body of a contact, which is above, up for the second. Collective.
     void check_contact();
     /// The body if this run has made it, null otherwise.
     const ElasticBody<3> *made() const { return body.get(); }
@@ -43,12 +43,14 @@ namespace vibrocontact
   private:
     const bool above;
     const double lateral_position;
-    const std::optional<ContactGrid> grid;
+    const std::vector<ContactPlace> places;
     const MPI_Comm communicator;
     std::unique_ptr<ElasticBody<3>> body;
     std::optional<ContactTrace> trace;
 
     std::unique_ptr<SecondOrderSystem> assemble();
+    ContactTrace points_of_bar(const SecondOrderSystem &system) const;
+    void check_side(bool above, bool faces_up) const;
 
   public:
     BodyReduction reduction;

@@ -27,7 +27,7 @@ namespace vibrocontact
   {
     Scene scene;
     OutputParameters output;
-    ContactParameters contact;
+    ContactSections contacts;
     ContactSolverParameters contact_solver;
     RollingParameters rolling;
     TransientParameters transient;
@@ -58,6 +58,9 @@ namespace vibrocontact
     /// Looks for bodies that touch with a flat face which ends within reach of the contact grid (contact_grid()
     /// then ends with it), and refuses grids that such a contact would fill for certain without ending there.
     void find_flat_faces();
+    void find_flat_faces(unsigned int contact_number);
+    /// Section Contact, or the first of several: what analyses of one contact take.
+    const ContactParameters &contact() const { return contacts.first(); }
     /// Whether a contact grid is needed.
     bool has_contact() const
     {
@@ -69,7 +72,7 @@ namespace vibrocontact
     /// Whether the contact needs the modes of the bodies.
     bool needs_modes() const
     {
-      return has_dynamics() || scene.runs("periodic") || (has_contact() && contact.replaces_flexibility());
+      return has_dynamics() || scene.runs("periodic") || (has_contact() && contact().replaces_flexibility());
     }
     /// RollingParameters::hub as it applies to the bodies of this scene.
     std::string hub() const { return scene.bodies[0].type == "half-space" ? "none" : rolling.hub; }
@@ -77,8 +80,12 @@ namespace vibrocontact
     bool has_identification() const;
     /// The normal law of the stop of periodic motion.
     std::shared_ptr<const NormalLaw> periodic_law() const;
-    /// The grid of section Contact, or one point if a body has no more.
-    ContactGrid contact_grid() const;
+    /// The grid of contact k, or one point if a body has no more.
+    ContactGrid contact_grid(unsigned int k = 0) const;
+    /// All of them with their bodies and frames.
+    PlacedContacts placed_contacts() const;
+    /// Places in the entry Bodies of the two bodies of contact k.
+    std::pair<unsigned int, unsigned int> bodies_of_contact(unsigned int k) const;
     /// The sweep of a listed analysis that moves the contact over a band of body 1 (AnalysisType::sweeps_band); null: none.
     const ParameterSweep *lateral_sweep() const;
     /// The lateral positions of lateral_sweep() [m]: those whose contact point lies on the tread of a
@@ -90,10 +97,14 @@ namespace vibrocontact
     };
     LateralPositions lateral_positions() const;
     /// The contact grid in a lateral position of the sweep: without the rows that leave the tread.
-    ContactGrid contact_grid(double lateral_position) const;
+    ContactGrid contact_grid_at(double lateral_position) const;
     /// The grid on which body k (0 or 1) is reduced: that of the contact, or for body 1 the band of its
     /// windows if the lateral position is swept.
     ContactGrid body_grid(unsigned int k) const;
+    /// Where body k has contacts; empty if no analysis has one.
+    std::vector<ContactPlace> places(unsigned int k) const;
+    /// Whether it is the first body of its first contact.
+    bool is_above(unsigned int k) const;
   };
 
   /// Both passes over a file and all checks that need no mesh. Says in the log which alternative an option

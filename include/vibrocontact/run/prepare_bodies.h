@@ -25,18 +25,18 @@ namespace vibrocontact
   /// All of them.
   MeshedBodies meshed_bodies(const Parameters &parameters, const DeclaredParameters &declared);
 
-  /// Both bodies of a contact, reduced where they are meshed.
+  /// The bodies of a scene, reduced where they are meshed.
   struct PreparedPair
   {
     std::vector<ReducedBody> reduced;
-    /// body 1, body 2; they refer to `reduced` and to the parameters
+    /// in the order of the scene; they refer to `reduced` and to the parameters
     std::vector<ContactBody> bodies;
   };
 
   /// Reduces the bodies or finds them in the cache, so that whoever asks for them later needs no other rank. Collective.
   void reduce_bodies(const MeshedBodies &bodies, bool with_modes);
 
-  /// Reduces the two bodies of the scene (or finds them in the cache), with their modes or for a static
+  /// Reduces the bodies of the scene (or finds them in the cache), with their modes or for a static
   /// analysis. Collective.
   std::unique_ptr<const PreparedPair> prepare_pair(const Parameters &parameters, const MeshedBodies &bodies,
                                                    bool with_modes);

@@ -34,6 +34,8 @@ namespace vibrocontact
   {
     std::string title;
     std::vector<BodyParameters> bodies;
+    /// names of the contacts; empty: the only one, of section Contact
+    std::vector<std::string> contacts;
     std::vector<std::string> analyses;
     /// that the program has
     std::vector<AnalysisType> known_analyses;
@@ -44,16 +46,16 @@ namespace vibrocontact
     /// Whether one of the analyses has it: AnalysisType::has_contact, has_dynamics.
     bool any_analysis(bool AnalysisType::*property) const;
 
-    /// Title, Bodies, Analyses and the subsections of the bodies.
+    /// Title, Bodies, Contacts, Analyses and the subsections of the bodies.
     void declare_parameters(dealii::ParameterHandler &prm);
     /// Combinations, after parsing.
     void check() const;
 
     /// as in the file; bodies and analyses above are what was made of them
-    std::string bodies_entry, analyses_entry;
+    std::string bodies_entry, contacts_entry, analyses_entry;
   };
 
-  /// First pass over a file: only the lists of bodies and analyses and the bodies' types, which decide what
+  /// First pass over a file: only the lists of bodies, contacts and analyses and the bodies' types, which decide what
   /// sections there are. @throws InputError if a list is empty, names something unknown or a section is
   /// missing
   Scene read_scene_lists(const ParameterFile &file, const std::vector<AnalysisType> &known_analyses,

@@ -1,0 +1,147 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/run/check_contacts.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    void check_bodies(const Scene &scene, const ContactParameters &contact)
+    {
+      const std::string entry = contact.section + "/Bodies ";
+      if (contact.bodies.size() != 2)
+        throw InputError(entry + "lists " + std::to_string(contact.bodies.size()) +
+                         ": a contact joins two, the one above and the one below.");
+      std::vector<std::string> names;
+      for (const BodyParameters &body : scene.bodies)
+        names.push_back(body.name);
+      for (const std::string &name : contact.bodies)
+        if (std::find(names.begin(), names.end(), name) == names.end())
+          throw InputError(entry + "names \"" + name + "\", which is no body of this file; " +
+                           name_suggestion(name, names));
+      if (contact.bodies[0] == contact.bodies[1])
+        throw InputError(entry + "joins " + contact.bodies[0] + " with itself: name two bodies.");
+    }
+
+    /// What a type of body can have more of than one contact in the usual frame.
+    /// @param own its contacts, and whether it is the first body there
+    void check_type(const BodyParameters &body,
+                    const std::vector<std::pair<const ContactParameters *, bool>> &own)
+    {
+      if (own.empty())
+        throw InputError("Body " + body.name +
+                         " is in no contact of the list Contacts: join it, or leave it out of Bodies.");
+      if (body.is_solid() || body.type == "rigid")
+        return;
+      const std::string several =
+          body.name + ", of type " + body.type + ", is in " + std::to_string(own.size()) + " contacts, ";
+      if (own.size() > 1 && (body.type == "half-space" || body.type == "beam rail"))
+        throw InputError(several +
+                         "but half-spaces couple within one grid only: put their points on one grid.");
+      if (own.size() > 1 && body.type != "bar")
+        throw InputError(several + "but its points are one contact: list them in one.");
+      for (const auto &[contact, above] : own)
+      {
+        const ContactFrame frame = above ? contact->frame() : contact->frame_below();
+        const bool along = body.type == "bar" && frame.origin[0] == 0 && frame.origin[1] == 0;
+        if (!frame.has_usual_axes())
+          throw InputError(contact->section + "/Normal turns the contact of " + body.name + ", of type " +
+                           body.type + ", which moves and touches in its own directions: leave it out.");
+        if (body.type != "half-space" && !frame.is_usual() && !along)
+          throw InputError(contact->section + "/Origin moves the contact of " + body.name + ", of type " +
+                           body.type + ", " +
+                           (body.type == "bar" ? "off its axis: give x = y = 0."
+                                               : "whose place is its own: leave it at 0, 0, 0."));
+      }
+    }
+
+    void check_analyses(const Parameters &parameters)
+    {
+      const Scene &scene = parameters.scene;
+      const std::string lists = "Contacts lists " + scene.contacts_entry + ", but ";
+      for (const char *analysis : {"modal convolution", "periodic"})
+        if (scene.runs(analysis))
+          throw InputError(
+              lists + "the analysis \"" + analysis +
+              "\" knows the contact of body 1 with a road or stop alone: run it from a file with "
+              "section Contact.");
+      for (const auto &[analysis, section, model] :
+           {std::make_tuple("stability", "Stability", &parameters.stability.model),
+            {"transient", "Transient", &parameters.transient.model}})
+        if (scene.runs(analysis) && *model != "reduced")
+          throw InputError(
+              lists + section + "/Model is " + *model +
+              ", which takes the contact points of one grid from the elements: set it to reduced.");
+      if (scene.runs("stability") && parameters.stability.sweep.any())
+        throw InputError(lists +
+                         "Stability/Sweep has the cases of one contact: sweep section Rolling, or leave "
+                         "the sweep out.");
+      if (scene.contacts.size() > 1 && parameters.output.contact_problems)
+        throw InputError(lists +
+                         "Output/Contact problems writes files that hold one contact: set it to false.");
+    }
+
+    bool rubs(const Parameters &parameters, const ContactParameters &contact)
+    {
+      const std::vector<double> &swept = parameters.rolling.sweep.friction;
+      return swept.empty() ? contact.friction > 0 : *std::max_element(swept.begin(), swept.end()) > 0;
+    }
+  } // namespace
+
+  void check_contacts(const Parameters &parameters)
+  {
+    const Scene &scene = parameters.scene;
+    if (scene.contacts.empty())
+      return;
+    for (const ContactParameters &contact : parameters.contacts.all)
+    {
+      check_bodies(scene, contact);
+      contact.frame();
+      contact.frame_below();
+    }
+    check_analyses(parameters);
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+    {
+      std::vector<std::pair<const ContactParameters *, bool>> own;
+      for (const ContactParameters &contact : parameters.contacts.all)
+        for (unsigned int k = 0; k < 2; ++k)
+          if (contact.bodies[k] == scene.bodies[b].name)
+            own.emplace_back(&contact, k == 0);
+      check_type(scene.bodies[b], own);
+    }
+    const PlacedContacts placed = parameters.placed_contacts();
+    const bool moves = scene.runs("quasi-static rolling") || scene.runs("stability");
+    for (unsigned int k = 0; k < placed.all.size(); ++k)
+    {
+      const ContactParameters &contact = parameters.contacts.all[k];
+      if (contact.creep_scheme != parameters.contact().creep_scheme)
+        throw InputError(
+            contact.section + "/Creep scheme is " + contact.creep_scheme + ", but that of " +
+            parameters.contact().section + " is " + parameters.contact().creep_scheme +
+            ": material that rolls through several contacts is differenced by one scheme, make them "
+            "equal.");
+      if (contact.half_space_flexibility() && placed.all.size() > 1)
+        throw InputError(
+            contact.section +
+            "/Local flexibility is half-space, but half-spaces couple within one grid only: set it "
+            "to finite elements.");
+      const Creepage seen = placed.all[k].seen(parameters.rolling.creepage);
+      if (moves && rubs(parameters, contact) && !(seen.speed > 0) && seen.sliding_x == 0 &&
+          seen.sliding_y == 0)
+        throw InputError("Rolling/Speed is 0 and nothing slides in contact " + contact.name +
+                         ": its friction forces have no direction; give it a Sliding velocity or set " +
+                         contact.section + "/Friction coefficient to 0.");
+      const bool under_hub = placed.all[k].above == 0 || placed.all[k].below == 0;
+      if (scene.runs("stability") && parameters.rolling.hub == "massless" && under_hub &&
+          !placed.all[k].frame.has_usual_axes())
+        throw InputError(
+            "Rolling/Hub is massless, but the normal of contact " + contact.name +
+            " is inclined, so that its motion would slip there, which Stability does not linearise: set "
+            "it to suspended or held.");
+    }
+  }
+} // namespace vibrocontact
