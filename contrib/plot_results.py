@@ -87,11 +87,14 @@ def main():
     with open(os.path.join(folder, "results.json")) as file:
         results = json.load(file)
     analyses = results["analyses"]
-    cases = analyses.get("quasi_static_rolling", {}).get("cases", [])
-    patches = [k for k in range(len(cases)) if os.path.exists(os.path.join(folder, f"contact_patch_{k}.csv"))]
-    for k in patches if len(patches) <= MAX_PATCHES else patches[:1] + patches[-1:]:
-        plot_patch(folder, k, cases[k])
-        plot_centre_line(folder, k, cases[k], options.contact_table)
+    rolling = analyses.get("quasi_static_rolling", {})
+    cases = rolling.get("cases", [])
+    # of one contact, or of several by their names
+    for before, own in [("", cases)] + [(name + "_", one["cases"]) for name, one in rolling.get("contacts", {}).items()]:
+        patches = [k for k in range(len(own)) if os.path.exists(os.path.join(folder, f"contact_patch_{before}{k}.csv"))]
+        for k in patches if len(patches) <= MAX_PATCHES else patches[:1] + patches[-1:]:
+            plot_patch(folder, f"{before}{k}", own[k])
+            plot_centre_line(folder, f"{before}{k}", own[k], options.contact_table)
     plot_curves(folder, cases)
     if "frequency_response" in analyses:
         plot_frequency_response(folder, analyses["frequency_response"])

@@ -83,12 +83,12 @@ def read_entries(folder):
     return entries
 
 
-def friction_factor(folder, speed):
+def friction_factor(folder, speed, section="Contact"):
     """mu over the Friction coefficient at these slip speeds [m/s]; 1 without a law that depends on them."""
     name = os.path.join(folder, "used.prm")
     entries = read_entries(folder) if os.path.exists(name) else {}
-    ratio = float(entries.get("Contact/Static friction ratio", 1))
-    velocity = float(entries.get("Contact/Stribeck velocity", 1))
+    ratio = float(entries.get(section + "/Static friction ratio", 1))
+    velocity = float(entries.get(section + "/Stribeck velocity", 1))
     return 1 + (ratio - 1) * np.exp(-np.asarray(speed, dtype=float) / velocity)
 
 

@@ -73,7 +73,8 @@ def plot_centre_line(folder, k, case, contact_table=None):
     x = 1e3 * patch["x_m"][line]
     figure, axis = plt.subplots(figsize=(6, 3.8))
     slip = np.hypot(patch["slip_x_m_s"], patch["slip_y_m_s"])[line]
-    limit = case["friction"] * friction_factor(folder, slip) * patch["pressure_Pa"][line] / 1e6
+    section = str(k).rpartition("_")[0] or "Contact"
+    limit = case["friction"] * friction_factor(folder, slip, section) * patch["pressure_Pa"][line] / 1e6
     axis.plot(x, limit, "k--", lw=1, label=r"$\mu\, p$")
     axis.plot(x, -limit, "k--", lw=1)
     if contact_table:

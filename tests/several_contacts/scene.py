@@ -1,0 +1,53 @@
+"""What the scripts of this folder share: files of several contacts are written, run and read."""
+import csv, json, os, subprocess, sys
+
+program, mpirun = sys.argv[1:3]
+
+
+def section(name, *lines):
+    return f"subsection {name}\n" + "\n".join(lines) + "\nend"
+
+
+def entries(**values):
+    """Entries of a section; _ in their names means a space."""
+    return "\n".join(f"set {name.replace('_', ' ')} = {value}" for name, value in values.items())
+
+
+def run(name, text, ranks=1, *options):
+    """Runs a file and returns results.json and its folder."""
+    with open(name + ".prm", "w") as file:
+        file.write(text + "\n" + section("Output", entries(Directory=name, Cache_directory="cache", Figures="false")))
+    command = [program, name + ".prm", "--quiet", *options]
+    if ranks > 1:
+        command = [mpirun, "-n", str(ranks)] + command
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"FAILED: {name}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
+    return json.load(open(os.path.join(name, "results.json")))["analyses"], name
+
+
+def table(folder, name):
+    """Rows of a table, by column."""
+    with open(os.path.join(folder, name)) as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    return [{key: value if key in ("label", "curve") else float(value) for key, value in row.items()} for row in rows]
+
+
+class Check:
+    """Compares numbers, says what is wrong and fails at the end."""
+
+    def __init__(self):
+        self.wrong = self.checked = 0
+        self.largest = 0
+
+    def near(self, what, got, expected, tolerance, scale=None):
+        error = abs(got - expected) / (scale if scale else max(abs(expected), 1e-300))
+        self.checked += 1
+        self.largest = max(self.largest, error / tolerance)
+        if not error <= tolerance:
+            self.wrong += 1
+            print(f"WRONG {what}: {got:.12g}, expected {expected:.12g}, relative error {error:.2g} > {tolerance:g}")
+
+    def end(self):
+        print(f"{self.checked} numbers, {self.wrong} wrong, largest error {self.largest:.2g} of its tolerance")
+        sys.exit(1 if self.wrong or not self.checked else 0)
