@@ -76,7 +76,7 @@ namespace vibrocontact
           throw InputError(
               lists + section + "/Model is " + *model +
               ", which takes the contact points of one grid from the elements: set it to reduced.");
-      if (scene.runs("stability") && parameters.stability.sweep.any())
+      if (scene.runs("stability") && parameters.sweeps.at("stability").any())
         throw InputError(lists +
                          "Stability/Sweep has the cases of one contact: sweep section Rolling, or leave "
                          "the sweep out.");

@@ -235,7 +235,7 @@ namespace vibrocontact
     /// Its cases have no deformation of the bodies, which is found by all ranks.
     PreparedRun prepare_rolling(const AnalysisRun &on)
     {
-      reduce_bodies(on.bodies, on.parameters.contact.replaces_flexibility());
+      reduce_bodies(on.bodies, on.parameters.contact().replaces_flexibility());
       return [](const AnalysisRun &one)
       { run_rolling(one.parameters, one.bodies, one.folder, one.results, one.save_sometimes); };
     }

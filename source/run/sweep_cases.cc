@@ -133,7 +133,7 @@ namespace vibrocontact
           SweepCase one;
           one.first = i;
           one.second = j;
-          one.lateral_position = parameters.contact.lateral_position;
+          one.lateral_position = parameters.contact().lateral_position;
           std::vector<std::string> options = overrides;
           std::string text;
           for (unsigned int k = 0; k < sweep.entries.size(); ++k)
