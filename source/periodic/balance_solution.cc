@@ -133,7 +133,7 @@ namespace vibrocontact
   bool PeriodicBalance::refine_fewer_functions(std::vector<double> &c, PeriodicSolution &solution)
   {
     const unsigned int N = settings.n_functions, n = (N - 1) / 2 | 1;
-    if (n < fewest_functions || receptances)
+    if (n < fewest_functions || receptances || settings.quadrature_points % n != 0)
       return false;
     if (!fewer)
     {

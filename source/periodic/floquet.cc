@@ -199,13 +199,14 @@ namespace vibrocontact
       return std::all_of(stiffness.begin(), stiffness.end(), [](const double value) { return value == 0; });
     }
 
-    /// Logarithm of Hill's determinant at lambda, times what is zero at the multipliers of the free modes, the determinant's
-    /// poles.
+    /// Logarithm of Hill's determinant at lambda; of a law as a projection, whose start may be far off, times what is zero at the
+    /// multipliers of the free modes, the determinant's poles.
     class HillDeterminant
     {
     public:
       HillDeterminant(const ForcedBody &body, const TangentContact &contact, const int n_harmonics)
-          : body(body), H(n_harmonics), Omega(2 * M_PI * contact.frequency)
+          : body(body), H(n_harmonics), Omega(2 * M_PI * contact.frequency),
+            without_poles(!contact.share.empty())
       {
         for (unsigned int p = 0; p < body.n_points(); ++p)
           if (!is_open(contact.stiffness[p]))
@@ -256,7 +257,7 @@ namespace vibrocontact
           result +=
               std::log(pivots[i] == i + 1 ? matrix[std::size_t(i) * n + i] : -matrix[std::size_t(i) * n + i]);
         const double T = 2 * M_PI / Omega;
-        for (unsigned int k = 0; k < body.n_modes(); ++k)
+        for (unsigned int k = 0; k < body.n_modes() && without_poles; ++k)
           if (body.omega[k] < (H + 0.5) * Omega)
           {
             const double zeta = body.damping_ratio[k];
@@ -291,6 +292,7 @@ namespace vibrocontact
       const ForcedBody &body;
       const int H;
       const double Omega;
+      const bool without_poles;
       /// of the points that touch: their normal rows, spectra of stiffness and share
       std::vector<unsigned int> rows;
       std::vector<std::vector<Complex>> stiffness, share;

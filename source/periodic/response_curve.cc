@@ -116,6 +116,17 @@ namespace vibrocontact
       return balance.settings.projection / std::sqrt(least * most);
     }
 
+    /// Keeps the parameter of the projections while it lives.
+    struct OneProjection
+    {
+      OneProjection(PeriodicBalance &balance, const double rho) : balance(balance)
+      {
+        balance.set_projection(rho);
+      }
+      ~OneProjection() { balance.set_projection(0); }
+      PeriodicBalance &balance;
+    };
+
     /// force that closes the gap at rest
     double force_scale(const PeriodicBalance &balance)
     {
@@ -131,8 +142,8 @@ namespace vibrocontact
       return scale > 0 ? scale : 1.;
     }
 
-    /// By Hill's method, near the multiplier of the monodromy matrix or near one: at a rigid stop that matrix sees a stiff spring,
-    /// and begin and end of the contact to a sample.
+    /// By Hill's method, near the multiplier of the monodromy matrix or near one: at a rigid stop that matrix sees a
+    /// stiff spring, and begin and end of the contact to a sample.
     std::complex<double> largest_near(const ForcedBody &body, const TangentContact &tangent,
                                       const unsigned int n_harmonics, const std::complex<double> &start)
     {
@@ -162,7 +173,7 @@ namespace vibrocontact
       if (!largest)
         throw ConvergenceError("No multiplier of the motion against the rigid stop was found at " +
                                number_text(tangent.frequency) +
-                               " Hz: give more functions or samples, or set Stability = none.");
+                               " Hz; give more functions or samples, or set Stability = none");
       return *largest;
     }
   } // namespace
@@ -257,7 +268,7 @@ namespace vibrocontact
     ResponseCurve result;
     result.parameter = settings.parameter;
     result.has_stability = wants_stability;
-    balance.set_projection(projection_of_branch(balance, settings));
+    const OneProjection one_projection(balance, projection_of_branch(balance, settings));
     const PeriodicSolution first = balance.solve();
     if (!first.converged)
     {
@@ -304,14 +315,22 @@ namespace vibrocontact
       for (unsigned int k = 0; k < count; ++k)
         response.amplitude = std::max(response.amplitude, std::abs(u[k]));
       response.active = double(balance.n_active()) / (count * balance.linear_body().n_points());
-      if (wants_stability)
-        response.multiplier =
-            largest_multiplier(balance, settings.stability, settings.mode_limit, settings.hill_harmonics);
+      if (result.has_stability)
+        try
+        {
+          response.multiplier =
+              largest_multiplier(balance, settings.stability, settings.mode_limit, settings.hill_harmonics);
+        }
+        catch (const ConvergenceError &error)
+        {
+          // the branch stands without it
+          result.has_stability = result.complete = false;
+          result.reason += ", without its stability: " + std::string(error.what());
+        }
       if (point.kind == CurvePoint::Kind::event)
         result.grazing.push_back(point.p);
       result.points.push_back(std::move(response));
     }
-    balance.set_projection(0);
     merge_folds(result);
     result.stability_seconds = timer.wall_time() - stability_begin;
     result.seconds = timer.wall_time();

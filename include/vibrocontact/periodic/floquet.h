@@ -27,8 +27,9 @@ namespace vibrocontact
   /// Modes up to an angular frequency; the others answer statically (with the body's relaxation), in its residual.
   ForcedBody slow_part(const ForcedBody &body, double omega);
 
-  /// Multipliers by the monodromy matrix, the largest first, for forces that follow from the gap: an impulse k dt at every sample in contact (second order in the
-  /// sample), exact motion of the modes from one to the next, one exponential for each flight.
+  /// Multipliers by the monodromy matrix, the largest first, for forces that follow from the gap: an impulse k dt at
+  /// every sample in contact (second order in the sample), exact motion of the modes from one to the next, one
+  /// exponential for each flight.
   std::vector<std::complex<double>> monodromy_multipliers(const ForcedBody &body,
                                                           const TangentContact &contact);
 
