@@ -176,13 +176,18 @@ namespace vibrocontact
       throw InputError("Transient/Exciting force acts at the only contact point, but this contact has " +
                        std::to_string(contacts.n_points()) +
                        " points: leave it out, or move the body by a Hub displacement.");
+    if (excited && (contacts.all.front().above != 0 || !contacts.all.front().frame.has_usual_axes()))
+      throw InputError("Transient/Exciting force acts on body 1 along z, but body 1 is not the first of its "
+                       "contact, or the contact is "
+                       "inclined: leave it out, or name body 1 first.");
     const auto exciting_force = sources.function(exciting);
     sources.check_all_used();
     const double speed = constant.creepage.speed, h = transient.time_step;
     const FunctionOfTime hub_acceleration =
         moved ? acceleration(load, h, sources.last_time()) : FunctionOfTime();
 
-    std::vector<std::shared_ptr<const Roughness>> roughness;
+    // of each contact, with its place along the road [m]
+    std::vector<std::pair<std::shared_ptr<const Roughness>, double>> roughness;
     if (transient.roughness.any())
     {
       if (speed == 0)
@@ -190,9 +195,10 @@ namespace vibrocontact
                          "does not move: give a speed or leave it out.");
       for (const PlacedContact &contact : contacts.all)
       {
-        roughness.push_back(std::make_shared<Roughness>(transient.roughness, contact.grid));
-        roughness.back()->heights(0);
-        roughness.back()->heights(speed * transient.end_time);
+        const auto own = std::make_shared<Roughness>(transient.roughness, contact.grid);
+        own->heights(0);
+        own->heights(speed * transient.end_time);
+        roughness.emplace_back(own, contact.frame.origin[0]);
       }
     }
     return [=, creepage = constant.creepage, force_name = sources.name(force)](const double t)
@@ -215,8 +221,8 @@ namespace vibrocontact
       if (hub_acceleration)
         drive.hub_acceleration = hub_acceleration(t);
       drive.force = exciting_force(t);
-      for (const auto &one : roughness)
-        for (const double height : one->heights(speed * t))
+      for (const auto &[own, place] : roughness)
+        for (const double height : own->heights(speed * t - place))
         {
           if (!std::isfinite(height))
             throw wrong_value("Transient/Roughness", height, "m", t,

@@ -73,6 +73,7 @@ namespace vibrocontact
       for (const char *name :
            {"results.json", "histories.rows", "signals.rows", "checkpoint.h5", "modal_convolution.h5"})
         fs::remove(folder / name, ignored);
+      fs::remove_all(folder / sweep_folder, ignored);
       remove_parts(folder);
     }
   } // namespace

@@ -80,9 +80,9 @@ namespace vibrocontact
         throw InputError(lists +
                          "Stability/Sweep has the cases of one contact: sweep section Rolling, or leave "
                          "the sweep out.");
-      if (scene.contacts.size() > 1 && parameters.output.contact_problems)
-        throw InputError(lists +
-                         "Output/Contact problems writes files that hold one contact: set it to false.");
+      if (parameters.output.contact_problems)
+        throw InputError(
+            lists + "Output/Contact problems writes files that hold section Contact alone: set it to false.");
     }
 
     bool rubs(const Parameters &parameters, const ContactParameters &contact)

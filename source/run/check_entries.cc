@@ -269,8 +269,14 @@ namespace vibrocontact
       const ParameterSweep &sweep = parameters.sweeps.at(name);
       for (const ParameterSweep::Axis *const axis : {&sweep.first, &sweep.second})
         if (!axis->entry.empty())
+        {
+          std::vector<std::string> followers;
+          for (const auto &[other, own] : parameters.sweeps)
+            if (own.sweeps(axis->entry))
+              followers.push_back(other);
           check(analysis.type.sweep_section + "/Sweep", axis->entry + " in " + name + " alone", axis->entry,
-                {name});
+                followers);
+        }
     }
   }
 } // namespace vibrocontact

@@ -188,7 +188,8 @@ namespace vibrocontact
     }
 
     /// What stands in place of the elements' local flexibility, and what then carries the rest.
-    void check_local_flexibility(const Parameters &parameters, const ContactParameters &contact)
+    void check_local_flexibility(const Parameters &parameters, const ContactParameters &contact,
+                                 const std::vector<const BodyParameters *> &joined)
     {
       if (!contact.replaces_flexibility())
         return;
@@ -202,8 +203,9 @@ namespace vibrocontact
       if (contact.half_space_flexibility() && contact.quadrature == "consistent")
         throw InputError(entry + ", which knows tractions that are constant on each cell only: set " +
                          contact.section + "/Quadrature to lumped.");
-      for (const BodyParameters &body : parameters.scene.bodies)
+      for (const BodyParameters *const one : joined)
       {
+        const BodyParameters &body = *one;
         if (contact.half_space_flexibility() && (body.type == "bar" || body.type == "layer"))
           throw InputError(entry + ", but the surface of the " + body.type + " " + body.name +
                            " is no half-space: set it to finite elements.");
@@ -333,7 +335,7 @@ namespace vibrocontact
         check_half_space_contact(joined, one);
         if (joined.size() > 1 && !scene.runs("modal convolution"))
           check_touch(*joined[0], *joined[1], one.strip_length > 0);
-        check_local_flexibility(*this, one);
+        check_local_flexibility(*this, one, joined);
       }
     }
     for (const auto &[name, mode] : modes)

@@ -16,7 +16,7 @@ namespace vibrocontact
   namespace
   {
     /// changes whenever what is exchanged or what it means does
-    constexpr int format = 8;
+    constexpr int format = 9;
 
     std::string checkpoint_name(const std::string &folder)
     {
@@ -66,7 +66,7 @@ namespace vibrocontact
       file(run + "result/force_square", result.force_square);
       file(run + "result/tangential_square", result.tangential_square);
       file(run + "result/smallest_gap", result.smallest_gap);
-      for (std::size_t k = 0; k < result.contacts.size() && result.contacts.size() > 1; ++k)
+      for (std::size_t k = 0; k < result.contacts.size(); ++k)
       {
         const std::string contact = run + "result/contact_" + std::to_string(k) + "/";
         ForceSums &sums = result.contacts[k];

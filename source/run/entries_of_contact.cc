@@ -180,7 +180,7 @@ namespace vibrocontact
   double largest_friction(const Parameters &parameters)
   {
     const std::vector<double> &swept = parameters.rolling.sweep.friction;
-    return swept.empty() ? parameters.contact().friction : *std::max_element(swept.begin(), swept.end());
+    return swept.empty() ? parameters.largest_friction() : *std::max_element(swept.begin(), swept.end());
   }
 
   BodyUse moving_in_contact()

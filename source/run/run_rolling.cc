@@ -109,7 +109,7 @@ namespace vibrocontact
   RollingResult run_rolling(const Parameters &parameters, const MeshedBodies &bodies,
                             const std::string &folder, Results &results, const std::function<void()> &save)
   {
-    const auto pair = prepare_pair(parameters, bodies, parameters.contact().replaces_flexibility());
+    const auto pair = prepare_pair(parameters, bodies, parameters.replaces_flexibility());
     results.reductions = reductions_json(bodies);
     save();
 
@@ -186,7 +186,7 @@ namespace vibrocontact
                          "Output/Deformation = always to have the deformation all the same.");
           continue;
         }
-        if (parameters.contact().replaces_flexibility())
+        if (parameters.replaces_flexibility())
           run_log().line("It is that of the elements under these forces, not what Local flexibility or "
                          "Normal-tangential coupling make of the contact.");
         const PlacedContacts::Rows own = contacts.rows_of(k);
@@ -208,7 +208,7 @@ namespace vibrocontact
     {
       BodyUse use;
       use.contact = use.loads = true;
-      use.motion = parameters.contact().replaces_flexibility();
+      use.motion = parameters.replaces_flexibility();
       add_partners(entries, parameters, use);
       add_contacts(entries, parameters, parameters.rolling.sweep.friction);
       add_rolling_cases(entries, parameters.rolling, parameters.contacts);
@@ -235,7 +235,7 @@ namespace vibrocontact
     /// Its cases have no deformation of the bodies, which is found by all ranks.
     PreparedRun prepare_rolling(const AnalysisRun &on)
     {
-      reduce_bodies(on.bodies, on.parameters.contact().replaces_flexibility());
+      reduce_bodies(on.bodies, on.parameters.replaces_flexibility());
       return [](const AnalysisRun &one)
       { run_rolling(one.parameters, one.bodies, one.folder, one.results, one.save_sometimes); };
     }

@@ -178,6 +178,7 @@ namespace vibrocontact
         catch (const ConvergenceError &error)
         {
           leave_out(error.what());
+          diverged = true;
           on.results.failures.push_back({"stability", text + ": " + error.what()});
         }
         if (k == 0)
@@ -189,7 +190,12 @@ namespace vibrocontact
       void finish() override
       {
         if (outcome.results.empty())
-          throw InputError("Stability/Sweep/Entry: none of the cases has a result. " + last_reason);
+        {
+          const std::string text = "Stability/Sweep/Entry: none of the cases has a result. " + last_reason;
+          if (diverged)
+            throw ConvergenceError(text);
+          throw InputError(text);
+        }
         say_residual_damping(sweep.cases.front().parameters, reduced.front(), 0.,
                              frequencies_that_matter(outcome.results.front()), "stability", on.results);
         on_first_rank(
@@ -212,6 +218,8 @@ namespace vibrocontact
       RootPaths paths, begin_of_row;
       bool row_has_begun = false;
       std::string last_reason;
+      /// whether a case did not converge
+      bool diverged = false;
     };
   } // namespace
 

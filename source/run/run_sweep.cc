@@ -163,7 +163,10 @@ namespace vibrocontact
               outcome.stopped_by = stopped.signal;
             }
           });
-      if (outcome.stopped_by == 0)
+      // a full disk or a fault of the machine may be gone when the run is resumed
+      const bool is_answer = !outcome.failure || outcome.failure.kind == Failure::Kind::input ||
+                             outcome.failure.kind == Failure::Kind::convergence;
+      if (outcome.stopped_by == 0 && is_answer)
         kept.keep(k, outcome);
       return outcome;
     };

@@ -293,7 +293,7 @@ namespace vibrocontact
       schedule.is_due(); // a signal in the last steps stops what would follow
     results.stopped_by = schedule.stopped_by();
     results.analyses["transient"] = transient_json(result, state, pair.interface.contacts);
-    results.analyses["transient"]["friction"] = parameters.contact().friction;
+    results.analyses["transient"]["friction"] = parameters.largest_friction();
     results.analyses["transient"]["hub"] = applied_hub;
     if (hub.place > 0)
       results.analyses["transient"]["hub_displacement_m"] = hub.place;

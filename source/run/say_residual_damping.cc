@@ -6,6 +6,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace vibrocontact
 {
@@ -29,58 +30,80 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    /// a body with its row of the point that is looked at
+    using BodyAtPoint = std::pair<const ReducedBody *, unsigned int>;
+
+    void say(const Parameters &parameters, const std::vector<BodyAtPoint> &reduced, const double further,
+             std::vector<double> frequencies, const std::string &key, Results &results)
+    {
+      std::vector<LossyBody> bodies;
+      bool any = false;
+      for (const auto &[reduced_body, row] : reduced)
+      {
+        const auto own = std::find_if(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
+                                      [name = reduced_body->name](const BodyParameters &body)
+                                      { return body.name == name; });
+        const BodyParameters &body = *own;
+        // damping of wheels is given by mode
+        const double loss = body.type == "wheel" ? 0 : body.material_loss_factor();
+        const double beta = parameters.modes.at(body.name).stiffness_damping;
+        bodies.push_back({reduced_body, row, beta, loss});
+        any = any || beta > 0 || loss > 0;
+      }
+      if (!any)
+        return;
+      if (frequencies.empty())
+        frequencies = ends_of_the_modes(bodies);
+      const DroppedDamping dropped = dropped_residual_damping(bodies, further, frequencies);
+      if (!(dropped.change > least_change))
+        return;
+      results.analyses[key]["residual_damping"] = {
+          {"taken", false}, {"relative_change", dropped.change}, {"frequency_Hz", dropped.frequency}};
+      const std::string text =
+          "The damping of what the modes leave out is not taken here, only in periodic motions: it "
+          "changes the point receptance in the contact by " +
+          number_text(dropped.change) + " of it at " + number_text(dropped.frequency) + " Hz";
+      if (dropped.change < doubtful_change)
+      {
+        run_log().line(text + ".");
+        return;
+      }
+      results.warnings.push_back(text + "; keep more modes.");
+      run_log().warning(results.warnings.back());
+    }
+  } // namespace
+
   void say_residual_damping(const Parameters &parameters, const PreparedPair &prepared,
                             const ContactPair &pair, const std::vector<double> &frequencies,
                             const std::string &key, Results &results)
   {
-    const unsigned int middle = pair.n_points() / 2;
+    const PlacedContacts &contacts = pair.interface.contacts;
+    const unsigned int middle = contacts.all.front().grid.n_points() / 2;
     double further = pair.residual_flexibility(middle, middle);
-    std::vector<const ReducedBody *> reduced;
-    for (const ContactBody &body : prepared.bodies)
+    std::vector<BodyAtPoint> reduced;
+    for (unsigned int b = 0; b < prepared.bodies.size(); ++b)
     {
-      reduced.push_back(body.reduced);
-      if (body.reduced)
-        further -= body.reduced->residual_flexibility(middle, middle);
+      const ReducedBody *const body = prepared.bodies[b].reduced;
+      const std::vector<unsigned int> rows = contacts.rows_of(b).rows;
+      const auto own = std::find(rows.begin(), rows.end(), middle);
+      if (!body || own == rows.end())
+        continue;
+      reduced.emplace_back(body, own - rows.begin());
+      further -= body->residual_flexibility(reduced.back().second, reduced.back().second);
     }
-    say_residual_damping(parameters, reduced, further, frequencies, key, results);
+    say(parameters, reduced, further, frequencies, key, results);
   }
 
   void say_residual_damping(const Parameters &parameters, const std::vector<const ReducedBody *> &reduced,
                             const double further, std::vector<double> frequencies, const std::string &key,
                             Results &results)
   {
-    std::vector<LossyBody> bodies;
-    bool any = false;
-    for (unsigned int k = 0; k < reduced.size(); ++k)
-    {
-      if (!reduced[k])
-        continue;
-      const BodyParameters &body = parameters.scene.bodies[k];
-      // damping of wheels is given by mode
-      const double loss = body.type == "wheel" ? 0 : body.material_loss_factor();
-      const double beta = parameters.modes.at(body.name).stiffness_damping;
-      bodies.push_back({reduced[k], beta, loss});
-      any = any || beta > 0 || loss > 0;
-    }
-    if (!any)
-      return;
-    if (frequencies.empty())
-      frequencies = ends_of_the_modes(bodies);
-    const DroppedDamping dropped = dropped_residual_damping(bodies, further, frequencies);
-    if (!(dropped.change > least_change))
-      return;
-    results.analyses[key]["residual_damping"] = {
-        {"taken", false}, {"relative_change", dropped.change}, {"frequency_Hz", dropped.frequency}};
-    const std::string text =
-        "The damping of what the modes leave out is not taken here, only in periodic motions: it "
-        "changes the point receptance in the contact by " +
-        number_text(dropped.change) + " of it at " + number_text(dropped.frequency) + " Hz";
-    if (dropped.change < doubtful_change)
-    {
-      run_log().line(text + ".");
-      return;
-    }
-    results.warnings.push_back(text + "; keep more modes.");
-    run_log().warning(results.warnings.back());
+    std::vector<BodyAtPoint> in_the_middle;
+    for (const ReducedBody *const body : reduced)
+      if (body)
+        in_the_middle.emplace_back(body, body->grid.n_points() / 2);
+    say(parameters, in_the_middle, further, std::move(frequencies), key, results);
   }
 } // namespace vibrocontact

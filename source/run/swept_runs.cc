@@ -122,13 +122,14 @@ namespace vibrocontact
         catch (const ConvergenceError &error)
         {
           failed(error.what());
+          diverged = true;
         }
         on.results.analyses[key]["cases"].push_back(std::move(found));
       }
 
       void finish() override
       {
-        if (!any)
+        if (!any && !diverged)
           throw InputError(on.sweep.section + "/Entry: none of the cases has a result. " + last_reason);
         std::vector<std::string> columns = {"case"};
         columns.insert(columns.end(), on.sweep.columns.begin(), on.sweep.columns.end());
@@ -214,7 +215,8 @@ namespace vibrocontact
       std::vector<std::optional<MeasuredData>> measured;
       std::vector<PreparedRun> runs;
       std::vector<MainNumber> main_numbers;
-      bool any = false;
+      /// whether a case has a result, whether one did not converge
+      bool any = false, diverged = false;
       std::string last_reason;
     };
   } // namespace

@@ -11,7 +11,7 @@ namespace vibrocontact
     std::vector<Probe> probes;
     const std::vector<ProbeRequest> requests = parse_probes(parameters.signals.probes);
     unsigned int first = 0;
-    for (unsigned int b = 0; b < bodies.size() && b < 2; ++b)
+    for (unsigned int b = 0; b < bodies.size(); ++b)
     {
       if (!bodies[b])
         continue;

@@ -5,6 +5,8 @@ The bars have the compliance c each, the strip, held at its ends, the same a at 
 (c + a) N1 - b N2 = d at the upper contact, pressed by d, and (c + a) N2 - b N1 = 0 at the lower one, so that
 d / N1 = (c + a) (1 - (N2 / N1)^2). The upper contact alone gives c + a = d / N1.
 """
+import os
+
 from scene import Check, entries, run, section
 
 pressed = 1e-5
@@ -43,4 +45,19 @@ for ranks, order in ((1, "upper, lower"), (1, "lower, upper"), (2, "upper, lower
     check.near("share of the foot between 5 and 95 %", ratio, 0.5, 0.45, 1)
     check.near("force of the post", N["upper"], pressed / (of_both * (1 - ratio**2)), 1e-9)
     check.near("force on body 1", total["normal_force_N"], N["upper"], 1e-12)
+
+# bodies that are not in the first contact are probed as well, and what the modes leave out of their damping is that of
+# the bodies there
+lossy = section("Material", entries(Young_modulus="2.1e11", Density=7800, Loss_factor=0.1))
+modes = section("Modes", entries(Count=3))
+bodies = [part.replace(steel, lossy)[:-len("end")] + modes + "\nend" for part in (bar("post"), strip, bar("foot"))]
+text = "\n".join(["set Bodies = post, strip, foot", "set Contacts = upper, lower", "set Analyses = transient", rolling,
+                  *bodies, upper, lower,
+                  section("Transient", entries(Time_step=1e-6, End_time=2e-5),
+                          section("Signals", entries(Probes="head: post 0 0 0.05 along z; toe: foot 0 0 0 along z")))])
+found, folder = run("probed", text)
+with open(os.path.join(folder, "log.txt")) as log:
+    said = log.read()
+for probe in ("head", "toe"):
+    check.near(f"probe {probe} is placed", float(f"probe {probe}:" in said), 1, 1e-12)
 check.end()

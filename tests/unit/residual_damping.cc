@@ -52,7 +52,7 @@ TEST(ResidualDamping, AgainstAllModes)
           receptance(held_bar(5000, 0), omega) - receptance(held_bar(5, 0), omega);
       const double truth = std::abs(receptance(all, omega) - receptance(few, omega) - inertia) /
                            std::abs(receptance(few, omega));
-      const DroppedDamping dropped = dropped_residual_damping({{&few, beta, 0}}, 0, {frequency});
+      const DroppedDamping dropped = dropped_residual_damping({{&few, 0, beta, 0}}, 0, {frequency});
       std::printf("beta %.0e, %.2f Hz: %.3e, all modes %.3e\n", beta, frequency, dropped.change, truth);
       EXPECT_NEAR(dropped.change / truth, 1, 0.05);
       EXPECT_EQ(dropped.frequency, frequency);
@@ -64,7 +64,7 @@ TEST(ResidualDamping, LossFactorAndFurtherCompliance)
   const ReducedBody body = held_bar(3, 0);
   const double W = body.residual_flexibility(0, 0);
   // static: H = 1 + further; W (1 - 1 / (1 + i eta))
-  const DroppedDamping dropped = dropped_residual_damping({{&body, 0, 0.1}}, 1, {0.});
+  const DroppedDamping dropped = dropped_residual_damping({{&body, 0, 0, 0.1}}, 1, {0.});
   EXPECT_NEAR(dropped.change, W * 0.1 / std::sqrt(1.01) / 2, 1e-12);
-  EXPECT_EQ(dropped_residual_damping({{&body, 0, 0}}, 0, {0.3}).change, 0);
+  EXPECT_EQ(dropped_residual_damping({{&body, 0, 0, 0}}, 0, {0.3}).change, 0);
 }

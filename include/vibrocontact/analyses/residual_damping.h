@@ -10,6 +10,8 @@ namespace vibrocontact
   struct LossyBody
   {
     const ReducedBody *body;
+    /// its row along the normal of the point that is looked at
+    unsigned int row = 0;
     /// beta of C = beta K [s], hysteretic loss factor of its material [-]
     double stiffness_damping = 0, loss_factor = 0;
   };
@@ -17,7 +19,7 @@ namespace vibrocontact
   /// What it changes to leave the damping of residual flexibilities out.
   struct DroppedDamping
   {
-    /// of the normal point receptance in the middle of the contact, relative [-], at the frequency [Hz] where it
+    /// of the normal point receptance at the rows, relative [-], at the frequency [Hz] where it
     /// is largest
     double change = 0, frequency = 0;
   };

@@ -13,7 +13,8 @@
 namespace vibrocontact
 {
   /// Histories of the resultants on body 1 and of the probes (`<probe>_displacement_m`,
-  /// `<probe>_velocity_m_s`), of several contacts also their own (`<contact>_normal_force_N`, ...), a line per output instant: histories.h5 with one array per column.
+  /// `<probe>_velocity_m_s`), of several contacts also their own (`<contact>_normal_force_N`, ...), a line per output
+  /// instant: histories.h5 with one array per column.
   class TransientHistory : public Recorder
   {
   public:

@@ -17,7 +17,8 @@ namespace vibrocontact
   ///
   /// What the file by itself would read and an option has put out of use (an analysis that --set Analyses=... leaves
   /// out, a method that --set replaces) is not refused but returned, for the log; used.prm does without it.
-  /// @param overrides options of the command line  @param declared with the values of the run  @param sweeps entries may be read by any of their cases
+  /// @param overrides options of the command line  @param declared with the values of the run
+  /// @param sweeps entries may be read by any of their cases
   /// @throws InputError
   std::vector<std::string>
   entries_out_of_use(const ParameterFile &file, const std::vector<std::string> &overrides,

@@ -15,6 +15,7 @@
 #include <vibrocontact/run/entry_tables.h>
 #include <vibrocontact/scene/scene.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -69,10 +70,24 @@ namespace vibrocontact
     }
     /// Whether the bodies move.
     bool has_dynamics() const { return scene.any_analysis(&AnalysisType::has_dynamics); }
+    /// Whether a contact takes another local flexibility than the elements'.
+    bool replaces_flexibility() const
+    {
+      return std::any_of(contacts.all.begin(), contacts.all.end(),
+                         [](const ContactParameters &one) { return one.replaces_flexibility(); });
+    }
+    /// Largest friction coefficient of the contacts [-].
+    double largest_friction() const
+    {
+      double largest = 0;
+      for (const ContactParameters &one : contacts.all)
+        largest = std::max(largest, one.friction);
+      return largest;
+    }
     /// Whether the contact needs the modes of the bodies.
     bool needs_modes() const
     {
-      return has_dynamics() || scene.runs("periodic") || (has_contact() && contact().replaces_flexibility());
+      return has_dynamics() || scene.runs("periodic") || (has_contact() && replaces_flexibility());
     }
     /// RollingParameters::hub as it applies to the bodies of this scene.
     std::string hub() const { return scene.bodies[0].type == "half-space" ? "none" : rolling.hub; }

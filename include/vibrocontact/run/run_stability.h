@@ -20,9 +20,8 @@ namespace vibrocontact
                      Results &results);
 
   /// The same for each case of a sweep, with stability_sweep.csv and stability_map.csv: roots keep their names along the
-  /// sweep. A case without an equilibrium in full
-  /// sliding, or with a contact that reaches the edge of its grid, is left out and said; one that does not
-  /// converge makes the run not converged.
+  /// sweep. A case without an equilibrium in full sliding, or with a contact that reaches the edge of its grid, is left
+  /// out and said; one that does not converge makes the run not converged.
   std::unique_ptr<SweptAnalysis> swept_stability(const AnalysisRun &on);
 
   /// Its row of the table of analyses.

@@ -18,6 +18,6 @@ namespace vibrocontact
   /// What a case came to is kept beside its folder (sweep/transient/3.case) until the sweep has come to its end: a resumed
   /// run takes it from there if the case's entries are the same. SIGTERM or SIGINT let each rank end its case or write
   /// its checkpoint, and stop the run (Results::stopped_by). Collective.
-  /// @throws InputError if a body of a case cannot be made, or if no case has a result
+  /// @throws InputError if a body of a case cannot be made, or if all cases are refused
   void run_sweep(const Analysis &analysis, const AnalysisRun &on);
 } // namespace vibrocontact

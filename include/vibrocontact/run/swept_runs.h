@@ -26,7 +26,8 @@ namespace vibrocontact
   /// The sweep of an analysis each case of which is a run of its own: it writes what the analysis writes into sweep/<key>/<k>,
   /// its log too; what it puts into its results becomes element k of analyses.<key>_sweep.cases[], beside `swept` (the
   /// values), `folder` and `status` (`converged`, `not converged`, `failed` with its `reason`), and a row of
-  /// <key>_sweep.csv has its main numbers. A case that does not converge or is refused makes the run not converged. <key> is analysis_key().
+  /// <key>_sweep.csv has its main numbers. A case that does not converge or is refused makes the run not converged. <key>
+  /// is analysis_key().
   std::function<std::unique_ptr<SweptAnalysis>(const AnalysisRun &)>
   swept_runs(const PrepareRun &prepare, const std::vector<MainNumber> &main_numbers);
 
