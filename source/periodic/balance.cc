@@ -1,3 +1,4 @@
+#include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/periodic/balance.h>
 
@@ -11,14 +12,6 @@ namespace vibrocontact
   {
     using Complex = std::complex<double>;
     using Quantity = TimeSampling::Quantity;
-
-    double norm(const std::vector<double> &x)
-    {
-      double sum = 0;
-      for (const double value : x)
-        sum += value * value;
-      return std::sqrt(sum);
-    }
   } // namespace
 
   PeriodicBalance::PeriodicBalance(const ForcedBody &body, std::shared_ptr<const NormalLaw> law,
@@ -101,23 +94,17 @@ namespace vibrocontact
     linear = condensed_at(force);
     double normal = 0, tangential = 0;
     const unsigned int n = body.n_contact_rows();
-    for (unsigned int m = 0; m < pairing.a0.size(); ++m)
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        const double size = std::abs(linear.compliance[(m * n + i) * n + i]);
-        if (is_normal(i))
-          normal = std::max(normal, size);
-        else
-          tangential = std::max(tangential, size * 2 * M_PI * m * force.frequency);
-      }
+    for (unsigned int i = 0; i < n; ++i)
+      if (is_normal(i))
+        normal = std::max(normal, largest_compliance(linear, i));
     is_inert.assign(n, 0);
     for (unsigned int i = 0; i < n; ++i)
       if (!is_normal(i))
       {
-        double size = 0;
+        is_inert[i] = largest_compliance(linear, i) <= 1e-14 * normal;
         for (unsigned int m = 0; m < pairing.a0.size(); ++m)
-          size = std::max(size, std::abs(linear.compliance[(m * n + i) * n + i]));
-        is_inert[i] = size <= 1e-14 * normal;
+          tangential = std::max(tangential, 2 * M_PI * m * force.frequency *
+                                                std::abs(linear.compliance[(m * n + i) * n + i]));
       }
     // kept while they are of the right size: solutions depend on them within the error of the functions
     const auto renew = [&](double &rho, const double wanted)
@@ -175,7 +162,7 @@ namespace vibrocontact
 
   double PeriodicBalance::force_scale(const std::vector<double> &c) const
   {
-    return std::max({force.amplitude, norm(c), std::numeric_limits<double>::min()});
+    return std::max({force.amplitude, euclidean_norm(c), std::numeric_limits<double>::min()});
   }
 
   void PeriodicBalance::apply_law(const std::vector<double> &c)

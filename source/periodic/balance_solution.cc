@@ -1,3 +1,4 @@
+#include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/periodic/balance.h>
 
 #include <algorithm>
@@ -17,14 +18,6 @@ namespace vibrocontact
     /// are halved leave the solution where it folds; even short ones find others.
     constexpr double softest_law = 1e-3, long_stiffness_step = 1. / 16, short_stiffness_step = 1. / 200,
                      shortest_stiffness_step = 1. / 3200;
-
-    double euclidean(const std::vector<double> &x)
-    {
-      double sum = 0;
-      for (const double value : x)
-        sum += value * value;
-      return std::sqrt(sum);
-    }
 
     /// false if the matrix is singular or not finite
     bool factorise(DenseMatrix &matrix)
@@ -59,7 +52,7 @@ namespace vibrocontact
     evaluate(c, residual, nullptr, nullptr);
     for (unsigned int iteration = 0; iteration < settings.max_iterations; ++iteration)
     {
-      const double size = euclidean(residual);
+      const double size = euclidean_norm(residual);
       solution.residual = size / force_scale(c);
       if (!std::isfinite(size))
         return false;
@@ -81,7 +74,7 @@ namespace vibrocontact
         for (unsigned int k = 0; k < c.size(); ++k)
           trial[k] = c[k] - length * step[k];
         evaluate(trial, residual, nullptr, nullptr);
-        next = euclidean(residual);
+        next = euclidean_norm(residual);
         falls = next <= (1 - 1e-4 * length) * size;
       }
       if (!falls && are_fresh)
@@ -189,10 +182,8 @@ namespace vibrocontact
     double stiffness = 0, compliance = 0;
     for (unsigned int p = 0; p < body.n_points(); ++p)
     {
-      const unsigned int n = body.n_contact_rows(), row = p * body.rows_per_point;
       stiffness = std::max(stiffness, over_gap(-excess[p]).force_slope);
-      for (unsigned int m = 0; m < pairing.a0.size(); ++m)
-        compliance = std::max(compliance, std::abs(linear.compliance[(m * n + row) * n + row]));
+      compliance = std::max(compliance, largest_compliance(linear, p * body.rows_per_point));
     }
     const double range = std::log(stiffness * compliance / softest_law);
     if (!(range > 0))

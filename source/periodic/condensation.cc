@@ -1,5 +1,6 @@
 #include <vibrocontact/periodic/condensation.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vibrocontact
@@ -31,6 +32,15 @@ namespace vibrocontact
       return m == 0 ? pairing.a0[0] : 0.;
     }
   } // namespace
+
+  double largest_compliance(const CondensedBody &body, const unsigned int row)
+  {
+    const unsigned int n = body.n_rows;
+    double largest = 0;
+    for (std::size_t at = row * n + row; at < body.compliance.size(); at += n * n)
+      largest = std::max(largest, std::abs(body.compliance[at]));
+    return largest;
+  }
 
   CondensedBody condense(const ForcedBody &body, const TimePairing &pairing, const HarmonicForce &force)
   {

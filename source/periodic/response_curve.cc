@@ -103,12 +103,9 @@ namespace vibrocontact
       for (const double value : values)
       {
         balance.set(settings.parameter, value);
-        const CondensedBody &condensed = balance.condensed();
-        const unsigned int n = condensed.n_rows;
         double compliance = 0;
-        for (std::size_t m = 0; m < condensed.compliance.size() / (n * n); ++m)
-          for (unsigned int row = 0; row < body.n_contact_rows(); row += body.rows_per_point)
-            compliance = std::max(compliance, std::abs(condensed.compliance[(m * n + row) * n + row]));
+        for (unsigned int row = 0; row < body.n_contact_rows(); row += body.rows_per_point)
+          compliance = std::max(compliance, largest_compliance(balance.condensed(), row));
         least = std::min(least, compliance);
         most = std::max(most, compliance);
       }
@@ -189,10 +186,11 @@ namespace vibrocontact
     {
       const double residual = body.residual(p * body.rows_per_point, p * body.rows_per_point);
       contact.stiffness.push_back(balance.contact_stiffness(p, residual > 0 ? 1e4 / residual : 0.));
+      if (is_spring)
+        continue;
       const auto [by_displacement, by_force] = balance.normal_tangent(p);
       tangent.stiffness.push_back(by_displacement);
-      if (!is_spring)
-        tangent.share.push_back(by_force);
+      tangent.share.push_back(by_force);
     }
     const std::complex<double> found =
         monodromy_multipliers(slow_part(body, 2 * M_PI * contact.frequency * mode_limit), contact)[0];

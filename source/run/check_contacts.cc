@@ -3,7 +3,6 @@
 #include <vibrocontact/run/check_contacts.h>
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 namespace vibrocontact
@@ -69,13 +68,10 @@ namespace vibrocontact
               lists + "the analysis \"" + analysis +
               "\" knows the contact of body 1 with a road or stop alone: run it from a file with "
               "section Contact.");
-      for (const auto &[analysis, section, model] :
-           {std::make_tuple("stability", "Stability", &parameters.stability.model),
-            {"transient", "Transient", &parameters.transient.model}})
-        if (scene.runs(analysis) && *model != "reduced")
-          throw InputError(
-              lists + section + "/Model is " + *model +
-              ", which takes the contact points of one grid from the elements: set it to reduced.");
+      for (const auto &[section, model] : unreduced_models(parameters))
+        throw InputError(
+            lists + section + "/Model is " + model +
+            ", which takes the contact points of one grid from the elements: set it to reduced.");
       if (scene.runs("stability") && parameters.sweeps.at("stability").any())
         throw InputError(lists +
                          "Stability/Sweep has the cases of one contact: sweep section Rolling, or leave "
@@ -90,58 +86,175 @@ namespace vibrocontact
       const std::vector<double> &swept = parameters.rolling.sweep.friction;
       return swept.empty() ? contact.friction > 0 : *std::max_element(swept.begin(), swept.end()) > 0;
     }
+    /// What contacts of a list join and where.
+    void check_list(const Parameters &parameters)
+    {
+      const Scene &scene = parameters.scene;
+      for (const ContactParameters &contact : parameters.contacts.all)
+      {
+        check_bodies(scene, contact);
+        contact.frame();
+        contact.frame_below();
+      }
+      check_analyses(parameters);
+      for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      {
+        std::vector<std::pair<const ContactParameters *, bool>> own;
+        for (const ContactParameters &contact : parameters.contacts.all)
+          for (unsigned int k = 0; k < 2; ++k)
+            if (contact.bodies[k] == scene.bodies[b].name)
+              own.emplace_back(&contact, k == 0);
+        check_type(scene.bodies[b], own);
+      }
+      const PlacedContacts placed = parameters.placed_contacts();
+      const bool moves = scene.runs("quasi-static rolling") || scene.runs("stability");
+      for (unsigned int k = 0; k < placed.all.size(); ++k)
+      {
+        const ContactParameters &contact = parameters.contacts.all[k];
+        if (contact.creep_scheme != parameters.contact().creep_scheme)
+          throw InputError(
+              contact.section + "/Creep scheme is " + contact.creep_scheme + ", but that of " +
+              parameters.contact().section + " is " + parameters.contact().creep_scheme +
+              ": material that rolls through several contacts is differenced by one scheme, make them "
+              "equal.");
+        if (contact.half_space_flexibility() && placed.all.size() > 1)
+          throw InputError(
+              contact.section +
+              "/Local flexibility is half-space, but half-spaces couple within one grid only: set it "
+              "to finite elements.");
+        const Creepage seen = placed.all[k].seen(parameters.rolling.creepage);
+        if (moves && rubs(parameters, contact) && !(seen.speed > 0) && seen.sliding_x == 0 &&
+            seen.sliding_y == 0)
+          throw InputError("Rolling/Speed is 0 and nothing slides in contact " + contact.name +
+                           ": its friction forces have no direction; give it a Sliding velocity or set " +
+                           contact.section + "/Friction coefficient to 0.");
+        const bool under_hub = placed.all[k].above == 0 || placed.all[k].below == 0;
+        if (scene.runs("stability") && parameters.rolling.hub == "massless" && under_hub &&
+            !placed.all[k].frame.has_usual_axes())
+          throw InputError(
+              "Rolling/Hub is massless, but the normal of contact " + contact.name +
+              " is inclined, so that its motion would slip there, which Stability does not linearise: set "
+              "it to suspended or held.");
+      }
+    }
+
+    /// What stands in place of the elements' local flexibility, and what then carries the rest.
+    void check_local_flexibility(const Parameters &parameters, const ContactParameters &contact,
+                                 const std::vector<const BodyParameters *> &joined)
+    {
+      if (!contact.replaces_flexibility())
+        return;
+      const std::string entry = contact.half_space_flexibility()
+                                    ? contact.section + "/Local flexibility is half-space"
+                                    : contact.section + "/Normal-tangential coupling is false";
+      for (const auto &[section, model] : unreduced_models(parameters))
+        throw InputError(
+            entry + ", but " + section + "/Model is " + model +
+            ", which takes the local flexibility from the elements themselves: set it to reduced.");
+      if (contact.half_space_flexibility() && contact.quadrature == "consistent")
+        throw InputError(entry + ", which knows tractions that are constant on each cell only: set " +
+                         contact.section + "/Quadrature to lumped.");
+      for (const BodyParameters *const one : joined)
+      {
+        const BodyParameters &body = *one;
+        if (contact.half_space_flexibility() && (body.type == "bar" || body.type == "layer"))
+          throw InputError(entry + ", but the surface of the " + body.type + " " + body.name +
+                           " is no half-space: set it to finite elements.");
+        if (contact.half_space_flexibility() && body.materials.size() > 1)
+          throw InputError(entry + ", but " + body.name +
+                           "/Materials lists several, and which of them would fill the half-space is not "
+                           "known: set it to finite elements.");
+        if (body.is_meshed() && !parameters.modes.at(body.name).any())
+          throw InputError(body.name + "/Modes asks for no modes, but " + entry +
+                           ", so that the modes have to carry the rest of the body's flexibility; give Upper "
+                           "frequency or Count");
+      }
+    }
+
+    /// A beam rail and a half-space lie below the contact, or carry tractions that are constant on each cell.
+    void check_half_space_contact(const std::vector<const BodyParameters *> &bodies,
+                                  const ContactParameters &contact)
+    {
+      if (bodies[0]->type == "beam rail")
+        throw InputError(bodies[0]->name +
+                         " is a beam rail, which lies below the contact, but is body 1, above; "
+                         "list it second in Bodies.");
+      for (const BodyParameters *const body : bodies)
+        if (contact.quadrature == "consistent" && (body->type == "beam rail" || body->type == "half-space"))
+          throw InputError(
+              contact.section + "/Quadrature is consistent, but the half-space under the contact of " +
+              body->name + " knows tractions that are constant on each cell only: set it to lumped.");
+    }
+
+    /// Two bodies without a mesh touch in a point (in a line along a strip), and one of them gives way.
+    void check_touch(const BodyParameters &body_1, const BodyParameters &body_2, const bool strip)
+    {
+      if (body_1.is_meshed() || body_2.is_meshed())
+        return;
+      if (body_1.type == "rigid" && body_2.type == "rigid")
+        throw InputError("The bodies " + body_1.name + " and " + body_2.name +
+                         " are both rigid: make one of them a half-space or a meshed body.");
+      const double x = body_1.half_space.curvature_x() + body_2.half_space.curvature_x(),
+                   y = body_1.half_space.curvature_y() + body_2.half_space.curvature_y();
+      if (!(x > 0) || (!(y > 0) && !strip))
+        throw InputError(
+            "The bodies " + body_1.name + " and " + body_2.name +
+            " do not touch in a point: their curvatures 1/Radius x, 1/Radius y must sum to a positive "
+            "number in both directions (along x alone with a Contact/Strip length).");
+    }
+
+    /// A layer stays where it is; what it slides on is rigid.
+    void check_layer(const Scene &scene, const RollingParameters &rolling)
+    {
+      for (const BodyParameters &body : scene.bodies)
+        if (body.type == "layer")
+        {
+          if (&body != &scene.bodies[0] || scene.bodies.size() < 2 || scene.bodies[1].type != "rigid")
+            throw InputError(
+                "The layer " + body.name +
+                " slides on a rigid plane: list it first in Bodies and a body of type rigid second.");
+          if (scene.bodies[1].half_space.curvature_x() != 0 || scene.bodies[1].half_space.curvature_y() != 0)
+            throw InputError(scene.bodies[1].name + "/Rigid has a curvature, but a layer slides on a plane: "
+                                                    "leave its radii out.");
+          const bool reads_speed =
+              scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient");
+          if (reads_speed && rolling.creepage.speed != 0)
+            throw InputError("Entry Rolling/Speed has to be 0 for the layer " + body.name +
+                             ", whose material stays in place: give a Sliding velocity.");
+        }
+    }
   } // namespace
+
+  std::map<std::string, std::string> unreduced_models(const Parameters &parameters)
+  {
+    std::map<std::string, std::string> models;
+    if (parameters.scene.runs("stability") && parameters.stability.model != "reduced")
+      models["Stability"] = parameters.stability.model;
+    if (parameters.scene.runs("transient") && parameters.transient.model != "reduced")
+      models["Transient"] = parameters.transient.model;
+    return models;
+  }
 
   void check_contacts(const Parameters &parameters)
   {
     const Scene &scene = parameters.scene;
-    if (scene.contacts.empty())
+    if (!scene.contacts.empty())
+      check_list(parameters);
+    if (!parameters.has_contact())
       return;
-    for (const ContactParameters &contact : parameters.contacts.all)
+    check_layer(scene, parameters.rolling);
+    for (unsigned int k = 0; k < parameters.contacts.all.size(); ++k)
     {
-      check_bodies(scene, contact);
-      contact.frame();
-      contact.frame_below();
-    }
-    check_analyses(parameters);
-    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-    {
-      std::vector<std::pair<const ContactParameters *, bool>> own;
-      for (const ContactParameters &contact : parameters.contacts.all)
-        for (unsigned int k = 0; k < 2; ++k)
-          if (contact.bodies[k] == scene.bodies[b].name)
-            own.emplace_back(&contact, k == 0);
-      check_type(scene.bodies[b], own);
-    }
-    const PlacedContacts placed = parameters.placed_contacts();
-    const bool moves = scene.runs("quasi-static rolling") || scene.runs("stability");
-    for (unsigned int k = 0; k < placed.all.size(); ++k)
-    {
-      const ContactParameters &contact = parameters.contacts.all[k];
-      if (contact.creep_scheme != parameters.contact().creep_scheme)
-        throw InputError(
-            contact.section + "/Creep scheme is " + contact.creep_scheme + ", but that of " +
-            parameters.contact().section + " is " + parameters.contact().creep_scheme +
-            ": material that rolls through several contacts is differenced by one scheme, make them "
-            "equal.");
-      if (contact.half_space_flexibility() && placed.all.size() > 1)
-        throw InputError(
-            contact.section +
-            "/Local flexibility is half-space, but half-spaces couple within one grid only: set it "
-            "to finite elements.");
-      const Creepage seen = placed.all[k].seen(parameters.rolling.creepage);
-      if (moves && rubs(parameters, contact) && !(seen.speed > 0) && seen.sliding_x == 0 &&
-          seen.sliding_y == 0)
-        throw InputError("Rolling/Speed is 0 and nothing slides in contact " + contact.name +
-                         ": its friction forces have no direction; give it a Sliding velocity or set " +
-                         contact.section + "/Friction coefficient to 0.");
-      const bool under_hub = placed.all[k].above == 0 || placed.all[k].below == 0;
-      if (scene.runs("stability") && parameters.rolling.hub == "massless" && under_hub &&
-          !placed.all[k].frame.has_usual_axes())
-        throw InputError(
-            "Rolling/Hub is massless, but the normal of contact " + contact.name +
-            " is inclined, so that its motion would slip there, which Stability does not linearise: set "
-            "it to suspended or held.");
+      const ContactParameters &one = parameters.contacts.all[k];
+      const auto [above, below] = parameters.bodies_of_contact(k);
+      std::vector<const BodyParameters *> joined = {&scene.bodies[above]};
+      // a body on a road has no partner
+      if (below < scene.bodies.size())
+        joined.push_back(&scene.bodies[below]);
+      check_half_space_contact(joined, one);
+      if (joined.size() > 1 && !scene.runs("modal convolution"))
+        check_touch(*joined[0], *joined[1], one.strip_length > 0);
+      check_local_flexibility(parameters, one, joined);
     }
   }
 } // namespace vibrocontact

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <sstream>
 
 namespace vibrocontact
@@ -65,14 +64,12 @@ namespace vibrocontact
                            "frequency or Count, or set Method to direct");
     }
 
-    /// @param before in front of the message
-    void check_constant_friction(const ContactParameters &contact, const std::string &before,
-                                 const std::string &analysis)
+    void check_constant_friction(const ContactParameters &contact, const std::string &analysis)
     {
       if (contact.law_of_friction()->depends_on_speed())
-        throw InputError(before +
-                         (contact.friction_law.empty() ? "Contact/Static friction ratio is not 1"
-                                                       : "Contact/Friction law is " + contact.friction_law) +
+        throw InputError(contact.section +
+                         (contact.friction_law.empty() ? "/Static friction ratio is not 1"
+                                                       : "/Friction law is " + contact.friction_law) +
                          ": " + analysis + " knows constant friction only.");
     }
 
@@ -176,109 +173,12 @@ namespace vibrocontact
                          "and Half width smaller.");
     }
 
-    /// Sections of the analyses that run on another model than the reduced one, and that model.
-    std::map<std::string, std::string> unreduced_models(const Parameters &parameters)
-    {
-      std::map<std::string, std::string> models;
-      if (parameters.scene.runs("stability") && parameters.stability.model != "reduced")
-        models["Stability"] = parameters.stability.model;
-      if (parameters.scene.runs("transient") && parameters.transient.model != "reduced")
-        models["Transient"] = parameters.transient.model;
-      return models;
-    }
-
-    /// What stands in place of the elements' local flexibility, and what then carries the rest.
-    void check_local_flexibility(const Parameters &parameters, const ContactParameters &contact,
-                                 const std::vector<const BodyParameters *> &joined)
-    {
-      if (!contact.replaces_flexibility())
-        return;
-      const std::string entry = contact.half_space_flexibility()
-                                    ? contact.section + "/Local flexibility is half-space"
-                                    : contact.section + "/Normal-tangential coupling is false";
-      for (const auto &[section, model] : unreduced_models(parameters))
-        throw InputError(
-            entry + ", but " + section + "/Model is " + model +
-            ", which takes the local flexibility from the elements themselves: set it to reduced.");
-      if (contact.half_space_flexibility() && contact.quadrature == "consistent")
-        throw InputError(entry + ", which knows tractions that are constant on each cell only: set " +
-                         contact.section + "/Quadrature to lumped.");
-      for (const BodyParameters *const one : joined)
-      {
-        const BodyParameters &body = *one;
-        if (contact.half_space_flexibility() && (body.type == "bar" || body.type == "layer"))
-          throw InputError(entry + ", but the surface of the " + body.type + " " + body.name +
-                           " is no half-space: set it to finite elements.");
-        if (contact.half_space_flexibility() && body.materials.size() > 1)
-          throw InputError(entry + ", but " + body.name +
-                           "/Materials lists several, and which of them would fill the half-space is not "
-                           "known: set it to finite elements.");
-        if (body.is_meshed() && !parameters.modes.at(body.name).any())
-          throw InputError(body.name + "/Modes asks for no modes, but " + entry +
-                           ", so that the modes have to carry the rest of the body's flexibility; give Upper "
-                           "frequency or Count");
-      }
-    }
-
-    /// A beam rail and a half-space lie below the contact, or carry tractions that are constant on each cell.
-    void check_half_space_contact(const std::vector<const BodyParameters *> &bodies,
-                                  const ContactParameters &contact)
-    {
-      if (bodies[0]->type == "beam rail")
-        throw InputError(bodies[0]->name +
-                         " is a beam rail, which lies below the contact, but is body 1, above; "
-                         "list it second in Bodies.");
-      for (const BodyParameters *const body : bodies)
-        if (contact.quadrature == "consistent" && (body->type == "beam rail" || body->type == "half-space"))
-          throw InputError(
-              contact.section + "/Quadrature is consistent, but the half-space under the contact of " +
-              body->name + " knows tractions that are constant on each cell only: set it to lumped.");
-    }
-
-    /// Two bodies without a mesh touch in a point (in a line along a strip), and one of them gives way.
-    void check_touch(const BodyParameters &body_1, const BodyParameters &body_2, const bool strip)
-    {
-      if (body_1.is_meshed() || body_2.is_meshed())
-        return;
-      if (body_1.type == "rigid" && body_2.type == "rigid")
-        throw InputError("The bodies " + body_1.name + " and " + body_2.name +
-                         " are both rigid: make one of them a half-space or a meshed body.");
-      const double x = body_1.half_space.curvature_x() + body_2.half_space.curvature_x(),
-                   y = body_1.half_space.curvature_y() + body_2.half_space.curvature_y();
-      if (!(x > 0) || (!(y > 0) && !strip))
-        throw InputError(
-            "The bodies " + body_1.name + " and " + body_2.name +
-            " do not touch in a point: their curvatures 1/Radius x, 1/Radius y must sum to a positive "
-            "number in both directions (along x alone with a Contact/Strip length).");
-    }
-
     void check_law_of_periodic(const ContactParameters &contact, const PeriodicParameters &periodic)
     {
       const std::string own = periodic.own_law();
       if (!own.empty() && contact.normal_law != ContactParameters().normal_law && contact.normal_law != own)
         throw InputError("Periodic/Law is " + periodic.law + " and Contact/Normal law is " +
                          contact.normal_law + ", but there is one stop: leave one of them out.");
-    }
-
-    /// A layer stays where it is; what it slides on is rigid.
-    void check_layer(const Scene &scene, const RollingParameters &rolling)
-    {
-      for (const BodyParameters &body : scene.bodies)
-        if (body.type == "layer")
-        {
-          if (&body != &scene.bodies[0] || scene.bodies.size() < 2 || scene.bodies[1].type != "rigid")
-            throw InputError(
-                "The layer " + body.name +
-                " slides on a rigid plane: list it first in Bodies and a body of type rigid second.");
-          if (scene.bodies[1].half_space.curvature_x() != 0 || scene.bodies[1].half_space.curvature_y() != 0)
-            throw InputError(scene.bodies[1].name + "/Rigid has a curvature, but a layer slides on a plane: "
-                                                    "leave its radii out.");
-          const bool reads_speed =
-              scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient");
-          if (reads_speed && rolling.creepage.speed != 0)
-            throw InputError("Entry Rolling/Speed has to be 0 for the layer " + body.name +
-                             ", whose material stays in place: give a Sliding velocity.");
-        }
     }
 
     /// Periodic motion of a body that is known between its own contact points alone.
@@ -321,23 +221,6 @@ namespace vibrocontact
   {
     scene.check();
     check_contacts(*this);
-    if (has_contact())
-    {
-      check_layer(scene, rolling);
-      for (unsigned int k = 0; k < contacts.all.size(); ++k)
-      {
-        const ContactParameters &one = contacts.all[k];
-        const auto [above, below] = bodies_of_contact(k);
-        std::vector<const BodyParameters *> joined = {&scene.bodies[above]};
-        // a body on a road has no partner
-        if (below < scene.bodies.size())
-          joined.push_back(&scene.bodies[below]);
-        check_half_space_contact(joined, one);
-        if (joined.size() > 1 && !scene.runs("modal convolution"))
-          check_touch(*joined[0], *joined[1], one.strip_length > 0);
-        check_local_flexibility(*this, one, joined);
-      }
-    }
     for (const auto &[name, mode] : modes)
       mode.check(name + "/Modes");
     for (const AnalysisType &type : scene.known_analyses)
@@ -432,7 +315,7 @@ namespace vibrocontact
       if (!scene.runs("quasi-static rolling") && !scene.runs("stability") && !scene.runs("transient"))
         check_law_of_periodic(contact(), periodic);
       if (contact().friction > 0)
-        check_constant_friction(contact(), "", "periodic motion");
+        check_constant_friction(contact(), "periodic motion");
       const bool rigid = periodic_law()->is_rigid();
       if (!scene.bodies[0].is_meshed() && !scene.bodies[0].is_green())
         throw InputError("Analyses lists periodic, but " + scene.bodies[0].name + " is a " +

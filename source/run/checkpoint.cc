@@ -148,6 +148,15 @@ namespace vibrocontact
       return false;
     }
 
+    /// What is written and what is read hold the sums of every contact of the bodies.
+    void hold_every_contact(const ContactPair &pair, TransientResult &result, CoarseRun *const coarse)
+    {
+      const std::size_t n_contacts = pair.interface.contacts.all.size();
+      result.contacts.resize(n_contacts);
+      if (coarse)
+        coarse->sums.contacts.resize(n_contacts);
+    }
+
     const std::string advice = ": run the file without --resume.";
   } // namespace
 
@@ -175,6 +184,7 @@ namespace vibrocontact
     writer.write("program", version());
     for (const auto &[mark, values] : marks(pair))
       writer.write("marks/" + mark, values);
+    hold_every_contact(pair, result, coarse);
     CheckpointFile file(writer);
     exchange(file, state);
     exchange(file, result);
@@ -236,10 +246,7 @@ namespace vibrocontact
                          "changed" +
                          advice);
     }
-    const std::size_t n_contacts = pair.interface.contacts.all.size();
-    result.contacts.resize(n_contacts);
-    if (coarse)
-      coarse->sums.contacts.resize(n_contacts);
+    hold_every_contact(pair, result, coarse);
     CheckpointFile file(*reader);
     read_whole(name,
                [&]

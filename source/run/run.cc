@@ -123,7 +123,7 @@ namespace vibrocontact
         kinds.insert(kinds.end(), analysis.answers.begin(), analysis.answers.end());
         if (analysis.swept)
         {
-          const std::string key = analysis_key(analysis.type.name) + "_sweep";
+          const std::string key = results_key(analysis.type.name) + "_sweep";
           kinds.push_back({key, analysis.type.name + " sweep", sweep_answer, {key + ".csv"}});
         }
       }

@@ -335,10 +335,7 @@ namespace vibrocontact
         add_road(entries, of_body + "/Road", further->second.road, bodies[k].rolls(), own.friction);
       }
     }
-  } // namespace
 
-  namespace
-  {
     void do_modal_convolution(const AnalysisRun &on)
     {
       run_modal_convolution(on.parameters, on.bodies, on.measured, on.folder, on.resume, on.results);

@@ -230,10 +230,7 @@ namespace vibrocontact
       entries.add_if(tells && branch.stability == "hill", "Periodic/Continuation/Stability is hill",
                      continuation, "Hill harmonics");
     }
-  } // namespace
 
-  namespace
-  {
     PreparedRun prepare_periodic(const AnalysisRun &on)
     {
       const auto body =

@@ -228,10 +228,7 @@ namespace vibrocontact
       if (output.fields && output.deformation != "never")
         write_deformation(last, on.parameters, on.bodies, on.folder);
     }
-  } // namespace
 
-  namespace
-  {
     /// Its cases have no deformation of the bodies, which is found by all ranks.
     PreparedRun prepare_rolling(const AnalysisRun &on)
     {

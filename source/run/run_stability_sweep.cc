@@ -154,7 +154,6 @@ namespace vibrocontact
         {
           run_log().warning(text + " is left out. " + reason);
           outcome.left_out.emplace_back(one.values, reason);
-          last_reason = reason;
         };
         try
         {
@@ -178,7 +177,6 @@ namespace vibrocontact
         catch (const ConvergenceError &error)
         {
           leave_out(error.what());
-          diverged = true;
           on.results.failures.push_back({"stability", text + ": " + error.what()});
         }
         if (k == 0)
@@ -189,13 +187,6 @@ namespace vibrocontact
 
       void finish() override
       {
-        if (outcome.results.empty())
-        {
-          const std::string text = "Stability/Sweep/Entry: none of the cases has a result. " + last_reason;
-          if (diverged)
-            throw ConvergenceError(text);
-          throw InputError(text);
-        }
         say_residual_damping(sweep.cases.front().parameters, reduced.front(), 0.,
                              frequencies_that_matter(outcome.results.front()), "stability", on.results);
         on_first_rank(
@@ -217,9 +208,6 @@ namespace vibrocontact
       StabilityOutcome outcome;
       RootPaths paths, begin_of_row;
       bool row_has_begun = false;
-      std::string last_reason;
-      /// whether a case did not converge
-      bool diverged = false;
     };
   } // namespace
 

@@ -10,8 +10,6 @@
 
 #include <deal.II/base/utilities.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -119,17 +117,9 @@ namespace vibrocontact
     }
   } // namespace
 
-  std::string analysis_key(const std::string &name)
-  {
-    std::string key = name;
-    std::transform(key.begin(), key.end(), key.begin(),
-                   [](const unsigned char c) { return std::isalnum(c) ? std::tolower(c) : '_'; });
-    return key;
-  }
-
   std::string case_folder(const AnalysisRun &on, const unsigned int k)
   {
-    return on.folder + "/sweep/" + analysis_key(on.sweep.analysis) + "/" + std::to_string(k);
+    return on.folder + "/sweep/" + results_key(on.sweep.analysis) + "/" + std::to_string(k);
   }
 
   void run_sweep(const Analysis &analysis, const AnalysisRun &on)
@@ -171,6 +161,8 @@ namespace vibrocontact
       return outcome;
     };
     int stopped_by = 0;
+    bool any = false, diverged = false;
+    std::string last_reason;
     const auto arrived = [&](const unsigned int k, const std::function<CaseOutcome()> &computed)
     {
       const CaseOutcome outcome = computed();
@@ -178,6 +170,9 @@ namespace vibrocontact
         stopped_by = outcome.stopped_by;
       if (stopped_by != 0)
         return;
+      any = any || !outcome.failure;
+      diverged = diverged || outcome.failure.kind == Failure::Kind::convergence;
+      last_reason = outcome.failure.text;
       swept->take(k,
                   [&]
                   {
@@ -194,6 +189,13 @@ namespace vibrocontact
     {
       run_log().warning("Interrupted; --resume goes on with the cases that are left.");
       return;
+    }
+    if (!any)
+    {
+      const std::string text = sweep.section + "/Entry: none of the cases has a result. " + last_reason;
+      if (diverged)
+        throw ConvergenceError(text);
+      throw InputError(text);
     }
     swept->finish();
     on_first_rank([&] { kept.remove(); });

@@ -391,10 +391,7 @@ namespace vibrocontact
                      "there are Transient/Signals/Probes (a rim is that of a wheel) for more than 5 ms",
                      section + "/Signals", "Sound");
     }
-  } // namespace
 
-  namespace
-  {
     /// Bodies with their modes, and shapes where probes are, are made by all ranks.
     PreparedRun prepare_transient(const AnalysisRun &on)
     {

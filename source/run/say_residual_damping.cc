@@ -28,28 +28,27 @@ namespace vibrocontact
           }
       return {lowest / (2 * dealii::numbers::PI), highest / (2 * dealii::numbers::PI)};
     }
-  } // namespace
 
-  namespace
-  {
-    /// a body with its row of the point that is looked at
-    using BodyAtPoint = std::pair<const ReducedBody *, unsigned int>;
+    /// Body k of the scene with its row of the point that is looked at.
+    struct BodyAtPoint
+    {
+      unsigned int k;
+      const ReducedBody *reduced;
+      unsigned int row;
+    };
 
     void say(const Parameters &parameters, const std::vector<BodyAtPoint> &reduced, const double further,
              std::vector<double> frequencies, const std::string &key, Results &results)
     {
       std::vector<LossyBody> bodies;
       bool any = false;
-      for (const auto &[reduced_body, row] : reduced)
+      for (const BodyAtPoint &one : reduced)
       {
-        const auto own = std::find_if(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
-                                      [name = reduced_body->name](const BodyParameters &body)
-                                      { return body.name == name; });
-        const BodyParameters &body = *own;
+        const BodyParameters &body = parameters.scene.bodies[one.k];
         // damping of wheels is given by mode
         const double loss = body.type == "wheel" ? 0 : body.material_loss_factor();
         const double beta = parameters.modes.at(body.name).stiffness_damping;
-        bodies.push_back({reduced_body, row, beta, loss});
+        bodies.push_back({one.reduced, one.row, beta, loss});
         any = any || beta > 0 || loss > 0;
       }
       if (!any)
@@ -90,8 +89,9 @@ namespace vibrocontact
       const auto own = std::find(rows.begin(), rows.end(), middle);
       if (!body || own == rows.end())
         continue;
-      reduced.emplace_back(body, own - rows.begin());
-      further -= body->residual_flexibility(reduced.back().second, reduced.back().second);
+      const unsigned int row = own - rows.begin();
+      reduced.push_back({b, body, row});
+      further -= body->residual_flexibility(row, row);
     }
     say(parameters, reduced, further, frequencies, key, results);
   }
@@ -101,9 +101,9 @@ namespace vibrocontact
                             Results &results)
   {
     std::vector<BodyAtPoint> in_the_middle;
-    for (const ReducedBody *const body : reduced)
-      if (body)
-        in_the_middle.emplace_back(body, body->grid.n_points() / 2);
+    for (unsigned int k = 0; k < reduced.size(); ++k)
+      if (reduced[k])
+        in_the_middle.push_back({k, reduced[k], reduced[k]->grid.n_points() / 2});
     say(parameters, in_the_middle, further, std::move(frequencies), key, results);
   }
 } // namespace vibrocontact

@@ -28,9 +28,7 @@ namespace vibrocontact
     std::string column_name(const std::string &entry, const DeclaredParameters &declared, const bool path)
     {
       const std::size_t slash = entry.rfind('/');
-      std::string name = path ? entry : entry.substr(slash + 1);
-      std::transform(name.begin(), name.end(), name.begin(),
-                     [](const unsigned char c) { return std::isalnum(c) ? std::tolower(c) : '_'; });
+      const std::string name = results_key(path ? entry : entry.substr(slash + 1));
       const DeclaredParameters::Entry *const found =
           declared.find(entry.substr(0, slash), entry.substr(slash + 1));
       std::string unit = found ? unit_of(found->documentation) : "";
@@ -162,6 +160,14 @@ namespace vibrocontact
           parameters.sweeps.at(type.name).any())
         result.push_back(cases_of(type, parameters, file, overrides));
     return result;
+  }
+
+  std::string results_key(const std::string &name)
+  {
+    std::string key = name;
+    std::transform(key.begin(), key.end(), key.begin(),
+                   [](const unsigned char c) { return std::isalnum(c) ? std::tolower(c) : '_'; });
+    return key;
   }
 
   std::string case_text(const SweepCases &sweep, const SweepCase &one)

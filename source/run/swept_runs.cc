@@ -41,7 +41,7 @@ namespace vibrocontact
     public:
       SweptRuns(const AnalysisRun &on, const PrepareRun &prepare_run,
                 const std::vector<MainNumber> &all_main_numbers)
-          : on(on), key(analysis_key(on.sweep.analysis) + "_sweep"), prepare_run(prepare_run),
+          : on(on), key(results_key(on.sweep.analysis) + "_sweep"), prepare_run(prepare_run),
             bodies(bodies_of_cases(on.sweep, on.bodies)), runs(bodies.size())
       {
         on.results.analyses[key] = {{"swept_entries", on.sweep.entries},
@@ -99,7 +99,7 @@ namespace vibrocontact
         const auto failed = [&](const std::string &reason)
         {
           found["status"] = "failed";
-          found["reason"] = last_reason = reason;
+          found["reason"] = reason;
           fail(reason);
         };
         try
@@ -112,7 +112,6 @@ namespace vibrocontact
             fail(reason);
           for (const std::string &warning : came.warnings)
             doubt(text + ": " + warning, on.results);
-          any = true;
           run_log().line(text + ": " + found["status"].get<std::string>() + numbers_text(analyses));
         }
         catch (const InputError &error)
@@ -122,15 +121,12 @@ namespace vibrocontact
         catch (const ConvergenceError &error)
         {
           failed(error.what());
-          diverged = true;
         }
         on.results.analyses[key]["cases"].push_back(std::move(found));
       }
 
       void finish() override
       {
-        if (!any && !diverged)
-          throw InputError(on.sweep.section + "/Entry: none of the cases has a result. " + last_reason);
         std::vector<std::string> columns = {"case"};
         columns.insert(columns.end(), on.sweep.columns.begin(), on.sweep.columns.end());
         columns.push_back("status");
@@ -138,7 +134,7 @@ namespace vibrocontact
           columns.push_back(number.column);
         Table table(columns, {"Main numbers of the cases of a sweep of " + on.sweep.analysis +
                               "; all of them are in results.json, what each wrote is in sweep/" +
-                              analysis_key(on.sweep.analysis) + "/<case>"});
+                              results_key(on.sweep.analysis) + "/<case>"});
         const Json &cases = on.results.analyses[key]["cases"];
         for (std::size_t k = 0; k < cases.size(); ++k)
         {
@@ -215,9 +211,6 @@ namespace vibrocontact
       std::vector<std::optional<MeasuredData>> measured;
       std::vector<PreparedRun> runs;
       std::vector<MainNumber> main_numbers;
-      /// whether a case has a result, whether one did not converge
-      bool any = false, diverged = false;
-      std::string last_reason;
     };
   } // namespace
 

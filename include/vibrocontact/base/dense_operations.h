@@ -2,6 +2,9 @@
 
 #include <vibrocontact/base/dense.h>
 
+#include <cmath>
+#include <vector>
+
 namespace vibrocontact
 {
   // deal.II refuses empty matrices, which bodies without modes and contacts without sliding points have.
@@ -20,6 +23,14 @@ namespace vibrocontact
   {
     if (A.m() > 0 && A.n() > 0)
       A.vmult(y, x);
+  }
+
+  inline double euclidean_norm(const std::vector<double> &x)
+  {
+    double sum = 0;
+    for (const double value : x)
+      sum += value * value;
+    return std::sqrt(sum);
   }
 
   /// into += factor * block, at a row and a column of `into`

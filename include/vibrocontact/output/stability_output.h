@@ -35,11 +35,11 @@ namespace vibrocontact
 
   /// analyses.stability: the unstable roots of the first case, all cases in cases[].
   nlohmann::ordered_json stability_json(const StabilityOutcome &outcome);
-  /// Brings it up to date after more cases.
   /// `contacts` of analyses.stability: normal force and points of each contact that has a name, at the equilibrium of each
   /// case.
   void add_contacts(const StabilityOutcome &outcome, const PlacedContacts &contacts,
                     nlohmann::ordered_json &json);
+  /// Brings it up to date after more cases.
   void add_new_cases(const StabilityOutcome &outcome, nlohmann::ordered_json &json);
 
   /// What the terminal ends with about analyses.stability of results.json, see Answer.

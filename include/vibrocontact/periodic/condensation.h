@@ -25,6 +25,9 @@ namespace vibrocontact
     std::vector<std::complex<double>> linear, linear_slope;
   };
 
+  /// Largest |H_m| of a row on itself over the orders [m/N].
+  double largest_compliance(const CondensedBody &body, unsigned int row);
+
   CondensedBody condense(const ForcedBody &body, const TimePairing &pairing, const HarmonicForce &force);
 
   /// Coefficients of every mode under the moments p of the row forces, in the real layout of time_basis.h:

@@ -2,8 +2,14 @@
 
 #include <vibrocontact/run/parameters.h>
 
+#include <map>
+#include <string>
+
 namespace vibrocontact
 {
-  /// What contacts of a list join and where, against the bodies of the scene and the analyses. @throws InputError
+  /// Sections of the analyses that run on another model than the reduced one, and that model.
+  std::map<std::string, std::string> unreduced_models(const Parameters &parameters);
+
+  /// What contacts join and where, against the bodies of the scene and the analyses. @throws InputError
   void check_contacts(const Parameters &parameters);
 } // namespace vibrocontact

@@ -6,9 +6,6 @@
 
 namespace vibrocontact
 {
-  /// Of a name as in entry Analyses: quasi-static rolling -> quasi_static_rolling.
-  std::string analysis_key(const std::string &name);
-
   /// sweep/transient/3 in the folder of the results: where a case writes.
   std::string case_folder(const AnalysisRun &on, unsigned int k);
 
@@ -18,6 +15,7 @@ namespace vibrocontact
   /// What a case came to is kept beside its folder (sweep/transient/3.case) until the sweep has come to its end: a resumed
   /// run takes it from there if the case's entries are the same. SIGTERM or SIGINT let each rank end its case or write
   /// its checkpoint, and stop the run (Results::stopped_by). Collective.
-  /// @throws InputError if a body of a case cannot be made, or if all cases are refused
+  /// @throws InputError if a body of a case cannot be made, or if all cases are refused; ConvergenceError if none has a
+  /// result
   void run_sweep(const Analysis &analysis, const AnalysisRun &on);
 } // namespace vibrocontact

@@ -47,6 +47,9 @@ namespace vibrocontact
   std::vector<SweepCases> sweep_cases(const Parameters &parameters, const ParameterFile &file,
                                       const std::vector<std::string> &overrides);
 
+  /// Name of an analysis or entry as a key of results.json or a column: quasi-static rolling -> quasi_static_rolling.
+  std::string results_key(const std::string &name);
+
   /// "lateral_position_m -0.005, friction_coefficient 0.3"
   std::string case_text(const SweepCases &sweep, const SweepCase &one);
 

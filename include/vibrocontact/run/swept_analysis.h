@@ -24,7 +24,7 @@ namespace vibrocontact
     virtual PackedCase compute(unsigned int k) = 0;
     /// `outcome` returns what the case came to or throws InputError, ConvergenceError. Collective.
     virtual void take(unsigned int k, const std::function<PackedCase()> &outcome) = 0;
-    /// After the last case: tables. Collective. @throws InputError if all cases are refused, ConvergenceError if none has a result
+    /// After the last case, if any has a result: tables. Collective.
     virtual void finish() = 0;
   };
 

@@ -27,7 +27,7 @@ namespace vibrocontact
   /// its log too; what it puts into its results becomes element k of analyses.<key>_sweep.cases[], beside `swept` (the
   /// values), `folder` and `status` (`converged`, `not converged`, `failed` with its `reason`), and a row of
   /// <key>_sweep.csv has its main numbers. A case that does not converge or is refused makes the run not converged. <key>
-  /// is analysis_key().
+  /// is results_key().
   std::function<std::unique_ptr<SweptAnalysis>(const AnalysisRun &)>
   swept_runs(const PrepareRun &prepare, const std::vector<MainNumber> &main_numbers);
 
