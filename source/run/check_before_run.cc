@@ -1,19 +1,19 @@
-#include <vibrocontact/analyses/identification.h>
-#include <vibrocontact/analyses/modal_convolution.h>
-#include <vibrocontact/analyses/transient.h>
-#include <vibrocontact/analyses/transient_hub.h>
+#include <vibrocontact/analyses/frequency_response/run_frequency_response.h>
+#include <vibrocontact/analyses/identification/identification.h>
+#include <vibrocontact/analyses/identification/run_identification.h>
+#include <vibrocontact/analyses/modal_convolution/modal_convolution.h>
+#include <vibrocontact/analyses/periodic/make_forced_body.h>
+#include <vibrocontact/analyses/transient/probes.h>
+#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/analyses/transient/transient_hub.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/bodies/band_limited.h>
 #include <vibrocontact/fe/surface_assembly.h>
 #include <vibrocontact/numerics/lsce.h>
-#include <vibrocontact/output/probes.h>
 #include <vibrocontact/reduction/surface_shapes.h>
 #include <vibrocontact/run/check_before_run.h>
-#include <vibrocontact/run/forced_body.h>
 #include <vibrocontact/run/road_body.h>
-#include <vibrocontact/run/run_frequency_response.h>
-#include <vibrocontact/run/run_identification.h>
 #include <vibrocontact/scene/wheel.h>
 
 #include <algorithm>

@@ -1,10 +1,10 @@
+#include <vibrocontact/analyses/transient/check_transient.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/contact/problem_file.h>
 #include <vibrocontact/reduction/window.h>
 #include <vibrocontact/run/check_contacts.h>
-#include <vibrocontact/run/check_transient.h>
 #include <vibrocontact/run/parameters.h>
 
 #include <algorithm>

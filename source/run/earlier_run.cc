@@ -1,9 +1,9 @@
+#include <vibrocontact/analyses/transient/checkpoint.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/input_files.h>
 #include <vibrocontact/base/parameter_text.h>
-#include <vibrocontact/run/checkpoint.h>
 #include <vibrocontact/run/earlier_run.h>
 
 #include <fstream>

@@ -1,9 +1,9 @@
-#include <vibrocontact/analyses/contact_pair.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/input_files.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/contact/contact_operator.h>
+#include <vibrocontact/coupled_bodies/contact_pair.h>
 #include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/bar_elements.h>
 #include <vibrocontact/fe/beam_elements.h>

@@ -1,8 +1,8 @@
-#include <vibrocontact/analyses/static_load.h>
+#include <vibrocontact/analyses/identification/run_identification.h>
+#include <vibrocontact/analyses/modal_convolution/static_load.h>
 #include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/bodies/road_rows.h>
 #include <vibrocontact/run/road_body.h>
-#include <vibrocontact/run/run_identification.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+#include <vibrocontact/analyses/identification/run_identification.h>
 #include <vibrocontact/base/blas.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/declared_parameters.h>
@@ -16,7 +17,6 @@
 #include <vibrocontact/run/earlier_run.h>
 #include <vibrocontact/run/prepare_bodies.h>
 #include <vibrocontact/run/run.h>
-#include <vibrocontact/run/run_identification.h>
 #include <vibrocontact/run/run_sweep.h>
 #include <vibrocontact/run/swept_runs.h>
 #include <vibrocontact/run/unreduced_pair.h>

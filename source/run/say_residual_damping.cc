@@ -1,6 +1,6 @@
-#include <vibrocontact/analyses/residual_damping.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/coupled_bodies/residual_damping.h>
 #include <vibrocontact/run/say_residual_damping.h>
 
 #include <deal.II/base/numbers.h>

@@ -1,12 +1,12 @@
+#include <vibrocontact/analyses/frequency_response/run_frequency_response.h>
+#include <vibrocontact/analyses/identification/run_identification.h>
+#include <vibrocontact/analyses/modal_convolution/run_modal_convolution.h>
+#include <vibrocontact/analyses/modes/run_modes.h>
+#include <vibrocontact/analyses/periodic/run_periodic.h>
+#include <vibrocontact/analyses/rolling/run_rolling.h>
+#include <vibrocontact/analyses/stability/run_stability.h>
+#include <vibrocontact/analyses/transient/run_transient.h>
 #include <vibrocontact/run/entries_of_bodies.h>
-#include <vibrocontact/run/run_frequency_response.h>
-#include <vibrocontact/run/run_identification.h>
-#include <vibrocontact/run/run_modal_convolution.h>
-#include <vibrocontact/run/run_modes.h>
-#include <vibrocontact/run/run_periodic.h>
-#include <vibrocontact/run/run_rolling.h>
-#include <vibrocontact/run/run_stability.h>
-#include <vibrocontact/run/run_transient.h>
 #include <vibrocontact/run/tables.h>
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include <vibrocontact/bodies/identified_model.h>
 #include <vibrocontact/numerics/lsce.h>
 #include <vibrocontact/numerics/vector_fitting.h>
-#include <vibrocontact/response/well_posedness.h>
+#include <vibrocontact/propagators/well_posedness.h>
 
 #include <chrono>
 #include <cstdio>

@@ -9,8 +9,8 @@
 
 #include "../unit/axial_bar.h"
 
+#include <vibrocontact/analyses/periodic/periodic_error.h>
 #include <vibrocontact/contact/laws/normal_laws.h>
-#include <vibrocontact/periodic/periodic_error.h>
 
 #include <algorithm>
 #include <cstdio>

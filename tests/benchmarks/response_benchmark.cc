@@ -5,11 +5,11 @@
 /// Oscillator of the tyre paper at its four rows (step, memory); many modes at one and three points; a patch of 100 points
 /// with tread and 404 rolling poles; the event-located oscillator on the sine.
 
-#include <vibrocontact/analyses/modal_convolution.h>
+#include <vibrocontact/analyses/modal_convolution/modal_convolution.h>
 #include <vibrocontact/base/processor_clock.h>
 #include <vibrocontact/contact/unilateral_contact.h>
 #include <vibrocontact/numerics/wide_loops.h>
-#include <vibrocontact/response/response_methods.h>
+#include <vibrocontact/propagators/response_methods.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Vibrocontact with one more member of each family: appended to the tables, unknown to the library (doc/extending.md).
 
-#include <vibrocontact/analyses/modal.h>
+#include <vibrocontact/analyses/modes/modal.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <vibrocontact/analyses/periodic/forced_body.h>
 #include <vibrocontact/base/dense.h>
-#include <vibrocontact/periodic/forced_body.h>
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
 // Nonsmooth modes of the clamped bar against a rigid stop. Truth: their closed form by d'Alembert's waves.
 #include "axial_bar.h"
 
+#include <vibrocontact/analyses/periodic/backbone.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/laws/normal_laws.h>
-#include <vibrocontact/periodic/backbone.h>
 
 #include <gtest/gtest.h>
 

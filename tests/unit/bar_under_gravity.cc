@@ -3,7 +3,7 @@
 
 #include "element_scene.h"
 
-#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/analyses/transient/transient.h>
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Bodies by modes and by poles: receptances, impulse responses and free fall against their closed forms.
 #include "matrix_difference.h"
 
-#include <vibrocontact/analyses/static_load.h>
+#include <vibrocontact/analyses/modal_convolution/static_load.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/ring_poles.h>
-#include <vibrocontact/response/response_methods.h>
+#include <vibrocontact/propagators/response_methods.h>
 
 #include <gtest/gtest.h>
 

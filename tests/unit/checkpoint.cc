@@ -1,7 +1,7 @@
 // A checkpoint comes back bit for bit; a damaged one and one of other bodies are refused.
 
+#include <vibrocontact/analyses/transient/checkpoint.h>
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/run/checkpoint.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 /// Half-space scenes of tests/data/README.md, shared by the contact tests.
 #pragma once
 
-#include <vibrocontact/analyses/quasi_static_rolling.h>
+#include <vibrocontact/analyses/rolling/quasi_static_rolling.h>
 #include <vibrocontact/contact/half_space.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // What drives a transient: hub motion, roughness and tables against closed forms; steps that adapt.
 
-#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/csv_table.h>
 #include <vibrocontact/base/exceptions.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/analyses/contact_pair.h>
+#include <vibrocontact/coupled_bodies/contact_pair.h>
 #include <vibrocontact/fe/bar_elements.h>
 #include <vibrocontact/fe/layer_elements.h>
 #include <vibrocontact/reduction/all_modes.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <vibrocontact/analyses/contact_pair.h>
-#include <vibrocontact/analyses/drive.h>
+#include <vibrocontact/analyses/transient/drive.h>
+#include <vibrocontact/coupled_bodies/contact_pair.h>
 
 #include <cmath>
 #include <string>

@@ -1,8 +1,8 @@
 // Frequency responses in files: what is written comes back bit by bit, hand-written files are understood, wrong ones refused.
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/base/frequency_csv.h>
-#include <vibrocontact/base/frequency_file.h>
-#include <vibrocontact/base/uff58.h>
+#include <vibrocontact/receptances/frequency_csv.h>
+#include <vibrocontact/receptances/frequency_file.h>
+#include <vibrocontact/receptances/uff58.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Transients that are hard on the contact solver converge and stay finite: friction 1, contact lost and regained, one point,
 // no normal force, creepage that reverses, steps a hundred times too long.
 
-#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/base/exceptions.h>
 
 #include <gtest/gtest.h>

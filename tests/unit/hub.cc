@@ -2,11 +2,11 @@
 
 #include "random_structure.h"
 
-#include <vibrocontact/analyses/stability.h>
-#include <vibrocontact/analyses/suspended_pair.h>
-#include <vibrocontact/analyses/transient.h>
-#include <vibrocontact/analyses/transient_hub.h>
+#include <vibrocontact/analyses/stability/stability.h>
+#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/analyses/transient/transient_hub.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/coupled_bodies/suspended_pair.h>
 
 #include <gtest/gtest.h>
 

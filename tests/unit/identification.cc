@@ -2,12 +2,12 @@
 // in contact.
 #include "ring_data.h"
 
-#include <vibrocontact/analyses/identification.h>
+#include <vibrocontact/analyses/identification/identification.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/numerics/least_squares.h>
 #include <vibrocontact/numerics/lsce.h>
 #include <vibrocontact/numerics/vector_fitting.h>
-#include <vibrocontact/response/step_weights.h>
+#include <vibrocontact/propagators/step_weights.h>
 
 #include <gtest/gtest.h>
 

@@ -5,11 +5,11 @@
 #include "element_scene.h"
 #include "random_structure.h"
 
-#include <vibrocontact/analyses/drive.h>
-#include <vibrocontact/analyses/inertial_contact.h>
-#include <vibrocontact/analyses/sparse_roots.h>
-#include <vibrocontact/analyses/stability.h>
-#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/analyses/stability/sparse_roots.h>
+#include <vibrocontact/analyses/stability/stability.h>
+#include <vibrocontact/analyses/transient/drive.h>
+#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/coupled_bodies/inertial_contact.h>
 #include <vibrocontact/reduction/attachment_inertia.h>
 
 #include <gtest/gtest.h>

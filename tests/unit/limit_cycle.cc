@@ -4,8 +4,8 @@
 
 #include "flutter.h"
 
-#include <vibrocontact/analyses/linearised_contact.h>
-#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/coupled_bodies/linearised_contact.h>
 #include <vibrocontact/numerics/cycle_measure.h>
 #include <vibrocontact/numerics/growth_fit.h>
 #include <vibrocontact/numerics/spectrum.h>

@@ -4,9 +4,9 @@
 #include "one_oscillation.h"
 #include "random_structure.h"
 
-#include <vibrocontact/analyses/linearised_contact.h>
-#include <vibrocontact/analyses/suspended_pair.h>
-#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/coupled_bodies/linearised_contact.h>
+#include <vibrocontact/coupled_bodies/suspended_pair.h>
 
 #include <gtest/gtest.h>
 

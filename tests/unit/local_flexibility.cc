@@ -3,7 +3,7 @@
 
 #include "matrix_difference.h"
 
-#include <vibrocontact/analyses/rolling_scene.h>
+#include <vibrocontact/analyses/rolling/rolling_scene.h>
 #include <vibrocontact/contact/half_space.h>
 #include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/make_elastic_body.h>

@@ -1,10 +1,10 @@
 // A rank that works alone acts for itself and says what it says elsewhere; signals are heard by all who listen; what a
 // sweep refuses.
-#include <vibrocontact/analyses/parameter_sweep.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/stop_signal.h>
+#include <vibrocontact/run/parameter_sweep.h>
 
 #include <deal.II/base/mpi.h>
 

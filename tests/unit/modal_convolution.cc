@@ -1,5 +1,5 @@
 // Whole runs: the oscillator and the ring on the road against exact motion, converged runs and published values.
-#include <vibrocontact/analyses/method_comparison.h>
+#include <vibrocontact/analyses/modal_convolution/method_comparison.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/ring_poles.h>
 

@@ -1,6 +1,6 @@
 // One step of one mode: closed forms for any damping, order of the theta-method, its energy and its damping.
 
-#include <vibrocontact/analyses/modal_step.h>
+#include <vibrocontact/propagators/modal_step.h>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 
 #include "flutter.h"
 
-#include <vibrocontact/analyses/transient.h>
-#include <vibrocontact/output/mode_recorder.h>
+#include <vibrocontact/analyses/transient/mode_recorder.h>
+#include <vibrocontact/analyses/transient/transient.h>
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 
 #include "axial_bar.h"
 
+#include <vibrocontact/analyses/periodic/periodic_error.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/laws/normal_laws.h>
-#include <vibrocontact/periodic/periodic_error.h>
 
 #include <gtest/gtest.h>
 

@@ -3,11 +3,11 @@
 
 #include "axial_bar.h"
 
-#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/analyses/periodic/periodic_motion.h>
+#include <vibrocontact/analyses/periodic/shooting.h>
+#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/contact/laws/normal_laws.h>
-#include <vibrocontact/periodic/periodic_motion.h>
-#include <vibrocontact/periodic/shooting.h>
-#include <vibrocontact/response/response_methods.h>
+#include <vibrocontact/propagators/response_methods.h>
 
 #include <gtest/gtest.h>
 

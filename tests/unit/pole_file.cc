@@ -1,7 +1,7 @@
-#include <vibrocontact/analyses/pole_file.h>
+#include <vibrocontact/analyses/identification/identification_output.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/band_limited.h>
-#include <vibrocontact/output/identification_output.h>
+#include <vibrocontact/receptances/pole_file.h>
 
 #include <cmath>
 #include <gtest/gtest.h>

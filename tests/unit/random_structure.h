@@ -1,7 +1,7 @@
 #pragma once
 
-#include <vibrocontact/analyses/contact_pair.h>
-#include <vibrocontact/analyses/rolling_equilibrium.h>
+#include <vibrocontact/coupled_bodies/contact_pair.h>
+#include <vibrocontact/coupled_bodies/rolling_equilibrium.h>
 
 #include <cmath>
 #include <random>

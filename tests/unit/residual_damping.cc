@@ -1,6 +1,6 @@
 // What it changes to leave the damping of a residual flexibility out, against the receptance of all modes of a bar damped by C = beta K.
 
-#include <vibrocontact/analyses/residual_damping.h>
+#include <vibrocontact/coupled_bodies/residual_damping.h>
 
 #include <gtest/gtest.h>
 

@@ -1,15 +1,15 @@
 // Response methods against each other and against closed forms; the contact of a step against the common solver.
 #include "matrix_difference.h"
 
-#include <vibrocontact/analyses/modal_step.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/newton.h>
 #include <vibrocontact/contact/unilateral_contact.h>
 #include <vibrocontact/numerics/phi_functions.h>
 #include <vibrocontact/numerics/piecewise_polynomial.h>
 #include <vibrocontact/numerics/wide_loops.h>
-#include <vibrocontact/response/response_methods.h>
-#include <vibrocontact/response/step_weights.h>
+#include <vibrocontact/propagators/modal_step.h>
+#include <vibrocontact/propagators/response_methods.h>
+#include <vibrocontact/propagators/step_weights.h>
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,11 @@
 // shooting, the linear motion in closed form, multiplier +1 at folds, Hill's determinant.
 #include "axial_bar.h"
 
+#include <vibrocontact/analyses/periodic/floquet.h>
+#include <vibrocontact/analyses/periodic/response_curve.h>
+#include <vibrocontact/analyses/periodic/shooting.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/laws/normal_laws.h>
-#include <vibrocontact/periodic/floquet.h>
-#include <vibrocontact/periodic/response_curve.h>
-#include <vibrocontact/periodic/shooting.h>
 
 #include <gtest/gtest.h>
 

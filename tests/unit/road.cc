@@ -1,12 +1,12 @@
 // Roads with kinks and steps: where they are, what a rigid point feels there, by closed forms; tables between their points;
 // the load that an indentation makes.
-#include <vibrocontact/analyses/static_load.h>
+#include <vibrocontact/analyses/modal_convolution/static_load.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/contact/unilateral_contact.h>
 #include <vibrocontact/numerics/chebyshev_fit.h>
-#include <vibrocontact/response/event_located.h>
-#include <vibrocontact/response/response_methods.h>
+#include <vibrocontact/propagators/event_located.h>
+#include <vibrocontact/propagators/response_methods.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Friction on the road: stick-slip and Coulomb damping of one point in closed form, three points of a ring.
-#include <vibrocontact/analyses/modal_convolution.h>
-#include <vibrocontact/analyses/road_contact.h>
+#include <vibrocontact/analyses/modal_convolution/modal_convolution.h>
+#include <vibrocontact/analyses/modal_convolution/road_contact.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/contact/laws/friction_laws.h>

@@ -1,6 +1,6 @@
 // What a modal convolution tells about itself: the error of its steps against finer ones, its energy account, roads between
 // the steps, bodies that create energy.
-#include <vibrocontact/analyses/modal_convolution.h>
+#include <vibrocontact/analyses/modal_convolution/modal_convolution.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/ring_poles.h>
 

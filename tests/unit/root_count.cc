@@ -2,7 +2,7 @@
 
 #include "random_structure.h"
 
-#include <vibrocontact/analyses/root_count.h>
+#include <vibrocontact/analyses/stability/root_count.h>
 #include <vibrocontact/base/exceptions.h>
 
 #include <gtest/gtest.h>

@@ -3,10 +3,10 @@
 
 #include "axial_bar.h"
 
-#include <vibrocontact/analyses/modal_step.h>
+#include <vibrocontact/analyses/periodic/shooting.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/laws/normal_laws.h>
-#include <vibrocontact/periodic/shooting.h>
+#include <vibrocontact/propagators/modal_step.h>
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Signals with a known answer: spectrum, growth, steadiness, another sampling rate.
 
+#include <vibrocontact/analyses/transient/signal_output.h>
 #include <vibrocontact/numerics/cycle_measure.h>
 #include <vibrocontact/numerics/growth_fit.h>
 #include <vibrocontact/numerics/spectrum.h>
 #include <vibrocontact/numerics/third_octaves.h>
-#include <vibrocontact/output/signal_output.h>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Roots keep their names where their frequencies cross; a window of a band has the rows of the band; values of a sweep.
 
-#include <vibrocontact/analyses/parameter_sweep.h>
-#include <vibrocontact/analyses/root_paths.h>
+#include <vibrocontact/analyses/stability/root_paths.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/reduction/window.h>
+#include <vibrocontact/run/parameter_sweep.h>
 
 #include <deal.II/base/numbers.h>
 

@@ -4,8 +4,8 @@
 #include "element_scene.h"
 #include "flutter.h"
 
-#include <vibrocontact/analyses/drive.h>
-#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/analyses/transient/drive.h>
+#include <vibrocontact/analyses/transient/transient.h>
 
 #include <gtest/gtest.h>
 

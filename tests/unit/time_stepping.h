@@ -1,9 +1,9 @@
 #pragma once
 
+#include <vibrocontact/analyses/periodic/balance.h>
+#include <vibrocontact/analyses/periodic/force_step.h>
+#include <vibrocontact/analyses/periodic/time_sampling.h>
 #include <vibrocontact/contact/laws/friction_law.h>
-#include <vibrocontact/periodic/balance.h>
-#include <vibrocontact/periodic/force_step.h>
-#include <vibrocontact/periodic/time_sampling.h>
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
 #include "element_scene.h"
 #include "one_oscillation.h"
 
-#include <vibrocontact/analyses/finite_element_pair.h>
-#include <vibrocontact/analyses/stability.h>
-#include <vibrocontact/analyses/transient.h>
+#include <vibrocontact/analyses/stability/stability.h>
+#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/base/dense_operations.h>
+#include <vibrocontact/coupled_bodies/finite_element_pair.h>
 #include <vibrocontact/numerics/null_space.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <vibrocontact/analyses/transient/recorder.h>
 #include <vibrocontact/output/answers.h>
-#include <vibrocontact/output/recorder.h>
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/run/entry_list.h>
 #include <vibrocontact/run/measured_data.h>

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <vibrocontact/analyses/periodic/time_basis.h>
 #include <vibrocontact/contact/contact_solver.h>
 #include <vibrocontact/contact/laws/contact_laws.h>
-#include <vibrocontact/periodic/time_basis.h>
-#include <vibrocontact/response/response_methods.h>
+#include <vibrocontact/propagators/response_methods.h>
 #include <vibrocontact/scene/body.h>
 
 namespace vibrocontact

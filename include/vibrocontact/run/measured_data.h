@@ -1,7 +1,7 @@
 #pragma once
 
-#include <vibrocontact/analyses/data_passivity.h>
-#include <vibrocontact/analyses/pole_file.h>
+#include <vibrocontact/receptances/data_passivity.h>
+#include <vibrocontact/receptances/pole_file.h>
 #include <vibrocontact/run/parameters.h>
 
 #include <optional>

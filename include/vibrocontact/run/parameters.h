@@ -1,18 +1,18 @@
 #pragma once
 
-#include <vibrocontact/analyses/frequency_response.h>
-#include <vibrocontact/analyses/identification.h>
-#include <vibrocontact/analyses/method_comparison.h>
-#include <vibrocontact/analyses/parameter_sweep.h>
-#include <vibrocontact/analyses/periodic.h>
-#include <vibrocontact/analyses/stability.h>
-#include <vibrocontact/analyses/transient_parameters.h>
+#include <vibrocontact/analyses/frequency_response/frequency_response.h>
+#include <vibrocontact/analyses/identification/identification.h>
+#include <vibrocontact/analyses/modal_convolution/method_comparison.h>
+#include <vibrocontact/analyses/periodic/periodic.h>
+#include <vibrocontact/analyses/stability/stability.h>
+#include <vibrocontact/analyses/transient/signal_parameters.h>
+#include <vibrocontact/analyses/transient/transient_parameters.h>
 #include <vibrocontact/base/parameter_file.h>
 #include <vibrocontact/contact/interface.h>
 #include <vibrocontact/output/output_parameters.h>
-#include <vibrocontact/output/signal_parameters.h>
 #include <vibrocontact/reduction/modes.h>
 #include <vibrocontact/run/entry_tables.h>
+#include <vibrocontact/run/parameter_sweep.h>
 #include <vibrocontact/scene/scene.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/analyses/contact_pair.h>
+#include <vibrocontact/coupled_bodies/contact_pair.h>
 #include <vibrocontact/run/meshed_body.h>
 #include <vibrocontact/run/parameters.h>
 

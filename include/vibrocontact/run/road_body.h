@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/analyses/road_contact.h>
+#include <vibrocontact/analyses/modal_convolution/road_contact.h>
 #include <vibrocontact/bodies/body_in_contact.h>
 #include <vibrocontact/run/measured_data.h>
 #include <vibrocontact/run/prepare_bodies.h>
@@ -43,6 +43,6 @@ namespace vibrocontact
   RoadLaws road_laws(const Parameters &parameters);
 
   /// The road of body 1: section Road, with the indentation at which a flat road presses with Rolling/Normal force if that
-  /// is given (analyses/static_load.h).
+  /// is given (analyses/modal_convolution/static_load.h).
   RoadParameters road_of(const Parameters &parameters, const RoadBody &body);
 } // namespace vibrocontact

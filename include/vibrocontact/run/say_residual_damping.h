@@ -10,7 +10,7 @@
 namespace vibrocontact
 {
   /// Says in the log and under `residual_damping` of the analysis what it changes that the analysis leaves the damping
-  /// of residual flexibilities out (analyses/residual_damping.h): `relative_change`, `frequency_Hz`; a warning from
+  /// of residual flexibilities out (coupled_bodies/residual_damping.h): `relative_change`, `frequency_Hz`; a warning from
   /// 1 % on. Nothing where there is no such damping.
   /// Looked at in the middle of the contact.
   /// @param reduced of each body of the scene, null: none; @param further see dropped_residual_damping()

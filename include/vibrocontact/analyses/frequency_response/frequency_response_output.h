@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vibrocontact/analyses/frequency_response/frequency_response.h>
+#include <vibrocontact/output/table.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// One way to compute a response, at some frequencies.
+  struct ResponseVariant
+  {
+    /// direct, hysteretic, time domain
+    std::string method;
+    /// modes that it uses, 0 for direct
+    unsigned int n_modes = 0;
+    std::vector<double> frequency;
+    /// receptances [m/N]
+    std::vector<Receptance> response;
+  };
+
+  /// All pairs of points, upper triangle: column <response>_<force>_real_m_Ns and ..._imag_m_Ns (m_N for
+  /// receptances).
+  Table response_table(const FrequencyResponseParameters &parameters, const ResponseVariant &variant,
+                       const std::string &body);
+
+  /// The variants at the check frequencies, a row per frequency and variant.
+  Table check_table(const FrequencyResponseParameters &parameters,
+                    const std::vector<ResponseVariant> &variants, const std::string &body);
+
+  /// How far each variant is from the first: difference of the receptance, relative to it (transfers: to the
+  /// geometric mean of both driving points), and of its imaginary part, relative to that unless it nearly
+  /// vanishes.
+  nlohmann::ordered_json checks_json(const FrequencyResponseParameters &parameters,
+                                     const std::vector<ResponseVariant> &variants);
+
+  /// Largest and median difference over all frequencies, per pair, relative as in checks_json().
+  nlohmann::ordered_json difference_json(const FrequencyResponseParameters &parameters,
+                                         const ResponseVariant &exact, const ResponseVariant &other);
+
+  /// Maxima and minima of the magnitude at the driving points that stand out by 20 % on both sides, frequency
+  /// by a parabola through three points.
+  nlohmann::ordered_json extrema_json(const FrequencyResponseParameters &parameters,
+                                      const ResponseVariant &variant);
+
+  /// What the terminal ends with about analyses.frequency_response of results.json, see Answer.
+  std::vector<std::string> frequency_response_answer(const nlohmann::ordered_json &response);
+} // namespace vibrocontact

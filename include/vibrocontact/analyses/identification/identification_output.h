@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vibrocontact/analyses/identification/identification.h>
+#include <vibrocontact/output/table.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// Poles: frequency and damping ratio, lambda, residue of every entry, and its constant if there is one. 17 digits:
+  /// receptances/pole_file.h reads every bit back.
+  /// @param names labels and entries, its values are not looked at; @param title the table's first comment
+  Table poles_table(const PoleFit &fit, const FrequencyData &names, const std::string &title);
+  /// Fitted receptances on the data's axis.
+  FrequencyData fitted_data(const Identification &one, const FrequencyData &data);
+  Table chart_table(const std::vector<ChartPole> &chart);
+  /// A member of analyses.identification[] without its files.
+  nlohmann::ordered_json identification_json(const Identification &one, const FrequencyData &data);
+
+  /// What the terminal ends with about analyses.identification of results.json, see Answer.
+  std::vector<std::string> identification_answer(const nlohmann::ordered_json &fits);
+} // namespace vibrocontact

@@ -1,0 +1,174 @@
+#pragma once
+
+#include <vibrocontact/analyses/modal_convolution/modal_convolution_parameters.h>
+#include <vibrocontact/analyses/modal_convolution/road_contact.h>
+#include <vibrocontact/contact/contact_solver.h>
+#include <vibrocontact/propagators/event_located.h>
+#include <vibrocontact/propagators/response.h>
+#include <vibrocontact/propagators/work_account.h>
+#include <vibrocontact/scene/road.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// What a second march tells about the error of a run (numerics/doubled_step.h).
+  struct RoadMarchErrors
+  {
+    /// until which they are known, 0: not at all [s]
+    double time = 0;
+    /// of the impulse of all points together (with friction the larger of both components, relative to both together), of the
+    /// rms of their normal force, relative [-]
+    double impulse = 0, rms_force = 0;
+    /// the largest error of one point's impulse over the largest of them [-]
+    double worst_point = 0;
+    /// processor time of the second march [s]
+    double seconds = 0;
+    /// why it ended early, if it did
+    std::string failure;
+  };
+
+  /// What a run has been through.
+  struct ModalConvolutionResult
+  {
+    unsigned long steps = 0;
+    double time = 0;
+    /// of stepping with contact and storing histories; of evaluating the road before it; processor
+    /// time [s]
+    double seconds = 0, road_seconds = 0;
+    std::vector<ContactEvent> impacts, releases;
+    /// per point [N s]
+    std::vector<double> impulse;
+    double largest_force = 0;
+    /// with friction: the same along the road, forward on body 1; -T slip summed over steps and points [J]; sum over
+    /// the steps of closed points that stick
+    std::vector<double> tangential_impulse;
+    double dissipation = 0;
+    unsigned long sticking_points = 0;
+    /// sums over the steps: closed points, corrections of the closed set; largest residual of the contact
+    unsigned long closed_points = 0, corrections = 0;
+    double residual = 0;
+    /// whether that can be other than zero: one point by a closed form has none
+    bool has_residual = false;
+    /// of the normal force of all points together, squared, over time [N^2 s]; of rigid points without impacts and kinks, as
+    /// the rms of impulses has no limit
+    double square_integral = 0;
+    /// the same of what the road between the steps would add to the force
+    double unseen_square_integral = 0;
+    WorkAccount work;
+    RoadMarchErrors errors;
+
+    double rms_force() const { return time > 0 ? std::sqrt(square_integral / time) : 0.; }
+    /// share of the rms force that lies in waves of the road which the steps do not see [-]
+    double unseen_share() const;
+  };
+
+  /// Some steps of a run, for whoever writes them. Lines belong to times t_k = k h, k = first_line, ...: the
+  /// displacements there and the forces there (of an impulse, which stands at the beginning of its step, that of the step
+  /// which begins there). Arrays: n_points per line.
+  struct ModalConvolutionLines
+  {
+    unsigned long first_line;
+    unsigned int n_lines, n_points;
+    double time_step;
+    const double *displacement, *force;
+    /// u_r there
+    const double *road;
+    /// with friction, else null: forward
+    const double *tangential_displacement = nullptr, *tangential_force = nullptr;
+  };
+
+  class RoadStepper;
+
+  /// A body known by its poles on a road, in steps of h: u = u_free + (B + S) q with 0 <= q perp u - u_r >= 0 at the end
+  /// of every step (propagators/response.h, contact/unilateral_contact.h), or from event to event
+  /// (propagators/event_located.h). With friction (two rows of the model per point of the road) by the common solvers
+  /// (analyses/modal_convolution/road_contact.h).
+  class ModalConvolution
+  {
+  public:
+    using Observer = std::function<void(const ModalConvolutionLines &)>;
+
+    /// @param laws of the contact; friction only of a model with tangential rows
+    /// @throws InputError if the body cannot be in contact in this way. They are referred to.
+    ModalConvolution(const ModalConvolutionParameters &parameters, const ContactSolverParameters &solver,
+                     const BodyInContact &model, const Road &road, const RoadLaws &laws = {});
+    ~ModalConvolution();
+
+    /// The next steps, at most n_steps; false: the end is reached. Blocks count from the beginning, so that a resumed
+    /// run has the same.
+    /// @throws ConvergenceError
+    bool advance(unsigned int n_steps, const Observer &observe);
+
+    const ModalConvolutionResult &result() const { return results; }
+    unsigned long n_steps() const { return last_step; }
+    /// What advance() may do between two looks at the clock: a tenth of a second, or one step.
+    unsigned int steps_of_a_block() const;
+    /// What the second march is; empty without one.
+    std::string second_march() const;
+    void exchange(CheckpointFile &file);
+
+  private:
+    /// Sums that are compared with those of the second march.
+    struct Sums
+    {
+      unsigned long steps = 0;
+      std::vector<double> impulse, tangential_impulse;
+      double square_integral = 0;
+    };
+
+    void check_number_of_pieces() const;
+    void begin_second_march(const ContactSolverParameters &solver, const BodyInContact &model,
+                            const RoadLaws &laws);
+    void advance_second_march();
+    void compare_second_march();
+    void exchange_second_march(CheckpointFile &file);
+    Sums sums() const;
+    /// whether some point has no compliance but that of the body's poles
+    bool has_rigid_points() const;
+    void check_steps_of_the_road(unsigned int n_steps) const;
+    void look_between_steps(unsigned int n_steps);
+    void account(unsigned int n_steps);
+    void show_modal_work(const double *displacement, const double *height);
+    void watch_impulses(unsigned int k, double &jump);
+    void advance_steps(unsigned int n_steps, const Observer &observe);
+    void advance_events(unsigned int n_steps, const Observer &observe);
+    void find_events(unsigned int n_steps, const double *force);
+    void add_up(unsigned int n_steps);
+
+    const ModalConvolutionParameters &parameters;
+    const Road &road;
+    const unsigned int n_points;
+    const double time_step;
+    unsigned long last_step;
+    ModalConvolutionResult results;
+    std::shared_ptr<const NormalLaw> law;
+    std::unique_ptr<RoadStepper> stepper;
+    std::unique_ptr<EventLocated> events;
+    /// the second march and its parameters, in twice the steps, in half of them where forces would ring in twice, or
+    /// (event located) in other pieces; steps of this one per step of that; the sums at its newest step
+    std::unique_ptr<ModalConvolutionParameters> second_parameters;
+    std::unique_ptr<ModalConvolution> second;
+    double steps_ratio = 2;
+    Sums compared;
+    /// S_ii and what the normal law yields at touch; 1 / (B_ii + that) [m/N, N/m]
+    std::vector<double> residual, stiffness;
+    /// whether some S_ii is zero; then steps that an impact or a kink still fills with its impulse
+    bool is_rigid = false;
+    unsigned int impulse_steps = 0;
+    std::unique_ptr<SteppedModalWork> modal_work;
+    /// of the last line so far; whether points were closed; the road's height there, and the displacement and gap of the
+    /// line before it
+    std::vector<double> last_displacement, last_force, last_height, older_displacement, older_gap;
+    std::vector<char> was_closed;
+    std::vector<double> heights, displacements, forces;
+    /// along the road, with friction: the last line so far, then lines like those above
+    const bool has_friction;
+    std::vector<double> last_tangential_displacement, last_tangential_force, tangential_displacements,
+        tangential_forces;
+  };
+} // namespace vibrocontact

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vibrocontact/analyses/modal_convolution/modal_convolution.h>
+#include <vibrocontact/base/row_file.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// Histories of a modal convolution: histories.h5 with one array per column, `time_s`, then per contact point
+  /// `point_<i>_displacement_m`, `point_<i>_force_N`, `point_<i>_road_m`, with friction also `point_<i>_tangential_displacement_m`,
+  /// `point_<i>_tangential_force_N`. A line every history interval.
+  class ModalConvolutionHistory
+  {
+  public:
+    ModalConvolutionHistory(const ModalConvolutionParameters &parameters, unsigned int n_points,
+                            const std::string &folder);
+    void add(const ModalConvolutionLines &lines);
+    void exchange(CheckpointFile &file);
+    void finish(bool at_the_end) { rows.finish(at_the_end); }
+
+  private:
+    /// every how many steps there is a line
+    const unsigned long every;
+    const bool friction;
+    RowFile rows;
+    std::vector<double> row;
+  };
+
+  /// histories.h5 as contact_point_<i>.csv: time_s, displacement_m, force_N, road_m, with friction also
+  /// tangential_displacement_m, tangential_force_N. @throws OutputError
+  void write_point_tables(const std::string &folder, unsigned int n_points, bool friction);
+
+  /// third_octaves.csv of the force of all points together, from the last three quarters of histories.h5: nominal_Hz,
+  /// centre_Hz, lower_Hz, upper_Hz, rms_N, level_dB (re 1 N); bands without any force are left out. Impulses of the
+  /// event-located motion stand in the nearest line as force over the lines' distance.
+  void write_third_octaves(const ModalConvolutionParameters &parameters, const ModalConvolutionResult &result,
+                           const std::string &folder);
+
+  /// analyses.modal_convolution of results.json; of more events than fit there (10,000) the first.
+  nlohmann::ordered_json modal_convolution_json(const ModalConvolutionParameters &parameters,
+                                                const ModalConvolutionResult &result);
+  /// impacts.csv: time_s, point, impulse_Ns, all of them.
+  void write_impacts(const ModalConvolutionResult &result, const std::string &folder);
+
+  /// What the terminal ends with about analyses.modal_convolution of results.json, see Answer.
+  std::vector<std::string> modal_convolution_answer(const nlohmann::ordered_json &run);
+} // namespace vibrocontact

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vibrocontact/analyses/periodic/forced_body.h>
+#include <vibrocontact/run/measured_data.h>
+#include <vibrocontact/run/prepare_bodies.h>
+
+namespace vibrocontact
+{
+  /// Body 1 of the scene as its periodic analysis sees it: force and contact points, stop and gap of section Periodic. Meshed
+  /// bodies move by the modes kept, or all; rings, oscillators and identified bodies by their own, their contact points are
+  /// those that they have on a road. Collective.
+  /// @throws InputError for a free body, or points that are not on it
+  ForcedBody forced_body(const Parameters &parameters, const MeshedBodies &bodies,
+                         const std::optional<MeasuredData> &measured);
+
+  /// Whether it can be made: the body is held, its points are on it. Its matrices are made, nothing is solved. Collective.
+  /// @throws InputError as forced_body()
+  void check_forced_points(const Parameters &parameters, const MeshedBodies &bodies);
+} // namespace vibrocontact

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <vibrocontact/analyses/rolling/quasi_static_rolling.h>
+#include <vibrocontact/analyses/stability/root_count.h>
+#include <vibrocontact/coupled_bodies/linearised_contact.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <memory>
+#include <optional>
+
+namespace vibrocontact
+{
+  /// A root with a smaller divergence rate is not called unstable: round-off of an undamped root.
+  constexpr double least_divergence_rate = 1e-9;
+
+  /// `subsection Stability`
+  struct StabilityParameters
+  {
+    /// what moves: "reduced" (modes, and residual flexibility without inertia), "attachment inertia" (modes,
+    /// and residual attachment modes), "finite elements"
+    std::string model = "reduced";
+    /// "consistent": all of the step's equations linearised; "paper": K_c and C_b of Lai et al. 2018, Eqs
+    /// 19-22
+    std::string linearisation = "consistent";
+    /// of the paper's linearisation: C_b and the convective part of the perturbed slip
+    bool lateral_damping = true, convection = false;
+    /// roots to be listed of finite elements that are too many for LAPACK
+    unsigned int n_roots = 20;
+    /// take sticking points as stuck instead of refusing them
+    bool stick = false;
+    /// count the unstable roots by the argument principle as well, see count_unstable_roots()
+    bool second_count = false;
+
+    void declare_parameters(dealii::ParameterHandler &prm);
+    /// @throws InputError
+    void check() const;
+    LinearisationOptions options() const;
+  };
+
+  /// A rolling equilibrium and its roots.
+  struct StabilityResult
+  {
+    RollingCase rolling_case;
+    unsigned int contact_points = 0, stick_points = 0;
+    /// [N]; displacement of the hub [m]
+    double normal_force = 0, approach = 0;
+    /// of each contact at the equilibrium
+    std::vector<ContactResultants> contacts;
+    /// RollingParameters::hub
+    std::string hub;
+    /// the pair whose modes the shapes of the roots are amplitudes of, if that is another than the held one
+    std::shared_ptr<const ContactPair> suspended;
+    std::vector<StabilityRoot> roots;
+    /// wall time of the eigenvalues [s]
+    double seconds = 0;
+
+    std::optional<RootCount> second_count;
+
+    /// growth > least_divergence_rate times 2 pi frequency
+    std::vector<const StabilityRoot *> unstable() const;
+    /// the root with the largest divergence rate: how near the next instability is
+    const StabilityRoot &nearest() const;
+
+    /// all but `suspended`
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &rolling_case &contact_points &stick_points &normal_force &approach &contacts &hub;
+      archive &roots &seconds;
+      bool has_second_count = second_count.has_value();
+      archive &has_second_count;
+      if (has_second_count)
+        archive &(second_count ? *second_count : second_count.emplace());
+    }
+  };
+
+  /// The roots of another model about an equilibrium.
+  using RootFinder = std::function<std::vector<StabilityRoot>(const RollingEquilibrium &)>;
+
+  /// Complex eigenvalues about each rolling equilibrium of section Rolling (its sweep included), with the hub as
+  /// RollingParameters::hub says, on the modes
+  /// of the pair, or by `roots_about` unless that is empty. The equilibria are those of the pair in any case:
+  /// all models have the same static compliance.
+  /// @throws InputError if an equilibrium is not in full sliding and sticking points are not asked for;
+  /// ConvergenceError if an equilibrium does not converge
+  std::vector<StabilityResult> stability(const StabilityParameters &parameters,
+                                         const RollingParameters &rolling, const ContactSections &contact,
+                                         const ContactSolverParameters &solver, const ContactPair &pair,
+                                         const std::function<void(const StabilityResult &)> &finished,
+                                         const RootFinder &roots_about = {});
+} // namespace vibrocontact

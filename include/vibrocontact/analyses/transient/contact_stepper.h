@@ -1,0 +1,145 @@
+#pragma once
+
+#include <vibrocontact/analyses/transient/step_operator.h>
+#include <vibrocontact/contact/contact_solver.h>
+#include <vibrocontact/coupled_bodies/contact_pair.h>
+#include <vibrocontact/propagators/modal_step.h>
+
+#include <memory>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// State of a pair of bodies at one instant: all that the next step depends on.
+  struct DynamicState
+  {
+    double time = 0;
+    /// modal amplitudes [m sqrt(kg)] and velocities; n_modes
+    std::vector<double> q, v;
+    /// forces on body 1 [N]; residual displacements W~ R [m], kept at the nearby points and their
+    /// neighbours up- and downstream;
+    /// 3 n
+    DenseVector R, residual_displacement;
+    /// what both have changed by in the last step: the next one starts with the same change
+    DenseVector force_change, residual_change;
+    /// Psi^T R [N/sqrt(kg)]; n_modes
+    DenseVector modal_force;
+    /// powers of the tangential forces [W]: dissipated by friction (>= 0), given to the bodies by the
+    /// creepage and by the transport -V R . du/dx
+    double friction_power = 0, creepage_power = 0, transport_power = 0;
+    /// Drive::hub_acceleration and Drive::force at this instant
+    double hub_acceleration = 0, force = 0;
+    /// how the contact was solved at this instant: status, gap and slip, approach. At points that are not
+    /// nearby, the gap is that of the last proximity search of all points (roughness kept up to date), the slip is zero.
+    ContactSolution contact;
+    /// roughness that the gap holds [m]; n, empty: none
+    std::vector<double> roughness;
+    /// points in the contact problem of a step, ascending; empty: to be found
+    std::vector<unsigned int> nearby;
+    /// how far open points may have moved since the last proximity search of all of them [m], and the steps since
+    double moved_since_search = 0;
+    unsigned int steps_since_search = 0;
+  };
+
+  /// Fills what follows from q, v, R and the slip (contact.y) of an initial state, at rest in the moving frame
+  /// but for v: modal forces, W~ R, powers (with the rigid slip, 3 n [m/s]).
+  void complete(const ContactPair &pair, const DenseVector &rigid_slip, DynamicState &state);
+
+  /// Longest step for which reactions that are linear in the step do not ring, 2.7 sqrt(W~ / (Psi Psi^T)),
+  /// the least over the normal rows of the contact points (doc/theory.md, "Time steps") [s]; infinite without
+  /// modes, 0 for a rigid point.
+  double critical_time_step(const ContactPair &pair);
+
+  /// What moves the bodies during a step, at its end.
+  struct Drive
+  {
+    Creepage creepage;
+    /// given normal force [N], or 0 if the approach is given [m]
+    double normal_force = 0, approach = 0;
+    /// of a given approach [m/s^2]; acts on the modes of body 1, which are those of the held structure: its hub
+    /// moves by -approach along z, the modes are relative to that, p += Gamma_z d2(approach)/dt2. Of a suspended
+    /// hub: the load beyond that of the equilibrium over the unsprung mass, > 0 downwards
+    double hub_acceleration = 0;
+    /// given force on body 1 at its only contact point along z [N]
+    double force = 0;
+    /// added to the undeformed gap [m]; n, empty: none (roughness)
+    std::vector<double> gap;
+  };
+
+  /// One time step after another on the reduced pair (doc/theory.md, "One contact problem for
+  /// every analysis" and "Time steps").
+  ///
+  /// The modes advance by their ModalStep, the contact points have no mass: the reactions at the end of the
+  /// step solve the contact problem
+  ///
+  ///   gap  = g + (Psi q1 + W~ R1)_n - approach
+  ///   slip = V (creepage) + V d/dx (Psi q1 + W~ R1)_t + (Psi v1)_t + (W~ (R1 - R0))_t / h
+  ///
+  /// in which q1 and v1 are linear in R1, so that its operator
+  ///
+  ///   A_n = W~_n + (Psi G Psi^T)_n,   A_t = (V d/dx + 1/h) W~_t + V d/dx (Psi G Psi^T)_t + (Psi H Psi^T)_t
+  ///
+  /// (G, H: gains of displacement and velocity, ModalStep::g1) is constant as long as step and speed are. The
+  /// rate of W~ R is differenced backwards: a trapezoidal rate rings.
+  ///
+  /// What a step costs follows from what can matter in it: modes and contact meet in few shapes (PatchShapes),
+  /// and only nearby points enter the contact problem (StepOperator): those loaded or with a small gap. The
+  /// gaps of all are searched again when any of the others could have closed, for which open nearby points
+  /// show how far gaps have changed, taken twice; a step that closes one is solved again with it.
+  class ContactStepper
+  {
+  public:
+    /// @param steps one per mode of the pair, for a step of h [s]; @param speed V [m/s], 0 without rolling
+    ContactStepper(const ContactPair &pair, const CreepScheme &scheme, const ContactSections &contact,
+                   const std::vector<ModalStep> &steps, double h, double speed);
+
+    /// state <- state at the end of the step. @return how the contact was solved; not converged: the best
+    /// found
+    const ContactSolution &advance(DynamicState &state, const Drive &drive, ContactSolver &solver);
+
+  private:
+    /// Whether a point that is not nearby had, at the last search, a gap of at most the distance [m].
+    bool another_within(const DynamicState &state, double distance) const;
+    /// Gaps of all points [m]; n. @param force Drive::force; @param residual W~ R, 3 n [m]; @param shapes amplitudes of the shapes
+    std::vector<double> gaps(const DynamicState &state, const DenseVector &residual,
+                             const DenseVector &shapes, double approach, double force) const;
+    /// Gaps of all points at the beginning of the step, and from them the points to watch.
+    void search_proximity(DynamicState &state);
+    /// How far open nearby points move in the step [m]; infinite if there is none.
+    double motion_of_open_points(const DynamicState &state) const;
+    /// Whether the solution closes points that are not nearby; then they are nearby as well.
+    bool closes_another(DynamicState &state, double force);
+    /// Operator and friction of the nearby points into the problem.
+    void take_points(const std::vector<unsigned int> &points);
+    /// q, v at the end of the step without the forces there.
+    void advance_modes(const DynamicState &state, const Drive &drive);
+    /// The problem of the step, and where its solution starts: forces that go on changing as they did.
+    void set_problem(const DynamicState &state, const Drive &drive, const DenseVector &rigid_slip);
+    /// Solves it with mu at the slip of rolling and modes, without the rate of the residual displacements.
+    void solve_with_modal_slip_in_friction(const DynamicState &state, ContactSolver &solver);
+    void take_over(DynamicState &state, const DenseVector &rigid_slip);
+
+    const ContactPair &pair;
+    const CreepScheme &scheme;
+    const std::vector<ModalStep> steps;
+    const double h, speed;
+    const HubDamper damper;
+    const StepMatrices matrices;
+    /// gap and slip without forces that never change: undeformed gap and loads; 3 n
+    DenseVector constant_response;
+    /// mu of all points, n, their laws, and ContactProblem::by_approach and to_force, 3 n
+    std::vector<double> friction;
+    PointLaws<NormalLaw> normal_laws;
+    PointLaws<FrictionLaw> friction_laws;
+    DenseVector by_approach, to_force;
+    std::shared_ptr<const StepOperator> step_operator;
+    /// of the nearby points
+    ContactProblem problem;
+    ContactSolution solution;
+    /// modes without the forces at the end of the step; n_modes
+    DenseVector q, v;
+    /// their shapes, those that forces add, and basis^T R of normal and tangential forces (c_n: also of all);
+    /// rank
+    DenseVector free_displacement, free_velocity, displacement, velocity, c_n, c_t;
+  };
+} // namespace vibrocontact

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <vibrocontact/contact/contact_operator.h>
+#include <vibrocontact/contact/creep.h>
+#include <vibrocontact/coupled_bodies/hub.h>
+#include <vibrocontact/coupled_bodies/patch_shapes.h>
+#include <vibrocontact/propagators/modal_step.h>
+
+#include <utility>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// What the contact problem of a time step is made of, on all points; constant as long as step and
+  /// rolling speed are.
+  struct StepMatrices
+  {
+    PlacedContacts contacts;
+    CreepScheme scheme;
+    /// h [s], V [m/s]
+    double step = 0, speed = 0;
+    /// W~ [m/N] and the operator A of ContactStepper; 3 n square
+    DenseMatrix residual_flexibility, response;
+    PatchShapes shapes;
+    /// gap and slip by displacements of the shapes (their normal rows, V d/dx of their tangential rows), and
+    /// by velocities (tangential rows); 3 n x rank
+    DenseMatrix by_displacement, by_velocity;
+    /// of the shapes, for a force at the end of the step: amplitudes diag(g1) amplitudes^T less what the dampers of
+    /// the hub take, displacement [s^2/kg] and velocity [s/kg]; rank square
+    DenseMatrix displacement_gain, velocity_gain;
+  };
+
+  /// @param modal_trace Psi, 3 n x n_modes; @param steps one per mode; @param hub null: held
+  StepMatrices step_matrices(const PlacedContacts &contacts, const CreepScheme &scheme,
+                             const DenseMatrix &modal_trace, const DenseMatrix &residual_flexibility,
+                             const std::vector<ModalStep> &steps, double h, double speed,
+                             const SuspendedHub *hub = nullptr);
+
+  /// A of a time step on some points of the grid, from the residual displacements w = W~ R there and upstream
+  /// of them and from the few modal numbers c = basis^T R:
+  ///
+  ///   gap = w_n + (basis G c)_n,   slip = (V d/dx + 1/h) w_t + V d/dx (basis G c)_t + (basis H c)_t
+  ///
+  /// (G, H: the gains of StepMatrices). y has w behind its 3 n_points() rows: who solves for R then has it
+  /// too, without a second product.
+  class StepOperator : public ContactOperator
+  {
+  public:
+    /// @param points of the grid, ascending; the matrices have to outlive the operator
+    StepOperator(const StepMatrices &matrices, std::vector<unsigned int> points);
+
+    unsigned int n_points() const override { return nearby.size(); }
+    void vmult(DenseVector &y, const DenseVector &R, const std::vector<unsigned int> &sources) const override;
+    void extract(const std::vector<unsigned int> &points, DenseMatrix &block) const override;
+    double mean_diagonal(unsigned int component) const override { return diagonal[component]; }
+    bool fast_product() const override { return false; }
+
+    /// the points of the grid, in the operator's order
+    const std::vector<unsigned int> &points() const { return nearby; }
+    /// rows of the grid whose residual displacements stand behind the 3 n_points() rows of y
+    const std::vector<unsigned int> &residual_rows() const { return rows; }
+    /// size of y
+    unsigned int n_rows() const { return 3 * nearby.size() + rows.size(); }
+    /// Rows of y for displacements and velocities of the shapes and the residual displacements that y already
+    /// has behind them.
+    void respond(const DenseVector &displacement, const DenseVector &velocity, DenseVector &y) const;
+    /// c = basis^T R of the normal (c_n) and of the tangential (c_t) forces; rank [N]
+    void modal_numbers(const DenseVector &R, DenseVector &c_n, DenseVector &c_t) const;
+
+  private:
+    const StepMatrices &matrices;
+    const std::vector<unsigned int> nearby;
+    std::vector<unsigned int> rows;
+    /// points whose tangential residual displacements count: the nearby ones, those upstream and the next
+    /// one downstream (for the energy account)
+    unsigned int n_wet = 0;
+    /// V d/dx + 1/h at each nearby point: places among the wet points and their factors [1/s]
+    std::vector<std::vector<std::pair<unsigned int, double>>> transport;
+    double diagonal[3];
+    /// of the nearby points: basis, and StepMatrices::by_displacement and by_velocity side by side; 3
+    /// n_points x rank, twice the rank
+    DenseMatrix basis, by_motion;
+    /// columns of W~ of the sources of the last product, and their forces
+    mutable std::vector<unsigned int> sources_before;
+    mutable DenseMatrix residual_columns;
+    mutable DenseVector forces, residual, c_normal, c_tangential, displacement, velocity, motion;
+  };
+} // namespace vibrocontact

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vibrocontact/analyses/rolling/quasi_static_rolling.h>
+#include <vibrocontact/analyses/transient/drive.h>
+
+#include <memory>
+#include <string>
+
+namespace vibrocontact
+{
+  struct TransientParameters;
+
+  /// The hub that applies in a transient: RollingParameters::hub, but a load given over time moves a hub that would
+  /// be held, without mass.
+  /// @throws InputError if the hub's displacement over time is given and the hub is not held
+  std::string transient_hub(const std::string &hub, const LoadOverTime &load);
+
+  /// Why it applies, for the terminal.
+  std::string transient_hub_text(const std::string &hub, const LoadOverTime &load);
+
+  /// The bodies and what moves them once the hub is at its place.
+  struct HubMotion
+  {
+    /// with the modes of a suspended hub, or the pair as it was
+    std::shared_ptr<const ContactPair> pair;
+    /// what becomes of a drive as it was given: by displacement (held, suspended) or by force (massless)
+    std::function<DriveFunction(const DriveFunction &)> driven;
+    /// of the drive given
+    DriveFunction drive;
+    /// where it stays [m], and the normal force there [N]; found for a constant load or a suspended hub, else 0
+    double place = 0, normal_force = 0;
+  };
+
+  /// Finds the place of the hub in the equilibrium under the drive at t = 0, if it has to be known, and lets the hub
+  /// move from there as `hub` says (transient_hub()).
+  /// @throws InputError, ConvergenceError
+  HubMotion hub_motion(const std::string &hub, const RollingParameters &rolling, const LoadOverTime &load,
+                       const ContactSections &contact, const ContactSolverParameters &solver,
+                       const std::shared_ptr<const ContactPair> &held, const DriveFunction &drive);
+
+  /// initial_state() of the held pair, as HubMotion::pair has it.
+  DynamicState initial_state(const TransientParameters &transient, const ContactSections &contact,
+                             const ContactSolverParameters &solver, const ContactPair &held,
+                             const HubMotion &hub);
+} // namespace vibrocontact

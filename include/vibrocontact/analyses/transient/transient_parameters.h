@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vibrocontact/analyses/transient/roughness.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace vibrocontact
+{
+  /// `subsection Transient`
+  struct TransientParameters
+  {
+    /// what moves: "reduced" (modes, and residual flexibility without inertia), "finite elements" (all their
+    /// modes: contact points with mass, see with_all_modes())
+    std::string model = "reduced";
+    /// h, end of the run [s]
+    double time_step = 1e-6, end_time = 1e-2;
+    /// error per step over the size of the vibration, at which the step is halved, see StepLevels; 0: all
+    /// steps are equal; otherwise between this and the time step [s]
+    double error_tolerance = 0, shortest_step = 0;
+    /// march with twice the step beside the run, see CoarseRun
+    bool error_estimate = true;
+    /// "theta method" or "exact propagator"; theta
+    std::string integrator = "theta method";
+    double theta = 0.5;
+    /// "as other forces" or "end of step", see ReactionWeighting
+    std::string reaction = "as other forces";
+    /// "quasi-static": the equilibrium of section Rolling, at rest in the moving frame; "undeformed": bodies
+    /// without stress, apart by initial_gap, body 1 moving with initial_velocity
+    std::string initial_state = "quasi-static";
+    /// [m]; along z, positive upwards [m/s]
+    double initial_gap = 0, initial_velocity = 0;
+    /// stated perturbation of the initial state: name of a mode (body:label), its largest displacement in the
+    /// contact [m] and velocity [m/s]
+    std::string perturbed_mode;
+    double perturbation = 0, perturbation_velocity = 0;
+    /// expressions of the time t that replace the constants of section Rolling; empty: constant
+    std::string longitudinal_creepage, lateral_creepage, spin, normal_force, hub_displacement;
+    /// force on body 1 at its only contact point along z, upwards [N], an expression of the time t; empty: none
+    std::string exciting_force;
+    /// CSV file that does the same, columns time_s and any of longitudinal_creepage, lateral_creepage,
+    /// spin_1_m, normal_force_N, hub_displacement_m, exciting_force_N
+    std::string drive_table;
+    RoughnessParameters roughness;
+    /// distance of the lines of the histories [s], 0: every step
+    double history_interval = 0;
+    /// wall time between checkpoints [s], 0: only when the run is stopped and at its end
+    double checkpoint_interval = 300;
+
+    /// the body that perturbed_mode names
+    std::string perturbed_body() const { return perturbed_mode.substr(0, perturbed_mode.find(':')); }
+    void declare_parameters(dealii::ParameterHandler &prm);
+    /// @throws InputError for combinations that make no sense
+    void check() const;
+  };
+} // namespace vibrocontact

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <vibrocontact/contact/half_space.h>
+#include <vibrocontact/contact/interface.h>
+#include <vibrocontact/coupled_bodies/hub.h>
+#include <vibrocontact/reduction/reduced_body.h>
+#include <vibrocontact/scene/body.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// Reduced bodies as their contacts see them: the jump of the contact displacements (first body of each contact minus
+  /// the second) and the modes of all,
+  ///
+  ///   du = Psi q + W~ R + load_jump,      q'' + 2 zeta w q' + w^2 q = Psi^T R + load
+  ///
+  /// R: forces on the first body; a given force on body 1 at its contact point along z adds its force_participation and
+  /// force_response. The opposite force on the second body and its share of the jump are in the sign of its
+  /// rows of Psi, so that nothing after this distinguishes the bodies (Lai et al. 2018, Eqs 8-14). A body in several
+  /// contacts couples them: by its modes, and by its blocks of W~ between their points.
+  struct ContactPair
+  {
+    ContactInterface interface;
+    /// angular frequencies [rad/s], damping ratios [-], names as body:label; bodies (counted from 1 in the order of
+    /// Bodies); modes of body 1 first
+    std::vector<double> omega, damping_ratio;
+    std::vector<std::string> labels;
+    std::vector<unsigned int> body;
+    /// Psi: the traces of first bodies, less those of second ones; 3 n x n_modes [1/sqrt(kg)]
+    DenseMatrix modal_trace;
+    /// modal loads [N/sqrt(kg)]; n_modes
+    std::vector<double> modal_load;
+    /// phi^T M e of unit translations of the mode's body along x, y, z; n_modes x 3 [sqrt(kg)]
+    DenseMatrix participation;
+    /// residual displacements of the contacts per force on body 1 at its first contact point along the normal [m/N]; 3 n, empty: none
+    std::vector<double> force_residual;
+    /// W~ of all bodies: residual flexibilities (or what Contact/Local flexibility puts in their place), the
+    /// whole compliance of half-spaces, nothing of rigid bodies; 3 n square [m/N]
+    DenseMatrix residual_flexibility;
+    /// null: the hub of body 1 moves as the approach does
+    std::shared_ptr<const SuspendedHub> hub;
+
+    /// modal force per Drive::hub_acceleration: Gamma_z of body 1's modes on a held hub, or the unsprung mass times
+    /// what they move a suspended one; 0 for others and if unknown [sqrt(kg)]
+    double hub_participation(const unsigned int mode) const
+    {
+      if (hub)
+        return -hub->mass * hub->motion(2, mode);
+      return body[mode] == 1 && mode < participation.m() ? participation(mode, 2) : 0.;
+    }
+
+    /// of a mode [1/sqrt(kg)] and of a row of the contact's residual displacements [m/N] per given force on body 1
+    double force_participation(const unsigned int mode) const
+    {
+      return body[mode] == 1 ? modal_trace(0, mode) : 0.;
+    }
+    double force_response(const unsigned int row) const
+    {
+      return force_residual.empty() ? 0. : force_residual[row];
+    }
+
+    unsigned int n_points() const { return interface.contacts.n_points(); }
+    unsigned int n_modes() const { return omega.size(); }
+  };
+
+  /// One body of the scene as the contact needs it: half-spaces and rigid bodies by their parameters, any
+  /// other reduced.
+  struct ContactBody
+  {
+    const BodyParameters *parameters;
+    /// null for half-spaces and rigid bodies
+    const ReducedBody *reduced;
+  };
+
+  /// Elastic constants of a body without mesh, infinite stiffness of a rigid one.
+  HalfSpaceMaterial half_space_material(const BodyParameters &body);
+
+  /// Contacts and undeformed gaps of the bodies of a scene, in its order.
+  /// @throws InputError if the quadrature does not suit the bodies
+  ContactInterface contact_interface(const std::vector<ContactBody> &bodies, const ContactSections &sections,
+                                     const PlacedContacts &contacts);
+
+  /// Brings the bodies of a scene together. A meshed body's compliance is that of its own elements only, unless
+  /// `contact` asks for half-spaces: these replace W~ of solid bodies, whose modes, undeformed surface and
+  /// answer to loads stay. Without normal-tangential coupling W~'s blocks between the directions are zero.
+  ContactPair contact_pair(const std::vector<ContactBody> &bodies, const ContactSections &sections,
+                           const PlacedContacts &contacts);
+  /// Two bodies in one contact.
+  inline ContactPair contact_pair(const ContactBody &body_1, const ContactBody &body_2,
+                                  const ContactParameters &contact, const ContactGrid &grid)
+  {
+    return contact_pair({body_1, body_2}, contact, grid);
+  }
+
+  /// W~ + Psi diag(w^-2) Psi^T: what a static analysis sees; 3 n square [m/N].
+  /// @throws InputError if a body can move freely
+  DenseMatrix static_compliance(const ContactPair &pair);
+
+  /// The interface of a static analysis, in whose load_jump the modes answer the constant loads at rest.
+  ContactInterface static_interface(const ContactPair &pair);
+} // namespace vibrocontact

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <vibrocontact/coupled_bodies/contact_pair.h>
+#include <vibrocontact/coupled_bodies/rolling_equilibrium.h>
+
+#include <complex>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// What the linearisation about a rolling equilibrium keeps.
+  struct LinearisationOptions
+  {
+    /// damping C_b of sliding friction across the slip direction (Lai et al. 2018, Eq. 16)
+    bool lateral_damping = true;
+    /// the convective part V d/dx of the perturbed slip, which the paper leaves out
+    bool convection = true;
+    /// the rate d(W~ R)/dt of the residual displacements in the perturbed slip
+    bool residual_rate = true;
+    /// points that stick at the equilibrium stay stuck; false: they are refused
+    bool stick = false;
+  };
+
+  /// W~ of the pair and, on the diagonal of its gaps, what the normal law yields at the equilibrium; 3 n square [m/N].
+  DenseMatrix compliance_of_contact(const ContactPair &pair, const RollingEquilibrium &equilibrium);
+
+  /// How the gaps of some points close where the hub of body 1 moves down [-].
+  std::vector<double> gaps_by_approach(const ContactPair &pair, const std::vector<unsigned int> &points);
+
+  /// The pair linearised about an equilibrium, x' = A x, x = (q, v, z): modal amplitudes and velocities, and
+  /// what friction keeps in memory (doc/theory.md, "Steady sliding and its stability", "Time steps").
+  ///
+  /// Contact points in compression stay closed, open ones open. At a sliding point the friction force is
+  ///
+  ///   T = -mu N t + tau b,   tau = -c_b ds_b,   c_b = mu N / |s|,   t = s / |s|,  b across it
+  ///   ds = V d/dx (Psi_t q + W~_t R) + Psi_t v + W~_t R'
+  ///
+  /// (Eqs 15-18), at a sticking point ds = 0. N follows from the closed gap, N = -(W~_n E)^-1 (Psi_n q + W~_n
+  /// (tau b)), so that tau (T at sticking points) are the only states beside the modes. Without convection
+  /// and residual rate this is the paper's reduced problem (Eqs 19-22),
+  ///
+  ///   (lambda^2 I + lambda (C_r + Psi^T C_b Psi) + diag(w^2) + K_c) q = 0.
+  ///
+  /// If friction falls with the slip speed (RollingEquilibrium::friction_slope), T has one more part along t,
+  ///
+  ///   -N (dmu/ds) ds_t t,    ds_t = V d/dx (Psi_t q + W~_t R) + Psi_t v  along t,
+  ///
+  /// a negative damping. The rate of the residual displacements is no part of that slip, as in the law itself
+  /// (contact/friction_of_speed.h).
+  ///
+  /// A normal law that yields adds its compliance at the equilibrium to the normal diagonal of W~; where its force were to
+  /// vanish the contact is taken as closed all the same. The hub is fixed, or the normal force is given.
+  /// @throws InputError if points stick and options.stick is false or the residual rate is left out
+  DenseMatrix linearised_contact(const ContactPair &pair, const CreepScheme &scheme,
+                                 const RollingEquilibrium &equilibrium, const LinearisationOptions &options);
+
+  /// A complex eigenvalue lambda = growth + i 2 pi frequency of a linearised contact.
+  struct StabilityRoot
+  {
+    /// [Hz] >= 0, [1/s]
+    double frequency = 0, growth = 0;
+    /// Re(lambda) / Im(lambda); positive: unstable
+    double divergence_rate = 0;
+    /// the free mode with the largest share of its energy, and that share
+    std::string label;
+    double share = 0;
+    /// the free mode that the root began as, see RootPaths; empty if not followed
+    std::string path;
+    /// modal amplitudes; n_modes
+    std::vector<std::complex<double>> shape;
+
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &frequency &growth &divergence_rate &label &share &path &shape;
+    }
+  };
+
+  /// Eigenvalues of a real matrix, and right eigenvectors (x, A x = lambda x) as dgeev lays them out (conjugate
+  /// pairs in two columns); left ones (y, y^H A = lambda y^H) if they are asked for.
+  /// @throws ConvergenceError if LAPACK finds none
+  struct Eigenvalues
+  {
+    std::vector<std::complex<double>> values;
+    DenseMatrix vectors, left;
+    /// of eigenvalue k with a positive (or no) imaginary part
+    std::complex<double> component(const unsigned int i, const unsigned int k) const
+    {
+      return {vectors(i, k), values[k].imag() > 0 ? vectors(i, k + 1) : 0.};
+    }
+    std::complex<double> left_component(const unsigned int i, const unsigned int k) const
+    {
+      return {left(i, k), values[k].imag() > 0 ? left(i, k + 1) : 0.};
+    }
+  };
+  Eigenvalues eigenvalues(DenseMatrix matrix, bool with_left_vectors = false);
+
+  /// A root of given modal amplitudes: its name is that of the free mode with the largest share of
+  /// sum (w^2 + |lambda|^2) |q|^2.
+  StabilityRoot named_root(const std::complex<double> &lambda, std::vector<std::complex<double>> amplitudes,
+                           const std::vector<double> &omega, const std::vector<std::string> &labels);
+  /// Whether a root is listed: frequency > 0, or growth without oscillation.
+  bool is_listed(const std::complex<double> &lambda);
+  /// By ascending frequency (of equal ones the faster growing first), those without oscillation last.
+  void sort_roots(std::vector<StabilityRoot> &roots);
+
+  /// All roots with frequency > 0 by ascending frequency (one of each conjugate pair), then those without
+  /// oscillation that grow. @throws ConvergenceError if LAPACK finds no eigenvalues
+  std::vector<StabilityRoot> stability_roots(const ContactPair &pair, DenseMatrix linearised);
+} // namespace vibrocontact

@@ -1,0 +1,391 @@
+#include <vibrocontact/analyses/frequency_response/frequency_refinement.h>
+#include <vibrocontact/analyses/frequency_response/frequency_response_output.h>
+#include <vibrocontact/analyses/frequency_response/run_frequency_response.h>
+#include <vibrocontact/analyses/frequency_response/run_green_functions.h>
+#include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/base/parameter_text.h>
+#include <vibrocontact/fe/beam_elements.h>
+#include <vibrocontact/fe/nearest_dof.h>
+#include <vibrocontact/fe/trace_assembly.h>
+#include <vibrocontact/reduction/reduction_cache.h>
+#include <vibrocontact/run/entries_of_contact.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    using Rows = std::vector<TraceRow>;
+
+    /// How the points move with the dofs of the body.
+    Rows response_rows(MeshedBody &body, const FrequencyResponseParameters &parameters)
+    {
+      const BodyParameters &own = body.parameters;
+      Rows rows;
+      for (const ResponsePoint &point : parameters.parsed_points())
+        if (point.z)
+        {
+          const unsigned int directions[3] = {2, 0, 1};
+          rows.push_back(nearest_dof(body.reduction.system(), {point.x, point.y, *point.z},
+                                     directions[point.component],
+                                     "Frequency response/Points: " + point.name));
+        }
+        else if (own.is_solid())
+        {
+          ContactGrid patch;
+          patch.n_x = patch.n_y = 1;
+          patch.x_first = point.x;
+          patch.y_first = point.y;
+          patch.spacing_x = parameters.load_length;
+          patch.spacing_y = parameters.load_width;
+          rows.push_back(make_contact_trace(body.elastic_body(), patch).rows[point.component]);
+        }
+        else if (own.type == "beam rail")
+          rows.push_back(beam_rail_rows(own.beam_rail, own.name, point.x, point.y,
+                                        parameters.load_length)[point.component]);
+        else
+          throw InputError("Frequency response/Points: " + own.name + " has no surface for the point " +
+                           point.name + "; give it as name: x, y, z, direction.");
+      return rows;
+    }
+
+    /// The points as the cache knows them.
+    std::string points_key(const FrequencyResponseParameters &parameters)
+    {
+      std::ostringstream key;
+      key.precision(17);
+      for (const ResponsePoint &point : parameters.parsed_points())
+        key << "point " << point.x << " " << point.y << " " << (point.z ? *point.z : 0.) << " "
+            << bool(point.z) << " " << point.component << "\n";
+      key << "load " << parameters.load_length << " " << parameters.load_width << "\n";
+      return key.str();
+    }
+
+    std::vector<Receptance> receptances(const DirectResponse &direct)
+    {
+      std::vector<Receptance> result(direct.frequency.size(), Receptance(direct.real.n()));
+      for (unsigned int k = 0; k < result.size(); ++k)
+        for (unsigned int i = 0; i < direct.real.n(); ++i)
+          result[k][i] = {direct.real(k, i), direct.imaginary(k, i)};
+      return result;
+    }
+
+    /// One body: what is asked for, from the cache or computed.
+    class BodyResponse
+    {
+    public:
+      BodyResponse(MeshedBody &body, const FrequencyResponseParameters &parameters)
+          : body(body), parameters(parameters),
+            cache(body.reduction.request().cache_directory, MPI_COMM_WORLD),
+            key(body.reduction.request().key + points_key(parameters))
+      {
+      }
+
+      const ResponseReduction &reduction()
+      {
+        const ReductionRequest &request = body.reduction.request();
+        const std::string own_key = key + "Ritz vectors\nmodes " + request.modes.key();
+        if (!reduced)
+        {
+          reduced = cache.load_response(request.body, own_key);
+          if (reduced)
+            run_log().line(request.body + ": response reduction found in the cache");
+        }
+        if (!reduced)
+        {
+          const Modes &modes = body.reduction.shapes();
+          reduced = reduce_response(body.reduction.system(), body.reduction.flexibility(), modes,
+                                    body.reduction.modal().damping_ratio, bool(request.wheel), points());
+          cache.save(request.body, own_key, *reduced);
+          run_log().value("modal loss and static answers", reduced->seconds, "s");
+        }
+        return *reduced;
+      }
+
+      ResponseVariant direct(const std::vector<double> &frequency)
+      {
+        const ReductionRequest &request = body.reduction.request();
+        if (request.wheel)
+          throw InputError("Frequency response: the damping of " + request.body +
+                           " is given by mode, so that its unreduced equations have none; leave Check "
+                           "frequencies out and set Method to modal.");
+        std::ostringstream own_key;
+        own_key.precision(17);
+        own_key << key << "frequencies";
+        for (const double f : frequency)
+          own_key << " " << f;
+        auto found = cache.load_direct(request.body, own_key.str());
+        if (found)
+          run_log().line(request.body + ": direct solutions found in the cache");
+        else
+        {
+          Progress progress("direct solutions of " + request.body, frequency.size());
+          found = solve_directly(body.reduction.system(), points(), frequency, [&] { progress.advance(); });
+          cache.save(request.body, own_key.str(), *found);
+        }
+        run_log().value("direct solutions took", found->seconds / frequency.size(), "s per frequency");
+        return {"direct", 0, frequency, receptances(*found)};
+      }
+
+      ResponseVariant modal(const std::string &method, const double cut, const std::vector<double> &frequency)
+      {
+        const ResponseReduction &modes = reduction();
+        const auto begin = modes.omega.begin(), end = begin + modes.damping_ratio.size();
+        const unsigned int n =
+            (cut > 0 ? std::lower_bound(begin, end, 2 * dealii::numbers::PI * cut) : end) - begin;
+        return {method, n, frequency,
+                method == "hysteretic" ? hysteretic_response(modes, n, frequency)
+                                       : time_domain_response(modes, n, frequency)};
+      }
+
+    private:
+      const Rows &points()
+      {
+        if (rows.empty())
+          rows = response_rows(body, parameters);
+        return rows;
+      }
+
+      MeshedBody &body;
+      const FrequencyResponseParameters &parameters;
+      const ReductionCache cache;
+      const std::string key;
+      std::optional<ResponseReduction> reduced;
+      Rows rows;
+    };
+
+    /// The largest maxima and the smallest minima; all of them are in a table.
+    void print_extrema(const nlohmann::ordered_json &extrema)
+    {
+      constexpr std::size_t most_said = 5;
+      for (const char *kind : {"maxima", "minima"})
+      {
+        const bool maxima = kind[1] == 'a';
+        auto all = extrema[kind].get<std::vector<nlohmann::ordered_json>>();
+        const std::size_t said = std::min(all.size(), most_said);
+        std::stable_sort(all.begin(), all.end(),
+                         [sign = maxima ? 1. : -1.](const auto &a, const auto &b) {
+                           return sign * a["magnitude"].template get<double>() >
+                                  sign * b["magnitude"].template get<double>();
+                         });
+        for (std::size_t k = 0; k < said; ++k)
+          run_log().line(all[k]["point"].get<std::string>() + (maxima ? ": maximum " : ": minimum ") +
+                         number_text(all[k]["magnitude"].get<double>()) + " at " +
+                         number_text(all[k]["frequency_Hz"].get<double>()) + " Hz");
+        if (said < all.size())
+          run_log().line("... and " + std::to_string(all.size() - said) + " more " + kind +
+                         " in the table of extrema");
+      }
+    }
+
+    Table extrema_table(const nlohmann::ordered_json &extrema, const std::string &quantity,
+                        const std::string &body)
+    {
+      Table table(
+          {"point", "kind", "frequency_Hz", quantity == "mobility" ? "mobility_m_Ns" : "receptance_m_N"},
+          {"Maxima and minima of the driving points of " + body + " over frequency"});
+      for (const char *kind : {"maxima", "minima"})
+        for (const auto &one : extrema[kind])
+          table.add_row({one["point"].get<std::string>(), std::string(kind[1] == 'a' ? "maximum" : "minimum"),
+                         one["frequency_Hz"].get<double>(), one["magnitude"].get<double>()});
+      return table;
+    }
+
+    /// Solved at the frequencies of the file, then at refined ones, a quarter of what is left at a time, so that each
+    /// round sees where the one before has led.
+    template <typename Solve>
+    ResponseVariant refined_response(const FrequencyResponseParameters &parameters, const Solve &solve)
+    {
+      ResponseVariant result = solve(parameters.frequencies());
+      unsigned int left = parameters.n_refined;
+      while (left > 0)
+      {
+        const ResponseVariant more = solve(
+            frequencies_between(result.frequency, result.response, std::max(left / 4, std::min(left, 4u))));
+        if (more.frequency.empty())
+          break;
+        left -= more.frequency.size();
+        for (std::size_t k = 0; k < more.frequency.size(); ++k)
+        {
+          const auto place =
+              std::upper_bound(result.frequency.begin(), result.frequency.end(), more.frequency[k]);
+          result.response.insert(result.response.begin() + (place - result.frequency.begin()),
+                                 more.response[k]);
+          result.frequency.insert(place, more.frequency[k]);
+        }
+      }
+      if (left > 0)
+        run_log().value("refined frequencies", std::to_string(parameters.n_refined - left) + " of " +
+                                                   std::to_string(parameters.n_refined) +
+                                                   " make the response smooth");
+      return result;
+    }
+
+    void print_checks(const nlohmann::ordered_json &checks)
+    {
+      for (const auto &one : checks)
+        if (one["response"] == one["force"])
+          run_log().line(
+              one["response"].get<std::string>() + ", " + number_text(one["frequency_Hz"].get<double>()) +
+              " Hz, " + one["method"].get<std::string>() + " with " +
+              std::to_string(one["n_modes"].get<unsigned int>()) +
+              " modes: " + number_text(100 * one["error"].get<double>()) + " % off, imaginary receptance " +
+              number_text(100 * one.value("error_imaginary_receptance", 0.)) + " %");
+    }
+
+    nlohmann::ordered_json respond(MeshedBody &body, const FrequencyResponseParameters &parameters,
+                                   const std::string &folder, nlohmann::ordered_json &tables)
+    {
+      const std::string &name = body.parameters.name;
+      run_log().block("Frequency response of " + name);
+      BodyResponse response(body, parameters);
+      const bool is_modal = parameters.method == "modal";
+      const auto write = [&](const Table &table, const std::string &suffix)
+      {
+        const std::string file = "frequency_response_" + name + suffix + ".csv";
+        on_first_rank([&] { table.write(folder + "/" + file); });
+        tables.push_back(file);
+        return file;
+      };
+      const ResponseVariant main = refined_response(
+          parameters, [&](const std::vector<double> &frequency)
+          { return is_modal ? response.modal("hysteretic", 0, frequency) : response.direct(frequency); });
+      nlohmann::ordered_json result = {{"method", main.method},
+                                       {"n_modes", main.n_modes},
+                                       {"table", write(response_table(parameters, main, name), "")}};
+      const auto extrema = extrema_json(parameters, main);
+      result.update(extrema);
+      result["extrema_table"] = write(extrema_table(extrema, parameters.quantity, name), "_extrema");
+      print_extrema(extrema);
+      const bool has_modes = body.reduction.request().modes.any();
+      if (has_modes)
+      {
+        const ResponseVariant in_time = response.modal("time domain", 0, main.frequency);
+        result["time_domain_table"] = write(response_table(parameters, in_time, name), "_time_domain");
+        result["time_domain_difference"] = difference_json(parameters, main, in_time);
+        for (const auto &one : result["time_domain_difference"])
+          run_log().line("damping of a run in time, " + one["response"].get<std::string>() + " under " +
+                         one["force"].get<std::string>() + ": median difference " +
+                         number_text(100 * one["median"].get<double>()) + " %, largest " +
+                         number_text(100 * one["largest"].get<double>()) + " % at " +
+                         number_text(one["frequency_Hz"].get<double>()) + " Hz");
+      }
+      const std::vector<double> &check = parameters.check_frequencies;
+      if (check.empty())
+        return result;
+      std::vector<ResponseVariant> variants = {response.direct(check)};
+      std::vector<double> cuts = parameters.cut_frequencies;
+      cuts.insert(cuts.begin(), 0.);
+      for (const double cut : cuts)
+        for (const char *method : {"hysteretic", "time domain"})
+          if (has_modes)
+            variants.push_back(response.modal(method, cut, check));
+      result["check_table"] = write(check_table(parameters, variants, name), "_check");
+      result["checks"] = checks_json(parameters, variants);
+      print_checks(result["checks"]);
+      return result;
+    }
+  } // namespace
+
+  void run_frequency_response(const Parameters &parameters, const MeshedBodies &bodies,
+                              const std::optional<MeasuredData> &measured, const std::string &folder,
+                              Results &results)
+  {
+    const FrequencyResponseParameters &own = parameters.frequency_response;
+    const std::vector<std::string> wanted = split_list(own.bodies);
+    nlohmann::ordered_json tables = nlohmann::ordered_json::array(), all = nlohmann::ordered_json::object();
+    for (unsigned int k = 0; k < bodies.size(); ++k)
+    {
+      const BodyParameters &body = parameters.scene.bodies[k];
+      if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), body.name) == wanted.end())
+        continue;
+      if (bodies[k])
+        all[body.name] = respond(*bodies[k], own, folder, tables);
+      else if (body.is_green())
+        all[body.name] = run_green_functions(parameters, measured, body, folder, tables);
+    }
+    results.analyses["frequency_response"] = {{"quantity", own.quantity},
+                                              {"load_length_m", own.load_length},
+                                              {"load_width_m", own.load_width},
+                                              {"tables", tables},
+                                              {"bodies", all}};
+  }
+
+  void check_response_points(const Parameters &parameters, const MeshedBodies &bodies)
+  {
+    const std::vector<std::string> wanted = split_list(parameters.frequency_response.bodies);
+    for (const auto &body : bodies)
+      if (body && (wanted.empty() || std::count(wanted.begin(), wanted.end(), body->parameters.name) > 0))
+        response_rows(*body, parameters.frequency_response);
+  }
+
+  namespace
+  {
+    void frequency_response_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      const FrequencyResponseParameters &own = parameters.frequency_response;
+      const std::vector<std::string> wanted = split_list(own.bodies);
+      const std::string section = "Frequency response";
+      bool meshed = false, green = false, ring = false, rolls = false, tangential = false;
+      for (unsigned int k = 0; k < parameters.scene.bodies.size(); ++k)
+      {
+        const BodyParameters &body = parameters.scene.bodies[k];
+        if (!wanted.empty() && std::count(wanted.begin(), wanted.end(), body.name) == 0)
+          continue;
+        BodyUse use;
+        use.motion = use.loss = use.points = true;
+        if (body.is_meshed())
+          meshed = true;
+        else if (body.is_green())
+        {
+          green = true;
+          ring = ring || body.type == "ring";
+          rolls = rolls || (body.type == "ring" && body.ring.rolling);
+          // the points of a ring are those of its contact
+          use.contact = body.type == "ring";
+          use.tangential = tangential = own.tangential;
+        }
+        else
+          continue;
+        add_body(entries, parameters, k, use);
+      }
+      entries.add(section, "Bodies, Quantity, Method, Frequencies");
+      entries.add_if(own.list.empty(), section + "/Frequencies is empty", section,
+                     "First frequency, Last frequency, Number of frequencies, Spacing");
+      entries.add_if(
+          meshed, "a body has a mesh", section,
+          "Points, Load length, Load width, Check frequencies, Cut frequencies, Refined frequencies");
+      entries.add_if(green, "a body is given by its Green's functions", section, "Impulse response time");
+      entries.add_if(green && own.impulse_time > 0, section + "/Impulse response time is above 0", section,
+                     "Impulse response step");
+      entries.add_if(ring, "a body is an analytic ring", section, "Tangential, Truncated orders");
+      entries.add_if(rolls, "a ring is Rolling", "Road", "Speed");
+      add_lateral_position(entries, parameters);
+    }
+  } // namespace
+
+  Analysis frequency_response_analysis()
+  {
+    return {{"frequency response",
+             "point and transfer mobilities of meshed bodies, with hysteretic loss, and of bodies known by "
+             "their Green's functions",
+             1},
+            frequency_response_read,
+            [](const AnalysisRun &on)
+            { run_frequency_response(on.parameters, on.bodies, on.measured, on.folder, on.results); },
+            false,
+            {{"frequency_response",
+              "frequency response",
+              frequency_response_answer,
+              {"frequency_response_*.csv", "figures/frequency_response*.png"}}}};
+  }
+} // namespace vibrocontact

@@ -1,0 +1,41 @@
+#include <vibrocontact/analyses/modal_convolution/road_contact.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/unilateral_contact.h>
+
+namespace vibrocontact
+{
+  ContactProblem road_contact_problem(const DenseMatrix &matrix, const unsigned int n_points,
+                                      const RoadLaws &laws, const double time_step)
+  {
+    const unsigned int n = n_points, n_rows = matrix.m();
+    AssertThrow(n_rows == n || n_rows == 2 * n, dealii::ExcDimensionMismatch(n_rows, 2 * n));
+    DenseMatrix whole(3 * n, 3 * n);
+    for (unsigned int i = 0; i < n_rows; ++i)
+      for (unsigned int j = 0; j < n_rows; ++j)
+        whole(i, j) = i < n ? matrix(i, j) : matrix(i, j) / time_step;
+    // nothing pulls sideways
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      if (n_rows == n)
+        whole(n + i, n + i) = matrix(0, 0);
+      whole(2 * n + i, 2 * n + i) = whole(n + i, n + i);
+    }
+    ContactProblem problem;
+    problem.title = "contact with the road";
+    problem.A = std::make_shared<DenseContactOperator>(whole);
+    problem.b.reinit(3 * n);
+    problem.normal_law = laws.normal;
+    problem.friction_law = laws.friction;
+    problem.mu.assign(n, laws.friction ? laws.friction->at_rest() : 0.);
+    return problem;
+  }
+
+  void check_road_friction(const DenseMatrix &compliance)
+  {
+    if (!(definiteness(compliance) > 0))
+      throw InputError(
+          "Modal convolution/Friction is true, but unit forces at the contact points, along the "
+          "road too, do not make a positive definite matrix of displacements in one step: the body "
+          "does not move along the road; set Friction to false.");
+  }
+} // namespace vibrocontact

@@ -1,0 +1,380 @@
+#include <vibrocontact/analyses/modal_convolution/judge_road_march.h>
+#include <vibrocontact/analyses/modal_convolution/modal_convolution_output.h>
+#include <vibrocontact/analyses/modal_convolution/run_method_comparison.h>
+#include <vibrocontact/analyses/modal_convolution/run_modal_convolution.h>
+#include <vibrocontact/analyses/transient/checkpoint.h>
+#include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/run_communicator.h>
+#include <vibrocontact/base/version.h>
+#include <vibrocontact/run/checkpoint_schedule.h>
+#include <vibrocontact/run/entries_of_contact.h>
+#include <vibrocontact/run/road_body.h>
+#include <vibrocontact/run/say_residual_damping.h>
+#include <vibrocontact/run/swept_runs.h>
+#include <vibrocontact/run/verdict.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    constexpr unsigned int most_point_tables = 10;
+    constexpr unsigned long most_table_lines = 1000000, most_spectrum_lines = 20000000;
+    constexpr int checkpoint_format = 3;
+
+    std::string checkpoint_name(const std::string &folder)
+    {
+      return folder + "/modal_convolution.h5";
+    }
+
+    /// What tells bodies apart: the rows and the poles.
+    std::vector<double> marks(const BodyInContact &model)
+    {
+      std::vector<double> result = {double(model.n_rows())};
+      for (const auto &pole : model.poles)
+        result.insert(result.end(), {pole.real(), pole.imag()});
+      return result;
+    }
+
+    class Checkpoints
+    {
+    public:
+      Checkpoints(const std::string &folder, const BodyInContact &model, ModalConvolution &motion,
+                  std::optional<ModalConvolutionHistory> &history)
+          : folder(folder), model(model), motion(motion), history(history)
+      {
+      }
+
+      /// On rank 0; the others keep nothing.
+      void write()
+      {
+        Hdf5Writer writer(checkpoint_name(folder));
+        writer.write("format", checkpoint_format);
+        writer.write("marks", marks(model));
+        CheckpointFile file(writer);
+        motion.exchange(file);
+        if (history)
+          history->exchange(file);
+        writer.finish(true);
+      }
+
+      /// On every rank.
+      bool read()
+      {
+        if (!std::filesystem::exists(checkpoint_name(folder)))
+          return false;
+        std::unique_ptr<Hdf5Reader> reader;
+        bool same = false;
+        read_whole(checkpoint_name(folder),
+                   [&]
+                   {
+                     // sizes and places are used as they are read
+                     Hdf5Reader::check_seal(checkpoint_name(folder));
+                     reader = std::make_unique<Hdf5Reader>(checkpoint_name(folder));
+                     same = reader->integer("format") == checkpoint_format &&
+                            reader->numbers("marks") == marks(model);
+                   });
+        if (!same)
+          throw InputError("The checkpoint \"" + checkpoint_name(folder) +
+                           "\" belongs to another body or program: run the file without --resume.");
+        read_whole(checkpoint_name(folder),
+                   [&]
+                   {
+                     CheckpointFile file(*reader);
+                     motion.exchange(file);
+                     if (history)
+                       history->exchange(file);
+                   });
+        if (motion.result().steps > motion.n_steps())
+          throw InputError("Modal convolution/End time is before what the run to be resumed has reached, " +
+                           std::to_string(motion.result().time) + " s: give a later one.");
+        return true;
+      }
+
+    private:
+      const std::string folder;
+      const BodyInContact &model;
+      ModalConvolution &motion;
+      std::optional<ModalConvolutionHistory> &history;
+    };
+
+    void print(const ModalConvolutionParameters &parameters, const ModalConvolutionResult &result)
+    {
+      Log &log = run_log();
+      const double steps = std::max(1ul, result.steps);
+      log.value("steps", static_cast<unsigned long long>(result.steps));
+      log.value("time", result.time, "s");
+      log.value("per step", result.seconds / steps * 1e9, "ns");
+      log.value("road, per step", result.road_seconds / steps * 1e9, "ns");
+      log.value("computing per simulated second", (result.seconds + result.road_seconds) / result.time * 1e3,
+                "ms");
+      log.value("closed points on average", result.closed_points / steps);
+      log.value("impacts", static_cast<unsigned long long>(result.impacts.size()));
+      log.value("releases", static_cast<unsigned long long>(result.releases.size()));
+      for (unsigned int i = 0; i < std::min<std::size_t>(result.impulse.size(), 3); ++i)
+        log.value("impulse of point " + std::to_string(i), result.impulse[i], "N s");
+      if (result.has_residual)
+        log.value("contact residual", result.residual);
+      if (parameters.friction)
+      {
+        log.value("sticking points on average", result.sticking_points / steps);
+        log.value("friction", result.dissipation, "J");
+      }
+    }
+  } // namespace
+
+  void run_modal_convolution(const Parameters &parameters, const MeshedBodies &bodies,
+                             const std::optional<MeasuredData> &measured, const std::string &folder,
+                             const bool resume, Results &results)
+  {
+    const ModalConvolutionParameters &own = parameters.modal_convolution;
+    const RoadBody body =
+        road_body(parameters, bodies, measured, 0, {own.friction, parameters.road.speed, own.time_step});
+    const BodyInContact poles = by_poles(body.body);
+    run_log().block("Modal convolution");
+    run_log().value("poles", poles.n_poles());
+    const unsigned int n_points = body.places.size();
+    run_log().value("contact points", n_points);
+    run_log().value("method", own.method);
+    const RoadParameters road_parameters = road_of(parameters, body);
+    const bool by_force = !parameters.rolling.normal_force.empty();
+    if (by_force)
+    {
+      run_log().value("load on a flat road", parameters.rolling.normal_force.front(), "N");
+      run_log().value("indentation for it", road_parameters.indentation * 1e3, "mm");
+    }
+    if (parameters.comparison.any() && std::any_of(poles.poles.begin(), poles.poles.end(), is_rigid_motion))
+      throw InputError("Comparison/Rows asks for a comparison with convolutions, which forget, but " +
+                       parameters.scene.bodies[0].name +
+                       " is free, and no force that has moved it may be forgotten: leave the rows out.");
+    const Road road(road_parameters, body.places, body.shapes, own.end_time);
+    ModalConvolution motion(own, parameters.contact_solver, poles, road, road_laws(parameters));
+
+    const bool first = dealii::Utilities::MPI::this_mpi_process(run_communicator()) == 0;
+    std::optional<ModalConvolutionHistory> history;
+    if (first)
+      history.emplace(own, n_points, folder);
+    Checkpoints checkpoints(folder, poles, motion, history);
+    bool found = false;
+    if (resume)
+      on_all_ranks([&] { found = checkpoints.read(); });
+    if (found)
+      run_log().value("resumed at", motion.result().time, "s");
+
+    CheckpointSchedule schedule(own.checkpoint_interval);
+    Progress progress("modal convolution", motion.n_steps() - motion.result().steps);
+    std::exception_ptr failure;
+    const auto observe = [&](const ModalConvolutionLines &lines)
+    {
+      if (!history || failure)
+        return;
+      try
+      {
+        history->add(lines);
+      }
+      catch (...)
+      {
+        failure = std::current_exception();
+      }
+    };
+    std::string message;
+    bool more = motion.n_steps() > motion.result().steps;
+    while (more)
+    {
+      const unsigned long before = motion.result().steps;
+      try
+      {
+        more = motion.advance(motion.steps_of_a_block(), observe);
+      }
+      catch (const ConvergenceError &error)
+      {
+        // the same on every rank
+        message = error.what();
+        break;
+      }
+      on_first_rank(
+          [&]
+          {
+            if (failure)
+              std::rethrow_exception(failure);
+          });
+      progress.advance(motion.result().steps - before);
+      const bool due = schedule.is_due();
+      if (due || !more)
+        on_first_rank([&] { checkpoints.write(); });
+      if (schedule.stopped_by() != 0 && more)
+      {
+        results.stopped_by = schedule.stopped_by();
+        break;
+      }
+    }
+    const ModalConvolutionResult &result = motion.result();
+    nlohmann::ordered_json &json = results.analyses["modal_convolution"];
+    json = modal_convolution_json(own, result);
+    if (bodies[0] && parameters.scene.bodies[0].is_meshed())
+    {
+      ReducedBody reduced = bodies[0]->reduction.reduced(true);
+      scale_damping(reduced, parameters.modes.at(parameters.scene.bodies[0].name));
+      say_residual_damping(parameters, {&reduced}, 0., {}, "modal_convolution", results);
+    }
+    json["indentation_m"] = road_parameters.indentation;
+    if (by_force)
+      json["static_normal_force_N"] = parameters.rolling.normal_force.front();
+    on_first_rank(
+        [&]
+        {
+          history->finish(message.empty() && results.stopped_by == 0);
+          const double lines = result.time / std::max(own.time_step, own.history_interval);
+          if (n_points <= most_point_tables && lines <= most_table_lines)
+            write_point_tables(folder, n_points, own.friction);
+          write_impacts(result, folder);
+          if (lines <= most_spectrum_lines)
+          {
+            write_third_octaves(own, result, folder);
+            json["third_octaves"] = "third_octaves.csv";
+          }
+        });
+    print(own, result);
+    judge_road_march(own, motion, body.is_passive, message.empty() && results.stopped_by == 0, json, results);
+    if (!message.empty())
+    {
+      std::ostringstream text;
+      text << "The modal convolution ended at " << result.time << " s: " << message;
+      refuse("modal convolution", text.str(), results);
+    }
+    if (results.stopped_by != 0)
+      run_log().warning("Interrupted; a checkpoint is written, --resume continues.");
+    else if (parameters.comparison.any() && message.empty())
+      json["method_comparison"] = run_method_comparison(parameters, bodies, measured, folder);
+  }
+
+  namespace
+  {
+    /// @param section Road of body 1 or of a further one
+    void add_road(EntriesRead &entries, const std::string &section, const RoadParameters &road,
+                  const bool rolls, const bool friction, const bool by_force = false)
+    {
+      const bool flat = road.profile == "flat", waves = road.profile == "ISO 8608";
+      entries.add(section, "Profile, Expression, Table, Indentation");
+      entries.add_if(road.profile == "table", section + "/Profile is table", section, "Table interpolation");
+      entries.add_if(waves, section + "/Profile is ISO 8608", section,
+                     "Class, First wavenumber, Last wavenumber, Wavenumber step, Seed");
+      entries.add_if(!flat || rolls, section + "/Profile is not flat", section, "Speed");
+      entries.add_if(!flat, section + "/Profile is not flat", section, "Speed expression, Speed table");
+      entries.add_if(!flat || road.indentation != 0 || by_force,
+                     "there is a profile, an Indentation or a Rolling/Normal force", section, "Loading time");
+      entries.add_if(friction, "Modal convolution/Friction is true", section, "Sliding speed");
+    }
+
+    /// Whether its contact points may have a tread or residual flexibility.
+    bool gives_way(const BodyParameters &body)
+    {
+      return body.type == "ring" ? body.ring.tread_stiffness > 0 || body.ring.residual
+                                 : body.type != "oscillator";
+    }
+
+    void modal_convolution_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      const ModalConvolutionParameters &own = parameters.modal_convolution;
+      const std::string section = "Modal convolution";
+      const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
+      BodyUse use = moving_in_contact();
+      use.tangential = own.friction;
+      add_body(entries, parameters, 0, use);
+      if (bodies[0].is_meshed() && bodies[0].type != "ring")
+        add_contact_grid(entries, parameters);
+      entries.add("Rolling", "Normal force");
+      add_road(entries, "Road", parameters.road, bodies[0].rolls(), own.friction,
+               !parameters.rolling.normal_force.empty());
+
+      const bool steps = !own.is_event_located();
+      entries.add(
+          section,
+          "Method, Time step, End time, Friction, History interval, Checkpoint interval, Error estimate");
+      entries.add_if(steps, section + "/Method is no event located", section, "Force shape");
+      const bool rigid = parameters.contact().law()->is_rigid();
+      entries.add_if(steps && !own.friction && rigid,
+                     section +
+                         "/Method is no event located, Friction is false and Contact/Normal law is signorini",
+                     section, "Contact solver");
+      entries.add_if(own.is_convolution(), section + "/Method is a convolution", section, "Memory");
+      entries.add_if(own.takes_theta(), section + "/Method is theta method", section, "Theta");
+      entries.add_if(stands_under_loads(bodies[0]), "body 1 stands under a load", section, "Initial state");
+      entries.add_if(!own.is_event_located(), section + "/Method is no event located", "Contact",
+                     "Normal law");
+      add_normal_law(entries, parameters.contact(), parameters.contact().normal_law, "Contact/Normal law");
+      add_friction(entries, parameters.contact(), own.friction, section + "/Friction is true");
+      add_contact_solver(entries, parameters,
+                         own.friction || own.contact_solver == "common" || (steps && !rigid),
+                         section + "/Contact solver is common");
+
+      const std::string comparison = section + "/Comparison";
+      entries.add(comparison, "Rows");
+      entries.add_if(parameters.comparison.any(), "there are rows of a comparison", comparison,
+                     "Repetitions");
+      for (unsigned int k = 1; k < bodies.size(); ++k)
+      {
+        const auto further = parameters.comparison.further_bodies.find(bodies[k].name);
+        if (further == parameters.comparison.further_bodies.end())
+          continue;
+        const std::string of_body = comparison + "/" + bodies[k].name;
+        entries.add(of_body, "Rows");
+        if (further->second.rows.empty())
+          continue;
+        entries.add_if(gives_way(bodies[k]), "its points are not rigid", of_body, "Force shape");
+        add_body(entries, parameters, k, use);
+        add_road(entries, of_body + "/Road", further->second.road, bodies[k].rolls(), own.friction);
+      }
+    }
+
+    void do_modal_convolution(const AnalysisRun &on)
+    {
+      run_modal_convolution(on.parameters, on.bodies, on.measured, on.folder, on.resume, on.results);
+    }
+
+    PreparedRun prepare_modal_convolution(const AnalysisRun &on)
+    {
+      reduce_bodies({on.bodies[0]}, true);
+      return do_modal_convolution;
+    }
+  } // namespace
+
+  Analysis modal_convolution_analysis()
+  {
+    return {{"modal convolution",
+             "a body known by its Green's functions rolls over a road in unilateral contact",
+             1,
+             true,
+             true,
+             "",
+             {},
+             "Modal convolution"},
+            modal_convolution_read,
+            do_modal_convolution,
+            true,
+            {{"modal_convolution",
+              "modal convolution",
+              modal_convolution_answer,
+              {"histories.h5", "impacts.csv", "third_octaves.csv", "figures/modal_convolution*.png"}}},
+            swept_runs(prepare_modal_convolution,
+                       {{"impulse_Ns", "/modal_convolution/impulse_Ns/0"},
+                        {"largest_force_N", "/modal_convolution/largest_force_N"},
+                        {"rms_force_N", "/modal_convolution/rms_force_N"},
+                        {"closed_points_mean", "/modal_convolution/closed_points_mean"},
+                        {"n_impacts", "/modal_convolution/n_impacts"},
+                        {"input_J", "/modal_convolution/energy/input_J"},
+                        {"friction_J", "/modal_convolution/energy/friction_J"},
+                        {"estimated_error", "/modal_convolution/estimated_error"},
+                        {"steps", "/modal_convolution/steps"},
+                        {"time_s", "/modal_convolution/time_s"}})};
+  }
+} // namespace vibrocontact

@@ -1,0 +1,50 @@
+#include <vibrocontact/analyses/modes/modal.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/numbers.h>
+
+#include <cstdio>
+
+namespace vibrocontact
+{
+  ModalResult modal_analysis(BodyReduction &body)
+  {
+    Assert(body.request().modes.any(), dealii::ExcInternalError());
+    const ModalReduction &modal = body.modal();
+    ModalResult result;
+    result.body = body.request().body;
+    result.labels = modal.labels;
+    result.damping_ratio = body.request().modes.scaled(modal.damping_ratio, modal.omega);
+    result.n_dofs = modal.n_dofs;
+    result.n_rigid_modes = modal.n_rigid_modes;
+    result.seconds = modal.seconds;
+    result.orthonormality_error = modal.orthonormality_error;
+    result.residual = modal.residual;
+    result.stages = body.stages();
+    for (const double omega : modal.omega)
+      result.frequencies_Hz.push_back(omega / (2 * dealii::numbers::PI));
+
+    Log &log = run_log();
+    log.value("dofs", result.n_dofs);
+    log.value("modes", static_cast<unsigned int>(result.frequencies_Hz.size()));
+    log.value("of them rigid", result.n_rigid_modes);
+    // all of them are in the table
+    constexpr unsigned int most_said = 10;
+    const unsigned int n = result.frequencies_Hz.size(), said = n > 2 * most_said ? most_said : n;
+    for (unsigned int i = 0; i < said; ++i)
+    {
+      char line[200];
+      std::snprintf(line, sizeof(line), "%4u %12.4f Hz  damping %8.2e  %s", i + 1, result.frequencies_Hz[i],
+                    result.damping_ratio[i], result.labels[i].c_str());
+      log.line(line);
+    }
+    if (said < n)
+      log.line("... and " + std::to_string(n - said) + " more, to " +
+               number_text(result.frequencies_Hz.back()) + " Hz: modes_" + result.body + ".csv");
+    for (const auto &[stage, seconds] : result.stages)
+      log.value(stage, seconds, "s");
+    return result;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,175 @@
+#include <vibrocontact/analyses/stability/run_stability.h>
+#include <vibrocontact/analyses/stability/sparse_roots.h>
+#include <vibrocontact/analyses/stability/stability_output.h>
+#include <vibrocontact/analyses/stability/unstable_shapes.h>
+#include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/coupled_bodies/finite_element_pair.h>
+#include <vibrocontact/reduction/attachment_inertia.h>
+#include <vibrocontact/run/entries_of_contact.h>
+#include <vibrocontact/run/say_residual_damping.h>
+
+#include <cstdio>
+#include <memory>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    void print(const StabilityResult &result)
+    {
+      Log &log = run_log();
+      const auto line = [&](const StabilityRoot &root, const char *what)
+      {
+        char text[200];
+        std::snprintf(text, sizeof text, "%s %12.3f Hz  growth %10.3f 1/s  %s", what, root.frequency,
+                      root.growth, root.label.c_str());
+        log.line(text);
+      };
+      log.value("normal force", result.normal_force, "N");
+      log.value("points in contact", result.contact_points);
+      for (const StabilityRoot *const root : result.unstable())
+        line(*root, "unstable:");
+      if (result.unstable().empty())
+        line(result.nearest(), "stable; nearest root:");
+    }
+    InertialPair with_inertia(const Parameters &parameters, const MeshedBodies &bodies,
+                              const PreparedPair &prepared)
+    {
+      std::vector<ReducedBody> reduced(bodies.size());
+      std::vector<ContactBody> with = prepared.bodies;
+      for (unsigned int k = 0; k < bodies.size(); ++k)
+        if (bodies[k])
+        {
+          reduced[k] = with_attachment_inertia(prepared.reduced[k], bodies[k]->reduction.attachment_mass());
+          with[k].reduced = &reduced[k];
+        }
+      return inertial_pair(contact_pair(with, parameters.contacts, parameters.placed_contacts()));
+    }
+
+    /// Of what Stability/Model says; empty for the reduced pair itself.
+    RootFinder root_finder(const Parameters &parameters, const MeshedBodies &bodies,
+                           const PreparedPair &prepared, const ContactPair &pair)
+    {
+      const StabilityParameters &stability = parameters.stability;
+      const CreepScheme &scheme = find_creep_scheme(parameters.contact().creep_scheme);
+      const LinearisationOptions options = stability.options();
+      const auto dense = [&](InertialPair &&inertial) -> RootFinder
+      {
+        run_log().value("degrees of freedom", inertial.mass.m());
+        return [=, inertial = std::make_shared<const InertialPair>(std::move(inertial))](
+                   const RollingEquilibrium &about)
+        { return inertial_roots(*inertial, scheme, about, options); };
+      };
+      if (stability.model == "reduced")
+        return {};
+      if (stability.model == "attachment inertia")
+        return dense(with_inertia(parameters, bodies, prepared));
+      FiniteElementPair elements;
+      for (unsigned int k = 0; k < bodies.size(); ++k)
+        elements.push_back(
+            bodies[k] ? FiniteElementBody{&bodies[k]->reduction.system(), &bodies[k]->reduction.shapes()}
+                      : FiniteElementBody());
+      const unsigned int n_dofs = n_moving_dofs(elements);
+      if (n_dofs <= most_dense_dofs)
+        return dense(finite_element_pair(elements, pair));
+      run_log().value("degrees of freedom", n_dofs);
+      return [=, &pair](const RollingEquilibrium &about)
+      { return sparse_roots(elements, pair, scheme, about, options, stability.n_roots); };
+    }
+  } // namespace
+
+  std::vector<double> frequencies_that_matter(const StabilityResult &result)
+  {
+    std::vector<double> frequencies;
+    for (const StabilityRoot *const root : result.unstable())
+      frequencies.push_back(root->frequency);
+    if (frequencies.empty())
+      frequencies.push_back(result.nearest().frequency);
+    return frequencies;
+  }
+
+  void run_stability(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
+                     Results &results)
+  {
+    const auto prepared = prepare_pair(parameters, bodies, true);
+    run_log().block("Stability");
+    const ContactPair pair =
+        contact_pair(prepared->bodies, parameters.contacts, parameters.placed_contacts());
+    run_log().value("modes", pair.n_modes());
+    const RootFinder roots_about = root_finder(parameters, bodies, *prepared, pair);
+    Progress progress("stability cases", rolling_cases(parameters.rolling, parameters.contacts).size());
+    const auto finished = [&](const StabilityResult &result)
+    {
+      print(result);
+      progress.advance();
+    };
+    RollingParameters rolling = parameters.rolling;
+    rolling.hub = parameters.hub();
+    run_log().value("hub", hub_text(rolling.hub));
+    const std::vector<StabilityResult> all =
+        stability(parameters.stability, rolling, parameters.contacts, parameters.contact_solver, pair,
+                  finished, roots_about);
+    StabilityOutcome outcome;
+    outcome.results = all;
+    on_first_rank([&] { stability_table(outcome).write(folder + "/stability.csv"); });
+    results.analyses["stability"] = stability_json(outcome);
+    add_contacts(outcome, pair.interface.contacts, results.analyses["stability"]);
+    if (parameters.stability.model == "reduced")
+      say_residual_damping(parameters, *prepared, pair, frequencies_that_matter(all.front()), "stability",
+                           results);
+    if (parameters.output.fields)
+      write_unstable_shapes(all.front(), pair, bodies, folder);
+  }
+
+  namespace
+  {
+    void stability_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      add_partners(entries, parameters, moving_in_contact());
+      add_contacts(entries, parameters, parameters.rolling.sweep.friction);
+      add_rolling_cases(entries, parameters.rolling, parameters.contacts);
+      add_hub(entries, parameters);
+      const std::string section = "Stability";
+      const bool paper = parameters.stability.linearisation == "paper",
+                 rolls = parameters.rolling.creepage.speed > 0,
+                 plane = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
+                                     [](const BodyParameters &body)
+                                     { return body.type == "layer" && body.layer.plane_strain(); });
+      const std::string by_paper = "Stability/Linearisation is paper", rolling = "Rolling/Speed is above 0",
+                        across = "the bodies move across the slip";
+      entries.add(section, "Model, Second count");
+      entries.add_if(rolls || !plane, rolling + " or " + across, section, "Linearisation");
+      entries.add_if(paper && !plane, by_paper + " and " + across, section, "Lateral damping");
+      entries.add_if(paper && rolls, by_paper + " and " + rolling, section, "Convective slip");
+      // without rolling all points slide
+      entries.add_if(!paper && rolls, "Stability/Linearisation is consistent and " + rolling, section,
+                     "Linearise sticking points");
+      entries.add_if(parameters.stability.model == "finite elements", "Stability/Model is finite elements",
+                     section, "Number of roots");
+    }
+
+  } // namespace
+
+  Analysis stability_analysis()
+  {
+    return {{"stability",
+             "complex eigenvalues about the rolling equilibrium: which modes squeal",
+             2,
+             true,
+             true,
+             "",
+             {},
+             "Stability",
+             true},
+            stability_read,
+            [](const AnalysisRun &on) { run_stability(on.parameters, on.bodies, on.folder, on.results); },
+            false,
+            {{"stability",
+              "stability",
+              stability_answer,
+              {"stability.csv", "stability_map.csv", "stability_sweep.csv", "figures/divergence_rates.png",
+               "figures/stability_map.png", "figures/unstable_shapes.png"}}},
+            swept_stability};
+  }
+} // namespace vibrocontact

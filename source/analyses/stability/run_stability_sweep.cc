@@ -1,0 +1,218 @@
+#include <vibrocontact/analyses/stability/root_paths.h>
+#include <vibrocontact/analyses/stability/run_stability.h>
+#include <vibrocontact/analyses/stability/stability_output.h>
+#include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/reduction/window.h>
+#include <vibrocontact/run/say_residual_damping.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <cstdio>
+#include <map>
+#include <sstream>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    ContactGrid grid_of_case(const SweepCase &one)
+    {
+      return one.parameters.lateral_sweep() ? one.parameters.contact_grid_at(one.lateral_position)
+                                            : one.parameters.contact_grid();
+    }
+
+    /// @param reduced_bodies null for bodies without mesh
+    ContactPair pair_of_case(const SweepCase &one, const std::vector<const ReducedBody *> &reduced_bodies)
+    {
+      const Parameters &parameters = one.parameters;
+      const ContactGrid grid = grid_of_case(one);
+      std::vector<ReducedBody> own(2);
+      std::vector<ContactBody> bodies;
+      for (unsigned int k = 0; k < 2; ++k)
+      {
+        const BodyParameters &body = parameters.scene.bodies[k];
+        const ReducedBody *const reduced = reduced_bodies[k];
+        if (reduced)
+        {
+          double lateral = 0, height = 0;
+          if (k == 0)
+          {
+            const double nominal = parameters.contact().lateral_position;
+            lateral = one.lateral_position - nominal;
+            if (const auto axle = body.axle_height(nominal))
+              height = *axle - *body.axle_height(one.lateral_position);
+          }
+          own[k] = window(*reduced, grid, lateral, height);
+          scale_damping(own[k], parameters.modes.at(body.name));
+        }
+        bodies.push_back({&body, reduced ? &own[k] : nullptr});
+      }
+      return contact_pair(bodies[0], bodies[1], parameters.contact(), grid);
+    }
+
+    /// A case with what its roots are followed by.
+    struct SolvedCase
+    {
+      StabilityResult result;
+      /// of the modes that the shapes of the roots are amplitudes of
+      std::vector<std::string> labels;
+      std::vector<double> omega;
+
+      template <typename Archive>
+      void serialize(Archive &archive, const unsigned int)
+      {
+        archive &result &labels &omega;
+      }
+    };
+
+    SolvedCase solve(const SweepCase &one, const std::vector<const ReducedBody *> &reduced)
+    {
+      const ContactPair pair = pair_of_case(one, reduced);
+      RollingParameters rolling = one.parameters.rolling;
+      rolling.hub = one.parameters.hub();
+      SolvedCase solved;
+      solved.result = stability(one.parameters.stability, rolling, one.parameters.contacts,
+                                one.parameters.contact_solver, pair, [](const StabilityResult &) {})
+                          .front();
+      const ContactPair &moving = solved.result.suspended ? *solved.result.suspended : pair;
+      solved.labels = moving.labels;
+      solved.omega = moving.omega;
+      return solved;
+    }
+
+    void print(const std::string &text, const StabilityResult &result)
+    {
+      char line[200];
+      if (result.unstable().empty())
+      {
+        const StabilityRoot &root = result.nearest();
+        std::snprintf(line, sizeof line, "stable, nearest %.2f Hz %+.3f 1/s %s", root.frequency, root.growth,
+                      root.path.c_str());
+        run_log().line(text + ": " + line);
+        return;
+      }
+      std::string all;
+      for (const StabilityRoot *const root : result.unstable())
+      {
+        std::snprintf(line, sizeof line, "%s%.2f Hz %+.3f 1/s %s", all.empty() ? "" : ", ", root->frequency,
+                      root->growth, root->path.c_str());
+        all += line;
+      }
+      run_log().line(text + ": UNSTABLE " + all);
+    }
+
+    class StabilitySweep : public SweptAnalysis
+    {
+    public:
+      explicit StabilitySweep(const AnalysisRun &on)
+          : on(on), sweep(on.sweep), bodies(bodies_of_cases(on.sweep, on.bodies)), reduced(bodies.size())
+      {
+        outcome.entries = sweep.entries;
+        outcome.columns = sweep.columns;
+        run_log().block("Stability");
+        if (!sweep.left_out.empty())
+        {
+          std::ostringstream text;
+          for (const double position : sweep.left_out)
+            text << (position == sweep.left_out.front() ? "" : ", ") << 1e3 * position;
+          run_log().warning("Contact/Lateral position: left out since the contact point is not on the tread, "
+                            "two rows of points from its ends: " +
+                            text.str() + " mm.");
+        }
+      }
+
+      void prepare(const unsigned int k) override
+      {
+        reduced[k].assign(2, nullptr);
+        for (unsigned int b = 0; b < 2; ++b)
+          if (MeshedBody *const body = bodies[k][b].get())
+          {
+            if (all_reduced.count(body) == 0)
+              all_reduced[body] = body->reduction.reduced(true);
+            reduced[k][b] = &all_reduced[body];
+          }
+      }
+
+      PackedCase compute(const unsigned int k) override
+      {
+        return dealii::Utilities::pack(solve(sweep.cases[k], reduced[k]), false);
+      }
+
+      void take(const unsigned int k, const std::function<PackedCase()> &computed) override
+      {
+        const SweepCase &one = sweep.cases[k];
+        // a row follows the beginning of the row before, whichever cases were left out
+        if (one.second == 0)
+        {
+          paths = begin_of_row;
+          row_has_begun = false;
+        }
+        const std::string text = case_text(sweep, one);
+        const auto leave_out = [&](const std::string &reason)
+        {
+          run_log().warning(text + " is left out. " + reason);
+          outcome.left_out.emplace_back(one.values, reason);
+        };
+        try
+        {
+          SolvedCase solved = dealii::Utilities::unpack<SolvedCase>(computed(), false);
+          StabilityResult &result = solved.result;
+          paths.follow(solved.labels, solved.omega, result.roots);
+          if (!row_has_begun)
+            begin_of_row = paths;
+          row_has_begun = true;
+          for (StabilityRoot &root : result.roots)
+            root.shape.clear();
+          print(text, result);
+          outcome.values.push_back(one.values);
+          outcome.results.push_back(std::move(result));
+        }
+        catch (const InputError &error)
+        {
+          const bool at_end = grid_of_case(one).n_points() < one.parameters.contact_grid().n_points();
+          leave_out((at_end ? "The tread ends within the contact grid. " : "") + std::string(error.what()));
+        }
+        catch (const ConvergenceError &error)
+        {
+          leave_out(error.what());
+          on.results.failures.push_back({"stability", text + ": " + error.what()});
+        }
+        if (k == 0)
+          on.results.analyses["stability"] = stability_json(outcome);
+        else
+          add_new_cases(outcome, on.results.analyses["stability"]);
+      }
+
+      void finish() override
+      {
+        say_residual_damping(sweep.cases.front().parameters, reduced.front(), 0.,
+                             frequencies_that_matter(outcome.results.front()), "stability", on.results);
+        on_first_rank(
+            [&]
+            {
+              stability_table(outcome).write(on.folder + "/stability.csv");
+              stability_sweep_table(outcome).write(on.folder + "/stability_sweep.csv");
+              stability_map_table(outcome).write(on.folder + "/stability_map.csv");
+            });
+      }
+
+    private:
+      const AnalysisRun &on;
+      const SweepCases &sweep;
+      const std::vector<MeshedBodies> bodies;
+      std::map<const MeshedBody *, ReducedBody> all_reduced;
+      /// of each case, both bodies
+      std::vector<std::vector<const ReducedBody *>> reduced;
+      StabilityOutcome outcome;
+      RootPaths paths, begin_of_row;
+      bool row_has_begun = false;
+    };
+  } // namespace
+
+  std::unique_ptr<SweptAnalysis> swept_stability(const AnalysisRun &on)
+  {
+    return std::make_unique<StabilitySweep>(on);
+  }
+} // namespace vibrocontact

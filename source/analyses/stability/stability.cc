@@ -1,0 +1,135 @@
+#include <vibrocontact/analyses/stability/stability.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/coupled_bodies/suspended_pair.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace vibrocontact
+{
+  void StabilityParameters::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add_parameter("Model", model,
+                      "What moves. reduced: modes, contact points without mass; attachment inertia: the "
+                      "residual attachment "
+                      "responses keep theirs; finite elements: all dofs, for small scenes. Units: none.",
+                      Selection("reduced|attachment inertia|finite elements"));
+    prm.add_parameter(
+        "Linearisation", linearisation,
+        "consistent: slip direction per point, transport V d/dx and the rate of the residual displacements, "
+        "as the transient has them; paper: K_c and C_b alone. Units: none.",
+        Selection("consistent|paper"));
+    prm.add_parameter(
+        "Lateral damping", lateral_damping,
+        "Keep the damping C_b of sliding friction across the slip (paper's linearisation). Units: none.",
+        Bool());
+    prm.add_parameter("Convective slip", convection,
+                      "Keep V d/dx of the perturbed slip (paper's linearisation). Units: none.", Bool());
+    prm.add_parameter(
+        "Number of roots", n_roots,
+        "Roots of lowest frequency to be found of finite elements with more than 1,500 dofs; below "
+        "that all are. Units: none.",
+        Integer(1, 1000));
+    prm.add_parameter("Linearise sticking points", stick,
+                      "Linearise about an equilibrium that is not in full sliding: its sticking points stay "
+                      "stuck; false: such "
+                      "an equilibrium is refused. Units: none.",
+                      Bool());
+    prm.add_parameter(
+        "Second count", second_count,
+        "Count the unstable roots also by the argument principle on the receptances of both "
+        "bodies, without eigenvalues (consistent linearisation; some ten seconds for 500 modes). "
+        "Units: none.",
+        Bool());
+  }
+
+  void StabilityParameters::check() const
+  {
+    if (model != "reduced" && second_count)
+      throw InputError("Stability/Model is " + model +
+                       ", but Second count is that of the reduced model: set it to reduced or leave it out.");
+    if (second_count && linearisation != "consistent")
+      throw InputError("Stability/Second count is for the consistent linearisation: set Linearisation to "
+                       "consistent, or Second count to false.");
+  }
+
+  LinearisationOptions StabilityParameters::options() const
+  {
+    LinearisationOptions options;
+    const bool consistent = linearisation == "consistent";
+    options.lateral_damping = consistent || lateral_damping;
+    options.convection = consistent || convection;
+    options.residual_rate = consistent;
+    options.stick = stick;
+    return options;
+  }
+
+  std::vector<const StabilityRoot *> StabilityResult::unstable() const
+  {
+    std::vector<const StabilityRoot *> result;
+    for (const StabilityRoot &root : roots)
+      // an undamped root that stays where it is has a growth of round-off
+      if (root.growth > least_divergence_rate * 2 * dealii::numbers::PI * root.frequency)
+        result.push_back(&root);
+    return result;
+  }
+
+  const StabilityRoot &StabilityResult::nearest() const
+  {
+    return *std::max_element(roots.begin(), roots.end(),
+                             [](const StabilityRoot &a, const StabilityRoot &b)
+                             { return a.divergence_rate < b.divergence_rate; });
+  }
+
+  std::vector<StabilityResult> stability(const StabilityParameters &parameters,
+                                         const RollingParameters &rolling, const ContactSections &contact,
+                                         const ContactSolverParameters &solver, const ContactPair &pair,
+                                         const std::function<void(const StabilityResult &)> &finished,
+                                         const RootFinder &roots_about)
+  {
+    const CreepScheme &scheme = find_creep_scheme(contact.first().creep_scheme);
+    std::vector<StabilityResult> results;
+    const auto operator_at = [&](const double speed)
+    { return rolling_operator(pair.interface.contacts, static_compliance(pair), scheme, speed); };
+    // the preload is no part of the linearisation
+    std::shared_ptr<const ContactPair> suspended;
+    if (rolling.hub == "suspended")
+      suspended = std::make_shared<const ContactPair>(suspended_pair(pair, rolling.suspension, {0, 0, 0}));
+    const ContactPair &moving = suspended ? *suspended : pair;
+    const auto linearise = [&](const RollingResult &equilibrium, const ContactProblem &problem)
+    {
+      if (!equilibrium.solution.converged)
+        throw ConvergenceError("The equilibrium of case " + std::to_string(results.size()) +
+                               " of the stability analysis did not converge. " + equilibrium.failure);
+      const auto begin = std::chrono::steady_clock::now();
+      StabilityResult result;
+      result.rolling_case = equilibrium.rolling_case;
+      result.contact_points = equilibrium.contact_points;
+      result.stick_points = equilibrium.stick_points;
+      result.normal_force = equilibrium.normal_force;
+      result.approach = equilibrium.solution.approach;
+      result.contacts = equilibrium.contacts;
+      result.hub = rolling.hub;
+      result.suspended = suspended;
+      const RollingEquilibrium about = rolling_equilibrium(
+          equilibrium.solution, problem.friction_law, problem.normal_law, rolling.creepage.speed,
+          rolling.hub == "massless" || (rolling.hub == "none" && problem.force_given()));
+      result.roots =
+          roots_about
+              ? roots_about(about)
+              : stability_roots(moving, linearised_contact(moving, scheme, about, parameters.options()));
+      if (result.roots.empty())
+        throw ConvergenceError("No root of the linearised contact oscillates or grows: keep more modes.");
+      result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      if (parameters.second_count)
+        result.second_count = count_unstable_roots(pair, scheme, about, result.roots);
+      results.push_back(std::move(result));
+      finished(results.back());
+    };
+    quasi_static_rolling(rolling, contact, solver, static_interface(pair), operator_at, linearise);
+    return results;
+  }
+} // namespace vibrocontact

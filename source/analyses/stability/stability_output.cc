@@ -1,0 +1,320 @@
+#include <vibrocontact/analyses/stability/stability_output.h>
+#include <vibrocontact/output/answer_parts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    nlohmann::ordered_json root_json(const StabilityRoot &root)
+    {
+      nlohmann::ordered_json result = {{"frequency_Hz", root.frequency},
+                                       {"growth_1_s", root.growth},
+                                       {"divergence_rate", root.divergence_rate},
+                                       {"label", root.label},
+                                       {"share", root.share}};
+      if (!root.path.empty())
+        result["root"] = root.path;
+      return result;
+    }
+
+    nlohmann::ordered_json values_json(const std::vector<std::string> &columns,
+                                       const std::vector<Table::Cell> &values)
+    {
+      nlohmann::ordered_json result = nlohmann::ordered_json::object();
+      for (unsigned int k = 0; k < columns.size(); ++k)
+        std::visit([&](const auto &value) { result[columns[k]] = value; }, values[k]);
+      return result;
+    }
+
+    nlohmann::ordered_json case_json(const StabilityOutcome &outcome, const std::size_t k)
+    {
+      const StabilityResult &result = outcome.results[k];
+      nlohmann::ordered_json unstable = nlohmann::ordered_json::array();
+      for (const StabilityRoot *const root : result.unstable())
+        unstable.push_back(root_json(*root));
+      nlohmann::ordered_json one = {{"friction", result.rolling_case.friction},
+                                    {"lateral_creepage", result.rolling_case.creepage.lateral},
+                                    {"longitudinal_creepage", result.rolling_case.creepage.longitudinal},
+                                    {"spin_1_m", result.rolling_case.creepage.spin},
+                                    {"normal_force_N", result.normal_force},
+                                    {"hub_displacement_m", result.approach},
+                                    {"hub", result.hub},
+                                    {"contact_points", result.contact_points},
+                                    {"stick_points", result.stick_points},
+                                    {"unstable", unstable},
+                                    {"nearest", root_json(result.nearest())},
+                                    {"seconds", result.seconds}};
+      if (result.second_count)
+        one["second_count"] = {{"unstable_roots", result.second_count->unstable},
+                               {"remainder", result.second_count->remainder},
+                               {"evaluations", result.second_count->evaluations},
+                               {"seconds", result.second_count->seconds}};
+      if (!outcome.columns.empty())
+        one["swept"] = values_json(outcome.columns, outcome.values[k]);
+      return one;
+    }
+
+    std::string unstable_if()
+    {
+      char text[80];
+      std::snprintf(text, sizeof text, "unstable: divergence rate > %g, below is round-off",
+                    least_divergence_rate);
+      return text;
+    }
+
+    using Cells = std::vector<Table::Cell>;
+
+    Cells joined(Cells a, const Cells &b)
+    {
+      a.insert(a.end(), b.begin(), b.end());
+      return a;
+    }
+
+    std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string> &b)
+    {
+      a.insert(a.end(), b.begin(), b.end());
+      return a;
+    }
+  } // namespace
+
+  Table stability_table(const StabilityOutcome &outcome)
+  {
+    std::vector<std::string> columns = {
+        "case",           "friction",     "lateral_creepage", "longitudinal_creepage", "spin_1_m",
+        "normal_force_N", "frequency_Hz", "growth_1_s",       "divergence_rate",       "label",
+        "share"};
+    std::vector<unsigned int> swept;
+    for (unsigned int k = 0; k < outcome.columns.size(); ++k)
+      if (std::count(columns.begin(), columns.end(), outcome.columns[k]) == 0)
+        swept.push_back(k);
+    for (const unsigned int k : swept)
+      columns.push_back(outcome.columns[k]);
+    if (!outcome.columns.empty())
+      columns.push_back("root");
+    Table table(columns,
+                {"Complex eigenvalues about the rolling equilibrium of each case; " + unstable_if(),
+                 "divergence_rate: real over imaginary part; label: the free mode with the largest share of "
+                 "the energy" +
+                     std::string(outcome.columns.empty() ? "" : "; root: the one that its path began as")});
+    for (unsigned int k = 0; k < outcome.results.size(); ++k)
+    {
+      const StabilityResult &result = outcome.results[k];
+      const RollingCase &one = result.rolling_case;
+      for (const StabilityRoot &root : result.roots)
+      {
+        Cells cells = {double(k),
+                       one.friction,
+                       one.creepage.lateral,
+                       one.creepage.longitudinal,
+                       one.creepage.spin,
+                       result.normal_force,
+                       root.frequency,
+                       root.growth,
+                       root.divergence_rate,
+                       root.label,
+                       root.share};
+        for (const unsigned int s : swept)
+          cells.push_back(outcome.values[k][s]);
+        if (!outcome.columns.empty())
+          cells.push_back(root.path);
+        table.add_row(cells);
+      }
+    }
+    return table;
+  }
+
+  Table stability_sweep_table(const StabilityOutcome &outcome)
+  {
+    std::set<std::string> wanted;
+    for (const StabilityResult &result : outcome.results)
+    {
+      for (const StabilityRoot *const root : result.unstable())
+        wanted.insert(root->path);
+      if (result.unstable().empty())
+        wanted.insert(result.nearest().path);
+    }
+    Table table(joined(joined({"case"}, outcome.columns),
+                       {"root", "frequency_Hz", "growth_1_s", "divergence_rate", "label", "share"}),
+                {"Paths of the roots that are unstable in some case of the sweep, or the nearest of a stable "
+                 "case; " +
+                     unstable_if(),
+                 "root: the free mode that the path began as; label: the free mode with the largest share of "
+                 "the energy in this case"});
+    for (unsigned int k = 0; k < outcome.results.size(); ++k)
+      for (const StabilityRoot &root : outcome.results[k].roots)
+        if (wanted.count(root.path) > 0)
+          table.add_row(
+              joined(joined({double(k)}, outcome.values[k]),
+                     {root.path, root.frequency, root.growth, root.divergence_rate, root.label, root.share}));
+    return table;
+  }
+
+  Table stability_map_table(const StabilityOutcome &outcome)
+  {
+    Table table(
+        joined(joined({"case"}, outcome.columns),
+               {"normal_force_N", "contact_points", "stick_points", "n_unstable", "unstable", "nearest",
+                "frequency_Hz", "growth_1_s", "divergence_rate"}),
+        {"What is unstable in each case of the sweep: number and names of the unstable roots; " +
+             unstable_if(),
+         "nearest: the root with the largest divergence rate (positive: unstable), with frequency and "
+         "growth"});
+    for (unsigned int k = 0; k < outcome.results.size(); ++k)
+    {
+      const StabilityResult &result = outcome.results[k];
+      std::string names;
+      for (const StabilityRoot *const root : result.unstable())
+        names += (names.empty() ? "" : " + ") + root->path;
+      const StabilityRoot &nearest = result.nearest();
+      table.add_row(joined(joined({double(k)}, outcome.values[k]),
+                           {result.normal_force, double(result.contact_points), double(result.stick_points),
+                            double(result.unstable().size()), names, nearest.path, nearest.frequency,
+                            nearest.growth, nearest.divergence_rate}));
+    }
+    return table;
+  }
+
+  nlohmann::ordered_json stability_json(const StabilityOutcome &outcome)
+  {
+    nlohmann::ordered_json result = {{"roots", "stability.csv"},
+                                     {"least_divergence_rate", least_divergence_rate},
+                                     {"unstable", nlohmann::ordered_json::array()},
+                                     {"cases", nlohmann::ordered_json::array()}};
+    if (!outcome.columns.empty())
+    {
+      result["sweep"] = "stability_sweep.csv";
+      result["map"] = "stability_map.csv";
+      result["swept_entries"] = outcome.entries;
+      result["swept_columns"] = outcome.columns;
+      result["left_out"] = nlohmann::ordered_json::array();
+    }
+    add_new_cases(outcome, result);
+    return result;
+  }
+
+  void add_contacts(const StabilityOutcome &outcome, const PlacedContacts &contacts,
+                    nlohmann::ordered_json &json)
+  {
+    for (unsigned int k = 0; k < contacts.all.size(); ++k)
+      for (const StabilityResult &result : outcome.results)
+        if (!contacts.all[k].name.empty())
+        {
+          const ContactResultants &one = result.contacts[k];
+          json["contacts"][contacts.all[k].name]["cases"].push_back(
+              {{"friction", one.friction},
+               {"normal_force_N", one.normal_force},
+               {"tangential_force_N", {one.tangential_force[0], one.tangential_force[1]}},
+               {"contact_points", one.contact_points},
+               {"stick_points", one.stick_points}});
+        }
+  }
+
+  void add_new_cases(const StabilityOutcome &outcome, nlohmann::ordered_json &json)
+  {
+    for (std::size_t k = json["cases"].size(); k < outcome.results.size(); ++k)
+    {
+      json["cases"].push_back(case_json(outcome, k));
+      if (k == 0)
+      {
+        json["unstable"] = json["cases"][0]["unstable"];
+        json["hub"] = outcome.results[0].hub;
+      }
+    }
+    if (!json.contains("left_out"))
+      return;
+    for (std::size_t k = json["left_out"].size(); k < outcome.left_out.size(); ++k)
+    {
+      const auto &[values, reason] = outcome.left_out[k];
+      json["left_out"].push_back(values_json(outcome.columns, values));
+      json["left_out"].back()["reason"] = reason;
+    }
+  }
+
+  namespace
+  {
+    std::string root_text(const nlohmann::ordered_json &root)
+    {
+      using namespace answer_parts;
+      std::string line =
+          number(root, "frequency_Hz") > 0
+              ? text("%.2f Hz, growth %+.4g 1/s", number(root, "frequency_Hz"), number(root, "growth_1_s"))
+              : text("without oscillation, growth %+.4g 1/s", number(root, "growth_1_s"));
+      line += ", " + (root.contains("root") ? word(root, "root") : word(root, "label"));
+      return line;
+    }
+
+    /// " at friction 0.3, lateral_creepage -0.01": the swept values of a case
+    std::string case_text(const nlohmann::ordered_json &one)
+    {
+      using namespace answer_parts;
+      Json values = one.value("swept", Json::object());
+      if (values.empty())
+        for (const char *const name : {"friction", "longitudinal_creepage", "lateral_creepage", "spin_1_m"})
+          values[name] = number(one, name);
+      std::string line;
+      for (const auto &[name, value] : values.items())
+        line += (line.empty() ? " at " : ", ") + name + " " +
+                (value.is_number() ? text("%g", value.get<double>()) : value.dump());
+      return line;
+    }
+  } // namespace
+
+  std::vector<std::string> stability_answer(const nlohmann::ordered_json &stability)
+  {
+    using namespace answer_parts;
+    Lines lines;
+    const Json &cases = list(stability, "cases");
+    if (cases.empty())
+      return lines;
+    if (cases.size() > 1)
+    {
+      std::size_t n_unstable = 0;
+      const Json *fastest = nullptr, *fastest_case = nullptr, *nearest = nullptr, *nearest_case = nullptr;
+      for (const Json &one : cases)
+      {
+        const Json &roots = list(one, "unstable");
+        n_unstable += !roots.empty();
+        const Json *const here = largest(roots, "growth_1_s", 1);
+        if (here && (!fastest || number(*here, "growth_1_s") > number(*fastest, "growth_1_s")))
+          std::tie(fastest, fastest_case) = std::make_pair(here, &one);
+        const auto near = one.find("nearest");
+        if (near != one.end() &&
+            (!nearest || number(*near, "divergence_rate") > number(*nearest, "divergence_rate")))
+          std::tie(nearest, nearest_case) = std::make_pair(&*near, &one);
+      }
+      lines.push_back(text("%zu of %zu cases have roots that grow", n_unstable, cases.size()));
+      if (fastest)
+        lines.push_back("the fastest: " + root_text(*fastest) + case_text(*fastest_case));
+      else if (nearest)
+        lines.push_back("nearest to growing: " + root_text(*nearest) + case_text(*nearest_case));
+      if (const std::size_t n = list(stability, "left_out").size(); n > 0)
+        lines.push_back(std::to_string(n) + " cases are left out, see left_out in results.json");
+      return lines;
+    }
+    std::vector<Json> roots = list(cases[0], "unstable").get<std::vector<Json>>();
+    std::stable_sort(roots.begin(), roots.end(),
+                     [](const Json &a, const Json &b)
+                     { return number(a, "growth_1_s") > number(b, "growth_1_s"); });
+    if (roots.empty())
+    {
+      lines.push_back("nothing grows");
+      if (cases[0].contains("nearest"))
+        lines.push_back("nearest to growing: " + root_text(cases[0]["nearest"]));
+      return lines;
+    }
+    lines.push_back(text("%zu root%s, the fastest a thousandfold in %.3g s:", roots.size(),
+                         roots.size() == 1 ? " grows" : "s grow",
+                         std::log(1e3) / number(roots[0], "growth_1_s")));
+    for (std::size_t k = 0; k < std::min(roots.size(), most_said); ++k)
+      lines.push_back(root_text(roots[k]));
+    say_more(roots.size(), "in stability.csv", lines);
+    return lines;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,434 @@
+#include <vibrocontact/analyses/transient/contact_stepper.h>
+#include <vibrocontact/base/dense_operations.h>
+#include <vibrocontact/contact/friction_of_speed.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// no choice among so few points
+    constexpr unsigned int always_nearby = 16;
+    /// points are nearby below this share of the median gap, until they are beyond twice that
+    constexpr double nearby_share = 0.1;
+    /// steps after which W~ R is computed anew: the round-off of its changes grows with the steps^(3/2)
+    constexpr unsigned int longest_without_search = 64;
+
+    // W~ R, loaded columns only
+    void residual_displacement(const DenseMatrix &W, const DenseVector &R, DenseVector &result)
+    {
+      result.reinit(R.size());
+      for (unsigned int j = 0; j < R.size(); ++j)
+        if (R[j] != 0)
+        {
+          const double *const column = &W(0, j);
+          for (unsigned int i = 0; i < R.size(); ++i)
+            result[i] += column[i] * R[j];
+        }
+    }
+
+    // powers of forces and slips on the same points; rate: of the tangential displacements, R . du/dt [W]
+    void set_powers(const DenseVector &R, const DenseVector &slip, const DenseVector &rigid_slip,
+                    const unsigned int n, const double rate, DynamicState &state)
+    {
+      state.friction_power = state.creepage_power = 0;
+      for (unsigned int i = n; i < 3 * n; ++i)
+      {
+        state.friction_power -= R[i] * slip[i];
+        state.creepage_power -= R[i] * rigid_slip[i];
+      }
+      state.transport_power = state.friction_power - state.creepage_power + rate;
+    }
+  } // namespace
+
+  ContactStepper::ContactStepper(const ContactPair &pair, const CreepScheme &scheme,
+                                 const ContactSections &contact, const std::vector<ModalStep> &steps,
+                                 const double h, const double speed)
+      : pair(pair), scheme(scheme), steps(steps), h(h), speed(speed), damper(pair.hub.get(), steps),
+        matrices(step_matrices(pair.interface.contacts, scheme, pair.modal_trace, pair.residual_flexibility,
+                               steps, h, speed, pair.hub.get())),
+        q(pair.n_modes()), v(pair.n_modes())
+  {
+    Creepage none;
+    none.speed = speed;
+    const ContactProblem whole = rolling_problem(nullptr, pair.interface, scheme, none, contact);
+    constant_response = whole.b;
+    problem.title = "step of the transient";
+    normal_laws = whole.normal_law;
+    friction_laws = whole.friction_law;
+    friction = whole.mu;
+    to_force = whole.to_force;
+    // a hub that moves slips along a contact whose normal is inclined to it
+    by_approach = to_force;
+    for (unsigned int row = pair.n_points(); row < by_approach.size(); ++row)
+      by_approach[row] /= h;
+    for (DenseVector *const x : {&free_displacement, &free_velocity, &displacement, &velocity, &c_n, &c_t})
+      x->reinit(matrices.shapes.rank());
+  }
+
+  void complete(const ContactPair &pair, const DenseVector &rigid_slip, DynamicState &state)
+  {
+    const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
+    residual_displacement(pair.residual_flexibility, state.R, state.residual_displacement);
+    state.force_change.reinit(3 * n);
+    state.residual_change.reinit(3 * n);
+    state.modal_force.reinit(n_modes);
+    DenseVector tangential(n_modes), forces(state.R);
+    if (n_modes > 0)
+    {
+      pair.modal_trace.Tvmult(state.modal_force, forces);
+      std::fill(forces.begin(), forces.begin() + n, 0.);
+      pair.modal_trace.Tvmult(tangential, forces);
+    }
+    double rate = 0;
+    for (unsigned int k = 0; k < n_modes; ++k)
+      rate += tangential[k] * state.v[k];
+    if (!state.contact.empty())
+      set_powers(state.R, state.contact.y, rigid_slip, n, rate, state);
+  }
+
+  double critical_time_step(const ContactPair &pair)
+  {
+    double longest = std::numeric_limits<double>::infinity();
+    for (unsigned int i = 0; i < pair.n_points(); ++i)
+    {
+      double mobility = 0;
+      for (unsigned int k = 0; k < pair.n_modes(); ++k)
+        mobility += pair.modal_trace(i, k) * pair.modal_trace(i, k);
+      if (mobility > 0)
+        longest =
+            std::min(longest, 2.7 * std::sqrt(std::max(0., pair.residual_flexibility(i, i)) / mobility));
+    }
+    return longest;
+  }
+
+  bool ContactStepper::another_within(const DynamicState &state, const double distance) const
+  {
+    auto nearby = state.nearby.begin();
+    for (unsigned int i = 0; i < pair.n_points(); ++i)
+      if (nearby != state.nearby.end() && *nearby == i)
+        ++nearby;
+      else if (state.contact.y[i] <= distance)
+        return true;
+    return false;
+  }
+
+  std::vector<double> ContactStepper::gaps(const DynamicState &state, const DenseVector &residual,
+                                           const DenseVector &shapes, const double approach,
+                                           const double force) const
+  {
+    std::vector<double> gap(pair.n_points());
+    for (unsigned int i = 0; i < gap.size(); ++i)
+    {
+      gap[i] =
+          constant_response[i] + residual[i] + pair.force_response(i) * force - approach * by_approach[i];
+      if (!state.roughness.empty())
+        gap[i] += state.roughness[i];
+      for (unsigned int k = 0; k < shapes.size(); ++k)
+        gap[i] += matrices.shapes.basis(i, k) * shapes[k];
+    }
+    return gap;
+  }
+
+  void ContactStepper::search_proximity(DynamicState &state)
+  {
+    const unsigned int n = pair.n_points();
+    residual_displacement(pair.residual_flexibility, state.R, state.residual_displacement);
+    residual_displacement(pair.residual_flexibility, state.force_change, state.residual_change);
+    std::copy(state.q.begin(), state.q.end(), q.begin());
+    multiply(matrices.shapes.amplitudes, q, displacement);
+    const std::vector<double> gap =
+        gaps(state, state.residual_displacement, displacement, state.contact.approach, state.force);
+
+    std::vector<double> sorted(gap);
+    std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
+    const double least = std::max(0., *std::min_element(gap.begin(), gap.end())),
+                 threshold = least + nearby_share * std::max(0., sorted[n / 2] - least);
+    std::vector<bool> was_nearby(n, false);
+    for (const unsigned int i : state.nearby)
+      was_nearby[i] = true;
+    state.nearby.clear();
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      state.contact.y[i] = gap[i];
+      if (n <= always_nearby || state.R[i] != 0 || state.force_change[i] != 0 ||
+          gap[i] <= (was_nearby[i] ? 2 * threshold - least : threshold))
+        state.nearby.push_back(i);
+      else
+        state.contact.y[n + i] = state.contact.y[2 * n + i] = 0;
+    }
+    state.moved_since_search = 0;
+    state.steps_since_search = 0;
+  }
+
+  void ContactStepper::take_points(const std::vector<unsigned int> &points)
+  {
+    if (step_operator && step_operator->points() == points)
+      return;
+    step_operator = std::make_shared<StepOperator>(matrices, points);
+    problem.A = step_operator;
+    problem.mu.clear();
+    for (const unsigned int i : points)
+      problem.mu.push_back(friction[i]);
+    problem.normal_law = normal_laws.at(points);
+    problem.friction_law = friction_laws.at(points);
+    const unsigned int n = pair.n_points(), m = points.size();
+    problem.by_approach.reinit(3 * m);
+    problem.to_force.reinit(3 * m);
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int i = 0; i < m; ++i)
+      {
+        problem.by_approach[contact_row(m, c, i)] = by_approach[contact_row(n, c, points[i])];
+        problem.to_force[contact_row(m, c, i)] = to_force[contact_row(n, c, points[i])];
+      }
+    problem.b.reinit(step_operator->n_rows());
+  }
+
+  double ContactStepper::motion_of_open_points(const DynamicState &state) const
+  {
+    const std::vector<unsigned int> &points = step_operator->points();
+    double motion = 0;
+    bool any_open = points.size() == pair.n_points();
+    for (unsigned int i = 0; i < points.size(); ++i)
+      if (solution.R[i] == 0)
+      {
+        any_open = true;
+        motion = std::max(motion, std::abs(solution.y[i] - state.contact.y[points[i]]));
+      }
+    return any_open ? motion : std::numeric_limits<double>::infinity();
+  }
+
+  bool ContactStepper::closes_another(DynamicState &state, const double force)
+  {
+    if (!solution.converged ||
+        !another_within(state, state.moved_since_search + 2 * motion_of_open_points(state)))
+      return false;
+    const std::vector<unsigned int> &points = step_operator->points();
+    const unsigned int n = pair.n_points(), m = points.size();
+    DenseVector R(3 * n), residual;
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int i = 0; i < m; ++i)
+        R[contact_row(n, c, points[i])] = solution.R[contact_row(m, c, i)];
+    residual_displacement(pair.residual_flexibility, R, residual);
+    step_operator->modal_numbers(solution.R, c_n, c_t);
+    c_n += c_t;
+    multiply(matrices.displacement_gain, c_n, displacement);
+    if (matrices.shapes.rank() > 0)
+      displacement += free_displacement;
+    const std::vector<double> gap = gaps(state, residual, displacement, solution.approach, force);
+    std::vector<unsigned int> closed;
+    for (unsigned int i = 0; i < n; ++i)
+      if (gap[i] < 0 && !std::binary_search(points.begin(), points.end(), i))
+        closed.push_back(i);
+    if (closed.empty())
+      return false;
+    closed.insert(closed.end(), points.begin(), points.end());
+    search_proximity(state);
+    closed.insert(closed.end(), state.nearby.begin(), state.nearby.end());
+    std::sort(closed.begin(), closed.end());
+    closed.erase(std::unique(closed.begin(), closed.end()), closed.end());
+    state.nearby = closed;
+    return true;
+  }
+
+  const ContactSolution &ContactStepper::advance(DynamicState &state, const Drive &drive,
+                                                 ContactSolver &solver)
+  {
+    if (state.contact.empty())
+    {
+      state.contact.R = state.R;
+      state.contact.y.reinit(3 * pair.n_points());
+      state.contact.status.assign(pair.n_points(), ContactStatus::open);
+    }
+    for (unsigned int i = 0; i < drive.gap.size(); ++i)
+      state.contact.y[i] += drive.gap[i] - (state.roughness.empty() ? 0 : state.roughness[i]);
+    state.roughness = drive.gap;
+    if (state.nearby.empty() || state.steps_since_search >= longest_without_search ||
+        another_within(state, state.moved_since_search))
+      search_proximity(state);
+
+    const DenseVector rigid = rigid_slip(pair.interface.contacts, scheme, drive.creepage);
+    unsigned int iterations = 0;
+    do
+    {
+      take_points(state.nearby);
+      advance_modes(state, drive);
+      set_problem(state, drive, rigid);
+      if (problem.friction_law.any(&FrictionLaw::depends_on_speed))
+        solve_with_modal_slip_in_friction(state, solver);
+      else
+        solution = solver.solve(problem, solution);
+      iterations += solution.iterations;
+    } while (closes_another(state, drive.force));
+    solution.iterations = iterations;
+    take_over(state, rigid);
+    state.hub_acceleration = drive.hub_acceleration;
+    state.force = drive.force;
+    return state.contact;
+  }
+
+  // modes under the forces of the beginning of the step and the constant loads
+  void ContactStepper::advance_modes(const DynamicState &state, const Drive &drive)
+  {
+    const std::array<double, 3> dampers =
+        pair.hub ? pair.hub->damping_force(state.v) : std::array<double, 3>{{0, 0, 0}};
+    for (unsigned int k = 0; k < pair.n_modes(); ++k)
+    {
+      const ModalStep &s = steps[k];
+      const double hub = pair.hub_participation(k), point = pair.force_participation(k);
+      const double p1 = pair.modal_load[k] + hub * drive.hub_acceleration + point * drive.force,
+                   p0 = pair.modal_load[k] + hub * state.hub_acceleration + point * state.force +
+                        state.modal_force[k] - (pair.hub ? pair.hub->modal_force(dampers, k) : 0.);
+      q[k] = s.T[0][0] * state.q[k] + s.T[0][1] * state.v[k] + s.g0[0] * p0 + s.g1[0] * p1;
+      v[k] = s.T[1][0] * state.q[k] + s.T[1][1] * state.v[k] + s.g0[1] * p0 + s.g1[1] * p1;
+    }
+    if (damper.acts())
+      damper.act(v, q, v);
+    multiply(matrices.shapes.amplitudes, q, free_displacement);
+    multiply(matrices.shapes.amplitudes, v, free_velocity);
+  }
+
+  void ContactStepper::set_problem(const DynamicState &state, const Drive &drive, const DenseVector &rigid)
+  {
+    const StepOperator &A = *step_operator;
+    const std::vector<unsigned int> &points = A.points(), &rows = A.residual_rows();
+    const unsigned int n = pair.n_points(), m = points.size();
+    problem.b = 0;
+    A.respond(free_displacement, free_velocity, problem.b);
+    solution.R.reinit(3 * m);
+    solution.y.reinit(A.n_rows());
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int i = 0; i < m; ++i)
+      {
+        const unsigned int here = contact_row(m, c, i), there = contact_row(n, c, points[i]);
+        problem.b[here] += constant_response[there] + rigid[there];
+        if (c > 0)
+          problem.b[here] += (pair.force_response(there) * (drive.force - state.force) -
+                              state.residual_displacement[there]) /
+                                 h +
+                             by_approach[there] * state.contact.approach;
+        else
+          problem.b[here] += pair.force_response(there) * drive.force +
+                             (state.roughness.empty() ? 0. : state.roughness[points[i]]);
+        solution.R[here] = state.R[there] + state.force_change[there];
+      }
+    problem.normal_force = drive.normal_force;
+    problem.approach = drive.normal_force > 0 ? state.contact.approach : drive.approach;
+
+    for (unsigned int k = 0; k < rows.size(); ++k)
+      solution.y[3 * m + k] = state.residual_displacement[rows[k]] + state.residual_change[rows[k]];
+    A.modal_numbers(solution.R, c_n, c_t);
+    c_n += c_t;
+    multiply(matrices.displacement_gain, c_n, displacement);
+    multiply(matrices.velocity_gain, c_n, velocity);
+    A.respond(displacement, velocity, solution.y);
+    solution.y += problem.b;
+    problem.move(solution.y, problem.approach);
+    solution.approach = problem.approach;
+    solution.response_known = true;
+  }
+
+  void ContactStepper::solve_with_modal_slip_in_friction(const DynamicState &state, ContactSolver &solver)
+  {
+    const std::vector<unsigned int> &points = step_operator->points(), &rows = step_operator->residual_rows();
+    const unsigned int n = pair.n_points(), m = points.size();
+    // starts from what the state alone says, so that a resumed run does the same
+    for (unsigned int i = 0; i < m; ++i)
+      problem.mu[i] = problem.friction_law[i].coefficient(
+          std::hypot(state.contact.y[n + points[i]], state.contact.y[2 * n + points[i]]),
+          state.contact.status[points[i]] == ContactStatus::stick);
+    std::vector<unsigned int> place(3 * n, 0);
+    for (unsigned int k = 0; k < rows.size(); ++k)
+      place[rows[k]] = 3 * m + k;
+    const auto speed_of = [&](const ContactSolution &now)
+    {
+      std::vector<double> speeds(m);
+      for (unsigned int i = 0; i < m; ++i)
+      {
+        double slip[2];
+        for (unsigned int c = 1; c < 3; ++c)
+        {
+          const unsigned int there = contact_row(n, c, points[i]);
+          slip[c - 1] =
+              now.y[contact_row(m, c, i)] - (now.y[place[there]] - state.residual_displacement[there]) / h;
+        }
+        speeds[i] = std::hypot(slip[0], slip[1]);
+      }
+      return speeds;
+    };
+    solution = solve_with_friction_of_speed(problem, solver, solution, speed_of);
+  }
+
+  void ContactStepper::take_over(DynamicState &state, const DenseVector &rigid)
+  {
+    const StepOperator &A = *step_operator;
+    const std::vector<unsigned int> &points = A.points(), &rows = A.residual_rows();
+    const unsigned int n = pair.n_points(), m = points.size();
+    // without open points nobody knows how gaps change; a fallback computes W~ R anew, but not its change
+    const double motion = motion_of_open_points(state);
+    const bool unknown = !std::isfinite(motion) || solution.fallbacks > 0;
+    state.moved_since_search += unknown ? 0 : 2 * motion;
+    state.steps_since_search = unknown ? longest_without_search : state.steps_since_search + 1;
+    double rate = 0;
+    for (unsigned int i = 0; i < m; ++i)
+      state.contact.status[points[i]] = solution.status[i];
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int i = 0; i < m; ++i)
+      {
+        const unsigned int here = contact_row(m, c, i), there = contact_row(n, c, points[i]);
+        state.force_change[there] = solution.R[here] - state.R[there];
+        state.contact.R[there] = state.R[there] = solution.R[here];
+        state.contact.y[there] = solution.y[here];
+        if (c > 0)
+          rate -= solution.R[here] * state.residual_displacement[there] / h;
+      }
+    for (unsigned int k = 0; k < rows.size(); ++k)
+    {
+      double &displacement_of_row = state.residual_displacement[rows[k]];
+      state.residual_change[rows[k]] = solution.y[3 * m + k] - displacement_of_row;
+      displacement_of_row = solution.y[3 * m + k];
+    }
+    for (unsigned int c = 1; c < 3; ++c)
+      for (unsigned int i = 0; i < m; ++i)
+      {
+        const unsigned int there = contact_row(n, c, points[i]);
+        rate += state.R[there] * state.residual_displacement[there] / h;
+      }
+
+    A.modal_numbers(solution.R, c_n, c_t);
+    c_n += c_t;
+    multiply(matrices.velocity_gain, c_n, velocity);
+    if (matrices.shapes.rank() > 0)
+    {
+      rate += c_t * free_velocity + c_t * velocity;
+      matrices.shapes.amplitudes.Tvmult(state.modal_force, c_n);
+    }
+    if (damper.acts())
+    {
+      DenseVector by_force(pair.n_modes());
+      for (unsigned int k = 0; k < pair.n_modes(); ++k)
+        by_force[k] = steps[k].g1[1] * state.modal_force[k];
+      damper.act(by_force, q, v);
+    }
+    for (unsigned int k = 0; k < pair.n_modes(); ++k)
+    {
+      state.q[k] = q[k] + steps[k].g1[0] * state.modal_force[k];
+      state.v[k] = v[k] + steps[k].g1[1] * state.modal_force[k];
+    }
+    state.time += h;
+    set_powers(state.R, state.contact.y, rigid, n, rate, state);
+
+    ContactSolution &to = state.contact;
+    to.approach = solution.approach;
+    to.converged = solution.converged;
+    to.residual = solution.residual;
+    to.iterations = solution.iterations;
+    to.factorisations = solution.factorisations;
+    to.linear_iterations = solution.linear_iterations;
+    to.fallbacks = solution.fallbacks;
+    to.seconds = solution.seconds;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,138 @@
+#include <vibrocontact/analyses/transient/energy_account.h>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    double modal_energy(const ContactPair &pair, const DynamicState &state)
+    {
+      double energy = 0;
+      for (unsigned int k = 0; k < pair.n_modes(); ++k)
+        energy += 0.5 * (state.v[k] * state.v[k] + pair.omega[k] * pair.omega[k] * state.q[k] * state.q[k]);
+      return energy;
+    }
+  } // namespace
+
+  double stored_energy(const ContactPair &pair, const PointLaws<NormalLaw> &law, const DynamicState &state)
+  {
+    double energy = modal_energy(pair, state) + 0.5 * (state.R * state.residual_displacement);
+    if (state.force != 0)
+    {
+      energy += 0.5 * pair.force_response(0) * state.force * state.force;
+      for (unsigned int i = 0; i < state.R.size(); ++i)
+        energy += state.force * pair.force_response(i) * state.R[i];
+    }
+    if (!state.contact.empty())
+      for (unsigned int i = 0; i < pair.n_points(); ++i)
+        energy += law[i].potential(state.contact.y[i]);
+    return energy;
+  }
+
+  double upwind_power(const PlacedContacts &contacts, const CreepScheme &scheme, const double speed,
+                      const DenseVector &R, const DenseVector &residual_displacement)
+  {
+    const unsigned int n = contacts.n_points();
+    const double *const u = residual_displacement.begin();
+    double power = 0;
+    unsigned int first = n;
+    for (const PlacedContact &contact : contacts.all)
+    {
+      const ContactGrid &grid = contact.grid;
+      double sum = 0;
+      for (const unsigned int begin : {first, first + n})
+        for (unsigned int point = 0; point < grid.n_points(); ++point)
+        {
+          const unsigned int row = begin + point, i = point % grid.n_x;
+          if (R[row] == 0 || i < scheme.reach() || i + 1 >= grid.n_x)
+            continue;
+          double difference = -(u[row + 1] - u[row - 1]) / 2;
+          for (unsigned int k = 0; k < scheme.coefficients.size(); ++k)
+            difference += scheme.coefficients[k] * u[row - k];
+          sum += R[row] * difference;
+        }
+      power += speed * contact.share_of_speed() / grid.spacing_x * sum;
+      first += grid.n_points();
+    }
+    return power;
+  }
+
+  void add_step(EnergyAccount &account, const ContactPair &pair, const PointLaws<NormalLaw> &law,
+                const CreepScheme &scheme, const DynamicState &before, const Drive &drive_before,
+                const DynamicState &after, const Drive &drive_after)
+  {
+    const unsigned int n = pair.n_points();
+    const double h = after.time - before.time;
+    double work = 0, damping = 0, loads = 0, hub = 0, exciting = 0;
+    const double mean_force = (before.force + after.force) / 2;
+    for (unsigned int k = 0; k < pair.n_modes(); ++k)
+    {
+      const double dq = after.q[k] - before.q[k], v = (after.v[k] + before.v[k]) / 2;
+      const double force = (before.modal_force[k] + after.modal_force[k]) / 2;
+      work += force * dq;
+      loads += pair.modal_load[k] * dq;
+      exciting += mean_force * pair.force_participation(k) * dq;
+      hub += pair.hub_participation(k) * (before.hub_acceleration + after.hub_acceleration) / 2 * dq;
+      damping += 2 * pair.damping_ratio[k] * pair.omega[k] * v * v * h;
+    }
+    if (pair.hub)
+    {
+      std::vector<double> mean(pair.n_modes());
+      for (unsigned int k = 0; k < pair.n_modes(); ++k)
+        mean[k] = (before.v[k] + after.v[k]) / 2;
+      const std::array<double, 3> force = pair.hub->damping_force(mean);
+      for (unsigned int k = 0; k < pair.n_modes(); ++k)
+        damping += pair.hub->modal_force(force, k) * mean[k] * h;
+    }
+    account.loads += loads + exciting;
+    if (mean_force != 0)
+    {
+      double moved = pair.force_response(0) * (after.force - before.force);
+      for (unsigned int i = 0; i < 3 * n; ++i)
+        moved += pair.force_response(i) * (after.R[i] - before.R[i]);
+      account.loads += mean_force * moved;
+    }
+    account.hub += hub;
+    account.damping += damping;
+    account.numerical_modes +=
+        work + loads + exciting + hub - damping - modal_energy(pair, after) + modal_energy(pair, before);
+    account.stored = stored_energy(pair, law, after);
+
+    account.friction += h * (before.friction_power + after.friction_power) / 2;
+    account.creepage += h * (before.creepage_power + after.creepage_power) / 2;
+    const PlacedContacts &contacts = pair.interface.contacts;
+    const double upwind =
+        h / 2 *
+        (upwind_power(contacts, scheme, drive_before.creepage.speed, before.R, before.residual_displacement) +
+         upwind_power(contacts, scheme, drive_after.creepage.speed, after.R, after.residual_displacement));
+    account.numerical_upwind += upwind;
+    account.transport += h * (before.transport_power + after.transport_power) / 2 + upwind;
+    for (unsigned int i = n; i < 3 * n; ++i)
+      account.numerical_rate +=
+          (after.R[i] - before.R[i]) / 2 * (after.residual_displacement[i] - before.residual_displacement[i]);
+    const double approach = after.contact.approach - before.contact.approach;
+    if (approach != 0)
+    {
+      const auto force = [&](const DynamicState &state) { return contacts.resultants(state.R); };
+      std::vector<std::array<double, 3>> mean = force(before);
+      const std::vector<std::array<double, 3>> last = force(after);
+      double all = 0, along = 0;
+      for (unsigned int k = 0; k < mean.size(); ++k)
+        for (unsigned int c = 0; c < 3; ++c)
+          mean[k][c] = (mean[k][c] + last[k][c]) / 2;
+      all = contacts.force_on(0, mean)[2] * approach;
+      for (std::array<double, 3> &one : mean)
+        one[0] = 0;
+      along = contacts.force_on(0, mean)[2] * approach;
+      account.hub += all;
+      // what the slip of inclined contacts has taken it for
+      account.transport -= along;
+    }
+    for (unsigned int i = 0; i < n && !(drive_after.gap.empty() && drive_before.gap.empty()); ++i)
+    {
+      const double roughness = (drive_after.gap.empty() ? 0 : drive_after.gap[i]) -
+                               (drive_before.gap.empty() ? 0 : drive_before.gap[i]);
+      account.hub -= (before.R[i] + after.R[i]) / 2 * roughness;
+    }
+    account.available = std::max(account.available, account.initial + account.input());
+  }
+} // namespace vibrocontact

@@ -1,0 +1,82 @@
+#include <vibrocontact/analyses/transient/mode_projection.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace vibrocontact
+{
+  ModeProjection::ModeProjection(const ContactPair &pair, const CreepScheme &scheme,
+                                 const RollingEquilibrium &equilibrium, const DynamicState &rest,
+                                 const unsigned int n_roots, const std::string &also)
+      : rest(rest)
+  {
+    LinearisationOptions options;
+    options.stick = true;
+    const DenseMatrix A = linearised_contact(pair, scheme, equilibrium, options);
+    const unsigned int m = pair.n_modes(), size = A.m();
+    if (size > 2 * m)
+      across = sliding_frame(equilibrium).across;
+    const Eigenvalues lambda = eigenvalues(A, true);
+
+    std::vector<unsigned int> order;
+    std::vector<StabilityRoot> roots;
+    for (unsigned int k = 0; k < size; ++k)
+    {
+      std::vector<std::complex<double>> shape;
+      if (lambda.values[k].imag() > 0)
+      {
+        for (unsigned int i = 0; i < m; ++i)
+          shape.push_back(lambda.component(i, k));
+        order.push_back(k);
+      }
+      roots.push_back(named_root(lambda.values[k], std::move(shape), pair.omega, pair.labels));
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](const unsigned int a, const unsigned int b)
+                     { return roots[a].growth > roots[b].growth; });
+    for (unsigned int place = 0; place < order.size(); ++place)
+    {
+      const unsigned int k = order[place];
+      if (place >= n_roots && roots[k].label != also)
+        continue;
+      std::complex<double> product = 0;
+      for (unsigned int i = 0; i < size; ++i)
+        product += std::conj(lambda.left_component(i, k)) * lambda.component(i, k);
+      double velocity = 0;
+      for (unsigned int row = 0; row < pair.modal_trace.m(); ++row)
+      {
+        std::complex<double> sum = 0;
+        for (unsigned int i = 0; i < m; ++i)
+          sum += pair.modal_trace(row, i) * lambda.component(i, k);
+        velocity = std::max(velocity, std::abs(lambda.values[k] * sum));
+      }
+      std::vector<std::complex<double>> weight(size);
+      for (unsigned int i = 0; i < size; ++i)
+        weight[i] = std::conj(lambda.left_component(i, k)) * (2 * velocity / product);
+      weights.push_back(std::move(weight));
+      kept.push_back(roots[k]);
+    }
+  }
+
+  std::vector<double> ModeProjection::amplitudes(const DynamicState &state) const
+  {
+    const unsigned int m = state.q.size(), n = state.R.size() / 3;
+    std::vector<double> x(2 * m + across.size()), result;
+    for (unsigned int i = 0; i < m; ++i)
+    {
+      x[i] = state.q[i] - rest.q[i];
+      x[m + i] = state.v[i];
+    }
+    for (unsigned int k = 0; k < across.size(); ++k)
+      for (unsigned int c = 0; c < 2; ++c)
+      {
+        const unsigned int row = (c + 1) * n + across[k].point;
+        x[2 * m + k] += (c == 0 ? across[k].x : across[k].y) * (state.R[row] - rest.R[row]);
+      }
+    for (const auto &weight : weights)
+      result.push_back(
+          std::abs(std::inner_product(weight.begin(), weight.end(), x.begin(), std::complex<double>(0))));
+    return result;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,431 @@
+#include <vibrocontact/analyses/transient/check_transient.h>
+#include <vibrocontact/analyses/transient/checkpoint.h>
+#include <vibrocontact/analyses/transient/drive.h>
+#include <vibrocontact/analyses/transient/judge_transient.h>
+#include <vibrocontact/analyses/transient/make_mode_recorder.h>
+#include <vibrocontact/analyses/transient/patch_recorder.h>
+#include <vibrocontact/analyses/transient/run_transient.h>
+#include <vibrocontact/analyses/transient/signal_recorder.h>
+#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/analyses/transient/transient_hub.h>
+#include <vibrocontact/analyses/transient/transient_output.h>
+#include <vibrocontact/analyses/transient/transient_probes.h>
+#include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/parameter_text.h>
+#include <vibrocontact/coupled_bodies/contact_pair.h>
+#include <vibrocontact/run/checkpoint_schedule.h>
+#include <vibrocontact/run/entries_of_contact.h>
+#include <vibrocontact/run/say_residual_damping.h>
+#include <vibrocontact/run/swept_runs.h>
+#include <vibrocontact/run/unreduced_pair.h>
+#include <vibrocontact/run/verdict.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    void print(const TransientResult &result)
+    {
+      Log &log = run_log();
+      log.value("steps", static_cast<unsigned long long>(result.steps));
+      log.value("time", result.time, "s");
+      log.value("per step", result.seconds / std::max(1ul, result.steps) * 1e6, "us");
+      log.value("wall time over simulated time", result.seconds / std::max(1e-300, result.time));
+      log.value("solver iterations per step", result.iterations / std::max(1., double(result.steps)));
+      if (result.rejected > 0)
+        log.value("steps repeated with half their length", static_cast<unsigned long long>(result.rejected));
+      log.value("normal impulse", result.impulse, "N s");
+      log.value("energy stored at the end", result.energy.stored, "J");
+      log.value("energy taken by differences", result.energy.numerical(), "J");
+      log.value("energy imbalance", result.energy.imbalance(), "J");
+    }
+
+    ContactPair transient_pair(const Parameters &parameters, const MeshedBodies &bodies,
+                               std::vector<Probe> &probes, std::unique_ptr<const PreparedPair> &prepared)
+    {
+      UnreducedPair unreduced;
+      if (parameters.transient.model == "finite elements")
+        unreduced = prepare_unreduced_pair(parameters, bodies);
+      probes = transient_probes(parameters, bodies, unreduced.surfaces);
+      prepared = unreduced.prepared ? std::move(unreduced.prepared) : prepare_pair(parameters, bodies, true);
+      return contact_pair(prepared->bodies, parameters.contacts, parameters.placed_contacts());
+    }
+
+    void warn_of_spectrum(const Parameters &parameters, Results &results)
+    {
+      const double duration = parameters.signals.spectrum_duration, end = parameters.transient.end_time;
+      if (duration <= end)
+        return;
+      std::ostringstream text;
+      text << "Transient/Signals/Spectrum duration is " << duration << " s, longer than the run of " << end
+           << " s, all of which is taken instead.";
+      doubt(text.str(), results);
+    }
+
+    /// What follows the run, on rank 0.
+    struct RunRecorders
+    {
+      Recorders all;
+      /// the one that knows when sticking changed, and the one of the modes, null: there is none
+      const SignalRecorder *signals = nullptr;
+      const ModeRecorder *modes = nullptr;
+    };
+
+    RunRecorders make_recorders(const Parameters &parameters, const ContactPair &held, const HubMotion &hub,
+                                const PointLaws<NormalLaw> &law, const std::vector<Probe> &probes,
+                                const std::string &folder, const std::vector<RecorderMaker> &further)
+    {
+      const ContactPair &pair = *hub.pair;
+      const SignalParameters &signals = parameters.signals;
+      RunRecorders result;
+      Recorders &recorders = result.all;
+      auto first = std::make_unique<SignalRecorder>(probes, folder);
+      result.signals = first.get();
+      recorders.push_back(std::move(first));
+      if (auto modes = mode_recorder(parameters, held, hub, folder))
+      {
+        result.modes = modes.get();
+        recorders.push_back(std::move(modes));
+      }
+      recorders.push_back(std::make_unique<TransientHistory>(pair, law, parameters.transient.history_interval,
+                                                             probes, folder));
+      if (signals.patch_interval > 0 && parameters.output.fields)
+        recorders.push_back(std::make_unique<PatchRecorder>(pair.interface.contacts, signals.patch_begin,
+                                                            signals.patch_interval, folder));
+      for (const RecorderMaker &make : further)
+        if (auto recorder = make({parameters, pair, law, folder}))
+          recorders.push_back(std::move(recorder));
+      return result;
+    }
+
+    /// After the recorders have finished, on rank 0: spectra, growth rates, sounds and the table.
+    void evaluate_signals(const SignalParameters &parameters, const RunRecorders &recorders,
+                          const std::vector<Probe> &probes, const PlacedContacts &contacts,
+                          const std::string &folder, nlohmann::ordered_json &json)
+    {
+      const double end_of_growth = recorders.signals->change_of_sticking();
+      json.update(signals_json(recorded_signals(probes, folder), parameters, end_of_growth, folder));
+      if (recorders.modes)
+      {
+        json["mode_amplitudes"] = "mode_amplitudes.csv";
+        json["modes"] = recorders.modes->json(
+            parameters.growth_begin, parameters.growth_end > 0 ? parameters.growth_end : end_of_growth);
+      }
+      const auto &signals = json["signals"];
+      if (!signals.empty())
+        json["contact_states"] =
+            contact_states_json(folder, signals[0]["spectrum_window_s"][0].get<double>());
+      if (parameters.table)
+        write_history_table(probes, contacts, folder);
+    }
+
+    std::vector<double> dominant_frequencies(const nlohmann::ordered_json &json)
+    {
+      return json.value("dominant_frequencies_Hz", std::vector<double>());
+    }
+
+    void warn_of_ringing(const Parameters &all, const ContactPair &pair, Results &results)
+    {
+      const TransientParameters &parameters = all.transient;
+      const bool massive = contact_points_have_mass(all.transient, all.scene);
+      if (massive && parameters.initial_state == "undeformed" &&
+          (parameters.integrator == "exact propagator" || parameters.theta < 0.55))
+        doubt("The contact points have mass (Transient/Model = finite elements): after an impact "
+              "velocities and forces there ring from step to step; the theta method with Theta = "
+              "1 damps that, and every mode with it.",
+              results);
+      if (massive)
+        return;
+      const double critical = critical_time_step(pair);
+      if (parameters.integrator != "exact propagator" || parameters.time_step <= critical)
+        return;
+      std::ostringstream text;
+      text << "Transient/Time step is " << parameters.time_step << " s, but beyond " << critical
+           << " s reactions that are linear in the step ring: take a smaller one or the theta method.";
+      doubt(text.str(), results);
+    }
+
+    /// The state to begin with and the sums up to it: the checkpoint's, or the initial state, recorded.
+    void begin(const Parameters &parameters, const ContactPair &held, const HubMotion &hub,
+               const std::string &folder, const bool resume, const Recorders &recorders, DynamicState &state,
+               TransientResult &before, CoarseRun *const coarse)
+    {
+      bool found = false;
+      if (resume)
+        on_all_ranks([&] { found = read_checkpoint(folder, *hub.pair, state, before, recorders, coarse); });
+      if (found)
+      {
+        run_log().value("resumed at", before.time, "s");
+        return;
+      }
+      if (resume)
+        run_log().line("No checkpoint of the transient: it starts from its beginning.");
+      state = initial_state(parameters.transient, parameters.contacts, parameters.contact_solver, held, hub);
+      if (coarse)
+        coarse->state = state;
+      on_first_rank(
+          [&]
+          {
+            for (const auto &recorder : recorders)
+              recorder->add(state);
+          });
+    }
+  } // namespace
+
+  void run_transient(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
+                     const bool resume, Results &results, const std::vector<RecorderMaker> &further)
+  {
+    const TransientParameters &own = parameters.transient;
+    std::vector<Probe> probes;
+    std::unique_ptr<const PreparedPair> prepared;
+    const auto held =
+        std::make_shared<const ContactPair>(transient_pair(parameters, bodies, probes, prepared));
+    run_log().block("Transient");
+    run_log().value("modes", held->n_modes());
+    run_log().value("contact points", held->n_points());
+    const RollingCase constants = rolling_cases(parameters.rolling, parameters.contacts).front();
+    const LoadOverTime load = load_over_time(own);
+    const std::string applied_hub = transient_hub(parameters.hub(), load);
+    const HubMotion hub =
+        hub_motion(applied_hub, parameters.rolling, load, parameters.contacts, parameters.contact_solver,
+                   held, drive_function(own, constants, parameters.placed_contacts()));
+    run_log().value("hub", transient_hub_text(parameters.hub(), load));
+    if (hub.place > 0)
+    {
+      run_log().value("displacement of the hub", hub.place * 1e3, "mm");
+      run_log().value("normal force there", hub.normal_force, "N");
+    }
+    const ContactPair &pair = *hub.pair;
+    const DriveFunction &drive = hub.drive;
+    if (pair.hub)
+    {
+      for (Probe &probe : probes)
+        probe.hang(*pair.hub);
+      for (Probe &probe : hub_probes(parameters.scene.bodies[0].name, *pair.hub))
+        probes.push_back(std::move(probe));
+    }
+    std::optional<Companion> companion;
+    if (own.error_estimate)
+      companion = Companion{
+          hub.driven(drive_function(with_doubled_step(own), constants, parameters.placed_contacts())), {}};
+    CoarseRun *const coarse = companion ? &companion->run : nullptr;
+    warn_of_ringing(parameters, pair, results);
+    warn_of_spectrum(parameters, results);
+
+    const PointLaws<NormalLaw> law = normal_law_of_points(parameters.contacts, held->interface.contacts);
+    RunRecorders run_recorders;
+    on_first_rank([&]
+                  { run_recorders = make_recorders(parameters, *held, hub, law, probes, folder, further); });
+    const Recorders &recorders = run_recorders.all;
+    DynamicState state;
+    TransientResult before;
+    begin(parameters, *held, hub, folder, resume, recorders, state, before, coarse);
+
+    Progress progress("transient", own.end_time - before.time);
+    CheckpointSchedule schedule(own.checkpoint_interval);
+    const auto write = [&](DynamicState now, TransientResult sums)
+    { on_first_rank([&] { write_checkpoint(folder, pair, now, sums, recorders, coarse); }); };
+    double shown = before.time;
+    // a recorder that cannot write is heard of where all ranks meet
+    std::exception_ptr failure;
+    const auto meet = [&]
+    {
+      on_first_rank(
+          [&]
+          {
+            if (failure)
+              std::rethrow_exception(failure);
+          });
+    };
+    const auto observe = [&](const DynamicState &now, const TransientResult &sums)
+    {
+      try
+      {
+        for (const auto &recorder : recorders)
+          recorder->add(now);
+      }
+      catch (...)
+      {
+        failure = std::current_exception();
+      }
+      if (sums.steps % steps_between_fresh_starts != 0)
+        return true;
+      meet();
+      progress.advance(now.time - shown,
+                       [&]
+                       {
+                         std::ostringstream text;
+                         text.precision(3);
+                         text << "t = " << now.time << " s, " << sums.seconds / sums.time
+                              << " times real time, " << double(sums.iterations) / sums.steps
+                              << " iterations per step";
+                         return text.str();
+                       });
+      shown = now.time;
+      if (schedule.is_due())
+        write(now, sums);
+      return schedule.stopped_by() == 0;
+    };
+    const TransientResult result = transient(own, parameters.contacts, parameters.contact_solver, pair, drive,
+                                             state, observe, before, companion ? &*companion : nullptr);
+    meet();
+    const bool at_the_end = result.converged && schedule.stopped_by() == 0;
+    if (at_the_end)
+      write(state, result);
+    on_first_rank(
+        [&]
+        {
+          for (const auto &recorder : recorders)
+            recorder->finish(at_the_end);
+        });
+    if (at_the_end)
+      schedule.is_due(); // a signal in the last steps stops what would follow
+    results.stopped_by = schedule.stopped_by();
+    results.analyses["transient"] = transient_json(result, state, pair.interface.contacts);
+    results.analyses["transient"]["friction"] = parameters.largest_friction();
+    results.analyses["transient"]["hub"] = applied_hub;
+    if (hub.place > 0)
+      results.analyses["transient"]["hub_displacement_m"] = hub.place;
+    const Creepage creepage = drive(state.time).creepage;
+    results.analyses["transient"]["last"].update(
+        {{"speed_m_s", creepage.speed},
+         {"longitudinal_creepage", creepage.longitudinal},
+         {"lateral_creepage", creepage.lateral},
+         {"spin_1_m", creepage.spin},
+         {"sliding_velocity_m_s", {creepage.sliding_x, creepage.sliding_y}}});
+    on_first_rank(
+        [&]
+        {
+          evaluate_signals(parameters.signals, run_recorders, probes, pair.interface.contacts, folder,
+                           results.analyses["transient"]);
+        });
+    if (results.stopped_by != 0)
+      run_log().warning("Interrupted; a checkpoint is written, --resume continues.");
+    if (!result.converged)
+    {
+      std::ostringstream text;
+      text << "The transient ended at " << result.time << " s: " << result.message
+           << (result.message.back() == '.' ? "" : ".");
+      refuse("transient", text.str(), results);
+    }
+    print(result);
+    say_residual_damping(parameters, *prepared, pair, dominant_frequencies(results.analyses["transient"]),
+                         "transient", results);
+    judge_transient(result, coarse, results.stopped_by != 0, results);
+  }
+
+  namespace
+  {
+    void do_transient(const AnalysisRun &on)
+    {
+      run_transient(on.parameters, on.bodies, on.folder, on.resume, on.results, on.recorders);
+    }
+
+    void transient_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      add_partners(entries, parameters, moving_in_contact());
+      add_contacts(entries, parameters);
+      for (const ContactParameters &contact : parameters.contacts.all)
+        add_friction_coefficient(entries, contact);
+      add_hub(entries, parameters);
+
+      const TransientParameters &own = parameters.transient;
+      const std::vector<std::string> driven = driven_entries(own);
+      const bool rolls = parameters.rolling.creepage.speed > 0;
+      const auto is_driven = [&](const std::string &name)
+      { return std::count(driven.begin(), driven.end(), name) > 0; };
+      for (const std::string name : {"Longitudinal creepage", "Lateral creepage", "Spin"})
+      {
+        entries.add_if(rolls && !is_driven(name),
+                       "Rolling/Speed is above 0 and section Transient drives no " + name, "Rolling", name);
+        entries.add_if(rolls, "Rolling/Speed is above 0", "Transient", name);
+      }
+      const bool loaded = is_driven("Normal force") || is_driven("Hub displacement");
+      entries.add_if(!loaded, "section Transient drives no load", "Rolling",
+                     "Normal force, Hub displacement");
+      const bool rubs = largest_friction(parameters) > 0;
+      entries.add("Rolling", "Speed");
+      entries.add_if(rubs, "there is friction", "Rolling", "Sliding velocity x, Sliding velocity y");
+
+      const std::string section = "Transient";
+      entries.add(section,
+                  "Model, Time step, Error tolerance, End time, Integrator, Reaction, Initial state, "
+                  "Perturbed mode, Normal force, Hub displacement, Exciting force, Drive table, "
+                  "Error estimate, "
+                  "History interval, Checkpoint interval");
+      entries.add_if(own.error_tolerance > 0, "Transient/Error tolerance is above 0", section,
+                     "Shortest time step");
+      entries.add_if(own.integrator == "theta method", "Transient/Integrator is theta method", section,
+                     "Theta");
+      entries.add_if(own.initial_state == "undeformed", "Transient/Initial state is undeformed", section,
+                     "Initial gap, Initial velocity");
+      entries.add_if(!own.perturbed_mode.empty(), "there is a Transient/Perturbed mode", section,
+                     "Perturbation, Perturbation velocity");
+      entries.add(section + "/Roughness", "Expression, Table, Spectrum");
+      entries.add_if(!own.roughness.spectrum.empty(), "there is a Transient/Roughness/Spectrum",
+                     section + "/Roughness", "Seed");
+      const SignalParameters &signals = parameters.signals;
+      entries.add(section + "/Signals", "Probes, Table, Spectrum duration, Growth begin, Growth end");
+      entries.add_if(parameters.output.fields, "Output/Fields is true", section + "/Signals",
+                     "Patch interval");
+      entries.add_if(parameters.output.fields && signals.patch_interval > 0,
+                     "there is a Transient/Signals/Patch interval", section + "/Signals", "Patch begin");
+      entries.add_if(own.initial_state == "quasi-static" && !contact_points_have_mass(own, parameters.scene),
+                     "the run starts from an equilibrium, with contact points without mass",
+                     section + "/Signals", "Mode amplitudes");
+      const bool has_wheel = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
+                                         [](const BodyParameters &body) { return body.is_wheel(); });
+      entries.add_if(!signals.probes.empty() && (trimmed(signals.probes) != "rim" || has_wheel) &&
+                         own.end_time > least_sound,
+                     "there are Transient/Signals/Probes (a rim is that of a wheel) for more than 5 ms",
+                     section + "/Signals", "Sound");
+    }
+
+    /// Bodies with their modes, and shapes where probes are, are made by all ranks.
+    PreparedRun prepare_transient(const AnalysisRun &on)
+    {
+      for (const ProbeRequest &request : parse_probes(on.parameters.signals.probes))
+        for (const auto &body : on.bodies)
+          if (body && (request.body == body->parameters.name ||
+                       (request.name.empty() && body->reduction.request().wheel)))
+            body->reduction.surface_shapes();
+      reduce_bodies(on.bodies, true);
+      return do_transient;
+    }
+  } // namespace
+
+  Analysis transient_analysis()
+  {
+    return {{"transient", "motion in time of body 1 on body 2", 2, true, true, "", {}, "Transient"},
+            transient_read,
+            do_transient,
+            true,
+            {{"transient",
+              "transient",
+              transient_answer,
+              {"histories.h5", "mode_amplitudes.csv", "figures/transient_*.png", "figures/mode_growth.png",
+               "figures/spectrum_*.png", "*.wav"}}},
+            swept_runs(prepare_transient, {{"impulse_Ns", "/transient/impulse_Ns"},
+                                           {"rms_normal_force_N", "/transient/rms_normal_force_N"},
+                                           {"last_normal_force_N", "/transient/last/normal_force_N"},
+                                           {"smallest_gap_m", "/transient/smallest_gap_m"},
+                                           {"dominant_frequency_Hz", "/transient/dominant_frequencies_Hz/0"},
+                                           {"input_J", "/transient/energy/input_J"},
+                                           {"friction_J", "/transient/energy/friction_J"},
+                                           {"imbalance_J", "/transient/energy/imbalance_J"},
+                                           {"estimated_error", "/transient/estimated_error"},
+                                           {"steps", "/transient/steps"},
+                                           {"time_s", "/transient/time_s"}})};
+  }
+} // namespace vibrocontact

@@ -1,0 +1,233 @@
+#include <vibrocontact/analyses/transient/step_operator.h>
+#include <vibrocontact/base/dense_operations.h>
+
+#include <deal.II/lac/lapack_templates.h>
+
+#include <algorithm>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    // amplitudes diag(g1) amplitudes^T - amplitudes damper_gain B diag(g1_v) amplitudes^T
+    DenseMatrix gain(const DenseMatrix &amplitudes, const std::vector<ModalStep> &steps,
+                     const unsigned int component, const HubDamper &damper)
+    {
+      const auto scaled = [&](const unsigned int by)
+      {
+        DenseMatrix x(amplitudes.m(), amplitudes.n());
+        for (unsigned int k = 0; k < amplitudes.n(); ++k)
+          for (unsigned int i = 0; i < amplitudes.m(); ++i)
+            x(i, k) = amplitudes(i, k) * steps[k].g1[by];
+        return x;
+      };
+      DenseMatrix result(amplitudes.m());
+      if (amplitudes.m() == 0)
+        return result;
+      scaled(component).mTmult(result, amplitudes);
+      if (!damper.acts())
+        return result;
+      DenseMatrix moved(amplitudes.m(), 3), taken(amplitudes.m());
+      scaled(1).mTmult(moved, damper.motion);
+      product(amplitudes, component == 0 ? damper.displacement : damper.velocity).mTmult(taken, moved);
+      result.add(-1., taken);
+      return result;
+    }
+
+    // into += left middle right^T
+    void add_product(const DenseMatrix &left, const DenseMatrix &middle, const DenseMatrix &right,
+                     DenseMatrix &into)
+    {
+      if (middle.m() == 0)
+        return;
+      product(left, middle).mTmult(into, right, true);
+    }
+
+    DenseMatrix rows_of_points(const DenseMatrix &matrix, const std::vector<unsigned int> &points)
+    {
+      const unsigned int n = matrix.m() / 3, m = points.size();
+      DenseMatrix result(3 * m, matrix.n());
+      for (unsigned int k = 0; k < matrix.n(); ++k)
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int i = 0; i < m; ++i)
+            result(contact_row(m, c, i), k) = matrix(contact_row(n, c, points[i]), k);
+      return result;
+    }
+  } // namespace
+
+  StepMatrices step_matrices(const PlacedContacts &contacts, const CreepScheme &scheme,
+                             const DenseMatrix &modal_trace, const DenseMatrix &residual_flexibility,
+                             const std::vector<ModalStep> &steps, const double h, const double speed,
+                             const SuspendedHub *const hub)
+  {
+    const unsigned int n = contacts.n_points();
+    StepMatrices result;
+    result.contacts = contacts;
+    result.scheme = scheme;
+    result.step = h;
+    result.speed = speed;
+    result.residual_flexibility = result.response = residual_flexibility;
+    result.shapes = patch_shapes(modal_trace, patch_shape_tolerance);
+    const PatchShapes &shapes = result.shapes;
+    const HubDamper damper(hub, steps);
+    result.displacement_gain = gain(shapes.amplitudes, steps, 0, damper);
+    result.velocity_gain = gain(shapes.amplitudes, steps, 1, damper);
+    result.by_displacement = result.by_velocity = shapes.basis;
+    convert_to_slip_rows(contacts, scheme, speed, result.by_displacement);
+    for (unsigned int k = 0; k < shapes.rank(); ++k)
+      std::fill_n(&result.by_velocity(0, k), n, 0.);
+
+    DenseMatrix &A = result.response;
+    convert_to_slip_rows(contacts, scheme, speed, A);
+    for (unsigned int j = 0; j < 3 * n; ++j)
+      for (unsigned int i = n; i < 3 * n; ++i)
+        A(i, j) += residual_flexibility(i, j) / h;
+    add_product(result.by_displacement, result.displacement_gain, shapes.basis, A);
+    add_product(result.by_velocity, result.velocity_gain, shapes.basis, A);
+    return result;
+  }
+
+  StepOperator::StepOperator(const StepMatrices &matrices, std::vector<unsigned int> points)
+      : matrices(matrices), nearby(std::move(points)), basis(rows_of_points(matrices.shapes.basis, nearby)),
+        by_motion(3 * nearby.size(), 2 * basis.n()), c_normal(basis.n()), c_tangential(basis.n()),
+        displacement(basis.n()), velocity(basis.n())
+  {
+    for (unsigned int part = 0; part < 2; ++part)
+    {
+      const DenseMatrix rows =
+          rows_of_points(part == 0 ? matrices.by_displacement : matrices.by_velocity, nearby);
+      for (unsigned int k = 0; k < basis.n(); ++k)
+        std::copy_n(&rows(0, k), rows.m(), &by_motion(0, part * basis.n() + k));
+    }
+    motion.reinit(2 * basis.n());
+    const PlacedContacts &contacts = matrices.contacts;
+    const unsigned int n = contacts.n_points();
+    const auto contact_of = [&](const unsigned int point) -> const PlacedContact &
+    { return contacts.all[contacts.contact_of(point)]; };
+    const auto column_of = [&](const unsigned int point)
+    { return (point - contacts.first_point(contacts.contact_of(point))) % contact_of(point).grid.n_x; };
+    const auto coefficients = [&](const unsigned int point) -> const std::vector<double> &
+    { return matrices.scheme.at_column(column_of(point)); };
+    std::vector<unsigned int> wet;
+    for (const unsigned int point : nearby)
+    {
+      for (unsigned int k = 0; k < coefficients(point).size(); ++k)
+        wet.push_back(point - k);
+      if (column_of(point) + 1 < contact_of(point).grid.n_x)
+        wet.push_back(point + 1);
+    }
+    std::sort(wet.begin(), wet.end());
+    wet.erase(std::unique(wet.begin(), wet.end()), wet.end());
+    n_wet = wet.size();
+    for (const unsigned int point : nearby)
+    {
+      const std::vector<double> &c = coefficients(point);
+      const PlacedContact &contact = contact_of(point);
+      const double speed_in_spacings = matrices.speed * contact.share_of_speed() / contact.grid.spacing_x;
+      transport.emplace_back();
+      for (unsigned int k = 0; k < c.size(); ++k)
+        transport.back().emplace_back(std::lower_bound(wet.begin(), wet.end(), point - k) - wet.begin(),
+                                      speed_in_spacings * c[k] + (k == 0 ? 1 / matrices.step : 0));
+    }
+
+    rows = nearby;
+    for (unsigned int c = 1; c < 3; ++c)
+      for (const unsigned int point : wet)
+        rows.push_back(contact_row(n, c, point));
+    residual.reinit(rows.size());
+    // of the whole grid: rho does not move with the points that are nearby
+    for (unsigned int c = 0; c < 3; ++c)
+    {
+      diagonal[c] = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        diagonal[c] += matrices.response(contact_row(n, c, i), contact_row(n, c, i)) / n;
+    }
+  }
+
+  void StepOperator::vmult(DenseVector &y, const DenseVector &R,
+                           const std::vector<unsigned int> &sources) const
+  {
+    const unsigned int m = n_points(), n = matrices.contacts.n_points(), n_sources = sources.size();
+    y.reinit(3 * m + rows.size());
+    if (n_sources == 0)
+      return;
+    if (sources != sources_before)
+    {
+      residual_columns.reinit(rows.size(), 3 * n_sources);
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int j = 0; j < n_sources; ++j)
+        {
+          const double *const from = &matrices.residual_flexibility(0, contact_row(n, c, nearby[sources[j]]));
+          double *const to = &residual_columns(0, contact_row(n_sources, c, j));
+          for (unsigned int i = 0; i < rows.size(); ++i)
+            to[i] = from[rows[i]];
+        }
+      forces.reinit(3 * n_sources);
+      sources_before = sources;
+    }
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int j = 0; j < n_sources; ++j)
+        forces[contact_row(n_sources, c, j)] = R[contact_row(m, c, sources[j])];
+    residual_columns.vmult(residual, forces);
+    std::copy(residual.begin(), residual.end(), y.begin() + 3 * m);
+
+    modal_numbers(R, c_normal, c_tangential);
+    c_normal += c_tangential;
+    multiply(matrices.displacement_gain, c_normal, displacement);
+    multiply(matrices.velocity_gain, c_normal, velocity);
+    respond(displacement, velocity, y);
+  }
+
+  void StepOperator::respond(const DenseVector &d, const DenseVector &v, DenseVector &y) const
+  {
+    const unsigned int m = n_points();
+    const double *const w = y.data() + 3 * m;
+    std::copy_n(w, m, y.data());
+    for (unsigned int c = 1; c < 3; ++c)
+    {
+      const double *const tangential = w + m + (c - 1) * n_wet;
+      for (unsigned int i = 0; i < m; ++i)
+      {
+        double sum = 0;
+        for (const auto &[place, factor] : transport[i])
+          sum += factor * tangential[place];
+        y[contact_row(m, c, i)] = sum;
+      }
+    }
+    const dealii::types::blas_int n_rows = 3 * m, n_columns = motion.size(), one = 1;
+    if (n_columns == 0)
+      return;
+    std::copy(d.begin(), d.end(), motion.begin());
+    std::copy(v.begin(), v.end(), motion.begin() + basis.n());
+    const double unit = 1;
+    dealii::gemv("N", &n_rows, &n_columns, &unit, &by_motion(0, 0), &n_rows, motion.data(), &one, &unit,
+                 y.data(), &one);
+  }
+
+  void StepOperator::modal_numbers(const DenseVector &R, DenseVector &c_n, DenseVector &c_t) const
+  {
+    const dealii::types::blas_int m = n_points(), twice = 2 * m, n_rows = 3 * m, n_columns = basis.n(),
+                                  one = 1;
+    if (n_columns == 0)
+      return;
+    const double unit = 1, zero = 0;
+    dealii::gemv("T", &m, &n_columns, &unit, &basis(0, 0), &n_rows, R.data(), &one, &zero, c_n.data(), &one);
+    dealii::gemv("T", &twice, &n_columns, &unit, &basis(m, 0), &n_rows, R.data() + m, &one, &zero, c_t.data(),
+                 &one);
+  }
+
+  void StepOperator::extract(const std::vector<unsigned int> &points, DenseMatrix &block) const
+  {
+    const unsigned int n = matrices.contacts.n_points(), m = points.size();
+    block.reinit(3 * m);
+    for (unsigned int component = 0; component < 3; ++component)
+      for (unsigned int j = 0; j < m; ++j)
+      {
+        const double *const from = &matrices.response(0, contact_row(n, component, nearby[points[j]]));
+        double *const to = &block(0, contact_row(m, component, j));
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int i = 0; i < m; ++i)
+            to[contact_row(m, c, i)] = from[contact_row(n, c, nearby[points[i]])];
+      }
+  }
+} // namespace vibrocontact

@@ -1,0 +1,376 @@
+#include <vibrocontact/analyses/transient/step_levels.h>
+#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/label_text.h>
+#include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/contact/contact_solvers.h>
+#include <vibrocontact/contact/friction_of_speed.h>
+#include <vibrocontact/numerics/doubled_step.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+namespace vibrocontact
+{
+  unsigned int perturbed_mode(const TransientParameters &transient, const std::vector<std::string> &labels)
+  {
+    if (transient.perturbed_mode.empty())
+      return labels.size();
+    std::string name = transient.perturbed_mode;
+    std::replace(name.begin(), name.end(), '/', '#');
+    const auto found = std::find(labels.begin(), labels.end(), name);
+    if (found != labels.end())
+      return found - labels.begin();
+    std::vector<std::string> known(labels);
+    for (std::string &label : known)
+      label = label_in_a_file(label);
+    throw InputError("Transient/Perturbed mode names '" + transient.perturbed_mode +
+                     "', but there is no such mode; " + name_suggestion(transient.perturbed_mode, known));
+  }
+
+  namespace
+  {
+    void perturb(const TransientParameters &parameters, const ContactPair &pair, DynamicState &state)
+    {
+      const unsigned int k = perturbed_mode(parameters, pair.labels);
+      if (k == pair.n_modes())
+        return;
+      double largest = 0;
+      for (unsigned int i = 0; i < pair.modal_trace.m(); ++i)
+        largest = std::max(largest, std::abs(pair.modal_trace(i, k)));
+      if (!(largest > 0))
+        throw InputError("Transient/Perturbed mode: '" + parameters.perturbed_mode +
+                         "' does not move the contact; name another mode.");
+      state.q[k] += parameters.perturbation / largest;
+      state.v[k] += parameters.perturbation_velocity / largest;
+    }
+  } // namespace
+
+  ContactSolution transient_equilibrium(const ContactSections &contact, const ContactSolverParameters &solver,
+                                        const ContactPair &pair, const Drive &drive)
+  {
+    const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
+    const CreepScheme &scheme = find_creep_scheme(contact.first().creep_scheme);
+    ContactProblem problem = rolling_problem(
+        rolling_operator(pair.interface.contacts, static_compliance(pair), scheme, drive.creepage.speed),
+        static_interface(pair), scheme, drive.creepage, contact);
+    problem.title = "equilibrium from which the transient starts";
+    problem.normal_force = drive.normal_force;
+    problem.approach = drive.approach;
+    for (unsigned int i = 0; i < drive.gap.size(); ++i)
+      problem.b[i] += drive.gap[i];
+    for (unsigned int i = 0; i < n && drive.force != 0; ++i)
+    {
+      problem.b[i] += pair.force_response(i) * drive.force;
+      for (unsigned int k = 0; k < n_modes; ++k)
+        problem.b[i] += pair.modal_trace(i, k) * pair.force_participation(k) * drive.force /
+                        (pair.omega[k] * pair.omega[k]);
+    }
+    const auto method = create_contact_solver(solver);
+    const ContactSolution solution = solve_with_friction_of_speed(problem, *method, {});
+    if (!solution.converged)
+    {
+      std::ostringstream text;
+      text << "The quasi-static equilibrium from which the transient starts did not converge: residual "
+           << solution.residual << " after " << solution.iterations << " iterations.";
+      throw ConvergenceError(text.str());
+    }
+    check_contact_in_grid(pair.interface.contacts, contact, drive.creepage.speed, solution.status);
+    return solution;
+  }
+
+  DynamicState initial_state(const TransientParameters &transient, const ContactSections &contact,
+                             const ContactSolverParameters &solver, const ContactPair &pair,
+                             const Drive &drive)
+  {
+    const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
+    DynamicState state;
+    state.contact.approach = drive.approach;
+    state.hub_acceleration = drive.hub_acceleration;
+    state.force = drive.force;
+    state.q.assign(n_modes, 0.);
+    state.v.assign(n_modes, 0.);
+    state.R.reinit(3 * n);
+    if (transient.initial_state == "undeformed")
+    {
+      for (unsigned int k = 0; k < n_modes; ++k)
+        if (pair.body[k] == 1)
+        {
+          state.q[k] = pair.participation(k, 2) * transient.initial_gap;
+          state.v[k] = pair.participation(k, 2) * transient.initial_velocity;
+        }
+    }
+    else
+    {
+      state.contact = transient_equilibrium(contact, solver, pair, drive);
+      state.R = state.contact.R;
+      DenseVector force(n_modes);
+      if (n_modes > 0)
+        pair.modal_trace.Tvmult(force, state.R);
+      for (unsigned int k = 0; k < n_modes; ++k)
+        state.q[k] = (force[k] + pair.modal_load[k] + pair.force_participation(k) * drive.force) /
+                     (pair.omega[k] * pair.omega[k]);
+    }
+    perturb(transient, pair, state);
+    complete(
+        pair,
+        rigid_slip(pair.interface.contacts, find_creep_scheme(contact.first().creep_scheme), drive.creepage),
+        state);
+    return state;
+  }
+
+  namespace
+  {
+    double seconds_since(const std::chrono::steady_clock::time_point &begin)
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }
+
+    /// A run step by step, with its sums.
+    class March
+    {
+    public:
+      March(const TransientParameters &parameters, const ContactSections &contact,
+            const ContactSolverParameters &solver, const ContactPair &pair, const DriveFunction &drive,
+            DynamicState &state, TransientResult &result)
+          : pair(pair), contact(contact), law(normal_law_of_points(contact, pair.interface.contacts)),
+            scheme(find_creep_scheme(contact.first().creep_scheme)), drive(drive), state(state),
+            result(result), forces(forces_of(state)), now(drive(state.time)),
+            step_levels(parameters, contact, solver, pair, now.creepage.speed), next(state),
+            // never beyond the end, where tables may stop
+            last(std::floor(parameters.end_time / step_levels.shortest() + 1e-6))
+      {
+        result.contacts.resize(pair.interface.contacts.all.size());
+        if (result.steps > 0)
+          return;
+        result.energy.initial = result.energy.stored = result.energy.available =
+            stored_energy(pair, law, state);
+        result.level = step_levels.n_levels() - 1;
+      }
+
+      bool is_over() const { return step_levels.tick(state) >= last; }
+      void start_afresh() { step_levels.start_afresh(); }
+
+      /// result.converged = false, and the state as it was, if it does not converge
+      void step()
+      {
+        try
+        {
+          step_levels.advance(state, drive, last, next, then, result);
+          check_contact_in_grid(pair.interface.contacts, contact, then.creepage.speed, next.contact.status);
+        }
+        // what was computed so far is kept, whoever gives up
+        catch (const InputError &error)
+        {
+          result.converged = false;
+          result.message = error.what();
+        }
+        catch (const ConvergenceError &error)
+        {
+          result.converged = false;
+          result.message = error.what();
+        }
+        if (!result.converged)
+          return;
+        ++result.steps;
+        result.time = next.time;
+        const double h = next.time - state.time;
+        const Forces then_forces = forces_of(next);
+        add(result, h, forces.on_body, then_forces.on_body);
+        const PlacedContacts &contacts = pair.interface.contacts;
+        unsigned int first = 0;
+        for (unsigned int k = 0; k < contacts.all.size(); ++k)
+        {
+          ForceSums &sums = result.contacts[k];
+          const auto local = [&](const Forces &all) -> std::array<double, 3> {
+            return {{all.of_contacts[k][1], all.of_contacts[k][2], all.of_contacts[k][0]}};
+          };
+          add(sums, h, local(forces), local(then_forces));
+          for (const unsigned int end = first + contacts.all[k].grid.n_points(); first < end; ++first)
+            sums.smallest_gap = std::min(sums.smallest_gap, next.contact.y[first]);
+          result.smallest_gap = std::min(result.smallest_gap, sums.smallest_gap);
+        }
+        forces = then_forces;
+        add_step(result.energy, pair, law, scheme, state, now, next, then);
+        state = next;
+        now = then;
+      }
+
+    private:
+      /// Resultants at an instant [N]: of each contact (normal, x, y), and on body 1 along x, y, z.
+      struct Forces
+      {
+        std::vector<std::array<double, 3>> of_contacts;
+        std::array<double, 3> on_body;
+      };
+
+      Forces forces_of(const DynamicState &at) const
+      {
+        const PlacedContacts &contacts = pair.interface.contacts;
+        Forces forces;
+        forces.of_contacts = contacts.resultants(at.R);
+        forces.on_body = contacts.force_on(0, forces.of_contacts);
+        return forces;
+      }
+
+      /// Two tangential components, then the normal one.
+      static void add(ForceSums &sums, const double h, const std::array<double, 3> &before,
+                      const std::array<double, 3> &after)
+      {
+        const auto tangential_square = [](const std::array<double, 3> &force)
+        { return force[0] * force[0] + force[1] * force[1]; };
+        sums.tangential_square += h * (tangential_square(before) + tangential_square(after)) / 2;
+        sums.impulse += h * (before[2] + after[2]) / 2;
+        sums.force_square += h * (before[2] * before[2] + after[2] * after[2]) / 2;
+      }
+
+      const ContactPair &pair;
+      const ContactSections &contact;
+      const PointLaws<NormalLaw> law;
+      const CreepScheme &scheme;
+      const DriveFunction &drive;
+      DynamicState &state;
+      TransientResult &result;
+      Forces forces;
+      Drive now, then;
+      StepLevels step_levels;
+      DynamicState next;
+      const long long last;
+    };
+
+    /// What the time scheme took from the modes or gave them, as a relative error of velocities and forces: half of its
+    /// share in the energy that there was [-]. A scheme that damps as it steps is seen here where two steps agree by far
+    /// too little of it (the fronts that theta = 1 wipes out at any step).
+    double energy_error(const EnergyAccount &energy)
+    {
+      return energy.available > 0 ? std::abs(energy.numerical_modes) / energy.available / 2 : 0;
+    }
+
+    /// What a step leaves out is of third order: nothing weights the end of a step more than its beginning, as theta > 1/2,
+    /// reactions of the end alone and the backward rate of W~ R in the slip do.
+    bool is_second_order(const TransientParameters &parameters, const ContactSections &contact)
+    {
+      return (parameters.integrator == "exact propagator" || parameters.theta == 0.5) &&
+             parameters.reaction == "as other forces" &&
+             std::all_of(contact.all.begin(), contact.all.end(),
+                         [](const ContactParameters &one) { return one.friction == 0; });
+    }
+
+    /// of the error of the rms force, that of the impulse is no less, however well both runs agree in it: forces too early
+    /// and too late cancel, and at some steps they do so to nothing
+    constexpr double least_of_rms = 0.2;
+    /// of the root mean square over the last quarter: runs in vibration pass each other, and agree there by chance
+    constexpr double least_of_mean = 0.5;
+
+    void add(StepErrors &errors, const double time, const double impulse, const double rms_force,
+             const double end_time)
+    {
+      const double h = time - errors.time;
+      errors.time = time;
+      errors.impulse = impulse;
+      errors.rms_force = rms_force;
+      if (time < 0.75 * end_time)
+        return;
+      errors.averaged_time += h;
+      errors.impulse_square += h * impulse * impulse;
+      errors.rms_square += h * rms_force * rms_force;
+      errors.impulse =
+          std::max(impulse, least_of_mean * std::sqrt(errors.impulse_square / errors.averaged_time));
+      errors.rms_force =
+          std::max(rms_force, least_of_mean * std::sqrt(errors.rms_square / errors.averaged_time));
+    }
+
+    /// The coarse run up to the time of the other, and what both differ by when they are at the same time.
+    /// @param divisor of doubled_step_error(), for schemes of a known order
+    void follow(March &march, CoarseRun &coarse, const TransientResult &other, const double divisor,
+                const double end_time)
+    {
+      const auto begin = std::chrono::steady_clock::now();
+      while (coarse.sums.converged && !march.is_over() && coarse.state.time < other.time * (1 - 1e-12))
+        march.step();
+      coarse.sums.seconds += seconds_since(begin);
+      if (std::abs(coarse.sums.time - other.time) > 1e-12 * other.time)
+        return;
+      const double energy = energy_error(other.energy);
+      const double rms_force =
+          std::max(energy, doubled_step_error(other.rms_force(), coarse.sums.rms_force()) / divisor);
+      const double impulse = std::max({energy, least_of_rms * rms_force,
+                                       doubled_step_error(other.impulse, coarse.sums.impulse) / divisor});
+      add(coarse.errors, other.time, impulse, rms_force, end_time);
+      constexpr double least_part = 1e-3;
+      coarse.errors.rms_tangential =
+          doubled_step_error_of(other.rms_tangential(), coarse.sums.rms_tangential(),
+                                std::max(other.rms_tangential(), least_part * other.rms_force())) /
+          divisor;
+    }
+  } // namespace
+
+  double TransientResult::rms_force() const
+  {
+    return time > 0 ? std::sqrt(force_square / time) : 0;
+  }
+
+  double TransientResult::rms_tangential() const
+  {
+    return time > 0 ? std::sqrt(tangential_square / time) : 0;
+  }
+
+  TransientParameters with_doubled_step(TransientParameters parameters)
+  {
+    parameters.time_step *= 2;
+    parameters.shortest_step *= 2;
+    parameters.error_tolerance *= 8;
+    return parameters;
+  }
+
+  TransientResult transient(const TransientParameters &parameters, const ContactSections &contact,
+                            const ContactSolverParameters &solver, const ContactPair &pair,
+                            const DriveFunction &drive, DynamicState &state,
+                            const std::function<bool(const DynamicState &, const TransientResult &)> &observe,
+                            const TransientResult &before, Companion *const companion)
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    TransientResult result = before;
+    March march(parameters, contact, solver, pair, drive, state, result);
+    const TransientParameters doubled = with_doubled_step(parameters);
+    // of two steps of a second order scheme a third is the error, of any a part of 1 / sqrt(3)
+    const double divisor = is_second_order(parameters, contact) ? std::sqrt(3.) : 1;
+    std::optional<March> coarse;
+    double estimate_before = 0;
+    if (companion)
+    {
+      coarse.emplace(doubled, contact, solver, pair, companion->drive, companion->run.state,
+                     companion->run.sums);
+      estimate_before = companion->run.sums.seconds;
+    }
+    const auto count_seconds = [&]
+    {
+      result.seconds = before.seconds + seconds_since(begin) -
+                       (companion ? companion->run.sums.seconds - estimate_before : 0.);
+    };
+    while (!march.is_over())
+    {
+      if (result.steps % steps_between_fresh_starts == 0)
+      {
+        march.start_afresh();
+        if (coarse)
+          coarse->start_afresh();
+      }
+      march.step();
+      if (!result.converged)
+        break;
+      if (coarse)
+        follow(*coarse, companion->run, result, divisor, parameters.end_time);
+      if (result.steps % steps_between_fresh_starts == 0)
+        count_seconds();
+      if (!observe(state, result))
+        break;
+    }
+    count_seconds();
+    return result;
+  }
+} // namespace vibrocontact

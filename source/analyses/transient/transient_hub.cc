@@ -1,0 +1,80 @@
+#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/analyses/transient/transient_hub.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/coupled_bodies/suspended_pair.h>
+
+#include <array>
+
+namespace vibrocontact
+{
+  std::string transient_hub(const std::string &hub, const LoadOverTime &load)
+  {
+    if (load.hub_displacement && (hub == "massless" || hub == "suspended"))
+      throw InputError(load.name + " moves a held hub, but Rolling/Hub is " + hub +
+                       ": give Normal force over time, or set Rolling/Hub to held.");
+    return load.normal_force && hub == "held" ? "massless" : hub;
+  }
+
+  std::string transient_hub_text(const std::string &hub, const LoadOverTime &load)
+  {
+    const std::string applied = transient_hub(hub, load);
+    if (load.name.empty() || applied == "none")
+      return hub_text(applied);
+    return load.hub_displacement ? "held: moved by " + load.name
+                                 : applied + ": moved by the load " + load.name +
+                                       (applied == hub ? "" : ", so that it is not held");
+  }
+
+  HubMotion hub_motion(const std::string &hub, const RollingParameters &rolling, const LoadOverTime &load,
+                       const ContactSections &contact, const ContactSolverParameters &solver,
+                       const std::shared_ptr<const ContactPair> &held, const DriveFunction &drive)
+  {
+    HubMotion motion{held, [](const DriveFunction &given) { return given; }, drive};
+    const Drive start = drive(0);
+    const bool by_force = start.normal_force > 0;
+    if (hub == "none" || (hub == "held" && !by_force) || (hub == "massless" && by_force))
+      return motion;
+    const ContactSolution equilibrium = transient_equilibrium(contact, solver, *held, start);
+    const PlacedContacts &contacts = held->interface.contacts;
+    const std::array<double, 3> force = contacts.force_on(0, contacts.resultants(equilibrium.R));
+    motion.place = equilibrium.approach;
+    motion.normal_force = force[2];
+    const double place = motion.place, normal_force = motion.normal_force, mass = rolling.suspension.mass;
+    const bool loaded = load.normal_force;
+    if (hub == "suspended")
+      motion.pair = std::make_shared<const ContactPair>(
+          suspended_pair(*held, rolling.suspension, {force[0], force[1], force[2] + start.force}));
+    const bool by_displacement = hub != "massless", suspended = hub == "suspended";
+    motion.driven = [=](const DriveFunction &given) -> DriveFunction
+    {
+      return [=](const double time)
+      {
+        Drive now = given(time);
+        if (suspended && loaded)
+          now.hub_acceleration = (now.normal_force - normal_force) / mass;
+        now.approach = by_displacement ? place : 0;
+        now.normal_force = by_displacement ? 0 : normal_force;
+        return now;
+      };
+    };
+    motion.drive = motion.driven(drive);
+    return motion;
+  }
+
+  DynamicState initial_state(const TransientParameters &transient, const ContactSections &contact,
+                             const ContactSolverParameters &solver, const ContactPair &held,
+                             const HubMotion &hub)
+  {
+    const Drive start = hub.drive(0);
+    DynamicState state = initial_state(transient, contact, solver, held, start);
+    if (hub.pair->hub)
+    {
+      hang(*hub.pair, state);
+      complete(*hub.pair,
+               rigid_slip(held.interface.contacts, find_creep_scheme(contact.first().creep_scheme),
+                          start.creepage),
+               state);
+    }
+    return state;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,42 @@
+#include <vibrocontact/analyses/transient/transient_probes.h>
+#include <vibrocontact/base/log.h>
+
+#include <sstream>
+
+namespace vibrocontact
+{
+  std::vector<Probe> transient_probes(const Parameters &parameters, const MeshedBodies &bodies,
+                                      const std::vector<SurfaceShapes> &unreduced)
+  {
+    std::vector<Probe> probes;
+    const std::vector<ProbeRequest> requests = parse_probes(parameters.signals.probes);
+    unsigned int first = 0;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+    {
+      if (!bodies[b])
+        continue;
+      MeshedBody &body = *bodies[b];
+      const auto surface = [&]() -> const SurfaceShapes &
+      { return unreduced.empty() ? body.reduction.surface_shapes() : unreduced[b]; };
+      std::vector<ProbeRequest> own;
+      for (const ProbeRequest &request : requests)
+        if (request.name.empty() && body.reduction.request().wheel)
+          for (const ProbeRequest &rim :
+               rim_probes(body.parameters.name, surface(), body.reduction.request().wheel->axle_height,
+                          body.reduction.request().wheel->rim_radius))
+            own.push_back(rim);
+        else if (request.body == body.parameters.name)
+          own.push_back(request);
+      for (const ProbeRequest &request : own)
+      {
+        probes.push_back(place_probe(request, surface(), first));
+        std::ostringstream text;
+        text << "probe " << probes.back().name << ": " << request.body << " at " << probes.back().place
+             << " m along " << request.direction;
+        run_log().line(text.str());
+      }
+      first += unreduced.empty() ? body.reduction.modal().omega.size() : unreduced[b].n_modes();
+    }
+    return probes;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,203 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/coupled_bodies/contact_pair.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vibrocontact
+{
+  HalfSpaceMaterial half_space_material(const BodyParameters &body)
+  {
+    if (body.type == "rigid")
+      return {std::numeric_limits<double>::infinity(), 0.};
+    return {body.material.young_modulus, body.material.poisson_ratio};
+  }
+
+  namespace
+  {
+    /// Undeformed surface of a body without mesh over a contact's plane; sign +1 above it, -1 below.
+    double surface_height(const HalfSpaceParameters &surface, const PlacedContact &contact,
+                          const unsigned int point, const double sign)
+    {
+      const std::array<double, 3> &origin = sign > 0 ? contact.frame.origin : contact.origin_below;
+      return sign * 0.5 *
+             (surface.curvature_x() * std::pow(origin[0] + contact.grid.x(point), 2) +
+              surface.curvature_y() * std::pow(origin[1] + contact.grid.y(point), 2));
+    }
+
+    // what the residual flexibility answers to the loads; the modes' part comes with their amplitudes
+    void add_load_jump(const ReducedBody &body, const PlacedContacts::Rows &own, const unsigned int n_rows,
+                       DenseVector &jump)
+    {
+      if (std::all_of(body.residual_load_response.begin(), body.residual_load_response.end(),
+                      [](const double value) { return value == 0; }))
+        return;
+      if (jump.size() == 0)
+        jump.reinit(n_rows);
+      for (unsigned int i = 0; i < own.rows.size(); ++i)
+        jump[own.rows[i]] += own.sign[i] * body.residual_load_response[i];
+    }
+
+    /// Of a body's own rows. A half-space, or what one stands for, has one contact.
+    DenseMatrix residual_flexibility(const ContactBody &body, const PlacedContacts::Rows &own,
+                                     const ContactSections &sections, const PlacedContacts &contacts)
+    {
+      const unsigned int n = contacts.n_points(),
+                         k = own.rows.empty() ? 0 : contacts.contact_of(own.rows[0] % n);
+      if (body.reduced && !(body.parameters->is_solid() && sections.all[k].half_space_flexibility()))
+        return body.reduced->residual_flexibility;
+      if (body.parameters->type == "rigid" || own.rows.empty())
+        return DenseMatrix(own.rows.size());
+      const HalfSpaceMaterial half_space = half_space_material(*body.parameters),
+                              rigid = {std::numeric_limits<double>::infinity(), 0.};
+      return half_space_compliance(contacts.all[k].grid, own.sign[0] > 0 ? HalfSpacePair(half_space, rigid)
+                                                                         : HalfSpacePair(rigid, half_space));
+    }
+
+    void uncouple(const ContactSections &sections, const PlacedContacts &contacts, DenseMatrix &flexibility)
+    {
+      const unsigned int n = flexibility.m() / 3;
+      const auto couples = [&](const unsigned int row)
+      { return sections.all[contacts.contact_of(row % n)].coupling; };
+      if (std::all_of(sections.all.begin(), sections.all.end(),
+                      [](const ContactParameters &contact) { return contact.coupling; }))
+        return;
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = n; j < 3 * n; ++j)
+          if (!couples(i) || !couples(j))
+            flexibility(i, j) = flexibility(j, i) = 0;
+    }
+
+    // In plane strain nothing moves along y and nothing drives it there. A compliance of its own, which never
+    // feels a force, keeps the lateral force of a sticking point determined (zero). It is of the size of the
+    // compliance along x; with all modes kept that is the inertia's, far below the static one, and rho_t, which
+    // follows the mean of both, must not notice this one.
+    void hold_across(ContactPair &pair)
+    {
+      // what touches with its whole surface has one contact
+      const ContactGrid &grid = pair.interface.contacts.only();
+      const unsigned int n = pair.n_points(), m = pair.n_modes();
+      if (!grid.whole_surface || grid.n_y > 1)
+        return;
+      constexpr double beyond_all_modes = 1e3;
+      const double fastest = m > 0 ? *std::max_element(pair.omega.begin(), pair.omega.end()) : 0;
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        const double residual = pair.residual_flexibility(n + i, n + i);
+        double modal = 0, inertial = 0;
+        for (unsigned int k = 0; k < m; ++k)
+        {
+          modal += std::pow(pair.modal_trace(n + i, k) / pair.omega[k], 2);
+          inertial += std::pow(pair.modal_trace(n + i, k) / (beyond_all_modes * fastest), 2);
+        }
+        // round-off is all that remains of the residual when all modes are kept
+        const double along_x = residual > 1e-9 * modal ? residual + modal : inertial;
+        pair.residual_flexibility(2 * n + i, 2 * n + i) = along_x;
+      }
+    }
+  } // namespace
+
+  ContactInterface contact_interface(const std::vector<ContactBody> &bodies, const ContactSections &sections,
+                                     const PlacedContacts &contacts)
+  {
+    ContactInterface interface;
+    interface.contacts = contacts;
+    const unsigned int n = contacts.n_points();
+    for (unsigned int k = 0; k < contacts.all.size(); ++k)
+      interface.gap.insert(interface.gap.end(), contacts.all[k].grid.n_points(), sections.all[k].gap);
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+    {
+      const PlacedContacts::Rows own = contacts.rows_of(b);
+      for (unsigned int i = 0; i < own.rows.size() / 3; ++i)
+      {
+        const unsigned int k = contacts.contact_of(own.rows[i]);
+        const PlacedContact &contact = contacts.all[k];
+        const bool meshed = bodies[b].reduced != nullptr;
+        interface.gap[own.rows[i]] +=
+            own.sign[i] * (meshed ? bodies[b].reduced->surface_height[i]
+                                  : surface_height(bodies[b].parameters->half_space, contact,
+                                                   own.rows[i] - contacts.first_point(k), own.sign[i]));
+        if (contact.grid.traction != TractionShape::constant && !meshed &&
+            bodies[b].parameters->type == "half-space")
+          throw InputError(
+              sections.all[k].section +
+              "/Quadrature is consistent, but a half-space knows tractions that are constant on each "
+              "cell only: set it to lumped.");
+      }
+    }
+    AssertThrow(interface.gap.size() == n, dealii::ExcInternalError());
+    return interface;
+  }
+
+  ContactPair contact_pair(const std::vector<ContactBody> &bodies, const ContactSections &sections,
+                           const PlacedContacts &contacts)
+  {
+    ContactPair pair;
+    pair.interface = contact_interface(bodies, sections, contacts);
+    const unsigned int n = contacts.n_points();
+    pair.residual_flexibility.reinit(3 * n, 3 * n);
+    unsigned int n_modes = 0, first = 0;
+    for (const ContactBody &body : bodies)
+      n_modes += body.reduced ? body.reduced->omega.size() : 0;
+    pair.modal_trace.reinit(3 * n, n_modes);
+    pair.participation.reinit(n_modes, 3);
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+    {
+      const PlacedContacts::Rows own = contacts.rows_of(b);
+      const unsigned int n_own = own.rows.size();
+      const DenseMatrix W = residual_flexibility(bodies[b], own, sections, contacts);
+      for (unsigned int j = 0; j < n_own; ++j)
+        for (unsigned int i = 0; i < n_own; ++i)
+          pair.residual_flexibility(own.rows[i], own.rows[j]) += own.sign[i] * own.sign[j] * W(i, j);
+      if (b == 0)
+        for (unsigned int i = 0; i < 3 * n; ++i)
+          pair.force_residual.push_back(n_own > 0 ? pair.residual_flexibility(i, own.rows[0]) : 0.);
+      if (!bodies[b].reduced)
+        continue;
+      const ReducedBody &reduced = *bodies[b].reduced;
+      for (unsigned int k = 0; k < reduced.omega.size(); ++k)
+      {
+        pair.omega.push_back(reduced.omega[k]);
+        pair.damping_ratio.push_back(reduced.damping_ratio[k]);
+        pair.labels.push_back(reduced.name + ":" + reduced.labels[k]);
+        pair.body.push_back(b + 1);
+        pair.modal_load.push_back(reduced.modal_load[k]);
+        for (unsigned int i = 0; i < n_own; ++i)
+          pair.modal_trace(own.rows[i], first + k) = own.sign[i] * reduced.modal_trace(i, k);
+        for (unsigned int d = 0; d < 3 && reduced.participation.m() > 0; ++d)
+          pair.participation(first + k, d) = reduced.participation(k, d);
+      }
+      first += reduced.omega.size();
+      add_load_jump(reduced, own, 3 * n, pair.interface.load_jump);
+    }
+    uncouple(sections, contacts, pair.residual_flexibility);
+    hold_across(pair);
+    return pair;
+  }
+
+  DenseMatrix static_compliance(const ContactPair &pair)
+  {
+    DenseMatrix result = pair.residual_flexibility;
+    const auto rigid = std::find(pair.omega.begin(), pair.omega.end(), 0.);
+    const std::string label = rigid == pair.omega.end() ? "" : pair.labels[rigid - pair.omega.begin()];
+    add_modal_compliance(result, pair.modal_trace, pair.omega, label.substr(0, label.find(':')));
+    return result;
+  }
+
+  ContactInterface static_interface(const ContactPair &pair)
+  {
+    ContactInterface interface = pair.interface;
+    DenseVector &jump = interface.load_jump;
+    for (unsigned int k = 0; k < pair.n_modes(); ++k)
+    {
+      if (pair.modal_load[k] == 0)
+        continue;
+      if (jump.size() == 0)
+        jump.reinit(3 * pair.n_points());
+      for (unsigned int i = 0; i < jump.size(); ++i)
+        jump[i] += pair.modal_trace(i, k) * pair.modal_load[k] / (pair.omega[k] * pair.omega[k]);
+    }
+    return interface;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,207 @@
+#include <vibrocontact/base/dense_operations.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/coupled_bodies/inertial_contact.h>
+#include <vibrocontact/coupled_bodies/sliding_frame.h>
+#include <vibrocontact/numerics/null_space.h>
+#include <vibrocontact/reduction/attachment_inertia.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    DenseMatrix transposed(const DenseMatrix &a)
+    {
+      DenseMatrix result(a.n(), a.m());
+      for (unsigned int j = 0; j < a.n(); ++j)
+        for (unsigned int i = 0; i < a.m(); ++i)
+          result(j, i) = a(i, j);
+      return result;
+    }
+
+    DenseMatrix independent_null_space(const DenseMatrix &columns, const unsigned int N)
+    {
+      std::optional<DenseMatrix> basis = null_space(columns, N);
+      if (!basis)
+        throw ConvergenceError("The gaps of the contact points depend on each other: the bodies have fewer "
+                               "dofs than contact points; keep more modes.");
+      return *basis;
+    }
+
+    // with a given force all gaps change alike and dN sums to zero: differences to the first point
+    DenseMatrix differences(const DenseMatrix &columns)
+    {
+      DenseMatrix result(columns.m(), columns.n() - 1);
+      for (unsigned int j = 1; j < columns.n(); ++j)
+        for (unsigned int i = 0; i < columns.m(); ++i)
+          result(i, j - 1) = columns(i, j) - columns(i, 0);
+      return result;
+    }
+
+    // matrix += forces diag(factor) slips
+    void add_friction(DenseMatrix &matrix, const DenseMatrix &forces, const std::vector<double> &factor,
+                      DenseMatrix slips)
+    {
+      if (factor.empty())
+        return;
+      for (unsigned int j = 0; j < slips.n(); ++j)
+        for (unsigned int k = 0; k < slips.m(); ++k)
+          slips(k, j) *= factor[k];
+      matrix.add(1., product(forces, slips));
+    }
+  } // namespace
+
+  InertialPair inertial_pair(const ContactPair &pair)
+  {
+    const unsigned int m = pair.n_modes();
+    InertialPair result;
+    result.grid = pair.interface.contacts.only();
+    result.mass.reinit(m);
+    result.damping.reinit(m);
+    result.stiffness.reinit(m);
+    // what follows residual attachment modes bears the name of a free one
+    std::vector<unsigned int> free;
+    for (unsigned int k = 0; k < m; ++k)
+      if (pair.labels[k].find(residual_label) == std::string::npos)
+        free.push_back(k);
+    result.to_modes.reinit(free.size(), m);
+    for (unsigned int k = 0; k < free.size(); ++k)
+    {
+      result.to_modes(k, free[k]) = 1;
+      result.omega.push_back(pair.omega[free[k]]);
+      result.labels.push_back(pair.labels[free[k]]);
+    }
+    for (unsigned int k = 0; k < m; ++k)
+    {
+      result.mass(k, k) = 1;
+      result.damping(k, k) = 2 * pair.damping_ratio[k] * pair.omega[k];
+      result.stiffness(k, k) = pair.omega[k] * pair.omega[k];
+    }
+    result.trace = pair.modal_trace;
+    return result;
+  }
+
+  ContactCoupling contact_coupling(const DenseMatrix &trace, const ContactGrid &grid,
+                                   const CreepScheme &scheme, const RollingEquilibrium &equilibrium,
+                                   const LinearisationOptions &options)
+  {
+    const unsigned int n = grid.n_points(), N = trace.n();
+    SlidingFrame frame = sliding_frame(equilibrium);
+    if (frame.n_stick > 0)
+      throw InputError("The equilibrium is not in full sliding (" + std::to_string(frame.n_stick) + " of " +
+                       std::to_string(frame.points.size()) +
+                       " points stick), which only Stability/Model = reduced takes: raise the creepage.");
+    if (!options.lateral_damping)
+      frame.keep_sticking_only();
+
+    ContactCoupling coupling;
+    coupling.damping.reinit(N);
+    coupling.stiffness.reinit(N);
+    DenseMatrix convective(3 * n, N);
+    if (options.convection && equilibrium.speed > 0)
+    {
+      convective = trace;
+      convert_to_slip_rows(grid, scheme, equilibrium.speed, convective);
+    }
+    std::vector<double> across;
+    for (const double mobility : frame.mobility)
+      across.push_back(1 / mobility);
+    for (const auto &[directions, factor] :
+         {std::make_pair(&frame.across, &across), {&frame.along, &frame.falling}})
+    {
+      const DenseMatrix slips = rows_along(trace, *directions, n), forces = transposed(slips);
+      add_friction(coupling.damping, forces, *factor, slips);
+      if (equilibrium.speed > 0)
+        add_friction(coupling.stiffness, forces, *factor, rows_along(convective, *directions, n));
+    }
+
+    const unsigned int c = frame.points.size();
+    if (!equilibrium.normal_compliance.empty())
+    {
+      // springs in place of closed gaps
+      if (equilibrium.force_given)
+        throw InputError(
+            "Stability/Model gives the contact points mass and Contact/Normal law yields, which needs "
+            "a hub that is held: set Rolling/Hub to held, or Model to reduced.");
+      DenseMatrix forces(N, c), gaps(c, N);
+      if (c > 0)
+        trace.Tmmult(forces, frame.normal);
+      std::vector<double> stiffness;
+      for (unsigned int k = 0; k < c; ++k)
+      {
+        stiffness.push_back(1 / equilibrium.normal_compliance[frame.points[k]]);
+        for (unsigned int j = 0; j < N; ++j)
+          gaps(k, j) = trace(frame.points[k], j);
+      }
+      add_friction(coupling.stiffness, forces, stiffness, gaps);
+      coupling.gaps.reinit(N, 0);
+      coupling.forces.reinit(N, 0);
+      return coupling;
+    }
+    coupling.gaps.reinit(N, c);
+    coupling.forces.reinit(N, c);
+    if (c > 0)
+      trace.Tmmult(coupling.forces, frame.normal);
+    for (unsigned int k = 0; k < c; ++k)
+      for (unsigned int j = 0; j < N; ++j)
+        coupling.gaps(j, k) = trace(frame.points[k], j);
+    if (equilibrium.force_given && c > 0)
+    {
+      coupling.gaps = differences(coupling.gaps);
+      coupling.forces = differences(coupling.forces);
+    }
+    return coupling;
+  }
+
+  std::vector<StabilityRoot> inertial_roots(const InertialPair &pair, const CreepScheme &scheme,
+                                            const RollingEquilibrium &equilibrium,
+                                            const LinearisationOptions &options)
+  {
+    const ContactCoupling coupling = contact_coupling(pair.trace, pair.grid, scheme, equilibrium, options);
+    DenseMatrix damping = pair.damping, stiffness = pair.stiffness;
+    damping.add(1., coupling.damping);
+    stiffness.add(1., coupling.stiffness);
+    // u = Z z, tested with Y
+    const DenseMatrix Z = independent_null_space(coupling.gaps, pair.mass.m()),
+                      Y = independent_null_space(coupling.forces, pair.mass.m());
+    const unsigned int size = Z.n();
+    const auto projected = [&](const DenseMatrix &matrix)
+    {
+      DenseMatrix result(size);
+      Y.Tmmult(result, product(matrix, Z));
+      return result;
+    };
+    DenseMatrix M = projected(pair.mass), K = projected(stiffness), C = projected(damping);
+    M.compute_lu_factorization();
+    M.solve(K);
+    M.solve(C);
+    DenseMatrix A(2 * size);
+    for (unsigned int j = 0; j < size; ++j)
+    {
+      A(j, size + j) = 1;
+      for (unsigned int i = 0; i < size; ++i)
+      {
+        A(size + i, j) = -K(i, j);
+        A(size + i, size + j) = -C(i, j);
+      }
+    }
+    const Eigenvalues lambda = eigenvalues(std::move(A));
+
+    const DenseMatrix to_modes = product(pair.to_modes, Z);
+    std::vector<StabilityRoot> roots;
+    for (unsigned int k = 0; k < lambda.values.size(); ++k)
+    {
+      if (!is_listed(lambda.values[k]))
+        continue;
+      std::vector<std::complex<double>> amplitudes(to_modes.m());
+      for (unsigned int j = 0; j < size; ++j)
+        for (unsigned int i = 0; i < to_modes.m(); ++i)
+          amplitudes[i] += to_modes(i, j) * lambda.component(j, k);
+      roots.push_back(named_root(lambda.values[k], std::move(amplitudes), pair.omega, pair.labels));
+    }
+    sort_roots(roots);
+    return roots;
+  }
+} // namespace vibrocontact

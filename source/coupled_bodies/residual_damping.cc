@@ -1,0 +1,36 @@
+#include <vibrocontact/coupled_bodies/residual_damping.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <complex>
+
+namespace vibrocontact
+{
+  DroppedDamping dropped_residual_damping(const std::vector<LossyBody> &bodies, const double further,
+                                          const std::vector<double> &frequencies)
+  {
+    using Complex = std::complex<double>;
+    DroppedDamping worst;
+    for (const double frequency : frequencies)
+    {
+      const double omega = 2 * dealii::numbers::PI * frequency;
+      Complex receptance = further, change = 0;
+      for (const LossyBody &lossy : bodies)
+      {
+        const ReducedBody &body = *lossy.body;
+        const double W = body.residual_flexibility(lossy.row, lossy.row),
+                     loss = lossy.stiffness_damping * omega + lossy.loss_factor;
+        change += W * (1. - 1. / Complex(1, loss));
+        receptance += W;
+        for (unsigned int k = 0; k < body.omega.size(); ++k)
+        {
+          const double psi = body.modal_trace(lossy.row, k), w = body.omega[k];
+          receptance += psi * psi / Complex(w * w - omega * omega, 2 * body.damping_ratio[k] * w * omega);
+        }
+      }
+      if (const double share = std::abs(change / receptance); share > worst.change)
+        worst = {share, frequency};
+    }
+    return worst;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,279 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/unilateral_contact.h>
+#include <vibrocontact/numerics/phi_functions.h>
+#include <vibrocontact/propagators/step_weights.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vibrocontact
+{
+  using Complex = std::complex<double>;
+
+  StepWeights step_weights(const BodyInContact &model, const double time_step,
+                           const ForceInterpolation interpolation)
+  {
+    StepWeights weights;
+    for (const Complex &pole : model.poles)
+    {
+      const Complex x = pole * time_step;
+      weights.factor.push_back(std::exp(x));
+      switch (interpolation)
+      {
+      case ForceInterpolation::impulse:
+        weights.now.push_back(time_step * weights.factor.back());
+        weights.later.push_back(0);
+        break;
+      case ForceInterpolation::constant:
+        weights.now.push_back(time_step * phi(1, x));
+        weights.later.push_back(0);
+        break;
+      case ForceInterpolation::linear:
+        weights.now.push_back(time_step * phi(2, x));
+        // phi_1 - phi_2 without their difference: int_0^1 e^(x (1 - s)) (1 - s) ds
+        weights.later.push_back(time_step *
+                                (std::abs(x) < 1.5 ? phi(2, -x) * std::exp(x) : phi(1, x) - phi(2, x)));
+        break;
+      }
+    }
+    return weights;
+  }
+
+  StepWeights theta_weights(const BodyInContact &model, const double time_step,
+                            const ForceInterpolation interpolation, const double theta)
+  {
+    StepWeights weights;
+    for (const Complex &pole : model.poles)
+    {
+      const Complex x = pole * time_step, inverse = 1. / (1. - theta * x);
+      const bool is_linear = interpolation == ForceInterpolation::linear;
+      weights.factor.push_back((1. + (1 - theta) * x) * inverse);
+      weights.now.push_back(time_step * (interpolation == ForceInterpolation::impulse ? weights.factor.back()
+                                         : is_linear                                  ? theta * inverse
+                                                                                      : inverse));
+      weights.later.push_back(is_linear ? time_step * (1 - theta) * inverse : 0.);
+    }
+    return weights;
+  }
+
+  DenseMatrix one_step_compliance(const BodyInContact &model, const StepWeights &weights)
+  {
+    DenseMatrix result = sum_over_poles(model, weights.now);
+    if (model.residual.m() > 0)
+      result.add(1., model.residual);
+    return result;
+  }
+
+  double longest_step(const DenseMatrix &S, const DenseMatrix &slope, const ForceInterpolation interpolation)
+  {
+    if (interpolation == ForceInterpolation::impulse)
+      return std::numeric_limits<double>::infinity();
+    // beyond rounding
+    if (S.m() == 0 || !(definiteness(S) > 1e-12))
+      return 0;
+    if (interpolation == ForceInterpolation::constant)
+      return std::numeric_limits<double>::infinity();
+    const unsigned int n = S.m();
+    DenseMatrix left(n, n), right(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+      {
+        left(i, j) = 0.5 * (slope(i, j) + slope(j, i));
+        right(i, j) = 0.5 * (S(i, j) + S(j, i));
+      }
+    std::vector<DenseVector> vectors;
+    left.compute_generalized_eigenvalues_symmetric(right, vectors);
+    double largest = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      largest = std::max(largest, left.eigenvalue(i).real());
+    return 2.7 / std::sqrt(largest);
+  }
+
+  double longest_theta_step(const DenseMatrix &S, const ForceInterpolation interpolation, const double theta)
+  {
+    const bool gives_way = S.m() > 0 && definiteness(S) > 1e-12;
+    return interpolation == ForceInterpolation::impulse || theta > 0.5 || gives_way
+               ? std::numeric_limits<double>::infinity()
+               : 0.;
+  }
+
+  void exchange_past_forces(CheckpointFile &file, std::vector<double> &forces)
+  {
+    const std::size_t n_forces = forces.size();
+    file("response/forces", forces);
+    if (forces.size() != n_forces)
+      throw InputError(
+          "A convolution that remembers every force of its run cannot go on beyond its End time: give "
+          "Modal convolution/Memory, or run the file without --resume.");
+  }
+
+  FreeFall::FreeFall(const BodyInContact &model, const double time_step) : time_step(time_step)
+  {
+    for (unsigned int k = 0; k < model.pole_load.size(); ++k)
+      if (is_rigid_motion(model.poles[k]) && model.pole_load[k] != 0.)
+      {
+        acceleration.resize(model.n_rows());
+        for (unsigned int i = 0; i < model.n_rows(); ++i)
+          acceleration[i] += 2 * (model.right(i, k) * model.poles[k] * model.pole_load[k]).real();
+      }
+  }
+
+  void FreeFall::add_to(double *u) const
+  {
+    const double t = step * time_step;
+    for (unsigned int i = 0; i < acceleration.size(); ++i)
+      u[i] += 0.5 * acceleration[i] * t * t;
+  }
+
+  void FreeFall::add_rate_to(double *v) const
+  {
+    for (unsigned int i = 0; i < acceleration.size(); ++i)
+      v[i] += acceleration[i] * step * time_step;
+  }
+
+  void FreeFall::exchange(CheckpointFile &file, const std::string &name)
+  {
+    if (!is_none())
+      file(name + "/step", step);
+  }
+
+  FreeMotion::FreeMotion(const BodyInContact &model, const std::vector<Complex> &state,
+                         const double time_step)
+      : n_rows(model.n_rows()), constant(model.n_rows(), 0.), fall(model, time_step)
+  {
+    for (unsigned int k = 0; k < model.n_poles(); ++k)
+    {
+      const Complex rest = rest_of_state(model, k);
+      for (unsigned int i = 0; i < n_rows; ++i)
+        constant[i] += 2 * (model.right(i, k) * rest).real();
+      if (state[k] == rest)
+        continue;
+      poles.push_back(model.poles[k]);
+      factor.push_back(std::exp(model.poles[k] * time_step));
+      moving.push_back(factor.back() * (state[k] - rest));
+      for (unsigned int i = 0; i < n_rows; ++i)
+        shape.push_back(2. * model.right(i, k));
+    }
+  }
+
+  void FreeMotion::add_to(double *u) const
+  {
+    for (unsigned int i = 0; i < n_rows; ++i)
+      u[i] += constant[i];
+    fall.add_to(u);
+    for (unsigned int k = 0; k < moving.size(); ++k)
+      for (unsigned int i = 0; i < n_rows; ++i)
+      {
+        const Complex &c = shape[k * n_rows + i];
+        u[i] += c.real() * moving[k].real() - c.imag() * moving[k].imag();
+      }
+  }
+
+  void FreeMotion::add_rate_to(double *v) const
+  {
+    fall.add_rate_to(v);
+    for (unsigned int k = 0; k < moving.size(); ++k)
+      for (unsigned int i = 0; i < n_rows; ++i)
+        v[i] += (shape[k * n_rows + i] * poles[k] * moving[k]).real();
+  }
+
+  void FreeMotion::advance()
+  {
+    fall.advance();
+    for (unsigned int k = 0; k < moving.size(); ++k)
+    {
+      const Complex z = moving[k], e = factor[k];
+      moving[k] = {z.real() * e.real() - z.imag() * e.imag(), z.real() * e.imag() + z.imag() * e.real()};
+    }
+  }
+
+  void FreeMotion::exchange(CheckpointFile &file, const std::string &name)
+  {
+    std::vector<double> real, imaginary;
+    for (const Complex &z : moving)
+    {
+      real.push_back(z.real());
+      imaginary.push_back(z.imag());
+    }
+    file(name + "/real", real);
+    file(name + "/imaginary", imaginary);
+    fall.exchange(file, name + "/fall");
+    for (unsigned int k = 0; k < moving.size(); ++k)
+      moving[k] = {real.at(k), imaginary.at(k)};
+  }
+
+  std::vector<std::vector<double>> step_kernel(const BodyInContact &model, const double time_step,
+                                               const ForceInterpolation interpolation,
+                                               const unsigned long n_lags)
+  {
+    const unsigned int n = model.n_rows();
+    std::vector<std::vector<double>> kernel(n * n, std::vector<double>(n_lags, 0.));
+    const StepWeights weights = step_weights(model, time_step, interpolation);
+    for (unsigned int k = 0; k < model.n_poles(); ++k)
+    {
+      const Complex x = model.poles[k] * time_step;
+      // beyond it e^(x lag) is zero in double precision
+      const double end = x.real() < 0 ? 2 + 745. / -x.real() : n_lags;
+      const unsigned long last = std::min<double>(n_lags, end);
+      for (unsigned long lag = 0; lag < last; ++lag)
+      {
+        Complex weight = weights.now[k] * std::exp(x * double(lag));
+        if (lag > 0)
+          weight += weights.later[k] * std::exp(x * double(lag - 1));
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            kernel[i * n + j][lag] += 2 * (model.right(i, k) * model.left(j, k) * weight).real();
+      }
+    }
+    if (model.residual.m() > 0)
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          kernel[i * n + j][0] += model.residual(i, j);
+    return kernel;
+  }
+
+  unsigned long steps_of_memory(const BodyInContact &model, const double time_step, const double share,
+                                const unsigned long most_steps)
+  {
+    std::vector<double> size(model.n_poles(), 0.);
+    double sum = 0;
+    for (unsigned int k = 0; k < model.n_poles(); ++k)
+    {
+      for (unsigned int i = 0; i < model.n_rows(); ++i)
+        size[k] = std::max(size[k], std::abs(model.right(i, k) * model.left(i, k)));
+      sum += size[k];
+    }
+    double low = 0, high = most_steps * time_step;
+    const auto envelope = [&](const double t)
+    {
+      double value = 0;
+      for (unsigned int k = 0; k < model.n_poles(); ++k)
+        value += size[k] * std::exp(model.poles[k].real() * t);
+      return value / sum;
+    };
+    // the largest g stays below the envelope at zero, hence the fifth
+    for (unsigned int k = 0; k < 60 && !(envelope(high) > 0.2 * share); ++k)
+    {
+      const double middle = 0.5 * (low + high);
+      (envelope(middle) > 0.2 * share ? low : high) = middle;
+    }
+    // from there on backwards to the last sample above the share
+    const unsigned int n = model.n_rows();
+    BodyInContact moving = model;
+    moving.residual.reinit(0, 0);
+    const auto kernel =
+        step_kernel(moving, time_step, ForceInterpolation::impulse,
+                    std::min(most_steps, static_cast<unsigned long>(std::ceil(high / time_step))));
+    double largest = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      for (const double value : kernel[i * n + i])
+        largest = std::max(largest, std::abs(value));
+    unsigned long last = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned long k = last; k < kernel[i * n + i].size(); ++k)
+        if (std::abs(kernel[i * n + i][k]) > share * largest)
+          last = k + 1;
+    return last;
+  }
+} // namespace vibrocontact
