@@ -48,4 +48,11 @@ namespace vibrocontact
     dealii::DataOutBase::write_vtu(patches, names, vectors, flags, text);
     write_file(file_name, text.str());
   }
+
+  void write_pvd(const std::vector<std::pair<double, std::string>> &files, const std::string &file_name)
+  {
+    std::ostringstream text;
+    dealii::DataOutBase::write_pvd_record(text, files);
+    write_file(file_name, text.str());
+  }
 } // namespace vibrocontact

@@ -1,6 +1,5 @@
 #include <vibrocontact/analyses/frequency_response/run_frequency_response.h>
 #include <vibrocontact/analyses/identification/identification.h>
-#include <vibrocontact/analyses/identification/run_identification.h>
 #include <vibrocontact/analyses/modal_convolution/modal_convolution.h>
 #include <vibrocontact/analyses/periodic/make_forced_body.h>
 #include <vibrocontact/analyses/transient/probes.h>

@@ -1,7 +1,7 @@
-#include <vibrocontact/analyses/identification/run_identification.h>
 #include <vibrocontact/analyses/modal_convolution/static_load.h>
 #include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/bodies/road_rows.h>
+#include <vibrocontact/run/identified_body.h>
 #include <vibrocontact/run/road_body.h>
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-#include <vibrocontact/analyses/identification/run_identification.h>
 #include <vibrocontact/base/blas.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/declared_parameters.h>

@@ -2,8 +2,8 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/base/table.h>
 #include <vibrocontact/output/answer_parts.h>
-#include <vibrocontact/output/table.h>
 #include <vibrocontact/run/check_before_run.h>
 #include <vibrocontact/run/run_sweep.h>
 #include <vibrocontact/run/swept_runs.h>

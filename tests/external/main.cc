@@ -4,10 +4,10 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/table.h>
 #include <vibrocontact/contact/laws/derivative.h>
 #include <vibrocontact/contact/newton.h>
 #include <vibrocontact/fe/second_order_system.h>
-#include <vibrocontact/output/table.h>
 #include <vibrocontact/run/entries_of_bodies.h>
 #include <vibrocontact/run/program.h>
 

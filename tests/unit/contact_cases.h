@@ -1,8 +1,8 @@
 /// Half-space scenes of tests/data/README.md, shared by the contact tests.
 #pragma once
 
-#include <vibrocontact/analyses/rolling/quasi_static_rolling.h>
 #include <vibrocontact/contact/half_space.h>
+#include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
 
 #include <cmath>
 #include <fstream>

@@ -4,12 +4,12 @@
 
 #include <vibrocontact/analyses/identification/identification.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/bodies/passive_fit.h>
 #include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/numerics/least_squares.h>
 #include <vibrocontact/numerics/nonnegative.h>
 #include <vibrocontact/numerics/vector_fitting.h>
 #include <vibrocontact/receptances/data_passivity.h>
-#include <vibrocontact/reduction/passive_fit.h>
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include "random_structure.h"
 
 #include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/analyses/transient/transient_hub.h>
 #include <vibrocontact/coupled_bodies/linearised_contact.h>
 #include <vibrocontact/coupled_bodies/suspended_pair.h>
 

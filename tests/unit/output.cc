@@ -4,8 +4,8 @@
 #include <vibrocontact/base/command_line.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/folder_lock.h>
+#include <vibrocontact/base/table.h>
 #include <vibrocontact/output/run_record.h>
-#include <vibrocontact/output/table.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>

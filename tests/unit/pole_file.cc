@@ -1,4 +1,3 @@
-#include <vibrocontact/analyses/identification/identification_output.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/band_limited.h>
 #include <vibrocontact/receptances/pole_file.h>

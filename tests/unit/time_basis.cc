@@ -1,6 +1,6 @@
 // Bases in time: shifts, partition of unity, values against their Fourier transforms.
-#include <vibrocontact/analyses/periodic/time_basis.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/numerics/time_basis.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Integrals between bases in time against Gauss' rule on the cells, Fourier series, closed forms.
-#include <vibrocontact/analyses/periodic/time_pairing.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/numerics/time_pairing.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient/contact_stepper.h>
+#include <vibrocontact/coupled_bodies/contact_pair.h>
 
 #include <vector>
 
@@ -11,7 +11,4 @@ namespace vibrocontact
   /// @throws InputError if the unsprung mass is less than what the modes of body 1 move
   ContactPair suspended_pair(const ContactPair &held, const SuspensionParameters &suspension,
                              const std::vector<double> &reaction);
-
-  /// Amplitudes and velocities of a state of the held pair as those of the suspended one, the hub at rest.
-  void hang(const ContactPair &suspended, DynamicState &state);
 } // namespace vibrocontact

@@ -13,4 +13,7 @@ namespace vibrocontact
   /// Vector" deforms it. By the calling rank. @throws OutputError
   void write_surface(const std::vector<double> &points, const std::vector<int> &quads,
                      const std::vector<SurfaceField> &fields, const std::string &file_name);
+
+  /// The index of a set of fields for ParaView: (case number or time, file relative to the .pvd).
+  void write_pvd(const std::vector<std::pair<double, std::string>> &files, const std::string &file_name);
 } // namespace vibrocontact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/base/csv_table.h>
+#include <vibrocontact/base/table.h>
 #include <vibrocontact/numerics/pole_fit.h>
 #include <vibrocontact/receptances/frequency_data.h>
 
@@ -15,7 +16,12 @@ namespace vibrocontact
     PoleFit fit;
   };
 
-  /// Reads what poles_table() (analyses/identification/identification_output.h) writes, every bit: columns pole_real_1_s, pole_imag_1_s,
+  /// Poles: frequency and damping ratio, lambda, residue of every entry, and its constant if there is one. 17 digits:
+  /// read_poles() reads every bit back.
+  /// @param names labels and entries, its values are not looked at; @param title the table's first comment
+  Table poles_table(const PoleFit &fit, const FrequencyData &names, const std::string &title);
+
+  /// Reads what poles_table() writes, every bit: columns pole_real_1_s, pole_imag_1_s,
   /// <response>_<force>_residue_real_m_Ns and ..._residue_imag_m_Ns; <response>_<force>_direct_m_N, the same
   /// number in every line, is optional; frequency_Hz and damping_ratio are not looked at.
   /// @throws InputError with file and line: a pole that grows or does not decay, a pair of points that is missing or there

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vibrocontact/analyses/periodic/time_basis.h>
 #include <vibrocontact/contact/contact_solver.h>
 #include <vibrocontact/contact/laws/contact_laws.h>
+#include <vibrocontact/numerics/time_basis.h>
 #include <vibrocontact/propagators/response_methods.h>
 #include <vibrocontact/scene/body.h>
 

@@ -1,11 +1,11 @@
 #include <vibrocontact/analyses/frequency_response/run_green_functions.h>
-#include <vibrocontact/analyses/identification/identification_output.h>
-#include <vibrocontact/analyses/identification/run_identification.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/bodies/ring_poles.h>
+#include <vibrocontact/receptances/pole_file.h>
+#include <vibrocontact/run/identified_body.h>
 
 #include <algorithm>
 #include <cmath>

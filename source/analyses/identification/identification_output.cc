@@ -8,46 +8,6 @@ namespace vibrocontact
 {
   using Json = nlohmann::ordered_json;
 
-  namespace
-  {
-    std::string entry_name(const FrequencyData &data, const unsigned int entry)
-    {
-      return data.labels[data.entries[entry].response] + "_" + data.labels[data.entries[entry].reference];
-    }
-  } // namespace
-
-  Table poles_table(const PoleFit &fit, const FrequencyData &names, const std::string &title)
-  {
-    const bool direct =
-        std::any_of(fit.direct.begin(), fit.direct.end(), [](const double value) { return value != 0; });
-    std::vector<std::string> columns = {"frequency_Hz", "damping_ratio", "pole_real_1_s", "pole_imag_1_s"};
-    for (unsigned int i = 0; i < names.entries.size(); ++i)
-      for (const char *part : {"_residue_real_m_Ns", "_residue_imag_m_Ns"})
-        columns.push_back(entry_name(names, i) + part);
-    for (unsigned int i = 0; direct && i < names.entries.size(); ++i)
-      columns.push_back(entry_name(names, i) + "_direct_m_N");
-    Table table(
-        columns,
-        {title,
-         "G = sum R/(j omega - lambda) + R*/(j omega - lambda*) + direct (the same in every line), response "
-         "first, force second; of two conjugate poles one, a real pole carries half its residue"});
-    for (unsigned int k = 0; k < fit.poles.size(); ++k)
-    {
-      const std::complex<double> pole = fit.poles[k];
-      std::vector<Table::Cell> row = {std::abs(pole) / (2 * M_PI), -pole.real() / std::abs(pole), pole.real(),
-                                      pole.imag()};
-      for (const auto &residues : fit.residues)
-      {
-        row.push_back(residues[k].real());
-        row.push_back(residues[k].imag());
-      }
-      for (unsigned int i = 0; direct && i < names.entries.size(); ++i)
-        row.push_back(fit.direct[i]);
-      table.add_row(row);
-    }
-    return table;
-  }
-
   FrequencyData fitted_data(const Identification &one, const FrequencyData &data)
   {
     FrequencyData fit = data;

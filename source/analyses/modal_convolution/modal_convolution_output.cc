@@ -1,8 +1,8 @@
 #include <vibrocontact/analyses/modal_convolution/modal_convolution_output.h>
 #include <vibrocontact/base/hdf5_file.h>
+#include <vibrocontact/base/table.h>
 #include <vibrocontact/numerics/third_octaves.h>
 #include <vibrocontact/output/answer_parts.h>
-#include <vibrocontact/output/table.h>
 
 #include <algorithm>
 #include <cmath>

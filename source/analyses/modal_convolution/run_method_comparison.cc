@@ -2,8 +2,8 @@
 #include <vibrocontact/analyses/modal_convolution/run_method_comparison.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/table.h>
 #include <vibrocontact/numerics/wide_loops.h>
-#include <vibrocontact/output/table.h>
 #include <vibrocontact/run/road_body.h>
 
 #include <cmath>

@@ -3,12 +3,12 @@
 #include <vibrocontact/analyses/modal_convolution/run_method_comparison.h>
 #include <vibrocontact/analyses/modal_convolution/run_modal_convolution.h>
 #include <vibrocontact/analyses/transient/checkpoint.h>
+#include <vibrocontact/base/checkpoint_schedule.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/base/version.h>
-#include <vibrocontact/run/checkpoint_schedule.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/road_body.h>
 #include <vibrocontact/run/say_residual_damping.h>

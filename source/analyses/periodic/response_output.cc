@@ -1,6 +1,6 @@
 #include <vibrocontact/analyses/periodic/response_output.h>
+#include <vibrocontact/base/table.h>
 #include <vibrocontact/output/answer_parts.h>
-#include <vibrocontact/output/table.h>
 
 #include <algorithm>
 

@@ -3,8 +3,6 @@
 #include <vibrocontact/output/answer_parts.h>
 #include <vibrocontact/output/contact_patch.h>
 
-#include <deal.II/base/data_out_base.h>
-
 #include <algorithm>
 #include <sstream>
 #include <utility>
@@ -108,13 +106,6 @@ namespace vibrocontact
       table.add_row(row);
     }
     return table;
-  }
-
-  void write_pvd(const std::vector<std::pair<double, std::string>> &files, const std::string &file_name)
-  {
-    std::ostringstream text;
-    dealii::DataOutBase::write_pvd_record(text, files);
-    write_file(file_name, text.str());
   }
 
   std::vector<std::string> rolling_answer(const nlohmann::ordered_json &rolling)

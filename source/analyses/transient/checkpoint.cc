@@ -156,25 +156,7 @@ namespace vibrocontact
       if (coarse)
         coarse->sums.contacts.resize(n_contacts);
     }
-
-    const std::string advice = ": run the file without --resume.";
   } // namespace
-
-  void read_whole(const std::string &name, const std::function<void()> &read)
-  {
-    try
-    {
-      read();
-    }
-    catch (const RowsLost &)
-    {
-      throw;
-    }
-    catch (const std::exception &)
-    {
-      throw InputError("The checkpoint \"" + name + "\" is damaged or incomplete" + advice);
-    }
-  }
 
   void write_checkpoint(const std::string &folder, const ContactPair &pair, DynamicState &state,
                         TransientResult &result, const Recorders &recorders, CoarseRun *const coarse)
@@ -235,7 +217,7 @@ namespace vibrocontact
                });
     if (written_format != format)
       throw InputError("The checkpoint \"" + name + "\" was written by version " + written_version +
-                       " in another format than that of " + version() + advice);
+                       " in another format than that of " + version() + run_without_resume);
     for (const auto &[mark, values] : marks(pair))
     {
       std::vector<double> written;
@@ -244,7 +226,7 @@ namespace vibrocontact
         throw InputError("The checkpoint \"" + name + "\" belongs to other bodies, their " + mark +
                          " differ though the parameters are the same; a mesh, a section or the program has "
                          "changed" +
-                         advice);
+                         run_without_resume);
     }
     hold_every_contact(pair, result, coarse);
     CheckpointFile file(*reader);

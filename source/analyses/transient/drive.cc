@@ -1,10 +1,10 @@
-#include <vibrocontact/analyses/rolling/quasi_static_rolling.h>
 #include <vibrocontact/analyses/transient/drive.h>
 #include <vibrocontact/analyses/transient/transient_parameters.h>
 #include <vibrocontact/base/csv_table.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/expression.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
 
 #include <algorithm>
 #include <cmath>

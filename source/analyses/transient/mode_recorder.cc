@@ -1,7 +1,7 @@
 #include <vibrocontact/analyses/transient/mode_recorder.h>
 #include <vibrocontact/base/label_text.h>
+#include <vibrocontact/base/table.h>
 #include <vibrocontact/numerics/amplitude_growth.h>
-#include <vibrocontact/output/table.h>
 
 #include <algorithm>
 #include <cmath>

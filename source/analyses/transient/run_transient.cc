@@ -10,11 +10,11 @@
 #include <vibrocontact/analyses/transient/transient_hub.h>
 #include <vibrocontact/analyses/transient/transient_output.h>
 #include <vibrocontact/analyses/transient/transient_probes.h>
+#include <vibrocontact/base/checkpoint_schedule.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
-#include <vibrocontact/run/checkpoint_schedule.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/say_residual_damping.h>
 #include <vibrocontact/run/swept_runs.h>

@@ -77,4 +77,28 @@ namespace vibrocontact
     }
     return state;
   }
+
+  void hang(const ContactPair &suspended, DynamicState &state)
+  {
+    // x^T M of the new modes gives their amplitudes
+    const SuspendedHub &hub = *suspended.hub;
+    const unsigned int n_1 = hub.n_held_modes();
+    for (std::vector<double> *const amplitudes : {&state.q, &state.v})
+    {
+      double moved[3] = {0, 0, 0};
+      for (unsigned int k = 0; k < n_1; ++k)
+        for (unsigned int d = 0; d < 3; ++d)
+          moved[d] += hub.participation(k, d) * (*amplitudes)[k];
+      std::vector<double> result(n_1 + 3);
+      for (unsigned int j = 0; j < n_1 + 3; ++j)
+      {
+        for (unsigned int k = 0; k < n_1; ++k)
+          result[j] += hub.shapes(k, j) * (*amplitudes)[k];
+        for (unsigned int d = 0; d < 3; ++d)
+          result[j] += hub.motion(d, j) * moved[d];
+      }
+      result.insert(result.end(), amplitudes->begin() + n_1, amplitudes->end());
+      *amplitudes = result;
+    }
+  }
 } // namespace vibrocontact

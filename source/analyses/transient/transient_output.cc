@@ -1,7 +1,7 @@
 #include <vibrocontact/analyses/transient/transient_output.h>
 #include <vibrocontact/base/hdf5_file.h>
+#include <vibrocontact/base/table.h>
 #include <vibrocontact/output/answer_parts.h>
-#include <vibrocontact/output/table.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/frequency_response/frequency_response.h>
-#include <vibrocontact/output/table.h>
+#include <vibrocontact/base/table.h>
 
 #include <nlohmann/json.hpp>
 

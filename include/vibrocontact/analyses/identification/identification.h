@@ -1,9 +1,9 @@
 #pragma once
 
 #include <vibrocontact/bodies/identified_model.h>
+#include <vibrocontact/bodies/passive_fit.h>
 #include <vibrocontact/propagators/well_posedness.h>
 #include <vibrocontact/receptances/frequency_file.h>
-#include <vibrocontact/reduction/passive_fit.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/identification/identification.h>
-#include <vibrocontact/output/table.h>
+#include <vibrocontact/base/table.h>
 
 #include <nlohmann/json.hpp>
 
@@ -10,10 +10,6 @@
 
 namespace vibrocontact
 {
-  /// Poles: frequency and damping ratio, lambda, residue of every entry, and its constant if there is one. 17 digits:
-  /// receptances/pole_file.h reads every bit back.
-  /// @param names labels and entries, its values are not looked at; @param title the table's first comment
-  Table poles_table(const PoleFit &fit, const FrequencyData &names, const std::string &title);
   /// Fitted receptances on the data's axis.
   FrequencyData fitted_data(const Identification &one, const FrequencyData &data);
   Table chart_table(const std::vector<ChartPole> &chart);

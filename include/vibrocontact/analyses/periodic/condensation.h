@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/periodic/forced_body.h>
-#include <vibrocontact/analyses/periodic/time_pairing.h>
+#include <vibrocontact/numerics/time_pairing.h>
 
 #include <complex>
 #include <vector>

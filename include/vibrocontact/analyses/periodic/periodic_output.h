@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/periodic/periodic_error.h>
-#include <vibrocontact/output/table.h>
+#include <vibrocontact/base/table.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <vibrocontact/analyses/periodic/time_pairing.h>
 #include <vibrocontact/base/dense.h>
+#include <vibrocontact/numerics/time_pairing.h>
 
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <vibrocontact/analyses/rolling/quasi_static_rolling.h>
-#include <vibrocontact/output/table.h>
+#include <vibrocontact/base/table.h>
+#include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
 
 #include <nlohmann/json.hpp>
 
@@ -21,9 +21,6 @@ namespace vibrocontact
 
   /// Resultants of all cases, the entries of cases[]: rolling.csv.
   Table rolling_table(const nlohmann::ordered_json &cases);
-
-  /// The index of a set of fields for ParaView: (case number, file relative to the .pvd).
-  void write_pvd(const std::vector<std::pair<double, std::string>> &files, const std::string &file_name);
 
   /// What the terminal ends with about analyses.quasi_static_rolling of results.json, see Answer.
   std::vector<std::string> rolling_answer(const nlohmann::ordered_json &rolling);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <vibrocontact/analyses/rolling/quasi_static_rolling.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
+#include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
 
 #include <functional>
 

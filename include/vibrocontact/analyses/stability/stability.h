@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vibrocontact/analyses/rolling/quasi_static_rolling.h>
 #include <vibrocontact/analyses/stability/root_count.h>
 #include <vibrocontact/coupled_bodies/linearised_contact.h>
+#include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/stability/stability.h>
-#include <vibrocontact/output/table.h>
+#include <vibrocontact/base/table.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <vibrocontact/analyses/rolling/quasi_static_rolling.h>
 #include <vibrocontact/analyses/transient/transient_parameters.h>
+#include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
 #include <vibrocontact/scene/scene.h>
 
 #include <string>

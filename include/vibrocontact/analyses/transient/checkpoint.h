@@ -5,7 +5,6 @@
 #include <vibrocontact/analyses/transient/recorder.h>
 #include <vibrocontact/analyses/transient/transient_result.h>
 
-#include <functional>
 #include <string>
 
 namespace vibrocontact
@@ -17,9 +16,6 @@ namespace vibrocontact
   ///
   /// What a solver keeps from step to step (factorisations) is not in it: transient() starts with a fresh
   /// solver every steps_between_fresh_starts, and only there a checkpoint continues bit for bit.
-
-  /// Whatever `read` stumbles over in the checkpoint of this name becomes one sentence; RowsLost says its own.
-  void read_whole(const std::string &name, const std::function<void()> &read);
 
   /// To be called by rank 0. @throws OutputError
   void write_checkpoint(const std::string &folder, const ContactPair &pair, DynamicState &state,

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <vibrocontact/analyses/rolling/quasi_static_rolling.h>
 #include <vibrocontact/analyses/transient/coarse_run.h>
 #include <vibrocontact/analyses/transient/drive.h>
 #include <vibrocontact/analyses/transient/transient_parameters.h>
 #include <vibrocontact/analyses/transient/transient_result.h>
+#include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
 
 #include <functional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <vibrocontact/analyses/rolling/quasi_static_rolling.h>
 #include <vibrocontact/analyses/transient/drive.h>
+#include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
 
 #include <memory>
 #include <string>
@@ -42,4 +42,7 @@ namespace vibrocontact
   DynamicState initial_state(const TransientParameters &transient, const ContactSections &contact,
                              const ContactSolverParameters &solver, const ContactPair &held,
                              const HubMotion &hub);
+
+  /// Amplitudes and velocities of a state of the held pair as those of the suspended one, the hub at rest.
+  void hang(const ContactPair &suspended, DynamicState &state);
 } // namespace vibrocontact

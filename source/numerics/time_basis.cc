@@ -1,5 +1,5 @@
-#include <vibrocontact/analyses/periodic/time_basis.h>
 #include <vibrocontact/base/named_table.h>
+#include <vibrocontact/numerics/time_basis.h>
 
 #include <algorithm>
 #include <cmath>

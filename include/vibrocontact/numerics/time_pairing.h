@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/analyses/periodic/time_basis.h>
+#include <vibrocontact/numerics/time_basis.h>
 
 #include <complex>
 #include <string>

@@ -1,5 +1,5 @@
-#include <vibrocontact/analyses/periodic/time_pairing.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/numerics/time_pairing.h>
 
 #include <deal.II/base/numbers.h>
 

@@ -1,8 +1,8 @@
-#include <vibrocontact/analyses/rolling/quasi_static_rolling.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/shared_cases.h>
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/friction_of_speed.h>
+#include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/label_text.h>
-#include <vibrocontact/output/table.h>
+#include <vibrocontact/base/table.h>
 
 #include <deal.II/base/exceptions.h>
 
