@@ -140,4 +140,9 @@ namespace vibrocontact
     for (unsigned int l = 0; l < lines.size(); ++l)
       data.frequency.push_back(l / (n * step));
   }
+
+  std::string entry_name(const FrequencyData &data, const unsigned int entry)
+  {
+    return data.labels[data.entries[entry].response] + "_" + data.labels[data.entries[entry].reference];
+  }
 } // namespace vibrocontact

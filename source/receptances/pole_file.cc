@@ -10,11 +10,6 @@ namespace vibrocontact
 {
   namespace
   {
-    std::string entry_name(const FrequencyData &data, const unsigned int entry)
-    {
-      return data.labels[data.entries[entry].response] + "_" + data.labels[data.entries[entry].reference];
-    }
-
     const std::string real_end = "_residue_real_m_Ns", imag_end = "_residue_imag_m_Ns",
                       direct_end = "_direct_m_N";
 

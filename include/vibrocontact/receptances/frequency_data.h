@@ -54,4 +54,7 @@ namespace vibrocontact
   /// Receptance from mobility (power 1) or accelerance (power 2): divides by (j omega)^power.
   /// @throws InputError if there is a line at 0 Hz
   void integrate_in_frequency(FrequencyData &data, unsigned int entry, unsigned int power);
+
+  /// Response and reference of an entry, as columns of tables name it: response_reference.
+  std::string entry_name(const FrequencyData &data, unsigned int entry);
 } // namespace vibrocontact

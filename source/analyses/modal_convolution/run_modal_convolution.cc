@@ -2,7 +2,6 @@
 #include <vibrocontact/analyses/modal_convolution/modal_convolution_output.h>
 #include <vibrocontact/analyses/modal_convolution/run_method_comparison.h>
 #include <vibrocontact/analyses/modal_convolution/run_modal_convolution.h>
-#include <vibrocontact/analyses/transient/checkpoint.h>
 #include <vibrocontact/base/checkpoint_schedule.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>

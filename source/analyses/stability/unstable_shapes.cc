@@ -1,4 +1,3 @@
-#include <vibrocontact/analyses/rolling/rolling_output.h>
 #include <vibrocontact/analyses/stability/unstable_shapes.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>

@@ -1,7 +1,7 @@
-#include <vibrocontact/analyses/rolling/rolling_output.h>
 #include <vibrocontact/analyses/transient/patch_recorder.h>
 #include <vibrocontact/output/contact_patch.h>
 #include <vibrocontact/output/field_writer.h>
+#include <vibrocontact/output/surface_fields.h>
 
 namespace vibrocontact
 {
