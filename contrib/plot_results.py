@@ -24,7 +24,7 @@ figures/mode_growth.png         amplitudes of the modes over time beside the gro
 figures/transient_<signal>.png  velocity of a probe and its spectrogram, as in Fig. 15
 figures/spectrum_<signal>.png    its amplitudes over frequency, peaks named by roots, modes and harmonics
 figures/modal_convolution_*.png displacements, forces and 1/3-octave bands of the force, as in Figs 2, 3, 6, 7 of Meftah & Duhamel
-figures/method_comparison.png   error against cost of the response methods
+figures/method_comparison.png   error against cost of the propagators
 figures/periodic_motion.png     displacement, velocity and contact force over a period, as in Figs 6 to 9 of Jones & Legrand
 figures/periodic_errors.png     their errors over the number of functions and over time, as in Figs 10 and 11
 figures/time_bases.png          functions of the bases in time, as in Figs 2 to 5

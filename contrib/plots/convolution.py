@@ -1,4 +1,4 @@
-"""Modal convolution and the comparison of response methods."""
+"""Modal convolution and the comparison of propagators."""
 import os
 
 import numpy as np

@@ -75,8 +75,8 @@ namespace vibrocontact
     {
       std::ostringstream text;
       text << "The contact problem cannot be solved in double precision: a compliance of "
-           << problem.A->mean_diagonal(0) << " m/N on the diagonal, parameters of the projections "
-           << rho_normal << " N/m and " << rho_tangential
+           << problem.A->mean_diagonal(0) << " m/N on the diagonal, augmentation parameters " << rho_normal
+           << " N/m and " << rho_tangential
            << " N s/m; material, load, creepages or spacing of the contact are out of all proportion.";
       throw ConvergenceError(text.str());
     }

@@ -39,7 +39,7 @@ namespace vibrocontact
     static const ResponseMethods methods = {
         {"modal recursion", "exact propagation of one complex state per pole", false, false,
          &exact_recursion},
-        {"theta method", "Jean's theta-method on the same states", false, true, &theta_recursion},
+        {"theta method", "Jean's theta method on the same states", false, true, &theta_recursion},
         {"direct convolution", "sum over the newest forces in every step", true, false,
          &create<DirectConvolution, true>},
         {"block convolution", "the same sum by fast Fourier transforms of blocks", true, false,
@@ -53,6 +53,6 @@ namespace vibrocontact
                                             const std::vector<std::complex<double>> &state,
                                             const ResponseSettings &settings, const ResponseMethods &table)
   {
-    return find_named(table, name, "response method").create(model, state, settings);
+    return find_named(table, name, "propagator").create(model, state, settings);
   }
 } // namespace vibrocontact

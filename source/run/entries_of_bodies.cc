@@ -204,10 +204,10 @@ namespace vibrocontact
                   "Length, Area, Moment of area y, Moment of area z, Torsion constant, Warping constant, "
                   "Shear coefficient z, Shear coefficient y, Centroid height, Shear centre height, "
                   "Element length, Element degree");
-      entries.add_if(use.contact || use.points, "places on its crown are looked at", section,
+      entries.add_if(use.contact || use.points, "places on its crown are observed", section,
                      "Lateral position, Height");
       entries.add_if(use.contact || (use.points && body.beam_rail.lateral_position != 0),
-                     "the body is in contact, or is looked at beside its Lateral position 0", section,
+                     "the body is in contact, or is observed beside its Lateral position 0", section,
                      "Crown radius");
       entries.add_if(body.beam_rail.has_pads(), "there are pads", section, "Foot width");
       add_supports(entries, section, body.beam_rail, use, true);

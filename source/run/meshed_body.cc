@@ -169,13 +169,13 @@ namespace vibrocontact
     if (faces_up == !above)
       return;
     const std::string &name = parameters.name, is = above ? "body 1, above" : "body 2, below",
-                      looks = faces_up ? "up" : "down";
+                      direction = faces_up ? "up" : "down";
     if (parameters.type == "block")
-      throw InputError(name + "/Block/Contact face looks " + looks + ", but " + name + " is " + is +
+      throw InputError(name + "/Block/Contact face points " + direction + ", but " + name + " is " + is +
                        " the plane of contact: set it to " + (above ? "bottom" : "top") +
                        " or list the bodies the other way round.");
-    throw InputError("The contact surface of body " + name + " looks " + looks + ", but " + name + " is " +
-                     is + " the plane of contact: " +
+    throw InputError("The contact surface of body " + name + " points " + direction + ", but " + name +
+                     " is " + is + " the plane of contact: " +
                      (parameters.type == "mesh"
                           ? "turn its mesh, choose another " + name + "/Mesh/Contact group"
                           : std::string("this body belongs to the other place")) +

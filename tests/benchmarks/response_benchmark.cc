@@ -1,4 +1,4 @@
-/// Times of the response methods with contact, histories stored, profile tabulated; medians in nanoseconds.
+/// Times of the propagators with contact, histories stored, profile tabulated; medians in nanoseconds.
 ///
 ///   response_benchmark [repetitions, default 7]
 ///

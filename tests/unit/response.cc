@@ -1,4 +1,4 @@
-// Response methods against each other and against closed forms; the contact of a step against the common solver.
+// Propagators against each other and against closed forms; the contact of a step against the common solver.
 #include "matrix_difference.h"
 
 #include <vibrocontact/base/exceptions.h>

@@ -95,7 +95,7 @@ TEST(RoadMarchError, LongestStepsAndOddNumbers)
   road.indentation = 1e-3;
   road.loading_time = 0.02;
   const BodyInContact model = treaded(3e5);
-  // forces ring in twice this step: the second march has half of it
+  // forces ring in twice this step: the second run has half of it
   const double longest = 2.7 * std::sqrt(1 / 3e5 / initial_derivative(model, 1)(0, 0)),
                end = 41 * 0.7 * longest;
   const ModalConvolutionResult result = march(model, road, 0.7 * longest, "linear", end);
@@ -152,7 +152,7 @@ TEST(RoadMarchError, WavesBetweenTheSteps)
   RoadParameters road = waves("5e-4*sin(2*pi*s/0.004)", 20);
   road.indentation = 1e-3;
   road.loading_time = 0.02;
-  // 0.2 ms each: as long as the step, and as the second march's half
+  // 0.2 ms each: as long as the step, and as the second run's half
   EXPECT_GT(march(model, road, 2e-4, "linear", 0.2).unseen_share(), 0.2);
   EXPECT_GT(march(model, road, 1e-4, "linear", 0.2).unseen_share(), 0.2);
   EXPECT_LT(march(model, road, 1e-5, "linear", 0.2).unseen_share(), 1e-2);

@@ -146,7 +146,7 @@ namespace vibrocontact
     using namespace dealii::Patterns;
     prm.add_parameter(
         "Points", points,
-        "Places where the body is excited and looked at, separated by semicolons: \"name: x, y, direction\" "
+        "Places where the body is excited and observed, separated by semicolons: \"name: x, y, direction\" "
         "on the surface that can come into contact, or \"name: x, y, z, direction\" at the node next to a "
         "place; direction x, y or z; coordinates of the contact. Units: m.",
         Anything());

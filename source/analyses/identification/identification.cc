@@ -74,7 +74,7 @@ namespace vibrocontact
     prm.add_parameter(
         "Contact time step", contact_step,
         "Step of the contact runs to come: compliance over it, its half and tenth and a vanishing step has "
-        "to be positive definite; 0: do not look. Units: s.",
+        "to be positive definite; 0: not judged. Units: s.",
         Double(0, 1));
     prm.add_parameter("Repair for contact", repair,
                       "Fit again with what contact needs if a fit has it not. Units: none.");

@@ -23,9 +23,9 @@ namespace vibrocontact
     prm.add_parameter("End time", end_time, "Units: s.", Double(1e-9, 1e9));
     prm.add_parameter(
         "Force shape", force_shape,
-        "A contact force within a step: impulse at its beginning (rigid contact), constant, or linear "
-        "from step to step (contact with tread or residual flexibility: more accurate, but only below "
-        "a longest step). Units: none.",
+        "Interpolation of a contact force in a step: impulse at its beginning (rigid contact), constant "
+        "(zero-order hold), or linear from step to step (first-order hold: more accurate, but only below "
+        "a critical time step; both for contact with tread or residual flexibility). Units: none.",
         Selection("impulse|constant|linear"));
     prm.add_parameter(
         "Theta", theta,
@@ -54,19 +54,19 @@ namespace vibrocontact
                       "Wall time between checkpoints, 0: only the one at the end. Units: s.", Double(0, 1e9));
     prm.add_parameter(
         "Error estimate", error_estimate,
-        "Whether a second march in twice the steps (half of the cost of a modal recursion) runs beside "
+        "Whether a second run in twice the steps (half of the cost of a modal recursion) goes on beside "
         "this one and tells its error; if not, results.json says nothing about it. Units: none.",
         Bool());
   }
 
   bool ModalConvolutionParameters::takes_theta() const
   {
-    return !is_event_located() && find_named(*methods, method, "response method").takes_theta;
+    return !is_event_located() && find_named(*methods, method, "propagator").takes_theta;
   }
 
   bool ModalConvolutionParameters::is_convolution() const
   {
-    return !is_event_located() && find_named(*methods, method, "response method").is_convolution;
+    return !is_event_located() && find_named(*methods, method, "propagator").is_convolution;
   }
 
   void ModalConvolutionParameters::check() const

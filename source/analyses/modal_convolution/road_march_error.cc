@@ -9,12 +9,12 @@
 #include <numeric>
 #include <sstream>
 
-// What a modal convolution tells about itself: its error by a second march, its work, the road between its steps.
+// What a modal convolution tells about itself: its error by a second run, its work, the road between its steps.
 namespace vibrocontact
 {
   namespace
   {
-    /// of the longest that the poles allow: pieces of the event-located second march
+    /// of the longest that the poles allow: pieces of the event-located second run
     constexpr double shorter_pieces = 0.6;
 
     /// Linear forces make errors of second order, but for what a cut memory leaves out.
@@ -43,9 +43,9 @@ namespace vibrocontact
   std::string ModalConvolution::second_march() const
   {
     return !second           ? ""
-           : events          ? "a march with shorter pieces"
-           : steps_ratio > 1 ? "a march with twice the step"
-                             : "a march with half the step";
+           : events          ? "a second run with shorter pieces"
+           : steps_ratio > 1 ? "a second run with twice the step"
+                             : "a second run with half the step";
   }
 
   void ModalConvolution::begin_second_march(const ContactSolverParameters &solver, const BodyInContact &model,
@@ -92,11 +92,11 @@ namespace vibrocontact
       }
       catch (const InputError &error)
       {
-        // a second march of twice as many steps may hold too much; the first one is the user's
+        // a second run of twice as many steps may hold too much; the first one is the user's
         results.errors.failure = error.what();
       }
     };
-    // the second march of a second march, in four times the step, tells how the error falls; with linear forces it is known
+    // the second run of a second run, in four times the step, tells how the error falls; with linear forces it is known
     const bool is_first = parameters.error_estimate;
     try
     {
@@ -148,7 +148,7 @@ namespace vibrocontact
     const bool has_third = third && steps_ratio > 1 && second->results.errors.failure.empty() &&
                            4 * third->results.steps == one.steps;
     const Sums coarsest = has_third ? third->sums() : two;
-    // how far the first is off, in parts of `size`; of two marches of an exact method by all of their difference, from
+    // how far the first is off, in parts of `size`; of two runs of an exact method by all of their difference, from
     // half the steps by that of the longer ones, with linear forces, of second order, by a third
     const double factor = events                           ? std::sqrt(3.)
                           : steps_ratio < 1                ? std::sqrt(8.)

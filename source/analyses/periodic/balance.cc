@@ -56,6 +56,7 @@ namespace vibrocontact
       return;
     massless = std::make_unique<MasslessContact>(body.contact_residual(), settings.friction);
     trial_values = sampled(*trial_basis, samples->phases(), 0);
+    // moments take Psi_m once, the real functions of the layout have it twice but for the first and a lone last one
     moment_weights = sampled(*weighting_basis, samples->phases(), 0);
     const unsigned int N = settings.n_functions;
     for (unsigned int k = 0; k < N; ++k)
@@ -120,6 +121,7 @@ namespace vibrocontact
       renew(tangential_rho, settings.projection / tangential);
   }
 
+  /// u_m = linear_m + H_m p_m, p = sign c, order by order (analyses/periodic/condensation.h)
   void PeriodicBalance::displacement_from(const std::vector<double> &c,
                                           const std::vector<Complex> &linear_part,
                                           const std::vector<Complex> &compliance,
@@ -165,6 +167,8 @@ namespace vibrocontact
     return std::max({force.amplitude, euclidean_norm(c), std::numeric_limits<double>::min()});
   }
 
+  /// The law of the equation at the head of PeriodicBalance, sample by sample: law_samples, and its derivatives by_u,
+  /// by_v (by f Q' u) and by_c (by L c), blocks of a point's rows a, b as [(a rows + b) count + k].
   void PeriodicBalance::apply_law(const std::vector<double> &c)
   {
     const unsigned int N = settings.n_functions, count = samples->n_samples(), rows = body.rows_per_point;
@@ -215,6 +219,7 @@ namespace vibrocontact
       {
         const Vector2 trial = {{c_samples[first + k] - tangential_rho * f * v_samples[first + k],
                                 c_samples[second + k] - tangential_rho * f * v_samples[second + k]}};
+        // the disc's radius mu N moves with the normal row: chain rule through law_samples[normal + k]
         const auto value = project_on_disc(trial, settings.friction * law_samples[normal + k]);
         if (value.sticks && status[p * count + k] != ContactStatus::open)
           status[p * count + k] = ContactStatus::stick;
@@ -236,6 +241,7 @@ namespace vibrocontact
     }
   }
 
+  /// The same where the forces follow from the motion of the modes: w = u - S p, whose order m has S p_m / A_0(m) in it.
   void PeriodicBalance::apply_massless(const std::vector<double> &c)
   {
     const unsigned int N = settings.n_functions, count = samples->n_samples(), rows = body.rows_per_point,
@@ -292,6 +298,8 @@ namespace vibrocontact
       residual[k] = c[k] - residual[k];
   }
 
+  /// dR/dc = 1 - P dlaw/dc L - P (dlaw/du Q + f dlaw/dv Q') H sign at the last c of apply_law(); `by_displacement` is the
+  /// bracket with its P, by the coefficients of u (of w for massless points, whose H lacks S / A_0).
   void PeriodicBalance::assemble(DenseMatrix &jacobian)
   {
     const unsigned int N = settings.n_functions, n = body.n_contact_rows(), count = samples->n_samples(),
@@ -323,7 +331,8 @@ namespace vibrocontact
           if (!spring || (a > 0 && b > 0))
             samples->add_weighted(&by_c[at], Quantity::force, -1., jacobian, row, column);
         }
-    // minus (by displacement) H sign; forces of a point without history depend on its own motion alone
+    // minus by_displacement H sign; forces of a point without history depend on its own motion alone. H_m is diagonal in
+    // the orders: it mixes the two columns Re, Im of order m as a complex number does.
     const auto axpy = [&](const double factor, const unsigned int from, const unsigned int to)
     {
       if (factor == 0)
@@ -385,6 +394,7 @@ namespace vibrocontact
     return slope;
   }
 
+  /// dR/dp = -P (dlaw/du Q + f dlaw/dv Q') du/dp, in frequency also -P dlaw/dv Q' u; `slope`: du/dp at fixed c.
   void PeriodicBalance::slope_of(const std::vector<double> &slope, const bool in_frequency,
                                  std::vector<double> &by_parameter)
   {
@@ -440,6 +450,7 @@ namespace vibrocontact
 
   std::size_t PeriodicBalance::active_pattern() const
   {
+    // samples that are not open, mixed as FNV-1a does
     std::size_t hash = 0;
     for (std::size_t k = 0; k < status.size(); ++k)
       if (status[k] != ContactStatus::open)

@@ -14,8 +14,8 @@ namespace vibrocontact
     constexpr unsigned int costly_factorisation = 200;
     /// of the coarsest motion that others are refined from
     constexpr unsigned int fewest_functions = 7, fewest_samples = 512;
-    /// of the law's stiffness: where it begins over the body's own, steps in the logarithm of its range. Long ones that double and
-    /// are halved leave the solution where it folds; even short ones find others.
+    /// of the law's stiffness: where it begins over the body's own, steps in the logarithm of its range. Long ones that
+    /// double and are halved leave the solution where it folds; even short ones find others.
     constexpr double softest_law = 1e-3, long_stiffness_step = 1. / 16, short_stiffness_step = 1. / 200,
                      shortest_stiffness_step = 1. / 3200;
 
@@ -43,6 +43,8 @@ namespace vibrocontact
     }
   } // namespace
 
+  /// Semi-smooth Newton: c -= length J^-1 R with the first length 1, 1/2, ... that lowers |R| (Armijo's rule). J is
+  /// singular at folds.
   bool PeriodicBalance::newton(std::vector<double> &c, PeriodicSolution &solution)
   {
     std::vector<double> residual, step, trial(c.size());
@@ -83,6 +85,7 @@ namespace vibrocontact
       if (falls)
         c = trial;
       else
+        // old factors led nowhere: the law at c again, for new ones
         evaluate(c, residual, nullptr, nullptr);
     }
     return false;
@@ -107,7 +110,8 @@ namespace vibrocontact
       return true;
     c = start;
     bool found = newton(c, solution);
-    // forces that spread farther over the samples are found where those of the usual parameter are not
+    // With a smaller augmentation parameter the force spreads farther over the samples. Such motions are found where
+    // those of the usual parameter are not, and differ from them within the error of the functions.
     const double rho = normal_rho;
     for (unsigned int k = 0; k < n_gentler && !found && !spring && !massless && !(fixed_rho > 0); ++k)
     {
@@ -120,9 +124,9 @@ namespace vibrocontact
     return found;
   }
 
-  /// From the motion of half as many functions, which is found from that of a quarter and so on. Few functions cannot follow how
-  /// the points close one after the other; once they have found when all are closed, every doubling takes a few of Newton's
-  /// steps.
+  /// From the motion of half as many functions, which is found from that of a quarter and so on. Few functions cannot
+  /// follow how the points close one after the other; once they have found when all are closed, every doubling takes a
+  /// few of Newton's steps.
   bool PeriodicBalance::refine_fewer_functions(std::vector<double> &c, PeriodicSolution &solution)
   {
     const unsigned int N = settings.n_functions, n = (N - 1) / 2 | 1;
@@ -147,7 +151,8 @@ namespace vibrocontact
     return newton(c, solution);
   }
 
-  /// From no contact at the gap that the linear motion just reaches to the gap asked for.
+  /// From no contact at the gap that the linear motion just reaches to the gap asked for: at every `reached` c solves the
+  /// balance with the gaps in force. Steps double where Newton's method finds it and are halved where not.
   bool PeriodicBalance::follow_gap(std::vector<double> &c, PeriodicSolution &solution)
   {
     const std::vector<double> gap = body.gap, none(n_unknowns(), 0.), excess = linear_excess();
@@ -173,7 +178,8 @@ namespace vibrocontact
     return reached >= 1;
   }
 
-  /// From a law that hardly moves the body to the one asked for, in growing ratios of its stiffness.
+  /// From a law that hardly moves the body to the one asked for: the law times exp(-range left), left from 1 to 0. Long
+  /// steps first; where those lose the branch at a fold, all again in short ones.
   bool PeriodicBalance::follow_stiffness(std::vector<double> &c, PeriodicSolution &solution)
   {
     if (!spring)
@@ -185,6 +191,7 @@ namespace vibrocontact
       stiffness = std::max(stiffness, over_gap(-excess[p]).force_slope);
       compliance = std::max(compliance, largest_compliance(linear, p * body.rows_per_point));
     }
+    // the law's stiffness at the deepest penetration of the linear motion, over the body's, is to begin at softest_law
     const double range = std::log(stiffness * compliance / softest_law);
     if (!(range > 0))
       return false;

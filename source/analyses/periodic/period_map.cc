@@ -36,7 +36,8 @@ namespace vibrocontact
     /// at the Gauss points
     std::vector<ForceAnswer> nodes;
     ForceAnswer end;
-    /// drive at the Gauss points by state, s x n_states [1]; by force, s square [m/N]; for linear laws the forces by the drive
+    /// drive at the Gauss points by state, s x n_states [1]; by force, s square [m/N]; for linear laws the forces by
+    /// the drive
     DenseMatrix by_state, by_force, inverse;
     /// state at the end by force (subtracted), n_states x s
     DenseMatrix state_by_force;
@@ -63,6 +64,8 @@ namespace vibrocontact
       throw InputError("The exact law needs a massless contact node, which this body has not: give it one or "
                        "take a penalty law.");
     slaved = relaxed && law->is_rigid();
+    // the steady motion under F sin(Omega t) = Im F e^(j Omega t): residual R, modes Q, contact point U = sum b Q + R,
+    // drive E, which at the rigid stop has sum b (q + beta q') and the residual without its delay
     R = body.residual_force(0) * force.amplitude / Complex(1, Omega * beta);
     r_load = body.residual_load[0];
     U = R;
@@ -87,6 +90,8 @@ namespace vibrocontact
     full = make_step(T / steps);
   }
 
+  /// The matrices of doc/theory.md, "References in time": by_state is R_i and by_force is G + S_d. S_d is S unless the
+  /// residual is a state that is not slaved: such a residual answers to the force with delay only.
   std::unique_ptr<PeriodMap::Step> PeriodMap::make_step(const double length) const
   {
     auto step = std::make_unique<Step>();
@@ -128,6 +133,7 @@ namespace vibrocontact
     }
     if (law->is_linear())
     {
+      // (G + S_d + d') f = e without f
       step->inverse = step->by_force;
       for (unsigned int i = 0; i < s; ++i)
         step->inverse(i, i) += touch_compliance;
@@ -242,12 +248,14 @@ namespace vibrocontact
     return rate;
   }
 
+  /// The force f with S_d f + d(f) = e: where the law's graph meets this line.
   double PeriodMap::force_of_drive(const double e) const
   {
     const double direct = relaxed && !slaved ? 0. : S;
     return law->graph(law->parameter_at(direct, 1, e)).force;
   }
 
+  /// G f + S_d f + d(f) = e at the Gauss points, e the drive without f; then the state at the end of the step.
   void PeriodMap::contact_step(const Step &step, const double t, State &x, State &f) const
   {
     const unsigned int s = rule.s;
@@ -273,7 +281,8 @@ namespace vibrocontact
     }
     else
     {
-      // the unknowns are the places on the law's graph at the Gauss points
+      // the unknowns are the places on the law's graph at the Gauss points, f = N(along) and d = d(along): a steep law is
+      // no harder than a soft one. They start where the stop would be if the modes did not answer to f.
       const double direct = relaxed && !slaved ? 0. : S;
       State along(s);
       for (unsigned int i = 0; i < s; ++i)
@@ -339,6 +348,8 @@ namespace vibrocontact
     double largest = 0, rest = 0;
     for (const double value : f)
       largest = std::max(largest, std::abs(value));
+    // f = sum a_k P_k(2 y - 1), a_k = (2 k + 1) int f P_k dy: they fall geometrically once the polynomial follows the
+    // force
     for (unsigned int k = rule.s - 2; k < rule.s; ++k)
     {
       double coefficient = 0;
@@ -372,6 +383,7 @@ namespace vibrocontact
     }
   }
 
+  /// (G + S_d + d'(f)) df = by_state dx, then dx at the end: the derivative of what contact_step() has solved.
   void PeriodMap::vary_contact(const Step &step, const State &f, DenseMatrix &M) const
   {
     const unsigned int m = n_states();
@@ -406,12 +418,14 @@ namespace vibrocontact
     }
   }
 
+  /// The residual that keeps the contact point on the rigid stop, r = gap - sum b q: x is corrected to tip(x, t) = 0.
   void PeriodMap::follow_stop(const double t, State &x) const
   {
     x[2 * n] = 0;
     x[2 * n] = -tip(x, t);
   }
 
+  /// dr = -sum b dq
   void PeriodMap::vary_follow_stop(DenseMatrix &M) const
   {
     for (unsigned int j = 0; j < n_states(); ++j)
@@ -422,6 +436,10 @@ namespace vibrocontact
     }
   }
 
+  /// Flies in steps of T / n_steps until the gap closes or `end`; x and t are those of the touch then. A touch is
+  /// bracketed by a step that ends beyond the stop, or by one with a peak beyond it between its ends. `fresh`: just
+  /// released, so that the gap at t is zero to rounding and no sign can be had from it.
+  /// @return whether it touched
   bool PeriodMap::flight(double &t, const double end, bool fresh, State &x, Orbit *orbit) const
   {
     const double rounding = 1e-14 * (std::abs(U) + std::abs(u_load) + std::abs(gap));
@@ -445,6 +463,7 @@ namespace vibrocontact
       const auto rate = [&](const double tau) { return tip_rate(moved(tau), a + tau); };
       const double ga = tip(x, a), gb = tip(next, b), va = tip_rate(x, a), vb = tip_rate(next, b);
       double open = fresh ? -1 : 0, touch = gb > rounding ? length : -1;
+      // a peak reaches the stop only from an end that is within about this distance of it
       const double span = std::max(std::abs(va), std::abs(vb)) * length;
       if (touch < 0 && va > 0 && vb < 0 && std::min(-ga, -gb) < 2 * span)
       {
@@ -454,7 +473,7 @@ namespace vibrocontact
       }
       if (touch > 0)
       {
-        // after a release the gap begins with zero
+        // after a release the gap begins with zero: the bracket begins where it is open, sought by halving towards t
         for (unsigned int j = 1; j < 45 && open < 0; ++j)
           if (g(std::ldexp(touch, -static_cast<int>(j))) < 0)
             open = std::ldexp(touch, -static_cast<int>(j));
@@ -476,6 +495,10 @@ namespace vibrocontact
     return false;
   }
 
+  /// One step in contact, of T / n_steps / 2^level: the level rises until the polynomial follows the force
+  /// (roughness()), and falls by one where it does so with much to spare. If force or drive change their sign in it the
+  /// step ends there.
+  /// @return whether it released
   bool PeriodMap::contact(double &t, const double end, unsigned int &level, State &x, DenseMatrix *variation,
                           Orbit *orbit) const
   {
@@ -504,7 +527,9 @@ namespace vibrocontact
     bool released = false;
     if (e < 0 || *std::min_element(f.begin(), f.end()) < 0)
     {
-      // first zero crossing of the polynomial of the force
+      // First zero crossing of the polynomial of the force, as a part of the step's length. Beyond the release the force
+      // should be none, so the polynomial is right only on a step that ends there: shortened to the crossing and solved
+      // again until its length has settled. Then Newton's method on drive(length) = 0 finds the release to round-off.
       const unsigned int n_places = 4 * rule.s;
       const auto value = [&](const double y)
       {
@@ -531,7 +556,7 @@ namespace vibrocontact
             break;
           }
         }
-        // too short for this polynomial
+        // negative throughout: the contact is too short for this polynomial
         if (high < 0)
           fall = 1. / 16;
         const double before = length;
@@ -549,7 +574,7 @@ namespace vibrocontact
       }
       if (!released)
       {
-        // no contact worth the name
+        // it lasts less than time can tell: released where it touched
         if (orbit)
           orbit->releases.push_back(t);
         return true;
@@ -594,6 +619,8 @@ namespace vibrocontact
   std::vector<double> PeriodMap::advance(const std::vector<double> &start, const double phase,
                                          const double periods, DenseMatrix *variation, Orbit *orbit) const
   {
+    // x is the deviation from the steady motion without contact, which moves freely in flight; its variation is that of
+    // the state
     State x = start;
     const unsigned int m = n_states();
     const State from = steady(phase);
@@ -630,7 +657,8 @@ namespace vibrocontact
           orbit->touches.push_back(t);
         if (closed && slaved)
         {
-          // the force jumps
+          // The force jumps to beta u' / S. A variation touches earlier or later by dt = -(sum b dq + dr) / u', and this
+          // jump acts on the modes for that long: dq' += b (beta u' / S) dt.
           if (variation)
             for (unsigned int j = 0; j < m; ++j)
             {

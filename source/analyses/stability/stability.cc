@@ -40,7 +40,7 @@ namespace vibrocontact
                       Bool());
     prm.add_parameter(
         "Second count", second_count,
-        "Count the unstable roots also by the argument principle on the receptances of both "
+        "Count the unstable roots also by the argument principle on the receptances of the "
         "bodies, without eigenvalues (consistent linearisation; some ten seconds for 500 modes). "
         "Units: none.",
         Bool());

@@ -26,11 +26,10 @@ namespace vibrocontact
         Double(0, 1e9));
     prm.add_parameter("Patch begin", patch_begin, "Time of the first frame of the patch. Units: s.",
                       Double(0, 1e9));
-    prm.add_parameter(
-        "Spectrum duration", spectrum_duration,
-        "The last part of the run that the spectrum and the measures of the limit cycle look at; "
-        "0: the second half. Units: s.",
-        Double(0, 1e9));
+    prm.add_parameter("Spectrum duration", spectrum_duration,
+                      "The last part of the run that the spectrum and the measures of the limit cycle take; "
+                      "0: the second half. Units: s.",
+                      Double(0, 1e9));
     prm.add_parameter("Growth begin", growth_begin, "Begin of the window of the growth rates. Units: s.",
                       Double(0, 1e9));
     prm.add_parameter("Growth end", growth_end,

@@ -24,16 +24,17 @@ namespace vibrocontact
                       Double(0, 1e3));
     prm.add_parameter(
         "Error estimate", error_estimate,
-        "March with twice the step beside the run, half as many steps again: what both differ by estimates "
+        "A second run with twice the step beside the run, half as many steps again: their difference "
+        "estimates "
         "the error of the impulse and of the rms normal force; false: no estimate. Units: none.",
         Bool());
     prm.add_parameter("End time", end_time, "The run goes from 0 to this time. Units: s.", Double(0, 1e9));
     prm.add_parameter("Integrator", integrator,
-                      "Of the modes: Jean's theta-method, or their exact solution over a step. Units: none.",
+                      "Of the modes: Jean's theta method, or their exact solution over a step. Units: none.",
                       Selection("theta method|exact propagator"));
     prm.add_parameter(
         "Theta", theta,
-        "Of the theta-method: 1/2 has no numerical damping, more subtracts (theta - 1/2) omega^2 h from "
+        "Of the theta method: 1/2 has no numerical damping, more subtracts (theta - 1/2) omega^2 h from "
         "the growth rate of every mode. Units: none.",
         Double(0.5, 1));
     prm.add_parameter(
@@ -43,7 +44,7 @@ namespace vibrocontact
         Selection("as other forces|end of step"));
     prm.add_parameter(
         "Initial state", initial_state,
-        "The equilibrium of section Rolling, or both bodies without stress and apart. Units: none.",
+        "The equilibrium of section Rolling, or all bodies without stress and apart. Units: none.",
         Selection("quasi-static|undeformed"));
     prm.add_parameter("Initial gap", initial_gap, "Of undeformed bodies. Units: m.", Double(0, 1e6));
     prm.add_parameter("Initial velocity", initial_velocity,
