@@ -1,3 +1,4 @@
+#include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/bodies/body_in_contact.h>
 
 #include <algorithm>
@@ -82,6 +83,69 @@ namespace vibrocontact
       for (unsigned int j = 0; j < n && body.residual.m() > 0; ++j)
         result.residual(i, j) = factor * rows[j].factor * body.residual(row, rows[j].row);
     }
+    return result;
+  }
+
+  bool has_rest(const BodyInContact &body)
+  {
+    for (unsigned int i = 0; i < body.residual.m(); ++i)
+      if (body.residual(i, i) != 0)
+        return true;
+    return false;
+  }
+
+  BodyInContact together(const BodyInContact &first, const BodyInContact &second)
+  {
+    const unsigned int n = first.n_rows();
+    Assert(second.n_rows() == n, dealii::ExcDimensionMismatch(second.n_rows(), n));
+    if ((first.n_poles() > 0) != (second.n_poles() > 0))
+      return together(by_poles(first), by_poles(second));
+    BodyInContact result = first;
+    const auto append =
+        [](auto &values, auto own, const std::size_t n_first, const std::size_t n_second, const auto &rest)
+    {
+      if (values.empty() && own.empty())
+        return;
+      values.resize(n_first, rest);
+      own.resize(n_second, rest);
+      values.insert(values.end(), own.begin(), own.end());
+    };
+    const auto beside = [n](auto &shapes, const auto &own)
+    {
+      const auto left = shapes;
+      shapes.reinit(n, left.n() + own.n());
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        for (unsigned int k = 0; k < left.n(); ++k)
+          shapes(i, k) = left(i, k);
+        for (unsigned int k = 0; k < own.n(); ++k)
+          shapes(i, left.n() + k) = own(i, k);
+      }
+    };
+    const std::size_t states[2] = {first.n_modes() + first.n_poles(), second.n_modes() + second.n_poles()};
+    append(result.omega, second.omega, first.n_modes(), second.n_modes(), 0.);
+    append(result.damping_ratio, second.damping_ratio, first.n_modes(), second.n_modes(), 0.);
+    append(result.modal_load, second.modal_load, first.n_modes(), second.n_modes(), 0.);
+    append(result.labels, second.labels, states[0], states[1], std::string());
+    append(result.poles, second.poles, first.n_poles(), second.n_poles(), Complex());
+    append(result.pole_load, second.pole_load, first.n_poles(), second.n_poles(), Complex());
+    beside(result.trace, second.trace);
+    beside(result.right, second.right);
+    beside(result.left, second.left);
+    if (second.residual.m() > 0)
+    {
+      if (result.residual.m() == 0)
+        result.residual.reinit(n, n);
+      add_block(result.residual, second.residual, 0, 0);
+    }
+    if (!second.residual_load.empty())
+    {
+      result.residual_load.resize(n);
+      for (unsigned int i = 0; i < n; ++i)
+        result.residual_load[i] += second.residual_load[i];
+    }
+    if (!has_rest(first))
+      result.relaxation = second.relaxation;
     return result;
   }
 

@@ -182,21 +182,26 @@ namespace vibrocontact
     }
 
     /// Periodic motion of a body that is known between its own contact points alone.
-    void check_periodic_points(const Parameters &parameters)
+    void check_periodic_points(const Parameters &parameters, const unsigned int number)
     {
-      const BodyParameters &body = parameters.scene.bodies[0];
+      const BodyParameters &body = parameters.scene.bodies[number];
       const PeriodicParameters &periodic = parameters.periodic;
       const std::string moves = ", but " + body.name + ", of type " + body.type + ", ";
       const bool rolls = body.rolls(), by_poles = rolls || body.type == "identified",
                  friction = parameters.contact().friction > 0;
-      if (!periodic.contact_points.empty() || !periodic.force_point.empty())
+      const bool has_points =
+          number == 0 ? !periodic.contact_points.empty() : !periodic.contact_points_below.empty();
+      if (has_points || (number == 0 && !periodic.force_point.empty()))
         throw InputError(std::string("Periodic/") +
-                         (periodic.contact_points.empty() ? "Force point" : "Contact points") + " is given" +
-                         moves + "is touched and driven at its own contact points: leave it out.");
+                         (!has_points   ? "Force point"
+                          : number == 0 ? "Contact points"
+                                        : "Contact points on body 2") +
+                         " is given" + moves +
+                         "is touched and driven at its own contact points: leave it out.");
       if (periodic.stop_axis().first != 2)
         throw InputError("Periodic/Stop direction is " + periodic.stop_direction + moves +
                          "meets a stop below or above it: set it to -z or +z.");
-      if (periodic.model != "reduced")
+      if (number == 0 && periodic.model != "reduced")
         throw InputError("Periodic/Model is finite elements" + moves + "has none: set it to reduced.");
       if (friction && (by_poles || body.type == "oscillator"))
         throw InputError(
@@ -214,6 +219,34 @@ namespace vibrocontact
                                                         : "Periodic/Continuation/Stability is not none") +
                          moves + "has no real modes, which they are found from: leave it out.");
       check_rolling(body, parameters.road);
+    }
+
+    /// A body that moves in a periodic motion.
+    void check_vibrating_body(const Parameters &parameters, const unsigned int number)
+    {
+      const BodyParameters &body = parameters.scene.bodies[number];
+      const std::string of_type = body.name + " is a " + body.type;
+      if (!body.is_meshed() && !body.is_green())
+        throw InputError("Analyses lists periodic, but " + of_type + ", which does not vibrate: make body " +
+                         std::to_string(number + 1) +
+                         " one with elements, an oscillator, a ring or an identified body" +
+                         (number > 0 ? ", or a rigid stop." : "."));
+      if (!body.is_meshed() || body.type == "ring")
+      {
+        if (number > 0 && body.type == "ring")
+          throw InputError("Analyses lists periodic, but body 2, " + of_type +
+                           ", which stands on what is below it: list it first in Bodies.");
+        if (!body.is_meshed())
+          check_periodic_points(parameters, number);
+      }
+      if (body.type == "beam rail")
+        throw InputError("Analyses lists periodic, but " + of_type +
+                         ", whose contact points lie on a half-space that periodic motion does not know: "
+                         "make it a rail.");
+      if (body.type == "blade" && parameters.periodic.contact_points_on(number).empty())
+        throw InputError("Periodic/Contact points is empty, but " + body.name +
+                         " is a blade, which is touched at places of its tip: give them, for instance "
+                         "Contact points = corner: 0.04, 0.003, 0.2");
     }
   } // namespace
 
@@ -317,27 +350,20 @@ namespace vibrocontact
       if (contact().friction > 0)
         check_constant_friction(contact(), "periodic motion");
       const bool rigid = periodic_law()->is_rigid();
-      if (!scene.bodies[0].is_meshed() && !scene.bodies[0].is_green())
-        throw InputError("Analyses lists periodic, but " + scene.bodies[0].name + " is a " +
-                         scene.bodies[0].type +
-                         ", which does not vibrate: make body 1 one with elements, an "
-                         "oscillator, a ring or an identified body.");
-      if (!scene.bodies[0].is_meshed())
-        check_periodic_points(*this);
-      if (scene.bodies[0].type == "blade" && periodic.contact_points.empty())
-        throw InputError("Periodic/Contact points is empty, but " + scene.bodies[0].name +
-                         " is a blade, which is touched at places of its tip: give them, for instance "
-                         "Contact points = corner: 0.04, 0.003, 0.2");
-      if (scene.bodies.size() > 1 && scene.bodies[1].type != "rigid")
-        throw InputError("Analyses lists periodic, whose body 2 is a stop, but " + scene.bodies[1].name +
-                         " is a " + scene.bodies[1].type + ": make it rigid or leave it out.");
+      if (n_vibrating() == 1 && !trimmed(periodic.contact_points_below).empty())
+        throw InputError("Periodic/Contact points on body 2 is given, but no body 2 vibrates: leave it out.");
+      bool has_massless_node = false;
+      for (unsigned int k = 0; k < n_vibrating(); ++k)
+      {
+        check_vibrating_body(*this, k);
+        has_massless_node = has_massless_node || scene.bodies[k].bar.massless_contact_node;
+      }
       const bool tells_stability = periodic.continuation.tells_stability();
       if (tells_stability && contact().friction > 0)
         throw InputError(
             "Periodic/Continuation/Stability knows no friction: set it to none or Contact/Friction "
             "coefficient to 0.");
-      if (tells_stability && rigid && periodic.model == "finite elements" &&
-          !scene.bodies[0].bar.massless_contact_node)
+      if (tells_stability && rigid && periodic.model == "finite elements" && !has_massless_node)
         throw InputError(
             "Periodic/Continuation/Stability with the rigid law needs a contact node without mass: set " +
             scene.bodies[0].name +
@@ -345,8 +371,7 @@ namespace vibrocontact
       if (periodic.reference && contact().friction > 0)
         throw InputError(
             "Periodic/Reference knows no friction: set Contact/Friction coefficient to 0 or leave it out.");
-      if (periodic.reference && rigid && periodic.model == "finite elements" &&
-          !scene.bodies[0].bar.massless_contact_node)
+      if (periodic.reference && rigid && periodic.model == "finite elements" && !has_massless_node)
         throw InputError("Periodic/Reference with the rigid law needs a contact node without mass: set " +
                          scene.bodies[0].name +
                          "/Bar/Massless contact node to true or Periodic/Law to penalty.");
@@ -356,7 +381,8 @@ namespace vibrocontact
       const ContactParameters &one = contacts.all[k];
       for (const unsigned int b : {bodies_of_contact(k).first, bodies_of_contact(k).second})
         if ((scene.runs("transient") || scene.runs("periodic")) && one.friction > 0 &&
-            b < scene.bodies.size() && scene.bodies[b].type == "bar" && (b == 0 || !one.name.empty()))
+            b < scene.bodies.size() && scene.bodies[b].type == "bar" &&
+            (b == 0 || scene.runs("periodic") || !one.name.empty()))
           throw InputError(scene.bodies[b].name + " is a bar, which moves in one direction only: set " +
                            one.section + "/Friction coefficient to 0.");
     }

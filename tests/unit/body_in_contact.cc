@@ -173,3 +173,39 @@ TEST(BodyInContact, RingAtRestByRealModesIsTheRingByPoles)
               1e-11)
         << frequency;
 }
+
+TEST(BodyInContact, TwoTogetherMoveAgainstEachOther)
+{
+  // a rigid motion by poles is exact in time, but loses digits in the difference of its receptances
+  BodyInContact masses = two_masses(0.03);
+  masses.omega[0] = 30;
+  DenseMatrix trace(2, 1), residual(2, 2);
+  trace(0, 0) = 0.7;
+  trace(1, 0) = -0.2;
+  residual(0, 0) = 2e-6;
+  residual(0, 1) = residual(1, 0) = 1e-6;
+  residual(1, 1) = 3e-6;
+  BodyInContact held{{90.}, {0.1}, trace, {}, residual, {"held"}};
+  held.residual_load = {1e-3, 2e-3};
+  held.relaxation = 1e-4;
+  const double turned_rows[] = {-1., 0.};
+  const std::vector<SignedRow> turned = {{0, turned_rows[0]}, {1, turned_rows[1]}};
+  for (const BodyInContact &second : {held, by_poles(held)})
+  {
+    const BodyInContact pair = together(masses, with_rows(second, turned));
+    EXPECT_EQ(pair.relaxation, second.relaxation);
+    EXPECT_EQ(pair.residual_load[0], -1e-3);
+    EXPECT_EQ(pair.residual_load[1], 0);
+    EXPECT_EQ(pair.labels.size(), pair.n_modes() + pair.n_poles());
+    for (const double w : {5., 80., 220., 900.})
+    {
+      const ComplexMatrix G = receptance(pair, w), first = receptance(masses, w), other = receptance(held, w);
+      for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int j = 0; j < 2; ++j)
+        {
+          const auto exact = first(i, j) + turned_rows[i] * turned_rows[j] * other(i, j);
+          EXPECT_NEAR(std::abs(G(i, j) / exact - 1.), 0, 1e-9) << i << j << " at " << w;
+        }
+    }
+  }
+}

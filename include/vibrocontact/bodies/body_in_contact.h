@@ -71,6 +71,15 @@ namespace vibrocontact
   /// The body between these rows, each as often as it is named.
   BodyInContact with_rows(const BodyInContact &body, const std::vector<SignedRow> &rows);
 
+  /// Whether something follows forces beside modes and poles.
+  bool has_rest(const BodyInContact &body);
+
+  /// Two bodies under the same forces: u = u_first + u_second along each row. With the rows of the second turned
+  /// (with_rows(), factor -1) it is the motion of the first relative to the second under the forces between them. A body by
+  /// modes beside one by poles goes over to poles.
+  /// @pre as many rows; of two rests that relax the rates are equal
+  BodyInContact together(const BodyInContact &first, const BodyInContact &second);
+
   /// The same body with a pole for each mode (two real ones if it is damped beyond critical), for analyses that march
   /// in poles. Critical damping is taken for less by a hair and a rigid motion as a pair at +-j 1e-12 rad/s, which after a
   /// day has turned by 1e-7: both poles would be double.

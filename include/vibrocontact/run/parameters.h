@@ -65,8 +65,16 @@ namespace vibrocontact
     /// Whether a contact grid is needed.
     bool has_contact() const
     {
-      return scene.any_analysis(&AnalysisType::has_contact) ||
-             (scene.runs("periodic") && periodic.contact_points.empty() && scene.bodies[0].is_meshed());
+      bool periodic_grid = false;
+      for (unsigned int k = 0; k < n_vibrating() && scene.runs("periodic"); ++k)
+        periodic_grid =
+            periodic_grid || (scene.bodies[k].is_meshed() && periodic.contact_points_on(k).empty());
+      return periodic_grid || scene.any_analysis(&AnalysisType::has_contact);
+    }
+    /// How many bodies a periodic motion moves: body 1, and body 2 unless it is a rigid stop.
+    unsigned int n_vibrating() const
+    {
+      return scene.bodies.size() > 1 && scene.bodies[1].type != "rigid" ? 2 : 1;
     }
     /// Whether the bodies move.
     bool has_dynamics() const { return scene.any_analysis(&AnalysisType::has_dynamics); }

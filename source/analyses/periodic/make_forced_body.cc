@@ -33,14 +33,14 @@ namespace vibrocontact
       return row;
     }
 
-    /// Rows of the contact points: motion into the stop, with friction the two tangential ones behind it.
+    /// Rows of the contact points: motion towards the stop, with friction the two tangential ones behind it.
     Rows contact_rows(const Parameters &parameters, const SecondOrderSystem &system,
-                      const unsigned int rows_per_point)
+                      const unsigned int number, const unsigned int rows_per_point)
     {
       const auto [axis, sign] = parameters.periodic.stop_axis();
       const unsigned int directions[3] = {axis, (axis + 1) % 3, (axis + 2) % 3};
       Rows rows;
-      for (const auto &[name, place] : parameters.periodic.parsed_contact_points())
+      for (const auto &[name, place] : parameters.periodic.contact_points_on(number))
         for (unsigned int a = 0; a < rows_per_point; ++a)
           rows.push_back(times(nearest_dof(system, place, directions[a], "Periodic/Contact points: " + name),
                                a == 0 ? sign : 1.));
@@ -64,24 +64,24 @@ namespace vibrocontact
     }
 
     /// Contact points, and behind them the exciting force at its place or at the first of them.
-    Rows all_rows(const Parameters &parameters, const SecondOrderSystem &system,
+    Rows all_rows(const Parameters &parameters, const SecondOrderSystem &system, const unsigned int number,
                   const unsigned int rows_per_point)
     {
       if (system.n_rigid_modes > 0)
         throw InputError(system.body +
                          " is free, but a periodic motion needs a body that is held: it would drift.");
-      Rows rows = contact_rows(parameters, system, rows_per_point);
+      Rows rows = contact_rows(parameters, system, number, rows_per_point);
       const auto force = parameters.periodic.parsed_force();
-      rows.push_back(force ? force_row(system, *force) : rows.front());
+      rows.push_back(force && number == 0 ? force_row(system, *force) : rows.front());
       return rows;
     }
 
-    ForcedBody by_elements(const Parameters &parameters, BodyReduction &reduction,
+    ForcedBody by_elements(const Parameters &parameters, BodyReduction &reduction, const unsigned int number,
                            const unsigned int rows_per_point)
     {
       const PeriodicParameters &periodic = parameters.periodic;
       const SecondOrderSystem &system = reduction.system();
-      const Rows rows = all_rows(parameters, system, rows_per_point);
+      const Rows rows = all_rows(parameters, system, number, rows_per_point);
       const unsigned int n = rows.size() - 1;
 
       Modes modes = reduction.shapes();
@@ -95,13 +95,13 @@ namespace vibrocontact
         modes = all_modes(system, modes);
         damping_ratio = strain_energy_damping(system, modes);
       }
-      const ModeParameters &damping = parameters.modes.at(parameters.scene.bodies[0].name);
+      const ModeParameters &damping = parameters.modes.at(parameters.scene.bodies[number].name);
       ForcedBody body{reduce_to_points(system, reduction.flexibility(), modes,
                                        damping.scaled(damping_ratio, modes.omega), rows)};
       body.relaxation = damping.stiffness_damping;
       body.force_row = n;
-      body.gap.assign(n / rows_per_point, periodic.gap);
-      const BodyParameters &described = parameters.scene.bodies[0];
+      body.gap.assign(n / rows_per_point, 0.);
+      const BodyParameters &described = parameters.scene.bodies[number];
       if (described.type == "ring")
         for (unsigned int i = 0; i < n; ++i)
           body.residual(i, i) += tread_compliance(described.ring, i % rows_per_point > 0);
@@ -129,31 +129,69 @@ namespace vibrocontact
       for (const auto &[i, j] : {std::pair(0u, force), {force, 0u}, {force, force}})
         body.residual(i, j) -= own.tread;
       body.modal_load.resize(body.n_modes());
-      for (const double height : own.shapes)
-        body.gap.push_back(periodic.gap + height);
+      body.gap = own.shapes;
       return body;
+    }
+
+    /// A body of the scene with its contact rows and, behind them, that of the exciting force; gap: how far its undeformed
+    /// surface lies back.
+    ForcedBody body_between_rows(const Parameters &parameters, const MeshedBodies &bodies,
+                                 const std::optional<MeasuredData> &measured, const unsigned int number,
+                                 const unsigned int rows_per_point)
+    {
+      if (bodies[number])
+        return by_elements(parameters, bodies[number]->reduction, number, rows_per_point);
+      const PeriodicParameters &periodic = parameters.periodic;
+      const RoadUse use = {rows_per_point > 1, parameters.road.speed,
+                           1 / (periodic.frequency * periodic.n_samples)};
+      return by_its_points(periodic, road_body(parameters, bodies, measured, number, use), rows_per_point);
+    }
+
+    /// The motion of body 1 relative to body 2; the exciting force acts on body 1.
+    ForcedBody relative_to(const ForcedBody &first, const ForcedBody &second, const Scene &scene)
+    {
+      const std::string names = scene.bodies[0].name + " and " + scene.bodies[1].name;
+      if (first.n_points() != second.n_points())
+        throw InputError("The bodies " + names + " have " + std::to_string(first.n_points()) + " and " +
+                         std::to_string(second.n_points()) +
+                         " contact points, but each of one meets one of the other: give both as many.");
+      if (has_rest(first) && has_rest(second) && first.relaxation != second.relaxation)
+        throw InputError("The bodies " + names +
+                         " have flexibilities beside their modes that relax at two rates, which a periodic "
+                         "motion does not know: give both the same Modes/Stiffness damping.");
+      std::vector<SignedRow> turned;
+      for (unsigned int i = 0; i < second.n_contact_rows(); ++i)
+        turned.push_back({i, -1.});
+      turned.push_back({0, 0.});
+      ForcedBody relative = first;
+      static_cast<BodyInContact &>(relative) = together(first, with_rows(second, turned));
+      for (unsigned int p = 0; p < relative.n_points(); ++p)
+        relative.gap[p] += second.gap[p];
+      return relative;
     }
   } // namespace
 
   ForcedBody forced_body(const Parameters &parameters, const MeshedBodies &bodies,
                          const std::optional<MeasuredData> &measured)
   {
-    const PeriodicParameters &periodic = parameters.periodic;
-    const bool friction = parameters.contact().friction > 0;
-    const unsigned int rows_per_point = friction ? 3 : 1;
-    ForcedBody body = bodies[0] ? by_elements(parameters, bodies[0]->reduction, rows_per_point)
-                                : by_its_points(periodic,
-                                                road_body(parameters, bodies, measured, 0,
-                                                          {friction, parameters.road.speed,
-                                                           1 / (periodic.frequency * periodic.n_samples)}),
-                                                rows_per_point);
+    const unsigned int rows_per_point = parameters.contact().friction > 0 ? 3 : 1;
+    ForcedBody body = body_between_rows(parameters, bodies, measured, 0, rows_per_point);
     body.rows_per_point = rows_per_point;
+    if (parameters.n_vibrating() > 1)
+    {
+      ForcedBody second = body_between_rows(parameters, bodies, measured, 1, rows_per_point);
+      second.rows_per_point = rows_per_point;
+      body = relative_to(body, second, parameters.scene);
+    }
+    for (double &gap : body.gap)
+      gap += parameters.periodic.gap;
     return body;
   }
 
   void check_forced_points(const Parameters &parameters, const MeshedBodies &bodies)
   {
-    if (bodies[0])
-      all_rows(parameters, bodies[0]->reduction.system(), parameters.contact().friction > 0 ? 3 : 1);
+    for (unsigned int k = 0; k < parameters.n_vibrating(); ++k)
+      if (bodies[k])
+        all_rows(parameters, bodies[k]->reduction.system(), k, parameters.contact().friction > 0 ? 3 : 1);
   }
 } // namespace vibrocontact

@@ -101,9 +101,14 @@ namespace vibrocontact
         "Contact points", contact_points,
         "Points that may touch, \"name: x, y, z; ...\", each at the nearest node; empty: the contact "
         "point of section Contact. Units: m.");
-    prm.add_parameter("Stop direction", stop_direction, "Direction from the body to the stop. Units: none.",
+    prm.add_parameter(
+        "Contact points on body 2", contact_points_below,
+        "Where these points meet a body 2 that vibrates, \"name: x, y, z; ...\" on its mesh, with the "
+        "same names; empty: at the same places. Units: m.");
+    prm.add_parameter("Stop direction", stop_direction,
+                      "Direction from body 1 to the stop, or to body 2. Units: none.",
                       Selection("+x|-x|+y|-y|+z|-z"));
-    prm.add_parameter("Gap", gap, "Gap of the undeformed body; negative: preloaded. Units: m.", Double());
+    prm.add_parameter("Gap", gap, "Gap of the undeformed bodies; negative: preloaded. Units: m.", Double());
     prm.add_parameter("Model", model,
                       "What moves: the modes kept and residual flexibility, or all modes of the "
                       "elements. Units: none.",
@@ -138,7 +143,7 @@ namespace vibrocontact
 
   void PeriodicParameters::check() const
   {
-    parsed_contact_points();
+    contact_points_on(1);
     parsed_force();
     continuation.check();
     const auto pairs_asked = parsed_pairs();
@@ -171,22 +176,34 @@ namespace vibrocontact
                          " with so many samples needs " + number_text(bytes / 1e9) +
                          " GB: lower it, Periodic/Samples or Periodic/Output samples.");
     }
-    if (reference && parsed_contact_points().size() > 1)
+    if (reference && contact_points_on(0).size() > 1)
       throw InputError(
           "Periodic/Reference knows one contact point: leave it out or list one in Periodic/Contact points.");
   }
 
-  std::vector<PeriodicParameters::Place> PeriodicParameters::parsed_contact_points() const
+  std::vector<PeriodicParameters::Place>
+  PeriodicParameters::contact_points_on(const unsigned int number) const
   {
+    const bool own = number > 0 && !trimmed(contact_points_below).empty();
+    const std::string entry = own ? "Contact points on body 2" : "Contact points";
     std::vector<Place> result;
-    for (const std::string &member : dealii::Utilities::split_string_list(contact_points, ';'))
+    for (const std::string &member :
+         dealii::Utilities::split_string_list(own ? contact_points_below : contact_points, ';'))
     {
       const std::size_t colon = member.find(':');
       if (colon == std::string::npos)
-        throw InputError("Periodic/Contact points: \"" + member +
+        throw InputError("Periodic/" + entry + ": \"" + member +
                          "\" has no name; write it as name: x, y, z.");
-      const std::vector<double> x = numbers_of(member.substr(colon + 1), 3, "Contact points");
+      const std::vector<double> x = numbers_of(member.substr(colon + 1), 3, entry);
       result.push_back({trimmed(member.substr(0, colon)), {x[0], x[1], x[2]}});
+    }
+    if (own && !trimmed(contact_points).empty())
+    {
+      const std::vector<Place> first = contact_points_on(0);
+      const auto same_name = [](const Place &a, const Place &b) { return a.name == b.name; };
+      if (!std::equal(first.begin(), first.end(), result.begin(), result.end(), same_name))
+        throw InputError("Periodic/Contact points on body 2 does not have the names of Periodic/Contact "
+                         "points in their order: give the same ones, each with its place on body 2.");
     }
     return result;
   }

@@ -188,13 +188,17 @@ namespace vibrocontact
       const std::string section = "Periodic";
       const BodyParameters &body = parameters.scene.bodies[0];
       const bool on_grid = own.contact_points.empty();
-      BodyUse use = moving_in_contact();
-      use.contact = on_grid;
-      use.tangential = parameters.contact().friction > 0;
-      add_body(entries, parameters, 0, use);
+      for (unsigned int k = 0; k < parameters.n_vibrating(); ++k)
+      {
+        BodyUse use = moving_in_contact();
+        use.contact = own.contact_points_on(k).empty();
+        use.tangential = parameters.contact().friction > 0;
+        add_body(entries, parameters, k, use);
+      }
       entries.add_if(body.rolls(), "the ring rolls", "Road", "Speed");
-      if (on_grid && body.is_meshed())
+      if (parameters.has_contact())
         add_contact_grid(entries, parameters);
+      entries.add_if(parameters.n_vibrating() > 1, "body 2 vibrates", section, "Contact points on body 2");
       add_friction_coefficient(entries, parameters.contact());
       entries.add_if(parameters.contact().friction > 0, "there is friction", "Contact", "Friction law");
       entries.add_if(own.law.empty(), "Periodic/Law is empty", "Contact", "Normal law");

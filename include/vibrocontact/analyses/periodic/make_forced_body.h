@@ -6,10 +6,10 @@
 
 namespace vibrocontact
 {
-  /// Body 1 of the scene as its periodic analysis sees it: force and contact points, stop and gap of section Periodic. Meshed
-  /// bodies move by the modes kept, or all; rings, oscillators and identified bodies by their own, their contact points are
-  /// those that they have on a road. Collective.
-  /// @throws InputError for a free body, or points that are not on it
+  /// Body 1 of the scene as its periodic analysis sees it: force and contact points, stop and gap of section Periodic; with a
+  /// body 2 that vibrates, its motion relative to that one. Meshed bodies move by the modes kept, or all; rings, oscillators
+  /// and identified bodies by their own, their contact points are those that they have on a road. Collective.
+  /// @throws InputError for a free body, points that are not on it, or bodies that do not meet point by point
   ForcedBody forced_body(const Parameters &parameters, const MeshedBodies &bodies,
                          const std::optional<MeasuredData> &measured);
 

@@ -29,6 +29,8 @@ namespace vibrocontact
     std::string force_point;
     /// "name: x, y, z; ..." empty: the contact point of the body's own grid
     std::string contact_points;
+    /// where they meet a body 2 that vibrates; empty: at the same places
+    std::string contact_points_below;
     /// direction in which the stop lies: +x, -x, ..., -z
     std::string stop_direction = "-z";
     /// what moves: "reduced", "finite elements": all their modes
@@ -55,7 +57,8 @@ namespace vibrocontact
     void declare_parameters(dealii::ParameterHandler &prm);
     /// @throws InputError
     void check() const;
-    std::vector<Place> parsed_contact_points() const;
+    /// @param number of the body, from 0; those of the second have the names of those of the first, one for one
+    std::vector<Place> contact_points_on(unsigned int number) const;
     /// direction 0 x, 1 y, 2 z and sign
     std::pair<unsigned int, double> stop_axis() const;
     /// place and direction (of length 1) of the force, nothing: at the first contact point

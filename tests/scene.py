@@ -1,4 +1,4 @@
-"""What the scripts of this folder share: files of several contacts are written, run and read."""
+"""What scripts share: parameter files are written, run and read."""
 import csv, json, os, subprocess, sys
 
 program, mpirun = sys.argv[1:3]
