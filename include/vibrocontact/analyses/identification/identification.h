@@ -88,7 +88,7 @@ namespace vibrocontact
 
   /// All fits that are asked for, in the order of methods and numbers.
   ///
-  /// The model of a body at rest is made passive (reduction/passive_fit.h) if wanted, whenever it is fitted.
+  /// The model of a body at rest is made passive (bodies/passive_fit.h) if wanted, whenever it is fitted.
   /// A model whose one-step compliance is not positive definite at the contact step, its half and tenth and in the limit is
   /// repaired if wanted: the fit is made again without direct term and with g(0+) = 0; if that is not
   /// enough, the residues again with g'(0+) as well, whose eigenvalues are raised to 1e-3 of the largest at least.
