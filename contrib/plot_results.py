@@ -31,6 +31,7 @@ figures/time_bases.png          functions of the bases in time, as in Figs 2 to 
 Needs matplotlib, after a transient also h5py; exit code 4 without. Tractions act on body 1; the contact travels towards -x.
 """
 import argparse
+import glob
 import json
 import os
 import sys
@@ -52,7 +53,7 @@ for one in FOLDERS:
 try:
     import numpy  # noqa: F401
     import matplotlib  # noqa: F401
-    if any(os.path.exists(os.path.join(one, "histories.h5")) for one in FOLDERS):
+    if any(glob.glob(os.path.join(glob.escape(one), "*histories.h5")) for one in FOLDERS):
         import h5py  # noqa: F401
 except ImportError:
     sys.exit(4)
@@ -112,16 +113,17 @@ def main():
         plot_unstable(folder, analyses["stability"])
     if analyses.get("periodic"):
         plot_periodic(folder, analyses["periodic"])
-    if not os.path.exists(os.path.join(folder, "histories.h5")):
+    if not glob.glob(os.path.join(glob.escape(folder), "*histories.h5")):
         return
     # they need h5py
     from plots.convolution import plot_comparison, plot_modal_convolution
     from plots.transient import known_frequencies, plot_transient
     convolution = analyses.get("modal_convolution", {})
-    if not convolution:
+    if "transient" in analyses or not convolution:
         plot_transient(folder, analyses.get("transient", {}), results.get("title", ""), known_frequencies(analyses))
+    if not convolution:
         return
-    plot_modal_convolution(folder)
+    plot_modal_convolution(folder, convolution.get("histories", "histories.h5"))
     if "method_comparison" in convolution:
         plot_comparison(folder, convolution["method_comparison"])
 

@@ -7,10 +7,10 @@ import h5py
 from plots.common import LONG, plot_line, read_table, save, plt
 
 
-def plot_modal_convolution(folder):
+def plot_modal_convolution(folder, histories):
     """Displacements and forces of up to three contact points, as in Figs 2, 3, 6 and 7 of Meftah & Duhamel (2011), and
     third-octave bands of the whole force."""
-    with h5py.File(os.path.join(folder, "histories.h5")) as file:
+    with h5py.File(os.path.join(folder, histories)) as file:
         time = np.asarray(file["time_s"])
         n_points = sum(1 for name in file if name.endswith("_force_N") and not name.endswith("_tangential_force_N"))
         shown = sorted({0, n_points // 2, n_points - 1})

@@ -37,15 +37,31 @@ namespace vibrocontact
       return names;
     }
 
+    /// Histories grow line by line as .rows and become .h5 when they are whole; checkpoints of the marches in time.
+    const std::vector<std::string> row_files = {"histories", "modal_convolution_histories", "signals"},
+                                   checkpoint_files = {"checkpoint.h5", "modal_convolution.h5"};
+
+    std::vector<std::string> hdf5_files()
+    {
+      std::vector<std::string> names = checkpoint_files;
+      for (const std::string &name : row_files)
+        names.push_back(name + ".h5");
+      return names;
+    }
+
     /// What a killed run left half written.
     void remove_parts(const fs::path &folder)
     {
       std::error_code ignored;
       for (const auto &entry : fs::directory_iterator(folder, ignored))
-        for (const char *name :
-             {"results.json.", "histories.h5.", "signals.h5.", "checkpoint.h5.", "modal_convolution.h5."})
-          if (entry.path().filename().string().rfind(name, 0) == 0 && entry.path().extension() == ".part")
+      {
+        const std::string file = entry.path().filename().string();
+        for (const std::string &name : hdf5_files())
+          if (entry.path().extension() == ".part" && file.rfind(name + ".", 0) == 0)
             fs::remove(entry.path(), ignored);
+        if (entry.path().extension() == ".part" && file.rfind("results.json.", 0) == 0)
+          fs::remove(entry.path(), ignored);
+      }
       for (const auto &entry : fs::recursive_directory_iterator(folder / sweep_folder, ignored))
         if (entry.path().extension() == ".part")
           fs::remove(entry.path(), ignored);
@@ -70,8 +86,10 @@ namespace vibrocontact
         if (!(keeps_input && name == "input.prm"))
           remove_file(folder, name);
       // a killed run may have written these after its list
-      for (const char *name :
-           {"results.json", "histories.rows", "signals.rows", "checkpoint.h5", "modal_convolution.h5"})
+      fs::remove(folder / "results.json", ignored);
+      for (const std::string &name : row_files)
+        fs::remove(folder / (name + ".rows"), ignored);
+      for (const std::string &name : checkpoint_files)
         fs::remove(folder / name, ignored);
       fs::remove_all(folder / sweep_folder, ignored);
       remove_parts(folder);
@@ -130,10 +148,12 @@ namespace vibrocontact
     for (const std::string &name : std::vector<std::string>(names))
       if (fs::path(name).extension() == ".wav")
         names.push_back(name + ".txt");
-    for (const char *name :
-         {"input.prm", "used.prm", "log.txt", "results.json", "histories.h5", "histories.rows", "signals.h5",
-          "signals.rows", "checkpoint.h5", "modal_convolution.h5"})
-      if (!(keeps_input && std::string(name) == "input.prm") && fs::is_regular_file(fs::path(folder) / name))
+    std::vector<std::string> own = hdf5_files();
+    own.insert(own.end(), {"input.prm", "used.prm", "log.txt", "results.json"});
+    for (const std::string &name : row_files)
+      own.push_back(name + ".rows");
+    for (const std::string &name : own)
+      if (!(keeps_input && name == "input.prm") && fs::is_regular_file(fs::path(folder) / name))
         names.push_back(name);
     collect("fields", {".vtu"});
     collect("figures", {".png"});

@@ -336,10 +336,6 @@ namespace vibrocontact
           continue;
         check_rolling(body, first ? road : further->second.road);
       }
-      if (scene.runs("transient"))
-        throw InputError(
-            "Analyses lists both transient and modal convolution, which write the same histories: run "
-            "them from a file each.");
     }
     if (scene.runs("periodic"))
     {

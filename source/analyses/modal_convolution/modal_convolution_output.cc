@@ -36,9 +36,9 @@ namespace vibrocontact
   } // namespace
 
   ModalConvolutionHistory::ModalConvolutionHistory(const ModalConvolutionParameters &parameters,
-                                                   const unsigned int n_points, const std::string &folder)
+                                                   const unsigned int n_points, const std::string &file)
       : every(std::max(1l, std::lround(parameters.history_interval / parameters.time_step))),
-        friction(parameters.friction), rows(folder + "/histories", columns(n_points, friction)),
+        friction(parameters.friction), rows(file, columns(n_points, friction)),
         row(1 + quantities(friction).size() * n_points)
   {
   }
@@ -72,9 +72,10 @@ namespace vibrocontact
     rows.exchange("histories", file);
   }
 
-  void write_point_tables(const std::string &folder, const unsigned int n_points, const bool friction)
+  void write_point_tables(const std::string &histories, const unsigned int n_points, const bool friction,
+                          const std::string &folder)
   {
-    Hdf5Reader file(folder + "/histories.h5");
+    Hdf5Reader file(histories + ".h5");
     const std::vector<double> time = file.numbers("time_s");
     std::vector<std::string>
         names = quantities(friction),
@@ -119,9 +120,9 @@ namespace vibrocontact
   }
 
   void write_third_octaves(const ModalConvolutionParameters &parameters, const ModalConvolutionResult &result,
-                           const std::string &folder)
+                           const std::string &histories, const std::string &folder)
   {
-    Hdf5Reader file(folder + "/histories.h5");
+    Hdf5Reader file(histories + ".h5");
     const std::vector<double> time = file.numbers("time_s");
     Table table({"nominal_Hz", "centre_Hz", "lower_Hz", "upper_Hz", "rms_N", "level_dB"},
                 {"1/3-octave bands (IEC 61260-1, base ten) of the force of all contact points together, mean "

@@ -159,9 +159,12 @@ namespace vibrocontact
     ModalConvolution motion(own, parameters.contact_solver, poles, road, road_laws(parameters));
 
     const bool first = dealii::Utilities::MPI::this_mpi_process(run_communicator()) == 0;
+    // a transient beside it has the short name
+    const std::string histories =
+        parameters.scene.runs("transient") ? "modal_convolution_histories" : "histories";
     std::optional<ModalConvolutionHistory> history;
     if (first)
-      history.emplace(own, n_points, folder);
+      history.emplace(own, n_points, folder + "/" + histories);
     Checkpoints checkpoints(folder, poles, motion, history);
     bool found = false;
     if (resume)
@@ -225,6 +228,7 @@ namespace vibrocontact
       scale_damping(reduced, parameters.modes.at(parameters.scene.bodies[0].name));
       say_residual_damping(parameters, {&reduced}, 0., {}, "modal_convolution", results);
     }
+    json["histories"] = histories + ".h5";
     json["indentation_m"] = road_parameters.indentation;
     if (by_force)
       json["static_normal_force_N"] = parameters.rolling.normal_force.front();
@@ -234,11 +238,11 @@ namespace vibrocontact
           history->finish(message.empty() && results.stopped_by == 0);
           const double lines = result.time / std::max(own.time_step, own.history_interval);
           if (n_points <= most_point_tables && lines <= most_table_lines)
-            write_point_tables(folder, n_points, own.friction);
+            write_point_tables(folder + "/" + histories, n_points, own.friction, folder);
           write_impacts(result, folder);
           if (lines <= most_spectrum_lines)
           {
-            write_third_octaves(own, result, folder);
+            write_third_octaves(own, result, folder + "/" + histories, folder);
             json["third_octaves"] = "third_octaves.csv";
           }
         });
@@ -363,7 +367,8 @@ namespace vibrocontact
             {{"modal_convolution",
               "modal convolution",
               modal_convolution_answer,
-              {"histories.h5", "impacts.csv", "third_octaves.csv", "figures/modal_convolution*.png"}}},
+              {"modal_convolution_histories.h5", "histories.h5", "impacts.csv", "third_octaves.csv",
+               "figures/modal_convolution*.png"}}},
             swept_runs(prepare_modal_convolution,
                        {{"impulse_Ns", "/modal_convolution/impulse_Ns/0"},
                         {"largest_force_N", "/modal_convolution/largest_force_N"},

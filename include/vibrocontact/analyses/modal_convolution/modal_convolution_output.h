@@ -10,14 +10,15 @@
 
 namespace vibrocontact
 {
-  /// Histories of a modal convolution: histories.h5 with one array per column, `time_s`, then per contact point
+  /// Histories of a modal convolution: histories.h5 (beside a transient modal_convolution_histories.h5) with one array per column, `time_s`, then per contact point
   /// `point_<i>_displacement_m`, `point_<i>_force_N`, `point_<i>_road_m`, with friction also `point_<i>_tangential_displacement_m`,
   /// `point_<i>_tangential_force_N`. A line every history interval.
   class ModalConvolutionHistory
   {
   public:
+    /// @param file without its .h5
     ModalConvolutionHistory(const ModalConvolutionParameters &parameters, unsigned int n_points,
-                            const std::string &folder);
+                            const std::string &file);
     void add(const ModalConvolutionLines &lines);
     void exchange(CheckpointFile &file);
     void finish(bool at_the_end) { rows.finish(at_the_end); }
@@ -30,15 +31,16 @@ namespace vibrocontact
     std::vector<double> row;
   };
 
-  /// histories.h5 as contact_point_<i>.csv: time_s, displacement_m, force_N, road_m, with friction also
-  /// tangential_displacement_m, tangential_force_N. @throws OutputError
-  void write_point_tables(const std::string &folder, unsigned int n_points, bool friction);
+  /// The histories as contact_point_<i>.csv: time_s, displacement_m, force_N, road_m, with friction also
+  /// tangential_displacement_m, tangential_force_N. @param histories file without its .h5 @throws OutputError
+  void write_point_tables(const std::string &histories, unsigned int n_points, bool friction,
+                          const std::string &folder);
 
-  /// third_octaves.csv of the force of all points together, from the last three quarters of histories.h5: nominal_Hz,
+  /// third_octaves.csv of the force of all points together, from the last three quarters of the histories: nominal_Hz,
   /// centre_Hz, lower_Hz, upper_Hz, rms_N, level_dB (re 1 N); bands without any force are left out. Impulses of the
   /// event-located motion stand in the nearest line as force over the lines' distance.
   void write_third_octaves(const ModalConvolutionParameters &parameters, const ModalConvolutionResult &result,
-                           const std::string &folder);
+                           const std::string &histories, const std::string &folder);
 
   /// analyses.modal_convolution of results.json; of more events than fit there (10,000) the first.
   nlohmann::ordered_json modal_convolution_json(const ModalConvolutionParameters &parameters,
