@@ -38,9 +38,13 @@ namespace vibrocontact
       }
     };
 
+    /// changes whenever what is kept of a case, or what it means, does
+    constexpr int format = 1;
+
     unsigned long long sum_of(const char *const data, const std::size_t n_bytes)
     {
       Checksum sum;
+      sum.add(&format, sizeof format);
       sum.add(data, n_bytes);
       return sum.value();
     }

@@ -1,5 +1,6 @@
 #include <vibrocontact/base/checksum.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/input_files.h>
 #include <vibrocontact/run/sweep_cases.h>
 
 #include <algorithm>
@@ -81,6 +82,8 @@ namespace vibrocontact
       const std::string text = print_parameters(declared, ParameterStyle::values_only);
       Checksum sum;
       sum.add(text.data(), text.size());
+      for (const auto &[entry, content] : input_files(declared))
+        sum.add(content.data(), content.size());
       sum.add(&lateral_position, sizeof lateral_position);
       return sum.value();
     }
