@@ -10,14 +10,7 @@ interrupted.py PROGRAM MPIRUN PARAMETER_FILES SCENE SETTING...: kills and ranks 
 """
 import glob, json, os, random, signal, subprocess, sys, time
 
-try:
-    import h5py
-except ImportError:
-    # a Python of one's own may lack what the system's has
-    if os.environ.get("VIBROCONTACT_SYSTEM_PYTHON"):
-        raise
-    os.environ["VIBROCONTACT_SYSTEM_PYTHON"] = "yes"
-    os.execv("/usr/bin/python3", ["/usr/bin/python3", *sys.argv])
+from h5py_of_system import h5py
 
 program, mpirun, files = sys.argv[1:4]
 n_kills = int(os.environ.get("VIBROCONTACT_KILLS", "2"))

@@ -12,14 +12,7 @@ VIBROCONTACT_KILLS=200 in the environment: so many of each instead of 3.
 """
 import json, os, random, re, shutil, signal, subprocess, sys, time
 
-try:
-    import h5py
-except ImportError:
-    # a Python of one's own may lack what the system's has
-    if os.environ.get("VIBROCONTACT_SYSTEM_PYTHON"):
-        raise
-    os.environ["VIBROCONTACT_SYSTEM_PYTHON"] = "yes"
-    os.execv("/usr/bin/python3", ["/usr/bin/python3", *sys.argv])
+from h5py_of_system import h5py
 
 program, mpirun, files = sys.argv[1:4]
 n_trials = int(os.environ.get("VIBROCONTACT_KILLS", "3"))
