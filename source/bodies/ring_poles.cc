@@ -264,6 +264,7 @@ namespace vibrocontact
     body.damping_ratio.assign(n_modes, ring.damping_ratio);
     body.modal_load.assign(n_modes, 0.);
     body.residual_load.assign(n_rows, 0.);
+    body.participation.reinit(n_modes, 3);
     for (unsigned int n = 0; n <= ring.highest_order; ++n)
     {
       check_held(ring, n);
@@ -288,6 +289,9 @@ namespace vibrocontact
                                                                      : -std::sin(turn);
             body.trace(i, k) = sign(rows[i]) * shape[component(rows[i])] * wave / std::sqrt(m);
           }
+          // a ring that moves as a whole: v = cos(theta), w = sin(theta) forward, v = sin(theta), w = -cos(theta) up
+          if (n == 1)
+            body.participation(k, shift == 0 ? 0 : 2) = std::sqrt(m) * (shape[0] - shape[1]);
           body.omega.push_back(omega);
           body.labels.push_back("n=" + std::to_string(n) + ", branch " + std::to_string(branch + 1));
         }
@@ -314,8 +318,12 @@ namespace vibrocontact
     }
     const unsigned int n = mass.size();
     body.trace.reinit(n, n);
+    body.participation.reinit(n, 3);
     for (unsigned int k = 0; k < n; ++k)
+    {
       body.trace(k, k) = 1 / std::sqrt(mass[k]);
+      body.participation(k, k == 0 ? 2 : 0) = std::sqrt(mass[k]);
+    }
     body.residual.reinit(n, n);
     body.residual_load.assign(n, 0.);
     return body;

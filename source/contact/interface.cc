@@ -331,12 +331,13 @@ namespace vibrocontact
     void check_in_grid(const ContactGrid &grid, const ContactParameters &contact, const double speed,
                        const ContactStatus *const status)
     {
-      if (grid.whole_surface)
+      const bool rolls = speed > 0;
+      if (grid.whole_surface && (!rolls || contact.friction == 0))
         return;
       const SurfaceEnds ends = contact.ends(grid);
-      const bool rolls = speed > 0;
       const unsigned int free_upstream = rolls ? 2 : ends.upstream ? 0 : 1;
-      const std::string larger_x = "enlarge " + contact.section + "/Half length",
+      const std::string larger_x = grid.whole_surface ? "give the body more contact points"
+                                                      : "enlarge " + contact.section + "/Half length",
                         larger_y = "enlarge " + contact.section + "/Half width";
       for (unsigned int point = 0; point < grid.n_points(); ++point)
       {

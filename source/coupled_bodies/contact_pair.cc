@@ -26,6 +26,30 @@ namespace vibrocontact
               surface.curvature_y() * std::pow(origin[1] + contact.grid.y(point), 2));
     }
 
+    /// The poles of one body behind those of the others, in its rows of the contacts.
+    void add_poles(const BodyInContact &own, const std::string &name, const PlacedContacts::Rows &rows,
+                   const unsigned int n_rows, BodyInContact &all)
+    {
+      const unsigned int first = all.n_poles(), n = first + own.n_poles();
+      for (ComplexMatrix *const shapes : {&all.right, &all.left})
+      {
+        const ComplexMatrix &from = shapes == &all.right ? own.right : own.left, before = *shapes;
+        shapes->reinit(n_rows, n);
+        for (unsigned int k = 0; k < n; ++k)
+          for (unsigned int i = 0; i < (k < first ? n_rows : rows.rows.size()); ++i)
+            if (k < first)
+              (*shapes)(i, k) = before(i, k);
+            else
+              (*shapes)(rows.rows[i], k) = rows.sign[i] * from(i, k - first);
+      }
+      for (unsigned int k = 0; k < own.n_poles(); ++k)
+      {
+        all.poles.push_back(own.poles[k]);
+        all.pole_load.push_back(own.pole_load[k]);
+        all.labels.push_back(name + ":" + own.labels[k]);
+      }
+    }
+
     // what the residual flexibility answers to the loads; the modes' part comes with their amplitudes
     void add_load_jump(const ReducedBody &body, const PlacedContacts::Rows &own, const unsigned int n_rows,
                        DenseVector &jump)
@@ -69,21 +93,28 @@ namespace vibrocontact
             flexibility(i, j) = flexibility(j, i) = 0;
     }
 
-    // In plane strain nothing moves along y and nothing drives it there. A compliance of its own, which never
-    // feels a force, keeps the lateral force of a sticking point determined (zero). It is of the size of the
-    // compliance along x; with all modes kept that is the inertia's, far below the static one, and rho_t, which
-    // follows the mean of both, must not notice this one.
+    // In plane strain, as of an oscillator or a ring in its plane, nothing moves along y and nothing drives it there. A
+    // compliance of its own, which never feels a force, keeps the lateral force of a sticking point determined (zero). It
+    // is of the size of the compliance along x; with all modes kept that is the inertia's, far below the static one, and
+    // rho_t, which follows the mean of both, must not notice this one.
     void hold_across(ContactPair &pair)
     {
-      // what touches with its whole surface has one contact
-      const ContactGrid &grid = pair.interface.contacts.only();
       const unsigned int n = pair.n_points(), m = pair.n_modes();
-      if (!grid.whole_surface || grid.n_y > 1)
-        return;
+      const auto gives_way = [&](const unsigned int row)
+      {
+        bool moves = pair.residual_flexibility(row, row) != 0;
+        for (unsigned int k = 0; k < m && !moves; ++k)
+          moves = pair.modal_trace(row, k) != 0;
+        for (unsigned int k = 0; k < pair.n_poles() && !moves; ++k)
+          moves = pair.poles.right(row, k) != 0.;
+        return moves;
+      };
       constexpr double beyond_all_modes = 1e3;
       const double fastest = m > 0 ? *std::max_element(pair.omega.begin(), pair.omega.end()) : 0;
       for (unsigned int i = 0; i < n; ++i)
       {
+        if (gives_way(2 * n + i) || !gives_way(n + i))
+          continue;
         const double residual = pair.residual_flexibility(n + i, n + i);
         double modal = 0, inertial = 0;
         for (unsigned int k = 0; k < m; ++k)
@@ -169,11 +200,31 @@ namespace vibrocontact
           pair.participation(first + k, d) = reduced.participation(k, d);
       }
       first += reduced.omega.size();
+      if (bodies[b].poles && bodies[b].poles->n_poles() > 0)
+      {
+        add_poles(*bodies[b].poles, reduced.name, own, 3 * n, pair.poles);
+        pair.body_of_pole.resize(pair.n_poles(), b + 1);
+      }
       add_load_jump(reduced, own, 3 * n, pair.interface.load_jump);
     }
     uncouple(sections, contacts, pair.residual_flexibility);
     hold_across(pair);
     return pair;
+  }
+
+  std::vector<double> ContactPair::frequencies() const
+  {
+    std::vector<double> result = omega;
+    for (const std::complex<double> &pole : poles.poles)
+      result.push_back(std::abs(pole));
+    return result;
+  }
+
+  std::vector<std::string> ContactPair::names() const
+  {
+    std::vector<std::string> result = labels;
+    result.insert(result.end(), poles.labels.begin(), poles.labels.end());
+    return result;
   }
 
   DenseMatrix static_compliance(const ContactPair &pair)
@@ -182,6 +233,16 @@ namespace vibrocontact
     const auto rigid = std::find(pair.omega.begin(), pair.omega.end(), 0.);
     const std::string label = rigid == pair.omega.end() ? "" : pair.labels[rigid - pair.omega.begin()];
     add_modal_compliance(result, pair.modal_trace, pair.omega, label.substr(0, label.find(':')));
+    if (pair.n_poles() == 0)
+      return result;
+    std::vector<std::complex<double>> weights;
+    for (unsigned int k = 0; k < pair.n_poles(); ++k)
+    {
+      if (is_rigid_motion(pair.poles.poles[k]))
+        throw InputError("Nothing holds " + pair.poles.labels[k] + ": a static analysis cannot load it.");
+      weights.push_back(-1. / pair.poles.poles[k]);
+    }
+    result.add(1., sum_over_poles(pair.poles, weights));
     return result;
   }
 
@@ -197,6 +258,16 @@ namespace vibrocontact
         jump.reinit(3 * pair.n_points());
       for (unsigned int i = 0; i < jump.size(); ++i)
         jump[i] += pair.modal_trace(i, k) * pair.modal_load[k] / (pair.omega[k] * pair.omega[k]);
+    }
+    for (unsigned int k = 0; k < pair.n_poles(); ++k)
+    {
+      const std::complex<double> rest = rest_of_state(pair.poles, k);
+      if (rest == 0.)
+        continue;
+      if (jump.size() == 0)
+        jump.reinit(3 * pair.n_points());
+      for (unsigned int i = 0; i < jump.size(); ++i)
+        jump[i] += 2 * (pair.poles.right(i, k) * rest).real();
     }
     return interface;
   }

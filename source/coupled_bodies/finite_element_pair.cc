@@ -15,7 +15,7 @@ namespace vibrocontact
   InertialPair finite_element_pair(const FiniteElementPair &bodies, const ContactPair &pair)
   {
     InertialPair result;
-    result.grid = pair.interface.contacts.only();
+    result.contacts = pair.interface.contacts;
     result.omega = pair.omega;
     result.labels = pair.labels;
     const unsigned int n = n_moving_dofs(bodies);

@@ -57,7 +57,7 @@ namespace vibrocontact
   {
     const unsigned int m = pair.n_modes();
     InertialPair result;
-    result.grid = pair.interface.contacts.only();
+    result.contacts = pair.interface.contacts;
     result.mass.reinit(m);
     result.damping.reinit(m);
     result.stiffness.reinit(m);
@@ -83,11 +83,11 @@ namespace vibrocontact
     return result;
   }
 
-  ContactCoupling contact_coupling(const DenseMatrix &trace, const ContactGrid &grid,
+  ContactCoupling contact_coupling(const DenseMatrix &trace, const PlacedContacts &contacts,
                                    const CreepScheme &scheme, const RollingEquilibrium &equilibrium,
                                    const LinearisationOptions &options)
   {
-    const unsigned int n = grid.n_points(), N = trace.n();
+    const unsigned int n = contacts.n_points(), N = trace.n();
     SlidingFrame frame = sliding_frame(equilibrium);
     if (frame.n_stick > 0)
       throw InputError("The equilibrium is not in full sliding (" + std::to_string(frame.n_stick) + " of " +
@@ -103,7 +103,7 @@ namespace vibrocontact
     if (options.convection && equilibrium.speed > 0)
     {
       convective = trace;
-      convert_to_slip_rows(grid, scheme, equilibrium.speed, convective);
+      convert_to_slip_rows(contacts, scheme, equilibrium.speed, convective);
     }
     std::vector<double> across;
     for (const double mobility : frame.mobility)
@@ -159,7 +159,8 @@ namespace vibrocontact
                                             const RollingEquilibrium &equilibrium,
                                             const LinearisationOptions &options)
   {
-    const ContactCoupling coupling = contact_coupling(pair.trace, pair.grid, scheme, equilibrium, options);
+    const ContactCoupling coupling =
+        contact_coupling(pair.trace, pair.contacts, scheme, equilibrium, options);
     DenseMatrix damping = pair.damping, stiffness = pair.stiffness;
     damping.add(1., coupling.damping);
     stiffness.add(1., coupling.stiffness);

@@ -69,6 +69,70 @@ namespace vibrocontact
       }
       return result;
     }
+    /// What moves without the contact: x' = transition x + input R, x = (q, v, Re z, Im z),
+    ///
+    ///   du = displacement x + W R,     du' = rate x + rate_at_once R + W R'
+    struct FreeMotion
+    {
+      DenseMatrix transition, input, displacement, rate, rate_at_once;
+    };
+
+    FreeMotion free_motion(const ContactPair &pair)
+    {
+      const unsigned int n_rows = 3 * pair.n_points(), m = pair.n_modes(), p = pair.n_poles(),
+                         size = 2 * (m + p);
+      FreeMotion motion;
+      motion.transition.reinit(size, size);
+      motion.input.reinit(size, n_rows);
+      motion.displacement.reinit(n_rows, size);
+      motion.rate.reinit(n_rows, size);
+      for (unsigned int k = 0; k < m; ++k)
+      {
+        motion.transition(k, m + k) = 1;
+        motion.transition(m + k, k) = -pair.omega[k] * pair.omega[k];
+        motion.transition(m + k, m + k) = -2 * pair.damping_ratio[k] * pair.omega[k];
+        for (unsigned int i = 0; i < n_rows; ++i)
+          motion.displacement(i, k) = motion.rate(i, m + k) = motion.input(m + k, i) = pair.modal_trace(i, k);
+      }
+      for (unsigned int d = 0; pair.hub && d < 3; ++d)
+        for (unsigned int j = 0; j < pair.hub->shapes.n(); ++j)
+          for (unsigned int k = 0; k < pair.hub->shapes.n(); ++k)
+            motion.transition(m + k, m + j) -=
+                pair.hub->damping[d] * pair.hub->motion(d, k) * pair.hub->motion(d, j);
+      for (unsigned int k = 0; k < p; ++k)
+      {
+        const unsigned int re = 2 * m + k, im = re + p;
+        const std::complex<double> &pole = pair.poles.poles[k];
+        motion.transition(re, re) = motion.transition(im, im) = pole.real();
+        motion.transition(im, re) = pole.imag();
+        motion.transition(re, im) = -pole.imag();
+        for (unsigned int i = 0; i < n_rows; ++i)
+        {
+          const std::complex<double> right = 2. * pair.poles.right(i, k), moving = right * pole;
+          motion.displacement(i, re) = right.real();
+          motion.displacement(i, im) = -right.imag();
+          motion.rate(i, re) = moving.real();
+          motion.rate(i, im) = -moving.imag();
+          motion.input(re, i) = pair.poles.left(i, k).real();
+          motion.input(im, i) = pair.poles.left(i, k).imag();
+        }
+      }
+      if (p > 0)
+        motion.rate_at_once = sum_over_poles(pair.poles, std::vector<std::complex<double>>(p, 1.));
+      return motion;
+    }
+
+    /// As of a mode of unit mass: free of how right and left shape share their size.
+    double size_of_pole(const BodyInContact &body, const unsigned int k)
+    {
+      double right = 0, left = 0;
+      for (unsigned int i = 0; i < body.right.m(); ++i)
+      {
+        right = std::max(right, std::abs(body.right(i, k)));
+        left = std::max(left, std::abs(body.left(i, k)));
+      }
+      return left > 0 ? std::sqrt(right / (left * 2 * std::abs(body.poles[k]))) : 0;
+    }
   } // namespace
 
   DenseMatrix compliance_of_contact(const ContactPair &pair, const RollingEquilibrium &equilibrium)
@@ -91,8 +155,8 @@ namespace vibrocontact
   DenseMatrix linearised_contact(const ContactPair &pair, const CreepScheme &scheme,
                                  const RollingEquilibrium &equilibrium, const LinearisationOptions &options)
   {
-    const unsigned int n = pair.n_points(), m = pair.n_modes();
-    const DenseMatrix W = compliance_of_contact(pair, equilibrium), &Psi = pair.modal_trace;
+    const unsigned int n = pair.n_points();
+    const DenseMatrix W = compliance_of_contact(pair, equilibrium);
 
     SlidingFrame frame = sliding_frame(equilibrium);
     const std::vector<unsigned int> &points = frame.points;
@@ -109,38 +173,42 @@ namespace vibrocontact
     const std::vector<ContactDirection> &across = frame.across;
     const unsigned int n_z = across.size();
 
-    // gap and slip by R and q: W, Psi, V d/dx of their tangential rows
-    DenseMatrix slip_by_q(3 * n, m), slip_by_R(3 * n, 3 * n);
+    // slip by x and R: V d/dx of the displacements, and rates; that of W R comes with R'
+    const FreeMotion motion = free_motion(pair);
+    const unsigned int n_x = motion.transition.m();
+    DenseMatrix slip_by_x(3 * n, n_x), slip_by_R(3 * n, 3 * n);
     if (options.convection)
     {
-      slip_by_q = Psi;
+      slip_by_x = motion.displacement;
       slip_by_R = W;
-      convert_to_slip_rows(pair.interface.contacts, scheme, equilibrium.speed, slip_by_q);
+      convert_to_slip_rows(pair.interface.contacts, scheme, equilibrium.speed, slip_by_x);
       convert_to_slip_rows(pair.interface.contacts, scheme, equilibrium.speed, slip_by_R);
     }
+    slip_by_x.add(1., motion.rate);
+    if (pair.n_poles() > 0)
+      slip_by_R.add(1., motion.rate_at_once);
 
-    // R = E_N N + E_z z + E_q q + E_v v; the last two from friction that falls with the speed, itself among R
-    DenseMatrix E_N = frame.normal, E_z = forces_along(across, n), E_q(3 * n, m), E_v(3 * n, m);
+    // R = E_N N + E_z s + E_x x; the last from friction that falls with the speed, itself among R
+    DenseMatrix E_N = frame.normal, E_z = forces_along(across, n), E_x(3 * n, n_x);
     if (!frame.along.empty())
     {
       DenseMatrix fall = forces_along(frame.along, n);
       for (unsigned int k = 0; k < frame.along.size(); ++k)
         for (unsigned int i = 0; i < 3 * n; ++i)
           fall(i, k) *= -frame.falling[k];
-      E_q = product(fall, rows_along(slip_by_q, frame.along, n));
-      E_v = product(fall, rows_along(Psi, frame.along, n));
-      if (equilibrium.speed > 0 && options.convection)
+      E_x = product(fall, rows_along(slip_by_x, frame.along, n));
+      if ((equilibrium.speed > 0 && options.convection) || pair.n_poles() > 0)
       {
         DenseMatrix own = product(fall, rows_along(slip_by_R, frame.along, n));
         own *= -1;
         for (unsigned int i = 0; i < 3 * n; ++i)
           own(i, i) += 1;
-        for (DenseMatrix *const E : {&E_N, &E_z, &E_q, &E_v})
+        for (DenseMatrix *const E : {&E_N, &E_z, &E_x})
           *E = solve(own, *E, "friction that falls with the slip speed");
       }
     }
 
-    // R = X_q q + X_v v + X_z z from the closed gaps
+    // R = X_x x + X_z s from the closed gaps
     const DenseMatrix W_n = rows(W, points), G = product(W_n, E_N);
     const std::vector<double> hub = gaps_by_approach(pair, points);
     const auto closed = [&](const DenseMatrix &E, const DenseMatrix *const gap)
@@ -155,74 +223,48 @@ namespace vibrocontact
       X.add(1., E);
       return X;
     };
-    const DenseMatrix Psi_n = rows(Psi, points);
-    const DenseMatrix X_q = closed(E_q, &Psi_n), X_v = closed(E_v, nullptr), X_z = closed(E_z, nullptr);
+    const DenseMatrix gap_by_x = rows(motion.displacement, points);
+    const DenseMatrix X_x = closed(E_x, &gap_by_x), X_z = closed(E_z, nullptr);
 
-    // slip across t: ds = S_q q + S_r R + Psi_d v + W_d R'
-    const DenseMatrix Psi_d = rows_along(Psi, across, n), S_q = rows_along(slip_by_q, across, n),
-                      S_r = rows_along(slip_by_R, across, n);
+    // slip across t: ds = S_x x + S_r R + W_d R'
+    const DenseMatrix S_x = rows_along(slip_by_x, across, n), S_r = rows_along(slip_by_R, across, n);
     DenseMatrix W_d(n_z, 3 * n);
     if (options.residual_rate)
       W_d = rows_along(W, across, n);
 
-    // q'' = -2 zeta w v - w^2 q + Psi^T (X_q q + X_z z)
-    DenseMatrix Psi_T(m, 3 * n);
-    for (unsigned int i = 0; i < 3 * n; ++i)
-      for (unsigned int k = 0; k < m; ++k)
-        Psi_T(k, i) = Psi(i, k);
+    // x' = (transition + input X_x) x + input X_z s
     const bool has_states =
         n_z > 0 && (options.lateral_damping || n_stick > 0) && (options.residual_rate || n_stick > 0);
-    DenseMatrix A(2 * m + (has_states ? n_z : 0));
-    for (unsigned int k = 0; k < m; ++k)
-    {
-      A(k, m + k) = 1;
-      A(m + k, k) = -pair.omega[k] * pair.omega[k];
-      A(m + k, m + k) = -2 * pair.damping_ratio[k] * pair.omega[k];
-    }
-    for (unsigned int d = 0; pair.hub && d < 3; ++d)
-      for (unsigned int j = 0; j < pair.hub->shapes.n(); ++j)
-        for (unsigned int k = 0; k < pair.hub->shapes.n(); ++k)
-          A(m + k, m + j) -= pair.hub->damping[d] * pair.hub->motion(d, k) * pair.hub->motion(d, j);
-    add_block(A, product(Psi_T, X_q), m, 0);
-    add_block(A, product(Psi_T, X_v), m, m);
+    DenseMatrix A(n_x + (has_states ? n_z : 0));
+    add_block(A, motion.transition, 0, 0);
+    add_block(A, product(motion.input, X_x), 0, 0);
     if (n_z == 0)
       return A;
 
-    DenseMatrix slip_q = product(S_r, X_q), slip_v = product(W_d, X_q), slip_z = product(S_r, X_z);
-    slip_q.add(1., S_q);
-    slip_v.add(1., Psi_d);
-    slip_v.add(1., product(S_r, X_v));
+    DenseMatrix slip_x = product(S_r, X_x), slip_z = product(S_r, X_z);
+    slip_x.add(1., S_x);
+    for (unsigned int k = 0; k < n_z; ++k)
+      slip_z(k, k) += frame.mobility[k];
     if (has_states)
     {
-      // W_d X_z z' = -(slip_q q + slip_v v + slip_z z) - mobility z - W_d X_v v'
-      add_block(A, product(Psi_T, X_z), m, 2 * m);
-      for (unsigned int k = 0; k < n_z; ++k)
-        slip_z(k, k) += frame.mobility[k];
-      DenseMatrix right(n_z, 2 * m + n_z);
-      add_block(right, slip_q, 0, 0, -1);
-      add_block(right, slip_v, 0, m, -1);
-      add_block(right, slip_z, 0, 2 * m, -1);
-      if (!frame.along.empty())
-      {
-        DenseMatrix acceleration(m, 2 * m + n_z);
-        for (unsigned int j = 0; j < 2 * m + n_z; ++j)
-          for (unsigned int k = 0; k < m; ++k)
-            acceleration(k, j) = A(m + k, j);
-        add_block(right, product(product(W_d, X_v), acceleration), 0, 0, -1);
-      }
-      add_block(A, solve(product(W_d, X_z), right, "tangential flexibility"), 2 * m, 0);
+      // W_d X_z s' = -slip_x x - (slip_z + mobility) s - W_d X_x x'
+      add_block(A, product(motion.input, X_z), 0, n_x);
+      DenseMatrix rates(n_x, n_x + n_z);
+      for (unsigned int j = 0; j < n_x + n_z; ++j)
+        for (unsigned int i = 0; i < n_x; ++i)
+          rates(i, j) = A(i, j);
+      DenseMatrix right = product(product(W_d, X_x), rates);
+      right *= -1;
+      add_block(right, slip_x, 0, 0, -1);
+      add_block(right, slip_z, 0, n_x, -1);
+      add_block(A, solve(product(W_d, X_z), right, "tangential flexibility"), n_x, 0);
     }
     else
     {
-      // mobility z = -(slip_q q + Psi_d v + slip_z z) is no state; the paper's C_b, whose effect on N is left
-      // out
-      for (unsigned int k = 0; k < n_z; ++k)
-        slip_z(k, k) += frame.mobility[k];
-      DenseMatrix right(n_z, 2 * m);
-      add_block(right, slip_q, 0, 0, -1);
-      add_block(right, slip_v, 0, m, -1);
-      const DenseMatrix z = solve(slip_z, right, "sliding mobility");
-      add_block(A, product(product(Psi_T, options.convection ? X_z : E_z), z), m, 0);
+      // (slip_z + mobility) s = -slip_x x is no state; the paper's C_b, whose effect on N is left out
+      slip_x *= -1;
+      const DenseMatrix z = solve(slip_z, slip_x, "sliding mobility");
+      add_block(A, product(product(motion.input, options.convection ? X_z : E_z), z), 0, 0);
     }
     return A;
   }
@@ -313,7 +355,14 @@ namespace vibrocontact
       std::vector<std::complex<double>> amplitudes;
       for (unsigned int i = 0; i < pair.n_modes(); ++i)
         amplitudes.push_back(lambda.component(i, k));
-      roots.push_back(named_root(lambda.values[k], std::move(amplitudes), pair.omega, pair.labels));
+      for (unsigned int i = 0; i < pair.n_poles(); ++i)
+      {
+        const unsigned int re = 2 * pair.n_modes() + i;
+        const std::complex<double> a = lambda.component(re, k), b = lambda.component(re + pair.n_poles(), k);
+        amplitudes.push_back(std::polar(
+            size_of_pole(pair.poles, i) * std::sqrt(2 * (std::norm(a) + std::norm(b))), std::arg(a)));
+      }
+      roots.push_back(named_root(lambda.values[k], std::move(amplitudes), pair.frequencies(), pair.names()));
     }
     sort_roots(roots);
     return roots;

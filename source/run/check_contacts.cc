@@ -189,7 +189,15 @@ namespace vibrocontact
     /// Two bodies without a mesh touch in a point (in a line along a strip), and one of them gives way.
     void check_touch(const BodyParameters &body_1, const BodyParameters &body_2, const bool strip)
     {
-      if (body_1.is_meshed() || body_2.is_meshed())
+      if (body_2.touches_downwards_only())
+        throw InputError("The " + body_2.type + " " + body_2.name +
+                         " touches what lies below it, but is body 2, below: list it first in Bodies.");
+      const auto own_1 = body_1.contact_points(1), own_2 = body_2.contact_points(1);
+      if (own_1 && own_2 && own_1->n_points() != own_2->n_points())
+        throw InputError("The bodies " + body_1.name + " and " + body_2.name + " bring " +
+                         std::to_string(own_1->n_points()) + " and " + std::to_string(own_2->n_points()) +
+                         " contact points of their own, which cannot meet: give both the same number.");
+      if (body_1.vibrates() || body_2.vibrates())
         return;
       if (body_1.type == "rigid" && body_2.type == "rigid")
         throw InputError("The bodies " + body_1.name + " and " + body_2.name +

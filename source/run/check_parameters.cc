@@ -45,6 +45,34 @@ namespace vibrocontact
                          "constant Speed, give it.");
     }
 
+    /// A body that is known between its own points alone, in contact with another one.
+    void check_green_body(const Parameters &parameters, const BodyParameters &body)
+    {
+      const double speed = parameters.rolling.creepage.speed;
+      if (body.rolls() && speed == 0)
+        throw InputError(body.name +
+                         "/Ring/Rolling is true, but Rolling/Speed is 0: give the speed that it turns with.");
+      if (body.rolls() && body.ring.n_points < 3 && parameters.largest_friction() > 0)
+        throw InputError(body.name + "/Ring/Contact points is " + std::to_string(body.ring.n_points) +
+                         ", but the ring rolls with friction, and how its material is deformed upstream of a "
+                         "point decides about its slip there: give three or more, or a friction coefficient "
+                         "of 0.");
+      if (body.type == "identified" && body.identified.inverse_transform)
+        throw InputError(body.name +
+                         "/Identified/Inverse transform is true, whose Green's functions repeat themselves; "
+                         "other analyses than modal convolution need poles: leave it out.");
+      if (body.type == "identified" && parameters.largest_friction() > 0)
+        throw InputError(
+            "Contact/Friction coefficient is " + number_text(parameters.largest_friction()) + ", but " +
+            body.name +
+            " is of type identified, whose data say nothing about motion along the contact: set it "
+            "to 0.");
+      if (body.type == "identified" && !body.identified.is_even() && speed > 0)
+        throw InputError(body.name +
+                         "/Identified/Positions are not evenly spaced, but Rolling/Speed is above 0, and "
+                         "material that flows through them is differenced from point to point: set it to 0.");
+    }
+
     void check_frequency_response(const Scene &scene, const std::map<std::string, ModeParameters> &modes,
                                   const FrequencyResponseParameters &response)
     {
@@ -116,6 +144,10 @@ namespace vibrocontact
                          ", is a half-space, which has no hub: leave the entry out.");
       if (rolling.hub != "suspended")
         return;
+      if (body.is_known_by_poles())
+        throw InputError("Rolling/Hub is suspended, but body 1, " + body.name +
+                         ", is known at its contact points alone, by poles, which do not say what its hub's "
+                         "acceleration does to it: set it to held or massless.");
       if (!(rolling.suspension.mass > 0))
         throw InputError(
             "Rolling/Hub is suspended, but Rolling/Suspension/Unsprung mass is 0: give the mass of "
@@ -289,13 +321,17 @@ namespace vibrocontact
       }
     }
     if (scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient"))
+    {
       check_hub_of_body_1(*this);
+      for (const BodyParameters &body : scene.bodies)
+        check_green_body(*this, body);
+    }
     if (scene.runs("transient"))
     {
       std::vector<std::string> with_modes;
       for (const auto &[name, mode] : modes)
         with_modes.push_back(name);
-      check_transient(transient, rolling, scene, with_modes);
+      check_transient(*this);
       if (sweeps.at("transient").any())
         check_sweep_model("Transient", transient.model);
       signals.check(with_modes, transient);
@@ -389,8 +425,13 @@ namespace vibrocontact
                                        "convolution and periodic move the body by "
                                        "them; give Upper frequency or Count");
     if (scene.runs("stability") && std::none_of(scene.bodies.begin(), scene.bodies.end(),
-                                                [](const BodyParameters &body) { return body.is_meshed(); }))
+                                                [](const BodyParameters &body) { return body.vibrates(); }))
       throw InputError("Analyses asks for stability, but no body has modes; leave \"stability\" out");
+    if (scene.runs("stability") && stability.second_count &&
+        std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                    [](const BodyParameters &body) { return body.is_known_by_poles(); }))
+      throw InputError("Stability/Second count goes round real modes, but a body is known by poles: leave it "
+                       "out.");
     if (scene.runs("stability") && stability.second_count &&
         std::any_of(contacts.all.begin(), contacts.all.end(),
                     [](const ContactParameters &one) { return one.law_of_friction()->depends_on_speed(); }))
@@ -399,10 +440,12 @@ namespace vibrocontact
           "Static friction ratio of 1) or leave the count out.");
     for (const auto &[section, model] : unreduced_models(*this))
       for (const BodyParameters &body : scene.bodies)
-        if (body.type == "half-space" || body.type == "beam rail")
-          throw InputError(section + "/Model is " + model + ", but " + body.name + " is a " + body.type +
-                           ", whose contact lies on a half-space without inertia: set it to reduced, or make "
-                           "the body rigid or of solid elements.");
+        if (body.type == "half-space" || body.type == "beam rail" || body.is_green())
+          throw InputError(section + "/Model is " + model + ", but " + body.name + " is of type " +
+                           body.type +
+                           (body.is_green() ? ", which is known between its contact points alone"
+                                            : ", whose contact lies on a half-space without inertia") +
+                           ": set it to reduced, or make the body rigid or of solid elements.");
     if (has_contact())
     {
       // a meshed body has a dense compliance, 1.8 GB for 5,000 points; half-spaces a convolution

@@ -33,9 +33,10 @@ namespace vibrocontact
                   const BodyUse &use)
     {
       const bool analytic = !ring.is_meshed();
-      entries.add(section,
-                  "Model, Radius, Thickness, Width, Young modulus, Radial foundation stiffness, "
-                  "Circumferential foundation stiffness, Inflation pressure, Density, Damping ratio");
+      entries.add(section, "Model, Radius, Thickness, Width, Young modulus, Radial foundation stiffness, "
+                           "Circumferential foundation stiffness, Inflation pressure");
+      entries.add_if(use.motion || ring.rolling, "the ring moves", section, "Density");
+      entries.add_if(use.loss || ring.rolling, "the ring moves", section, "Damping ratio");
       entries.add_if(ring.pressure != 0, "there is an Inflation pressure", section, "Pressure");
       entries.add_if(analytic, "Model is analytic", section, "Rolling, Highest order, Residual");
       entries.add_if(analytic && ring.residual, "Model is analytic and Residual is true", section,
@@ -49,12 +50,18 @@ namespace vibrocontact
                      "Tread tangential stiffness");
     }
 
-    void add_oscillator(EntriesRead &entries, const std::string &section, const BodyUse &use)
+    void add_oscillator(EntriesRead &entries, const std::string &section,
+                        const OscillatorParameters &oscillator, const BodyUse &use)
     {
-      entries.add(section, "Mass, Stiffness, Damping ratio");
+      entries.add(section, "Stiffness");
+      entries.add_if(use.motion || (use.loads && oscillator.gravity != 0), "it moves or has a Gravity",
+                     section, "Mass");
+      entries.add_if(use.loss, "it moves", section, "Damping ratio");
       entries.add_if(use.loads, "it stands under its weight", section, "Gravity");
-      entries.add_if(use.tangential, "it moves along the road", section,
-                     "Tangential mass, Tangential stiffness, Tangential damping ratio");
+      const std::string along = "it moves along the road";
+      entries.add_if(use.tangential, along, section, "Tangential stiffness");
+      entries.add_if(use.tangential && use.motion, along, section,
+                     "Tangential mass, Tangential damping ratio");
     }
 
     void add_identified(EntriesRead &entries, const Parameters &parameters, const std::string &section,
@@ -227,7 +234,7 @@ namespace vibrocontact
     else if (body.type == "ring")
       add_ring(entries, section, body.ring, use);
     else if (body.type == "oscillator")
-      add_oscillator(entries, section, use);
+      add_oscillator(entries, section, body.oscillator, use);
     else if (body.type == "identified")
       add_identified(entries, parameters, section, body.identified, use);
   }

@@ -66,12 +66,14 @@ namespace vibrocontact
         if (contact.name.empty() || std::count(contact.bodies.begin(), contact.bodies.end(), body.name) > 0)
           bodies.push_back(&body);
       const bool own = std::none_of(bodies.begin(), bodies.end(),
-                                    [](const BodyParameters *const body) {
-                                      return body->is_point() || body->own_grid() || body->type == "layer" ||
-                                             body->type == "ring";
-                                    });
-      const std::string whose = "no body (bar, layer, ring) brings its own contact points";
-      entries.add_if(own, whose, section, "Grid spacing, Half length, Strip length, Offset x, Quadrature");
+                                    [](const BodyParameters *const body)
+                                    { return body->contact_points(1).has_value(); }),
+                 cells = std::none_of(bodies.begin(), bodies.end(),
+                                      [](const BodyParameters *const body)
+                                      { return body->contact_points(1) && !body->takes_cell(); });
+      const std::string whose = "no body (bar, layer, ring, oscillator) brings its own contact points";
+      entries.add_if(cells, "no body (bar, layer, ring) brings its own cells", section, "Grid spacing");
+      entries.add_if(own, whose, section, "Half length, Strip length, Offset x, Quadrature");
       entries.add_if(own && contact.strip_length == 0, whose + " and Strip length is 0", section,
                      "Half width, Offset y");
       if (!contact.name.empty())
@@ -172,9 +174,10 @@ namespace vibrocontact
 
   void add_partners(EntriesRead &entries, const Parameters &parameters, const BodyUse &use)
   {
+    BodyUse own = use;
+    own.tangential = largest_friction(parameters) > 0;
     for (unsigned int k = 0; k < parameters.scene.bodies.size(); ++k)
-      if (!parameters.scene.bodies[k].is_green())
-        add_body(entries, parameters, k, use);
+      add_body(entries, parameters, k, own);
   }
 
   double largest_friction(const Parameters &parameters)

@@ -126,7 +126,9 @@ namespace vibrocontact
             : identified_poles(parameters, measured, body, tread > 0 ? 0 : contact_step).poles;
     for (unsigned int i = 0; i < model.n_rows(); ++i)
       model.residual(i, i) += tread;
-    check_well_posedness(model, contact_step, body.name);
+    // statics have no step
+    if (contact_step > 0)
+      check_well_posedness(model, contact_step, body.name);
     return model;
   }
 } // namespace vibrocontact

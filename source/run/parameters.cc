@@ -122,22 +122,10 @@ namespace vibrocontact
     const auto [above, below] = bodies_of_contact(k);
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
     {
-      const BodyParameters &body = scene.bodies[b];
       if (!contacts.all[k].name.empty() && b != above && b != below)
         continue;
-      if (body.type == "bar")
-      {
-        ContactGrid point;
-        point.n_x = point.n_y = 1;
-        point.spacing_x = point.spacing_y = std::sqrt(body.bar.section);
-        return point;
-      }
-      else if (const auto own = body.own_grid())
+      if (const auto own = scene.bodies[b].contact_points(contacts.all[k].spacing))
         return *own;
-      else if (body.type == "layer")
-        return body.layer.grid();
-      else if (body.type == "ring")
-        return body.ring.grid();
     }
     return contacts.all[k].grid();
   }

@@ -68,23 +68,6 @@ namespace vibrocontact
       }
   }
 
-  std::unique_ptr<const PreparedPair> prepare_pair(const Parameters &parameters, const MeshedBodies &bodies,
-                                                   const bool with_modes)
-  {
-    auto pair = std::make_unique<PreparedPair>();
-    pair->reduced.resize(bodies.size());
-    for (unsigned int k = 0; k < bodies.size(); ++k)
-    {
-      if (bodies[k])
-      {
-        pair->reduced[k] = bodies[k]->reduction.reduced(with_modes);
-        scale_damping(pair->reduced[k], parameters.modes.at(parameters.scene.bodies[k].name));
-      }
-      pair->bodies.push_back({&parameters.scene.bodies[k], bodies[k] ? &pair->reduced[k] : nullptr});
-    }
-    return pair;
-  }
-
   namespace
   {
     bool wants_modes(const Parameters &parameters, const MeshedBody &body)

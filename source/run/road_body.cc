@@ -40,6 +40,17 @@ namespace vibrocontact
                      const std::optional<MeasuredData> &measured, const unsigned int number,
                      const RoadUse &use)
   {
+    if (!bodies[number])
+      return road_body(parameters, static_cast<const ReducedBody *>(nullptr), measured, number, use);
+    ReducedBody reduced = bodies[number]->reduction.reduced(true);
+    scale_damping(reduced, parameters.modes.at(parameters.scene.bodies[number].name));
+    return road_body(parameters, &reduced, measured, number, use);
+  }
+
+  RoadBody road_body(const Parameters &parameters, const ReducedBody *const reduced,
+                     const std::optional<MeasuredData> &measured, const unsigned int number,
+                     const RoadUse &use)
+  {
     const BodyParameters &body = parameters.scene.bodies[number];
     if (body.type == "oscillator")
       return {oscillator_body(body.oscillator, use.friction), {0.}, {0.}};
@@ -71,18 +82,16 @@ namespace vibrocontact
         return result;
       }
     }
-    ReducedBody reduced = bodies[number]->reduction.reduced(true);
-    scale_damping(reduced, parameters.modes.at(body.name));
     if (body.type == "ring")
-      result.body = ring_of_elements(body.ring, reduced, use.friction);
+      result.body = ring_of_elements(body.ring, *reduced, use.friction);
     else
     {
-      result.body = road_rows(reduced, use.friction, -1);
-      for (unsigned int i = 0; i < reduced.grid.n_points(); ++i)
+      result.body = road_rows(*reduced, use.friction, -1);
+      for (unsigned int i = 0; i < reduced->grid.n_points(); ++i)
       {
         // the contact travels towards -x
-        result.places.push_back(-reduced.grid.x(i));
-        result.shapes.push_back(reduced.surface_height[i]);
+        result.places.push_back(-reduced->grid.x(i));
+        result.shapes.push_back(reduced->surface_height[i]);
       }
     }
     result.is_passive = !falls(result.body);

@@ -47,7 +47,8 @@ namespace vibrocontact
         const BodyParameters &body = parameters.scene.bodies[one.k];
         // damping of wheels is given by mode
         const double loss = body.type == "wheel" ? 0 : body.material_loss_factor();
-        const double beta = parameters.modes.at(body.name).stiffness_damping;
+        const auto modes = parameters.modes.find(body.name);
+        const double beta = modes == parameters.modes.end() ? 0 : modes->second.stiffness_damping;
         bodies.push_back({one.reduced, one.row, beta, loss});
         any = any || beta > 0 || loss > 0;
       }

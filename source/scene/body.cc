@@ -2,6 +2,7 @@
 #include <vibrocontact/scene/body.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vibrocontact
 {
@@ -38,6 +39,24 @@ namespace vibrocontact
   bool BodyParameters::is_meshed() const
   {
     return body_type().is_meshed && (type != "ring" || ring.is_meshed());
+  }
+
+  std::optional<ContactGrid> BodyParameters::contact_points(const double cell) const
+  {
+    if (own)
+      return own->contact_grid();
+    if (type == "layer")
+      return layer.grid();
+    if (type == "ring")
+      return ring.grid();
+    if (type == "identified" && identified.positions.size() > 1)
+      return identified.grid(cell);
+    if (type != "bar" && !takes_cell())
+      return {};
+    ContactGrid point;
+    point.n_x = point.n_y = 1;
+    point.spacing_x = point.spacing_y = type == "bar" ? std::sqrt(bar.section) : cell;
+    return point;
   }
 
   void BodyParameters::declare_parameters(dealii::ParameterHandler &prm)

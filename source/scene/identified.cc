@@ -47,4 +47,25 @@ namespace vibrocontact
       result.push_back(radius > 0 ? radius * (1 - std::cos(x / radius)) : 0);
     return result;
   }
+
+  bool IdentifiedParameters::is_even() const
+  {
+    for (std::size_t i = 0; i + 2 < positions.size(); ++i)
+      if (std::abs(positions[i] - 2 * positions[i + 1] + positions[i + 2]) >
+          1e-6 * (positions.back() - positions.front()))
+        return false;
+    return true;
+  }
+
+  ContactGrid IdentifiedParameters::grid(const double width) const
+  {
+    ContactGrid grid;
+    grid.n_x = positions.size();
+    grid.n_y = 1;
+    grid.spacing_x = (positions.back() - positions.front()) / (positions.size() - 1);
+    grid.spacing_y = width;
+    grid.x_first = -positions.back();
+    grid.whole_surface = true;
+    return grid;
+  }
 } // namespace vibrocontact

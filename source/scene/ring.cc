@@ -135,6 +135,7 @@ namespace vibrocontact
     grid.spacing_x = spacing;
     grid.spacing_y = width;
     grid.x_first = -0.5 * (n_points - 1) * spacing;
+    grid.whole_surface = true;
     return grid;
   }
 

@@ -224,13 +224,6 @@ namespace vibrocontact
         throw InputError("Bodies lists " + std::to_string(bodies.size()) + " (" + bodies_entry +
                          "), but the analysis \"" + type.name +
                          "\" needs two, body 1 above and body 2 below; list exactly two");
-    for (const char *analysis : {"quasi-static rolling", "stability", "transient"})
-      for (const auto &body : bodies)
-        if (runs(analysis) && body.is_green())
-          throw InputError("Body " + body.name + " is of type " + body.type + ", which the analysis \"" +
-                           analysis +
-                           "\" does not take: it knows no road under a body given by its Green's functions; "
-                           "leave the analysis out or choose another type");
     for (const std::string analysis : {"modes", "frequency response"})
       if (runs(analysis) &&
           std::none_of(bodies.begin(), bodies.end(),

@@ -23,8 +23,8 @@ BODIES = {
     "bar, free": ("bar", BAR + ["Bar/Far end = free"], "rigid", False, "0, 0, 0"),
     "block, held": ("block", BLOCK + ["Block/Held = top"], "rigid", True, "0, 0, 0"),
     "block, held, on a half-space": ("block", BLOCK + ["Block/Held = top"], "half-space", True, "0, 0, 0"),
-    "blade": ("blade", ["Material/Loss factor = 0.01", "Blade/Length divisions = 4", "Blade/Chord divisions = 2",
-                        "Blade/Thickness divisions = 1", "Blade/Element degree = 2"] + HELD, "rigid", True, "0, 0, 0.2"),
+    "blade": ("blade", ["Material/Loss factor = 0.01", "Blade/Length divisions = 4", "Blade/Chord divisions = 8",
+                        "Blade/Thickness divisions = 1", "Blade/Tip angle = 0", "Blade/Element degree = 2"] + HELD, "rigid", True, "0, 0, 0.2"),
     "layer": ("layer", ["Material/Young modulus = 2e9", "Material/Density = 2000", "Material/Loss factor = 0.01",
                         "Layer/Length = 0.1", "Layer/Height = 0.05", "Layer/Divisions x = 3", "Layer/Divisions z = 2",
                         "Layer/Element degree = 1", "Modes/Count = 6"], "rigid", True, "0.0166667, 0, 0"),
@@ -32,26 +32,33 @@ BODIES = {
                          "0, 0, 0"),
     "ring, analytic": ("ring", RING + ["Ring/Model = analytic", "Ring/Highest order = 10"], "rigid", True, None),
     "ring, analytic, rolling": ("ring", RING + ["Ring/Model = analytic", "Ring/Highest order = 10", "Ring/Rolling = true"],
-                                "rigid", True, None),
+                                "rigid", False, None),
+    "ring, analytic, on a half-space": ("ring", RING + ["Ring/Model = analytic", "Ring/Highest order = 10"], "half-space",
+                                        True, None),
     "oscillator": ("oscillator", [], "rigid", True, None),
-    "identified": ("identified", [f"Identified/Poles file = {tests}/periodic/identified_stop.csv"], "rigid", True, None),
+    "oscillator, on a half-space": ("oscillator", [], "half-space", True, None),
+    "identified": ("identified", [f"Identified/Poles file = {tests}/periodic/identified_stop.csv",
+                                  "Identified/Tread stiffness = 3e5"], "rigid", False, None),
     "half-space": ("half-space", ["Half-space/Radius x = 0.3", "Half-space/Radius y = 0.3"], "half-space", True, None),
     "rigid": ("rigid", ["Rigid/Radius x = 0.3", "Rigid/Radius y = 0.3"], "half-space", True, None),
 }
 ANALYSES = ["modes", "frequency response", "quasi-static rolling", "stability", "transient", "modal convolution", "periodic"]
-SLIDING = ["Rolling/Speed = 0", "Rolling/Hub displacement = 1e-6"]
+PRESSED = ["Rolling/Hub displacement = 1e-6"]
 
 
-def entries(analysis, kind, rubs, place):
+def entries(analysis, kind, rubs, place, speed):
     """What an analysis has to be told of such a body."""
     own_points = kind in ("bar", "ring", "layer", "oscillator", "identified")
     inside = analysis in ("modal convolution", "periodic")
-    size = ((0.0005, 0.001) if kind == "blade" else (0.01, 0.02 if inside else 0.04) if kind == "block"
+    size = ((0.005, 0.005) if kind == "blade" else (0.01, 0.02 if inside else 0.04) if kind == "block"
             else (0.001, 0.004))
     grid = [] if own_points else [f"Contact/Grid spacing = {size[0]}", f"Contact/Half length = {size[1]}",
                                   f"Contact/Half width = {size[1]}"]
-    pair = grid + SLIDING + [f"Contact/Friction coefficient = {0.3 if rubs else 0}"]
-    pair += ["Rolling/Sliding velocity x = 0.1"] if rubs else []
+    # its tip is wide along x alone
+    grid += ["Contact/Strip length = 0.004", "other/Rigid/Radius x = 0.1"] if kind == "blade" else []
+    pair = grid + PRESSED + [f"Rolling/Speed = {speed}", f"Contact/Friction coefficient = {0.3 if rubs else 0}"]
+    # a frictionless bar does not slide
+    pair += ["Rolling/Sliding velocity x = 0.1"] if rubs or kind == "identified" else []
     return {
         "modes": [],
         "frequency response": ["Frequency response/First frequency = 50", "Frequency response/Last frequency = 200",
@@ -59,7 +66,8 @@ def entries(analysis, kind, rubs, place):
                               + ([f"Frequency response/Points = p: {place}, z"] if place else []),
         "quasi-static rolling": pair,
         "stability": pair,
-        "transient": pair + ["Transient/Time step = 1e-6", "Transient/End time = 2e-5"],
+        "transient": pair + ["Transient/Time step = 1e-6", "Transient/End time = 2e-5"]
+                     + (["Transient/Reaction = end of step"] if kind in ("oscillator", "identified") else []),
         "modal convolution": grid +
                              ["Road/Indentation = 1e-6", "Modal convolution/Time step = 1e-5",
                               "Modal convolution/End time = 2e-3"],
@@ -76,7 +84,13 @@ def settings_of(analysis, name):
     if not is_alone(analysis, kind):
         settings += [f"other/Type = {partner}"]
         settings += ["other/Half-space/Radius x = 0.5", "other/Half-space/Radius y = 0.5"] * (partner == "half-space")
-    settings += entries(analysis, kind, rubs, place) + ["Road/Speed = 10"] * ("rolling" in name)
+    speed = 10 if "rolling" in name else 0
+    settings += entries(analysis, kind, rubs, place, speed) + [f"Road/Speed = {speed}"] * (speed > 0)
+    if is_alone(analysis, kind):
+        settings = [setting for setting in settings if not setting.startswith("other/")]
+    if is_below(analysis, kind):
+        settings = [setting.replace("Contact/", "tip/") for setting in settings]
+        settings += ["tip/Bodies = other, body", f"tip/Origin on body 2 = {place}"]
     return settings + ["Output/Figures = false", "Output/Fields = false"]
 
 
@@ -84,8 +98,15 @@ def is_alone(analysis, kind):
     return analysis in ("modes", "frequency response", "modal convolution") and kind != "layer"
 
 
+def is_below(analysis, kind):
+    """Whether it looks up at the other body."""
+    return kind == "blade" and analysis in ("quasi-static rolling", "stability", "transient")
+
+
 def text(analysis, name, settings):
-    lines = [f"set Bodies = body{'' if is_alone(analysis, BODIES[name][0]) else ', other'}", f"set Analyses = {analysis}"]
+    kind = BODIES[name][0]
+    bodies = "body" if is_alone(analysis, kind) else "other, body" if is_below(analysis, kind) else "body, other"
+    lines = [f"set Bodies = {bodies}", f"set Analyses = {analysis}"] + ["set Contacts = tip"] * is_below(analysis, kind)
     for setting in settings:
         path, value = setting.split(" = ")
         sections = path.split("/")

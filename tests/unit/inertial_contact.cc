@@ -39,9 +39,9 @@ namespace
   {
     InertialPair pair;
     const unsigned int N = s.n_dofs;
-    pair.grid.n_x = s.n_points;
-    pair.grid.n_y = 1;
-    pair.grid.spacing_x = pair.grid.spacing_y = 1e-3;
+    pair.contacts.only().n_x = s.n_points;
+    pair.contacts.only().n_y = 1;
+    pair.contacts.only().spacing_x = pair.contacts.only().spacing_y = 1e-3;
     pair.stiffness = s.stiffness;
     pair.mass.reinit(N);
     pair.damping.reinit(N);

@@ -52,6 +52,8 @@ namespace vibrocontact
     ComplexMatrix right = ComplexMatrix(), left = ComplexMatrix();
     /// what constant loads feed into the states; n_poles or empty
     std::vector<std::complex<double>> pole_load = {};
+    /// Phi^T M e of unit translations e of the whole body forward, across and up, n_modes x 3 [sqrt(kg)]; or empty
+    DenseMatrix participation = DenseMatrix();
 
     unsigned int n_modes() const { return omega.size(); }
     unsigned int n_poles() const { return poles.size(); }

@@ -8,4 +8,19 @@ namespace vibrocontact
   /// A reduced body on a road: rows of all points upward, with friction then those forward.
   /// @param forward sign of the body's x along the road: the contact's x points backwards, a ring's forward
   BodyInContact road_rows(const ReducedBody &body, bool with_friction, double forward);
+
+  /// A body with the rows of its contact.
+  struct ContactRows
+  {
+    ReducedBody reduced;
+    /// what it moves by poles beside its modes: poles, shapes and loads alone
+    BodyInContact poles = BodyInContact();
+  };
+
+  /// The other way round: a body on a road with the rows of a contact. Its x points backwards, as in all rolling contacts;
+  /// what the body has no rows for, across the road and along it without friction, does not give way. A hub that moves down
+  /// takes all points with it.
+  /// @param heights of the undeformed surface at the points, from the last to the first [m]; n
+  ContactRows contact_rows(const BodyInContact &body, const std::string &name, const ContactGrid &grid,
+                           const std::vector<double> &heights);
 } // namespace vibrocontact

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/bodies/body_in_contact.h>
 #include <vibrocontact/contact/half_space.h>
 #include <vibrocontact/contact/interface.h>
 #include <vibrocontact/coupled_bodies/hub.h>
@@ -15,7 +16,8 @@ namespace vibrocontact
   /// Reduced bodies as their contacts see them: the jump of the contact displacements (first body of each contact minus
   /// the second) and the modes of all,
   ///
-  ///   du = Psi q + W~ R + load_jump,      q'' + 2 zeta w q' + w^2 q = Psi^T R + load
+  ///   du = Psi q + 2 Re right z + W~ R + load_jump,      q'' + 2 zeta w q' + w^2 q = Psi^T R + load
+  ///                                                       z' = lambda z + left^T R + load
   ///
   /// R: forces on the first body; a given force on body 1 at its contact point along z adds its force_participation and
   /// force_response. The opposite force on the second body and its share of the jump are in the sign of its
@@ -40,6 +42,9 @@ namespace vibrocontact
     /// W~ of all bodies: residual flexibilities (or what Contact/Local flexibility puts in their place), the
     /// whole compliance of half-spaces, nothing of rigid bodies; 3 n square [m/N]
     DenseMatrix residual_flexibility;
+    /// what bodies move by poles beside their modes, all rows with the signs of Psi; of each pole its body (from 1)
+    BodyInContact poles;
+    std::vector<unsigned int> body_of_pole;
     /// null: the hub of body 1 moves as the approach does
     std::shared_ptr<const SuspendedHub> hub;
 
@@ -57,6 +62,11 @@ namespace vibrocontact
     {
       return body[mode] == 1 ? modal_trace(0, mode) : 0.;
     }
+    /// Of a pole, as force_participation() of a mode.
+    std::complex<double> force_into_pole(const unsigned int pole) const
+    {
+      return body_of_pole[pole] == 1 ? poles.left(0, pole) : 0.;
+    }
     double force_response(const unsigned int row) const
     {
       return force_residual.empty() ? 0. : force_residual[row];
@@ -64,6 +74,10 @@ namespace vibrocontact
 
     unsigned int n_points() const { return interface.contacts.n_points(); }
     unsigned int n_modes() const { return omega.size(); }
+    unsigned int n_poles() const { return poles.n_poles(); }
+    /// Frequencies [rad/s] and names of the modes, then of the poles: what the shapes of roots are amplitudes of.
+    std::vector<double> frequencies() const;
+    std::vector<std::string> names() const;
   };
 
   /// One body of the scene as the contact needs it: half-spaces and rigid bodies by their parameters, any
@@ -73,6 +87,8 @@ namespace vibrocontact
     const BodyParameters *parameters;
     /// null for half-spaces and rigid bodies
     const ReducedBody *reduced;
+    /// poles and loads on them, in the rows of `reduced`; null: it moves by its modes alone
+    const BodyInContact *poles = nullptr;
   };
 
   /// Elastic constants of a body without mesh, infinite stiffness of a rigid one.
@@ -95,7 +111,7 @@ namespace vibrocontact
     return contact_pair({body_1, body_2}, contact, grid);
   }
 
-  /// W~ + Psi diag(w^-2) Psi^T: what a static analysis sees; 3 n square [m/N].
+  /// W~ + Psi diag(w^-2) Psi^T - 2 Re right diag(1 / lambda) left^T: what a static analysis sees; 3 n square [m/N].
   /// @throws InputError if a body can move freely
   DenseMatrix static_compliance(const ContactPair &pair);
 

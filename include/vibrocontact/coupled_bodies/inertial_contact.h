@@ -16,7 +16,7 @@ namespace vibrocontact
   /// (reduction/attachment_inertia.h), where M = I, K = diag(w^2).
   struct InertialPair
   {
-    ContactGrid grid;
+    PlacedContacts contacts;
     /// N square, dense [kg], [N s/m], [N/m]
     DenseMatrix mass, damping, stiffness;
     /// P, 3 n x N
@@ -40,7 +40,7 @@ namespace vibrocontact
   };
 
   /// @throws InputError if points stick
-  ContactCoupling contact_coupling(const DenseMatrix &trace, const ContactGrid &grid,
+  ContactCoupling contact_coupling(const DenseMatrix &trace, const PlacedContacts &contacts,
                                    const CreepScheme &scheme, const RollingEquilibrium &equilibrium,
                                    const LinearisationOptions &options);
 

@@ -28,8 +28,8 @@ namespace vibrocontact
   /// How the gaps of some points close where the hub of body 1 moves down [-].
   std::vector<double> gaps_by_approach(const ContactPair &pair, const std::vector<unsigned int> &points);
 
-  /// The pair linearised about an equilibrium, x' = A x, x = (q, v, z): modal amplitudes and velocities, and
-  /// what friction keeps in memory (doc/theory.md, "Steady sliding and its stability", "Time steps").
+  /// The pair linearised about an equilibrium, x' = A x, x = (q, v, Re z, Im z, s): modal amplitudes and velocities, poles,
+  /// and what friction keeps in memory (doc/theory.md, "Steady sliding and its stability", "Time steps").
   ///
   /// Contact points in compression stay closed, open ones open. At a sliding point the friction force is
   ///
@@ -67,7 +67,7 @@ namespace vibrocontact
     double share = 0;
     /// the free mode that the root began as, see RootPaths; empty if not followed
     std::string path;
-    /// modal amplitudes; n_modes
+    /// modal amplitudes, then those of the poles as if they were modes; n_modes + n_poles
     std::vector<std::complex<double>> shape;
 
     template <typename Archive>

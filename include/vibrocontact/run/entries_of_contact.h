@@ -10,7 +10,7 @@ namespace vibrocontact
 
   /// A body in contact that moves in its modes.
   BodyUse moving_in_contact();
-  /// Two bodies in contact; none of them is known by its Green's functions.
+  /// All bodies in contact; along the contact they move if something rubs there.
   void add_partners(EntriesRead &entries, const Parameters &parameters, const BodyUse &use);
   /// Whether a force stands on it: gravity or a traction.
   bool stands_under_loads(const BodyParameters &body);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <vibrocontact/coupled_bodies/contact_pair.h>
 #include <vibrocontact/run/meshed_body.h>
 #include <vibrocontact/run/parameters.h>
 
@@ -25,21 +24,8 @@ namespace vibrocontact
   /// All of them.
   MeshedBodies meshed_bodies(const Parameters &parameters, const DeclaredParameters &declared);
 
-  /// The bodies of a scene, reduced where they are meshed.
-  struct PreparedPair
-  {
-    std::vector<ReducedBody> reduced;
-    /// in the order of the scene; they refer to `reduced` and to the parameters
-    std::vector<ContactBody> bodies;
-  };
-
   /// Reduces the bodies or finds them in the cache, so that whoever asks for them later needs no other rank. Collective.
   void reduce_bodies(const MeshedBodies &bodies, bool with_modes);
-
-  /// Reduces the bodies of the scene (or finds them in the cache), with their modes or for a static
-  /// analysis. Collective.
-  std::unique_ptr<const PreparedPair> prepare_pair(const Parameters &parameters, const MeshedBodies &bodies,
-                                                   bool with_modes);
 
   /// The damping ratios of a reduced body by its Damping factor and Stiffness damping.
   void scale_damping(ReducedBody &body, const ModeParameters &modes);

@@ -38,6 +38,9 @@ namespace vibrocontact
   /// @param number of the body in the scene, from 0
   RoadBody road_body(const Parameters &parameters, const MeshedBodies &bodies,
                      const std::optional<MeasuredData> &measured, unsigned int number, const RoadUse &use);
+  /// The same of a reduction that is at hand, with its damping as section Modes scales it; null: of a body without mesh.
+  RoadBody road_body(const Parameters &parameters, const ReducedBody *reduced,
+                     const std::optional<MeasuredData> &measured, unsigned int number, const RoadUse &use);
 
   /// The laws of section Contact between it and the road.
   RoadLaws road_laws(const Parameters &parameters);

@@ -2,7 +2,7 @@
 
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/run/parameters.h>
-#include <vibrocontact/run/prepare_bodies.h>
+#include <vibrocontact/run/prepare_pair.h>
 
 #include <string>
 #include <vector>

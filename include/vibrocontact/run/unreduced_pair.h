@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/run/prepare_bodies.h>
+#include <vibrocontact/run/prepare_pair.h>
 
 namespace vibrocontact
 {

@@ -105,18 +105,37 @@ namespace vibrocontact
     bool has_groups() const { return type == "wheel" || type == "rail" || type == "mesh"; }
     /// an analytic ring whose Green's functions are those of rolling
     bool rolls() const { return type == "ring" && !is_meshed() && ring.rolling; }
-    /// known by its Green's functions: rolls on a road, cannot be a partner of other contacts
+    /// known between its own contact points alone, by modes or by Green's functions
     bool is_green() const { return type == "identified" || type == "ring" || type == "oscillator"; }
+    /// of these, what has poles and no real modes
+    bool is_known_by_poles() const { return type == "identified" || rolls(); }
+    /// has modes or poles, in which it moves
+    bool vibrates() const { return is_meshed() || is_green(); }
+    /// all of its flexibility has mass: a force moves its contact points by their inertia alone
+    bool has_rigid_points() const
+    {
+      return type == "oscillator" ||
+             (type == "ring" && !is_meshed() && !ring.residual && ring.tread_stiffness == 0);
+    }
     /// turns about an axle, built in or from a mesh file: its modes have labels and Eq. 23's damping
     bool is_wheel() const { return type == "wheel" || (type == "mesh" && mesh.is_wheel()); }
     /// Whether its material or its supports take energy.
     bool has_loss() const;
     /// of the material, of several the one that loses most [-]
     double material_loss_factor() const;
+    /// Its own contact points, if it brings some; nothing: those of the grid of section Contact.
+    /// @param cell size of the cell of a point that has none of its own [m]
+    std::optional<ContactGrid> contact_points(double cell) const;
+    /// its only point has no cell of its own but one of Contact/Grid spacing
+    bool takes_cell() const { return type == "oscillator" || type == "identified"; }
+    /// its contact points look down: it is the body above
+    bool touches_downwards_only() const { return type == "ring"; }
     /// can come into contact in one point only
-    bool is_point() const { return type == "bar" || (own_grid() && own_grid()->n_points() == 1); }
-    /// The contact points of a type that a program adds, if it brings its own.
-    std::optional<ContactGrid> own_grid() const { return own ? own->contact_grid() : std::nullopt; }
+    bool is_point() const
+    {
+      const auto points = contact_points(1);
+      return points && points->n_points() == 1;
+    }
 
     /// Inside the body's subsection; the type has to be set before.
     void declare_parameters(dealii::ParameterHandler &prm);

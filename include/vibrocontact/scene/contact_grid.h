@@ -35,7 +35,7 @@ namespace vibrocontact
     /// coordinates of the first point (smallest x and y) [m]
     double x_first = 0, y_first = 0;
     TractionShape traction = TractionShape::constant;
-    /// the grid ends where the body's surface does (a layer), so that the contact may fill it
+    /// nothing of the body beside these points can touch (a layer, a ring), so that the contact may fill the grid
     bool whole_surface = false;
 
     unsigned int n_points() const { return n_x * n_y; }

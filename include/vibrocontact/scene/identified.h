@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vibrocontact/scene/contact_grid.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
@@ -28,5 +30,10 @@ namespace vibrocontact
     void check(const std::string &section) const;
     /// of each point above the lowest one; as many as positions [m]
     std::vector<double> heights() const;
+    /// whether the positions are evenly spaced
+    bool is_even() const;
+    /// several positions as the points of a contact, whose x points backwards, with their mean distance.
+    /// @param width of a cell [m]
+    ContactGrid grid(double width) const;
   };
 } // namespace vibrocontact

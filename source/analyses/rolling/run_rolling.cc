@@ -8,6 +8,7 @@
 #include <vibrocontact/output/contact_patch.h>
 #include <vibrocontact/output/field_writer.h>
 #include <vibrocontact/run/entries_of_contact.h>
+#include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/swept_runs.h>
 
 #include <filesystem>
@@ -107,9 +108,10 @@ namespace vibrocontact
   } // namespace
 
   RollingResult run_rolling(const Parameters &parameters, const MeshedBodies &bodies,
-                            const std::string &folder, Results &results, const std::function<void()> &save)
+                            const std::optional<MeasuredData> &measured, const std::string &folder,
+                            Results &results, const std::function<void()> &save)
   {
-    const auto pair = prepare_pair(parameters, bodies, parameters.replaces_flexibility());
+    const auto pair = prepare_pair(parameters, bodies, measured, parameters.replaces_flexibility());
     results.reductions = reductions_json(bodies);
     save();
 
@@ -224,7 +226,7 @@ namespace vibrocontact
     {
       const OutputParameters &output = on.parameters.output;
       const RollingResult last =
-          run_rolling(on.parameters, on.bodies, on.folder, on.results, on.save_sometimes);
+          run_rolling(on.parameters, on.bodies, on.measured, on.folder, on.results, on.save_sometimes);
       if (output.fields && output.deformation != "never")
         write_deformation(last, on.parameters, on.bodies, on.folder);
     }
@@ -234,7 +236,7 @@ namespace vibrocontact
     {
       reduce_bodies(on.bodies, on.parameters.replaces_flexibility());
       return [](const AnalysisRun &one)
-      { run_rolling(one.parameters, one.bodies, one.folder, one.results, one.save_sometimes); };
+      { run_rolling(one.parameters, one.bodies, one.measured, one.folder, one.results, one.save_sometimes); };
     }
   } // namespace
 

@@ -7,6 +7,7 @@
 #include <vibrocontact/coupled_bodies/finite_element_pair.h>
 #include <vibrocontact/reduction/attachment_inertia.h>
 #include <vibrocontact/run/entries_of_contact.h>
+#include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/say_residual_damping.h>
 
 #include <cstdio>
@@ -89,10 +90,10 @@ namespace vibrocontact
     return frequencies;
   }
 
-  void run_stability(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
-                     Results &results)
+  void run_stability(const Parameters &parameters, const MeshedBodies &bodies,
+                     const std::optional<MeasuredData> &measured, const std::string &folder, Results &results)
   {
-    const auto prepared = prepare_pair(parameters, bodies, true);
+    const auto prepared = prepare_pair(parameters, bodies, measured, true);
     run_log().block("Stability");
     const ContactPair pair =
         contact_pair(prepared->bodies, parameters.contacts, parameters.placed_contacts());
@@ -163,7 +164,8 @@ namespace vibrocontact
              "Stability",
              true},
             stability_read,
-            [](const AnalysisRun &on) { run_stability(on.parameters, on.bodies, on.folder, on.results); },
+            [](const AnalysisRun &on)
+            { run_stability(on.parameters, on.bodies, on.measured, on.folder, on.results); },
             false,
             {{"stability",
               "stability",

@@ -5,12 +5,14 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/reduction/window.h>
+#include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/say_residual_damping.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <sstream>
 
 namespace vibrocontact
@@ -24,16 +26,18 @@ namespace vibrocontact
     }
 
     /// @param reduced_bodies null for bodies without mesh
-    ContactPair pair_of_case(const SweepCase &one, const std::vector<const ReducedBody *> &reduced_bodies)
+    ContactPair pair_of_case(const SweepCase &one, const std::optional<MeasuredData> &measured,
+                             const std::vector<const ReducedBody *> &reduced_bodies)
     {
       const Parameters &parameters = one.parameters;
       const ContactGrid grid = grid_of_case(one);
-      std::vector<ReducedBody> own(2);
+      std::vector<std::optional<ContactRows>> own(2);
       std::vector<ContactBody> bodies;
       for (unsigned int k = 0; k < 2; ++k)
       {
         const BodyParameters &body = parameters.scene.bodies[k];
         const ReducedBody *const reduced = reduced_bodies[k];
+        std::optional<ReducedBody> meshed;
         if (reduced)
         {
           double lateral = 0, height = 0;
@@ -44,10 +48,11 @@ namespace vibrocontact
             if (const auto axle = body.axle_height(nominal))
               height = *axle - *body.axle_height(one.lateral_position);
           }
-          own[k] = window(*reduced, grid, lateral, height);
-          scale_damping(own[k], parameters.modes.at(body.name));
+          meshed = window(*reduced, grid, lateral, height);
+          scale_damping(*meshed, parameters.modes.at(body.name));
         }
-        bodies.push_back({&body, reduced ? &own[k] : nullptr});
+        own[k] = body_of_contact(parameters, std::move(meshed), measured, k);
+        bodies.push_back({&body, own[k] ? &own[k]->reduced : nullptr, own[k] ? &own[k]->poles : nullptr});
       }
       return contact_pair(bodies[0], bodies[1], parameters.contact(), grid);
     }
@@ -67,9 +72,10 @@ namespace vibrocontact
       }
     };
 
-    SolvedCase solve(const SweepCase &one, const std::vector<const ReducedBody *> &reduced)
+    SolvedCase solve(const SweepCase &one, const std::optional<MeasuredData> &measured,
+                     const std::vector<const ReducedBody *> &reduced)
     {
-      const ContactPair pair = pair_of_case(one, reduced);
+      const ContactPair pair = pair_of_case(one, measured, reduced);
       RollingParameters rolling = one.parameters.rolling;
       rolling.hub = one.parameters.hub();
       SolvedCase solved;
@@ -77,8 +83,8 @@ namespace vibrocontact
                                 one.parameters.contact_solver, pair, [](const StabilityResult &) {})
                           .front();
       const ContactPair &moving = solved.result.suspended ? *solved.result.suspended : pair;
-      solved.labels = moving.labels;
-      solved.omega = moving.omega;
+      solved.labels = moving.names();
+      solved.omega = moving.frequencies();
       return solved;
     }
 
@@ -137,7 +143,7 @@ namespace vibrocontact
 
       PackedCase compute(const unsigned int k) override
       {
-        return dealii::Utilities::pack(solve(sweep.cases[k], reduced[k]), false);
+        return dealii::Utilities::pack(solve(sweep.cases[k], on.measured, reduced[k]), false);
       }
 
       void take(const unsigned int k, const std::function<PackedCase()> &computed) override

@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/stability/stability.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/coupled_bodies/inertial_contact.h>
 #include <vibrocontact/coupled_bodies/suspended_pair.h>
 
 #include <deal.II/base/numbers.h>
@@ -84,6 +85,31 @@ namespace vibrocontact
                              { return a.divergence_rate < b.divergence_rate; });
   }
 
+  namespace
+  {
+    /// Closed points that nothing yields move with the modes, whose mass is theirs.
+    std::vector<StabilityRoot> reduced_roots(const ContactPair &pair, const CreepScheme &scheme,
+                                             const RollingEquilibrium &about,
+                                             const LinearisationOptions &options)
+    {
+      const DenseMatrix W = compliance_of_contact(pair, about);
+      unsigned int n_closed = 0, n_rigid = 0;
+      for (unsigned int i = 0; i < pair.n_points(); ++i)
+      {
+        n_closed += about.contact.R[i] > 0;
+        n_rigid += about.contact.R[i] > 0 && W(i, i) == 0;
+      }
+      if (n_rigid == 0)
+        return stability_roots(pair, linearised_contact(pair, scheme, about, options));
+      if (pair.hub || n_rigid < n_closed || pair.n_poles() > 0)
+        throw InputError(
+            "A closed contact point has mass and nothing that yields, which Stability takes with a "
+            "held hub, without poles and if all closed points are so: set Rolling/Hub to held, or "
+            "give Contact/Normal law one that yields.");
+      return inertial_roots(inertial_pair(pair), scheme, about, options);
+    }
+  } // namespace
+
   std::vector<StabilityResult> stability(const StabilityParameters &parameters,
                                          const RollingParameters &rolling, const ContactSections &contact,
                                          const ContactSolverParameters &solver, const ContactPair &pair,
@@ -118,9 +144,7 @@ namespace vibrocontact
           equilibrium.solution, problem.friction_law, problem.normal_law, rolling.creepage.speed,
           rolling.hub == "massless" || (rolling.hub == "none" && problem.force_given()));
       result.roots =
-          roots_about
-              ? roots_about(about)
-              : stability_roots(moving, linearised_contact(moving, scheme, about, parameters.options()));
+          roots_about ? roots_about(about) : reduced_roots(moving, scheme, about, parameters.options());
       if (result.roots.empty())
         throw ConvergenceError("No root of the linearised contact oscillates or grows: keep more modes.");
       result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -26,7 +26,7 @@ namespace vibrocontact
     /// Gap and velocity at the beginning move the modes of body 1.
     void check_thrown_body(const TransientParameters &transient, const BodyParameters &body_1)
     {
-      if (body_1.is_meshed() || (transient.initial_gap == 0 && transient.initial_velocity == 0))
+      if (body_1.vibrates() || (transient.initial_gap == 0 && transient.initial_velocity == 0))
         return;
       const bool velocity = transient.initial_velocity != 0;
       throw InputError("Transient/Initial " +
@@ -36,52 +36,109 @@ namespace vibrocontact
                        " body, which has no mass that could be thrown: list the body that moves first in "
                        "Bodies, or move it by a Hub displacement.");
     }
-    /// Reactions of points with mass do not converge with the step.
-    void check_inertia_of_contact(const TransientParameters &transient, const Scene &scene)
+
+    /// How a body that is known at its contact points alone moves as a whole nobody knows.
+    void check_body_known_by_poles(const Parameters &parameters, const BodyParameters &body_1)
     {
-      if (!contact_points_have_mass(transient, scene))
+      const TransientParameters &transient = parameters.transient;
+      if (!body_1.is_known_by_poles())
         return;
+      const std::string known = ", but body 1, " + body_1.name +
+                                ", is known at its contact points alone, by poles, which do not say ";
+      if (transient.initial_gap != 0 || transient.initial_velocity != 0)
+        throw InputError("Transient/Initial " + std::string(transient.initial_gap != 0 ? "gap" : "velocity") +
+                         " is given" + known + "how it is thrown: leave it out.");
+      if (!transient.hub_displacement.empty())
+        throw InputError("Transient/Hub displacement is given" + known +
+                         "what its hub's acceleration does to it: give a roughness or a Normal force.");
+    }
+    bool elements_have_mass(const Parameters &parameters)
+    {
+      if (parameters.transient.model != "finite elements")
+        return false;
+      for (const BodyParameters &body : parameters.scene.bodies)
+        if (body.is_meshed() && !(body.type == "bar" && body.bar.massless_contact_node))
+          return true;
+      return false;
+    }
+
+    /// The first body whose points have mass in a contact where nothing yields; null: there is none.
+    const BodyParameters *body_with_rigid_points(const Parameters &parameters)
+    {
+      const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
+      for (unsigned int k = 0; k < parameters.contacts.all.size(); ++k)
+      {
+        const auto [above, below] = parameters.bodies_of_contact(k);
+        const auto yields = [](const BodyParameters &body)
+        { return !body.has_rigid_points() && body.type != "rigid"; };
+        if (!parameters.contacts.all[k].law()->is_rigid() || yields(bodies[above]) || yields(bodies[below]))
+          continue;
+        return &bodies[bodies[above].has_rigid_points() ? above : below];
+      }
+      return nullptr;
+    }
+
+    /// Reactions of points with mass do not converge with the step.
+    void check_inertia_of_contact(const Parameters &parameters)
+    {
+      if (!contact_points_have_mass(parameters))
+        return;
+      const TransientParameters &transient = parameters.transient;
+      const bool elements = elements_have_mass(parameters);
+      const BodyParameters *const body = elements ? nullptr : body_with_rigid_points(parameters);
+      const std::string rigid = body ? "The contact of " + body->name + ", of type " + body->type +
+                                           ", yields nowhere, and its points have mass: "
+                                     : "",
+                        softer = body ? "give Contact/Normal law one that yields" : "set Model to reduced";
       if (transient.reaction != "end of step")
         throw InputError(
-            "Transient/Model is finite elements, whose contact points have mass: there reactions "
-            "weighted as other forces ring with growing amplitude; set Transient/Reaction to end "
-            "of step.");
+            (elements ? "Transient/Model is finite elements, whose contact points have mass: " : rigid) +
+            "there reactions weighted as other forces ring with growing amplitude; set Transient/Reaction to "
+            "end of step" +
+            (elements ? "." : ", or " + softer + "."));
       if (transient.error_tolerance > 0)
-        throw InputError("Section Transient gives an Error tolerance, but with Model = finite elements the "
-                         "contact points have mass, whose forces after an impact change from step to step "
-                         "however short it is: leave the tolerance out or set Model to reduced.");
+        throw InputError(
+            (elements ? "Section Transient gives an Error tolerance, but with Model = finite elements the "
+                        "contact points have mass, whose"
+                      : rigid + "Section Transient gives an Error tolerance, but their") +
+            std::string(" forces after an impact change from step to step however short it is: leave the "
+                        "tolerance out or ") +
+            softer + ".");
     }
 
     /// An exciting force moves a body with modes.
     void check_excited_body(const TransientParameters &transient, const BodyParameters &body_1)
     {
-      if (!transient.exciting_force.empty() && !body_1.is_meshed())
+      if (!transient.exciting_force.empty() && !body_1.vibrates())
         throw InputError("Transient/Exciting force acts on body 1, but " + body_1.name + " is a " +
                          body_1.type +
                          " body, which it cannot move: list the body that moves first in Bodies.");
     }
   } // namespace
 
-  bool contact_points_have_mass(const TransientParameters &transient, const Scene &scene)
+  bool contact_points_have_mass(const Parameters &parameters)
   {
-    if (transient.model != "finite elements")
-      return false;
-    for (const BodyParameters &body : scene.bodies)
-      if (body.is_meshed() && !(body.type == "bar" && body.bar.massless_contact_node))
-        return true;
-    return false;
+    return elements_have_mass(parameters) || body_with_rigid_points(parameters);
   }
 
-  void check_transient(const TransientParameters &transient, const RollingParameters &rolling,
-                       const Scene &scene, const std::vector<std::string> &with_modes)
+  void check_transient(const Parameters &parameters)
   {
+    const TransientParameters &transient = parameters.transient;
+    const RollingParameters &rolling = parameters.rolling;
     transient.check();
     if (!rolling.normal_force.empty() && !rolling.hub_displacement.empty())
       throw InputError("Rolling/Normal force and Rolling/Hub displacement are both given, but one follows "
                        "from the other: empty one of them.");
+    const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
+    std::vector<std::string> with_modes;
+    for (const BodyParameters &body : bodies)
+      if (body.vibrates())
+        with_modes.push_back(body.name);
+    std::sort(with_modes.begin(), with_modes.end());
     check_perturbed_body(transient, with_modes);
-    check_inertia_of_contact(transient, scene);
-    check_thrown_body(transient, scene.bodies[0]);
-    check_excited_body(transient, scene.bodies[0]);
+    check_inertia_of_contact(parameters);
+    check_thrown_body(transient, bodies[0]);
+    check_body_known_by_poles(parameters, bodies[0]);
+    check_excited_body(transient, bodies[0]);
   }
 } // namespace vibrocontact

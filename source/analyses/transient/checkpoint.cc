@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -16,11 +17,26 @@ namespace vibrocontact
   namespace
   {
     /// changes whenever what is exchanged or what it means does
-    constexpr int format = 9;
+    constexpr int format = 10;
 
     std::string checkpoint_name(const std::string &folder)
     {
       return folder + "/checkpoint.h5";
+    }
+
+    void exchange(CheckpointFile &file, std::vector<std::complex<double>> &values, const std::string &name)
+    {
+      std::vector<double> parts[2];
+      for (const std::complex<double> &value : values)
+      {
+        parts[0].push_back(value.real());
+        parts[1].push_back(value.imag());
+      }
+      file(name + "/real", parts[0]);
+      file(name + "/imaginary", parts[1]);
+      values.resize(parts[0].size());
+      for (std::size_t k = 0; k < values.size(); ++k)
+        values[k] = {parts[0][k], parts[1].at(k)};
     }
 
     void exchange(CheckpointFile &file, DynamicState &state, const std::string &run = "")
@@ -33,6 +49,8 @@ namespace vibrocontact
       file(run + "state/force_change", state.force_change);
       file(run + "state/residual_change", state.residual_change);
       file(run + "state/modal_force", state.modal_force);
+      exchange(file, state.z, run + "state/poles");
+      exchange(file, state.pole_force, run + "state/pole_force");
       file(run + "state/hub_acceleration", state.hub_acceleration);
       file(run + "state/force", state.force);
       file(run + "state/friction_power", state.friction_power);
@@ -120,16 +138,22 @@ namespace vibrocontact
       return sums;
     }
 
+    std::vector<double> pole_parts(const BodyInContact &body)
+    {
+      std::vector<double> parts;
+      for (const std::complex<double> &pole : body.poles)
+        parts.insert(parts.end(), {pole.real(), pole.imag()});
+      return parts;
+    }
+
     using Marks = std::vector<std::pair<std::string, std::vector<double>>>;
 
     /// What tells bodies, their modes and the grid apart, by name; sums stand for matrices.
     Marks marks(const ContactPair &pair)
     {
-      return {{"frequencies", pair.omega},
-              {"damping ratios", pair.damping_ratio},
-              {"loads", pair.modal_load},
-              {"mode shapes", weighted_sums(pair.modal_trace)},
-              {"flexibility", weighted_sums(pair.residual_flexibility)},
+      return {{"frequencies", pair.omega},       {"damping ratios", pair.damping_ratio},
+              {"loads", pair.modal_load},        {"mode shapes", weighted_sums(pair.modal_trace)},
+              {"poles", pole_parts(pair.poles)}, {"flexibility", weighted_sums(pair.residual_flexibility)},
               {"gap", pair.interface.gap}};
     }
 

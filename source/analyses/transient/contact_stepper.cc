@@ -46,11 +46,12 @@ namespace vibrocontact
 
   ContactStepper::ContactStepper(const ContactPair &pair, const CreepScheme &scheme,
                                  const ContactSections &contact, const std::vector<ModalStep> &steps,
-                                 const double h, const double speed)
-      : pair(pair), scheme(scheme), steps(steps), h(h), speed(speed), damper(pair.hub.get(), steps),
+                                 const double h, const double speed, const StepWeights &pole_steps)
+      : pair(pair), scheme(scheme), steps(steps), pole_steps(pole_steps), h(h), speed(speed),
+        damper(pair.hub.get(), steps),
         matrices(step_matrices(pair.interface.contacts, scheme, pair.modal_trace, pair.residual_flexibility,
-                               steps, h, speed, pair.hub.get())),
-        q(pair.n_modes()), v(pair.n_modes())
+                               steps, h, speed, pair.hub.get(), pair.poles, pole_steps)),
+        q(pair.n_modes()), v(pair.n_modes()), z(pair.n_poles())
   {
     Creepage none;
     none.speed = speed;
@@ -76,6 +77,10 @@ namespace vibrocontact
     state.force_change.reinit(3 * n);
     state.residual_change.reinit(3 * n);
     state.modal_force.reinit(n_modes);
+    state.pole_force.assign(pair.n_poles(), 0.);
+    for (unsigned int k = 0; k < pair.n_poles(); ++k)
+      for (unsigned int i = 0; i < 3 * n; ++i)
+        state.pole_force[k] += pair.poles.left(i, k) * state.R[i];
     DenseVector tangential(n_modes), forces(state.R);
     if (n_modes > 0)
     {
@@ -98,6 +103,8 @@ namespace vibrocontact
       double mobility = 0;
       for (unsigned int k = 0; k < pair.n_modes(); ++k)
         mobility += pair.modal_trace(i, k) * pair.modal_trace(i, k);
+      for (unsigned int k = 0; k < pair.n_poles(); ++k)
+        mobility += 2 * (pair.poles.right(i, k) * pair.poles.poles[k] * pair.poles.left(i, k)).real();
       if (mobility > 0)
         longest =
             std::min(longest, 2.7 * std::sqrt(std::max(0., pair.residual_flexibility(i, i)) / mobility));
@@ -139,7 +146,9 @@ namespace vibrocontact
     residual_displacement(pair.residual_flexibility, state.R, state.residual_displacement);
     residual_displacement(pair.residual_flexibility, state.force_change, state.residual_change);
     std::copy(state.q.begin(), state.q.end(), q.begin());
+    displacement = 0;
     multiply(matrices.shapes.amplitudes, q, displacement);
+    add_poles(state.z, {}, displacement, nullptr);
     const std::vector<double> gap =
         gaps(state, state.residual_displacement, displacement, state.contact.approach, state.force);
 
@@ -270,6 +279,19 @@ namespace vibrocontact
     return state.contact;
   }
 
+  void ContactStepper::add_poles(const std::vector<std::complex<double>> &states,
+                                 const std::vector<std::complex<double>> &feed, DenseVector &displacements,
+                                 DenseVector *const velocities) const
+  {
+    for (unsigned int k = 0; k < states.size(); ++k)
+      for (unsigned int i = 0; i < displacements.size(); ++i)
+      {
+        displacements[i] += 2 * (matrices.right(i, k) * states[k]).real();
+        if (velocities)
+          (*velocities)[i] += 2 * (matrices.right(i, k) * (pair.poles.poles[k] * states[k] + feed[k])).real();
+      }
+  }
+
   // modes under the forces of the beginning of the step and the constant loads
   void ContactStepper::advance_modes(const DynamicState &state, const Drive &drive)
   {
@@ -287,8 +309,18 @@ namespace vibrocontact
     }
     if (damper.acts())
       damper.act(v, q, v);
+    free_displacement = free_velocity = 0;
     multiply(matrices.shapes.amplitudes, q, free_displacement);
     multiply(matrices.shapes.amplitudes, v, free_velocity);
+    std::vector<std::complex<double>> feed(pair.n_poles());
+    for (unsigned int k = 0; k < pair.n_poles(); ++k)
+    {
+      const std::complex<double> load = pair.poles.pole_load[k], point = pair.force_into_pole(k);
+      feed[k] = load + point * drive.force;
+      z[k] = pole_steps.factor[k] * state.z[k] + pole_steps.now[k] * feed[k] +
+             pole_steps.later[k] * (load + point * state.force + state.pole_force[k]);
+    }
+    add_poles(z, feed, free_displacement, &free_velocity);
   }
 
   void ContactStepper::set_problem(const DynamicState &state, const Drive &drive, const DenseVector &rigid)
@@ -404,7 +436,15 @@ namespace vibrocontact
     if (matrices.shapes.rank() > 0)
     {
       rate += c_t * free_velocity + c_t * velocity;
-      matrices.shapes.amplitudes.Tvmult(state.modal_force, c_n);
+      if (pair.n_modes() > 0)
+        matrices.shapes.amplitudes.Tvmult(state.modal_force, c_n);
+    }
+    for (unsigned int k = 0; k < pair.n_poles(); ++k)
+    {
+      state.pole_force[k] = 0;
+      for (unsigned int i = 0; i < c_n.size(); ++i)
+        state.pole_force[k] += matrices.left(i, k) * c_n[i];
+      state.z[k] = z[k] + pole_steps.now[k] * state.pole_force[k];
     }
     if (damper.acts())
     {

@@ -74,6 +74,18 @@ namespace vibrocontact
       hub += pair.hub_participation(k) * (before.hub_acceleration + after.hub_acceleration) / 2 * dq;
       damping += 2 * pair.damping_ratio[k] * pair.omega[k] * v * v * h;
     }
+    for (unsigned int k = 0; k < pair.n_poles(); ++k)
+    {
+      const std::complex<double> dz = 2. * (after.z[k] - before.z[k]);
+      for (unsigned int i = 0; i < 3 * n; ++i)
+        account.damping += (before.R[i] + after.R[i]) / 2 * (pair.poles.right(i, k) * dz).real();
+      if (mean_force != 0 && pair.body_of_pole[k] == 1)
+      {
+        const double taken = mean_force * (pair.poles.right(0, k) * dz).real();
+        account.loads += taken;
+        account.damping += taken;
+      }
+    }
     if (pair.hub)
     {
       std::vector<double> mean(pair.n_modes());

@@ -17,8 +17,10 @@ namespace vibrocontact
     {
       if (parameters.transient.initial_state != "quasi-static")
         return "the run does not start from an equilibrium";
-      if (contact_points_have_mass(parameters.transient, parameters.scene))
+      if (contact_points_have_mass(parameters))
         return "the contact points have mass";
+      if (pair.n_poles() > 0)
+        return pair.poles.labels.front() + " is a pole, and no mode";
       if (2 * pair.n_modes() > most_states)
         return "there are more than " + std::to_string(most_states) + " states";
       return "";

@@ -16,6 +16,7 @@
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
 #include <vibrocontact/run/entries_of_contact.h>
+#include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/say_residual_damping.h>
 #include <vibrocontact/run/swept_runs.h>
 #include <vibrocontact/run/unreduced_pair.h>
@@ -52,14 +53,21 @@ namespace vibrocontact
     }
 
     ContactPair transient_pair(const Parameters &parameters, const MeshedBodies &bodies,
-                               std::vector<Probe> &probes, std::unique_ptr<const PreparedPair> &prepared)
+                               const std::optional<MeasuredData> &measured, std::vector<Probe> &probes,
+                               std::unique_ptr<const PreparedPair> &prepared)
     {
       UnreducedPair unreduced;
       if (parameters.transient.model == "finite elements")
         unreduced = prepare_unreduced_pair(parameters, bodies);
       probes = transient_probes(parameters, bodies, unreduced.surfaces);
-      prepared = unreduced.prepared ? std::move(unreduced.prepared) : prepare_pair(parameters, bodies, true);
-      return contact_pair(prepared->bodies, parameters.contacts, parameters.placed_contacts());
+      prepared = unreduced.prepared ? std::move(unreduced.prepared)
+                                    : prepare_pair(parameters, bodies, measured, true);
+      ContactPair pair = contact_pair(prepared->bodies, parameters.contacts, parameters.placed_contacts());
+      for (Probe &probe : probes)
+        for (unsigned int b = 0; b < bodies.size(); ++b)
+          if (parameters.scene.bodies[b].name == probe.body)
+            probe.first = std::find(pair.body.begin(), pair.body.end(), b + 1) - pair.body.begin();
+      return pair;
     }
 
     void warn_of_spectrum(const Parameters &parameters, Results &results)
@@ -135,20 +143,33 @@ namespace vibrocontact
       return json.value("dominant_frequencies_Hz", std::vector<double>());
     }
 
+    /// The pair with what linear laws yield in its residual flexibility.
+    ContactPair yielding(const Parameters &parameters, const ContactPair &pair)
+    {
+      const PointLaws<NormalLaw> law = normal_law_of_points(parameters.contacts, pair.interface.contacts);
+      ContactPair result = pair;
+      for (unsigned int i = 0; i < pair.n_points(); ++i)
+        if (!law[i].is_rigid() && law[i].is_linear())
+          result.residual_flexibility(i, i) += law[i].compression(0).compliance;
+      return result;
+    }
+
     void warn_of_ringing(const Parameters &all, const ContactPair &pair, Results &results)
     {
       const TransientParameters &parameters = all.transient;
-      const bool massive = contact_points_have_mass(all.transient, all.scene);
+      const bool massive = contact_points_have_mass(all);
       if (massive && parameters.initial_state == "undeformed" &&
           (parameters.integrator == "exact propagator" || parameters.theta < 0.55))
-        doubt("The contact points have mass (Transient/Model = finite elements): after an impact "
+        doubt("The contact points have mass: after an impact "
               "velocities and forces there ring from step to step; the theta method with Theta = "
               "1 damps that, and every mode with it.",
               results);
       if (massive)
         return;
-      const double critical = critical_time_step(pair);
-      if (parameters.integrator != "exact propagator" || parameters.time_step <= critical)
+      if (parameters.integrator != "exact propagator")
+        return;
+      const double critical = critical_time_step(yielding(all, pair));
+      if (parameters.time_step <= critical)
         return;
       std::ostringstream text;
       text << "Transient/Time step is " << parameters.time_step << " s, but beyond " << critical
@@ -183,14 +204,15 @@ namespace vibrocontact
     }
   } // namespace
 
-  void run_transient(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
+  void run_transient(const Parameters &parameters, const MeshedBodies &bodies,
+                     const std::optional<MeasuredData> &measured, const std::string &folder,
                      const bool resume, Results &results, const std::vector<RecorderMaker> &further)
   {
     const TransientParameters &own = parameters.transient;
     std::vector<Probe> probes;
     std::unique_ptr<const PreparedPair> prepared;
     const auto held =
-        std::make_shared<const ContactPair>(transient_pair(parameters, bodies, probes, prepared));
+        std::make_shared<const ContactPair>(transient_pair(parameters, bodies, measured, probes, prepared));
     run_log().block("Transient");
     run_log().value("modes", held->n_modes());
     run_log().value("contact points", held->n_points());
@@ -329,7 +351,7 @@ namespace vibrocontact
   {
     void do_transient(const AnalysisRun &on)
     {
-      run_transient(on.parameters, on.bodies, on.folder, on.resume, on.results, on.recorders);
+      run_transient(on.parameters, on.bodies, on.measured, on.folder, on.resume, on.results, on.recorders);
     }
 
     void transient_read(EntriesRead &entries, const Parameters &parameters)
@@ -381,7 +403,7 @@ namespace vibrocontact
                      "Patch interval");
       entries.add_if(parameters.output.fields && signals.patch_interval > 0,
                      "there is a Transient/Signals/Patch interval", section + "/Signals", "Patch begin");
-      entries.add_if(own.initial_state == "quasi-static" && !contact_points_have_mass(own, parameters.scene),
+      entries.add_if(own.initial_state == "quasi-static" && !contact_points_have_mass(parameters),
                      "the run starts from an equilibrium, with contact points without mass",
                      section + "/Signals", "Mode amplitudes");
       const bool has_wheel = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),

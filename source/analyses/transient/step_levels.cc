@@ -33,6 +33,14 @@ namespace vibrocontact
                 : theta_step(pair.omega[k], pair.damping_ratio[k], parameters.theta, h, weighting));
       return steps;
     }
+    StepWeights pole_steps(const TransientParameters &parameters, const ContactPair &pair, const double h)
+    {
+      const ForceInterpolation interpolation =
+          parameters.reaction == "end of step" ? ForceInterpolation::constant : ForceInterpolation::linear;
+      return parameters.integrator == "exact propagator"
+                 ? step_weights(pair.poles, h, interpolation)
+                 : theta_weights(pair.poles, h, interpolation, parameters.theta);
+    }
   } // namespace
 
   StepLevels::StepLevels(const TransientParameters &parameters, const ContactSections &contact,
@@ -43,6 +51,9 @@ namespace vibrocontact
     if (n_levels() > 1 && pair.n_modes() == 0)
       throw InputError("Entry Transient/Error tolerance judges the motion of modes, but no body has any: set "
                        "it to 0 and give the Time step.");
+    if (n_levels() > 1 && pair.n_poles() > 0)
+      throw InputError("Entry Transient/Error tolerance judges the motion of modes, but " +
+                       pair.poles.labels.front() + " is a pole: set it to 0 and give the Time step.");
     shortest_step = std::ldexp(parameters.time_step, 1 - static_cast<int>(n_levels()));
   }
 
@@ -57,7 +68,7 @@ namespace vibrocontact
     {
       const double h = std::ldexp(shortest_step, k);
       levels[k].reset(new Level{{pair, find_creep_scheme(contact.first().creep_scheme), contact,
-                                 modal_steps(parameters, pair, h), h, speed},
+                                 modal_steps(parameters, pair, h), h, speed, pole_steps(parameters, pair, h)},
                                 nullptr});
     }
     if (!levels[k]->solver)

@@ -4,6 +4,7 @@
 #include <deal.II/lac/lapack_templates.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vibrocontact
 {
@@ -34,6 +35,44 @@ namespace vibrocontact
       return result;
     }
 
+    /// The columns of both shapes of the poles behind those of the modes, as large as the largest of these.
+    DenseMatrix with_poles(const DenseMatrix &modal_trace, const BodyInContact &poles)
+    {
+      const unsigned int n = poles.right.m(), m = modal_trace.n();
+      if (poles.n_poles() == 0)
+        return modal_trace;
+      DenseMatrix result(n, m + 4 * poles.n_poles());
+      double largest = 0;
+      for (unsigned int k = 0; k < m; ++k)
+        for (unsigned int i = 0; i < n; ++i)
+          largest = std::max(largest, std::abs(result(i, k) = modal_trace(i, k)));
+      unsigned int column = m;
+      for (const ComplexMatrix *const shapes : {&poles.right, &poles.left})
+        for (unsigned int k = 0; k < poles.n_poles(); ++k, column += 2)
+        {
+          double own = 0;
+          for (unsigned int i = 0; i < n; ++i)
+            own = std::max(own, std::abs((*shapes)(i, k)));
+          const double scale = own > 0 ? (largest > 0 ? largest : 1) / own : 0;
+          for (unsigned int i = 0; i < n; ++i)
+          {
+            result(i, column) = scale * (*shapes)(i, k).real();
+            result(i, column + 1) = scale * (*shapes)(i, k).imag();
+          }
+        }
+      return result;
+    }
+
+    ComplexMatrix in_terms_of(const DenseMatrix &basis, const ComplexMatrix &shapes)
+    {
+      ComplexMatrix result(basis.n(), shapes.n());
+      for (unsigned int k = 0; k < shapes.n(); ++k)
+        for (unsigned int j = 0; j < basis.n(); ++j)
+          for (unsigned int i = 0; i < basis.m(); ++i)
+            result(j, k) += basis(i, j) * shapes(i, k);
+      return result;
+    }
+
     // into += left middle right^T
     void add_product(const DenseMatrix &left, const DenseMatrix &middle, const DenseMatrix &right,
                      DenseMatrix &into)
@@ -58,7 +97,8 @@ namespace vibrocontact
   StepMatrices step_matrices(const PlacedContacts &contacts, const CreepScheme &scheme,
                              const DenseMatrix &modal_trace, const DenseMatrix &residual_flexibility,
                              const std::vector<ModalStep> &steps, const double h, const double speed,
-                             const SuspendedHub *const hub)
+                             const SuspendedHub *const hub, const BodyInContact &poles,
+                             const StepWeights &pole_steps)
   {
     const unsigned int n = contacts.n_points();
     StepMatrices result;
@@ -67,11 +107,35 @@ namespace vibrocontact
     result.step = h;
     result.speed = speed;
     result.residual_flexibility = result.response = residual_flexibility;
-    result.shapes = patch_shapes(modal_trace, patch_shape_tolerance);
-    const PatchShapes &shapes = result.shapes;
+    result.shapes = patch_shapes(with_poles(modal_trace, poles), patch_shape_tolerance);
+    PatchShapes &shapes = result.shapes;
+    if (poles.n_poles() > 0)
+    {
+      result.right = in_terms_of(shapes.basis, poles.right);
+      result.left = in_terms_of(shapes.basis, poles.left);
+      shapes.amplitudes.reinit(shapes.rank(), modal_trace.n());
+      if (modal_trace.n() > 0)
+        shapes.basis.Tmmult(shapes.amplitudes, modal_trace);
+    }
     const HubDamper damper(hub, steps);
     result.displacement_gain = gain(shapes.amplitudes, steps, 0, damper);
     result.velocity_gain = gain(shapes.amplitudes, steps, 1, damper);
+    if (modal_trace.n() == 0)
+    {
+      result.displacement_gain.reinit(shapes.rank());
+      result.velocity_gain.reinit(shapes.rank());
+    }
+    for (unsigned int k = 0; k < poles.n_poles(); ++k)
+      for (unsigned int j = 0; j < shapes.rank(); ++j)
+      {
+        const std::complex<double> to = 2. * result.left(j, k);
+        for (unsigned int i = 0; i < shapes.rank(); ++i)
+        {
+          const std::complex<double> residue = result.right(i, k) * to;
+          result.displacement_gain(i, j) += (residue * pole_steps.now[k]).real();
+          result.velocity_gain(i, j) += (residue * (poles.poles[k] * pole_steps.now[k] + 1.)).real();
+        }
+      }
     result.by_displacement = result.by_velocity = shapes.basis;
     convert_to_slip_rows(contacts, scheme, speed, result.by_displacement);
     for (unsigned int k = 0; k < shapes.rank(); ++k)

@@ -69,6 +69,9 @@ namespace vibrocontact
       for (unsigned int k = 0; k < n_modes; ++k)
         problem.b[i] += pair.modal_trace(i, k) * pair.force_participation(k) * drive.force /
                         (pair.omega[k] * pair.omega[k]);
+      for (unsigned int k = 0; k < pair.n_poles(); ++k)
+        problem.b[i] -=
+            2 * (pair.poles.right(i, k) * pair.force_into_pole(k) / pair.poles.poles[k]).real() * drive.force;
     }
     const auto method = create_contact_solver(solver);
     const ContactSolution solution = solve_with_friction_of_speed(problem, *method, {});
@@ -94,6 +97,7 @@ namespace vibrocontact
     state.force = drive.force;
     state.q.assign(n_modes, 0.);
     state.v.assign(n_modes, 0.);
+    state.z.assign(pair.n_poles(), 0.);
     state.R.reinit(3 * n);
     if (transient.initial_state == "undeformed")
     {
@@ -114,6 +118,13 @@ namespace vibrocontact
       for (unsigned int k = 0; k < n_modes; ++k)
         state.q[k] = (force[k] + pair.modal_load[k] + pair.force_participation(k) * drive.force) /
                      (pair.omega[k] * pair.omega[k]);
+      for (unsigned int k = 0; k < pair.n_poles(); ++k)
+      {
+        state.z[k] = pair.poles.pole_load[k] + pair.force_into_pole(k) * drive.force;
+        for (unsigned int i = 0; i < 3 * n; ++i)
+          state.z[k] += pair.poles.left(i, k) * state.R[i];
+        state.z[k] /= -pair.poles.poles[k];
+      }
     }
     perturb(transient, pair, state);
     complete(

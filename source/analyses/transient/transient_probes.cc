@@ -10,7 +10,6 @@ namespace vibrocontact
   {
     std::vector<Probe> probes;
     const std::vector<ProbeRequest> requests = parse_probes(parameters.signals.probes);
-    unsigned int first = 0;
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
       if (!bodies[b])
@@ -29,13 +28,12 @@ namespace vibrocontact
           own.push_back(request);
       for (const ProbeRequest &request : own)
       {
-        probes.push_back(place_probe(request, surface(), first));
+        probes.push_back(place_probe(request, surface(), 0));
         std::ostringstream text;
         text << "probe " << probes.back().name << ": " << request.body << " at " << probes.back().place
              << " m along " << request.direction;
         run_log().line(text.str());
       }
-      first += unreduced.empty() ? body.reduction.modal().omega.size() : unreduced[b].n_modes();
     }
     return probes;
   }

@@ -18,7 +18,8 @@ namespace vibrocontact
   /// @param save called when the bodies are reduced and after each case
   /// @return the last case
   RollingResult run_rolling(const Parameters &parameters, const MeshedBodies &bodies,
-                            const std::string &folder, Results &results, const std::function<void()> &save);
+                            const std::optional<MeasuredData> &measured, const std::string &folder,
+                            Results &results, const std::function<void()> &save);
 
   /// Deformation and stress of the meshed bodies under the contact forces of a case; of bodies whose
   /// reduction came from the cache only with Output/Deformation = always, since they have to be factorised for it. Collective.

@@ -16,7 +16,8 @@ namespace vibrocontact
 
   /// The analysis `stability` of body 1 on body 2 with its output: results and stability.csv, a row per root.
   /// Every rank computes, rank 0 writes. Collective.
-  void run_stability(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
+  void run_stability(const Parameters &parameters, const MeshedBodies &bodies,
+                     const std::optional<MeasuredData> &measured, const std::string &folder,
                      Results &results);
 
   /// The same for each case of a sweep, with stability_sweep.csv and stability_map.csv: roots keep their names along the

@@ -24,6 +24,8 @@ namespace vibrocontact
     DenseVector force_change, residual_change;
     /// Psi^T R [N/sqrt(kg)]; n_modes
     DenseVector modal_force;
+    /// states of the poles, and what contact and exciting force feed into them, left^T R; n_poles
+    std::vector<std::complex<double>> z, pole_force;
     /// powers of the tangential forces [W]: dissipated by friction (>= 0), given to the bodies by the
     /// creepage and by the transport -V R . du/dx
     double friction_power = 0, creepage_power = 0, transport_power = 0;
@@ -69,7 +71,7 @@ namespace vibrocontact
   /// One time step after another on the reduced pair (doc/theory.md, "One contact problem for
   /// every analysis" and "Time steps").
   ///
-  /// The modes advance by their ModalStep, the contact points have no mass: the reactions at the end of the
+  /// The modes advance by their ModalStep and the poles by their StepWeights, the contact points have no mass: the reactions at the end of the
   /// step solve the contact problem
   ///
   ///   gap  = g + (Psi q1 + W~ R1)_n - approach
@@ -90,8 +92,10 @@ namespace vibrocontact
   {
   public:
     /// @param steps one per mode of the pair, for a step of h [s]; @param speed V [m/s], 0 without rolling
+    /// @param pole_steps what the pair's poles do in it
     ContactStepper(const ContactPair &pair, const CreepScheme &scheme, const ContactSections &contact,
-                   const std::vector<ModalStep> &steps, double h, double speed);
+                   const std::vector<ModalStep> &steps, double h, double speed,
+                   const StepWeights &pole_steps = {});
 
     /// state <- state at the end of the step. @return how the contact was solved; not converged: the best
     /// found
@@ -111,8 +115,12 @@ namespace vibrocontact
     bool closes_another(DynamicState &state, double force);
     /// Operator and friction of the nearby points into the problem.
     void take_points(const std::vector<unsigned int> &points);
-    /// q, v at the end of the step without the forces there.
+    /// q, v and z at the end of the step without the forces there.
     void advance_modes(const DynamicState &state, const Drive &drive);
+    /// Amplitudes of the shapes that states of the poles add, and their rates unless null. @param feed forces on the states
+    void add_poles(const std::vector<std::complex<double>> &states,
+                   const std::vector<std::complex<double>> &feed, DenseVector &displacements,
+                   DenseVector *velocities) const;
     /// The problem of the step, and where its solution starts: forces that go on changing as they did.
     void set_problem(const DynamicState &state, const Drive &drive, const DenseVector &rigid_slip);
     /// Solves it with mu at the slip of rolling and modes, without the rate of the residual displacements.
@@ -122,6 +130,7 @@ namespace vibrocontact
     const ContactPair &pair;
     const CreepScheme &scheme;
     const std::vector<ModalStep> steps;
+    const StepWeights pole_steps;
     const double h, speed;
     const HubDamper damper;
     const StepMatrices matrices;
@@ -138,6 +147,8 @@ namespace vibrocontact
     ContactSolution solution;
     /// modes without the forces at the end of the step; n_modes
     DenseVector q, v;
+    /// poles without them; n_poles
+    std::vector<std::complex<double>> z;
     /// their shapes, those that forces add, and basis^T R of normal and tangential forces (c_n: also of all);
     /// rank
     DenseVector free_displacement, free_velocity, displacement, velocity, c_n, c_t;

@@ -23,7 +23,9 @@ namespace vibrocontact
     /// differences), by hub and roughness, by constant loads and the given force. The hub moves the frame in which modes move:
     /// its acceleration works on them there
     double creepage = 0, transport = 0, hub = 0, loads = 0;
-    double friction = 0, damping = 0;
+    double friction = 0;
+    /// what modes and hub lose, and all that bodies known by poles take, of which nobody knows what they store
+    double damping = 0;
     /// what the differences take instead of the continuous equations (doc/theory.md, "Energy account"): the
     /// time scheme from the modes; the upwind d/dx of W~ R against a central one; the backward rate of W~ R
     /// against the mean force over the step

@@ -17,8 +17,9 @@ namespace vibrocontact
   /// continue.
   /// @param recorders beside the shipped ones
   /// @param resume continue from the checkpoint in the folder; from the beginning if there is none
-  void run_transient(const Parameters &parameters, const MeshedBodies &bodies, const std::string &folder,
-                     bool resume, Results &results, const std::vector<RecorderMaker> &recorders);
+  void run_transient(const Parameters &parameters, const MeshedBodies &bodies,
+                     const std::optional<MeasuredData> &measured, const std::string &folder, bool resume,
+                     Results &results, const std::vector<RecorderMaker> &recorders);
 
   /// Its row of the table of analyses.
   Analysis transient_analysis();

@@ -5,6 +5,7 @@
 #include <vibrocontact/coupled_bodies/hub.h>
 #include <vibrocontact/coupled_bodies/patch_shapes.h>
 #include <vibrocontact/propagators/modal_step.h>
+#include <vibrocontact/propagators/step_weights.h>
 
 #include <utility>
 #include <vector>
@@ -25,16 +26,20 @@ namespace vibrocontact
     /// gap and slip by displacements of the shapes (their normal rows, V d/dx of their tangential rows), and
     /// by velocities (tangential rows); 3 n x rank
     DenseMatrix by_displacement, by_velocity;
+    /// right and left shapes of the poles in terms of the shapes; rank x n_poles
+    ComplexMatrix right, left;
     /// of the shapes, for a force at the end of the step: amplitudes diag(g1) amplitudes^T less what the dampers of
-    /// the hub take, displacement [s^2/kg] and velocity [s/kg]; rank square
+    /// the hub take, and 2 Re right diag(now) left^T, displacement [s^2/kg] and velocity [s/kg]; rank square
     DenseMatrix displacement_gain, velocity_gain;
   };
 
   /// @param modal_trace Psi, 3 n x n_modes; @param steps one per mode; @param hub null: held
+  /// @param poles ContactPair::poles, and what they do in the step
   StepMatrices step_matrices(const PlacedContacts &contacts, const CreepScheme &scheme,
                              const DenseMatrix &modal_trace, const DenseMatrix &residual_flexibility,
                              const std::vector<ModalStep> &steps, double h, double speed,
-                             const SuspendedHub *hub = nullptr);
+                             const SuspendedHub *hub = nullptr, const BodyInContact &poles = BodyInContact(),
+                             const StepWeights &pole_steps = {});
 
   /// A of a time step on some points of the grid, from the residual displacements w = W~ R there and upstream
   /// of them and from the few modal numbers c = basis^T R:

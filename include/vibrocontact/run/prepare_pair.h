@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vibrocontact/bodies/road_rows.h>
+#include <vibrocontact/coupled_bodies/contact_pair.h>
+#include <vibrocontact/run/measured_data.h>
+#include <vibrocontact/run/prepare_bodies.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// The bodies of a scene as their contacts see them.
+  struct PreparedPair
+  {
+    std::vector<ReducedBody> reduced;
+    std::vector<BodyInContact> poles;
+    /// in the order of the scene; they refer to the others and to the parameters
+    std::vector<ContactBody> bodies;
+  };
+
+  /// Body `number` of the scene as its contacts see it; nothing for a half-space or a rigid body. What is known between its
+  /// own points alone (an oscillator, a ring) becomes what it is on a road, see road_body() and contact_rows().
+  /// @param meshed its reduction if it has a mesh, with its damping as section Modes scales it
+  std::optional<ContactRows> body_of_contact(const Parameters &parameters, std::optional<ReducedBody> meshed,
+                                             const std::optional<MeasuredData> &measured,
+                                             unsigned int number);
+
+  /// Reduces the bodies of the scene (or finds them in the cache), with their modes or for a static
+  /// analysis. Collective.
+  std::unique_ptr<const PreparedPair> prepare_pair(const Parameters &parameters, const MeshedBodies &bodies,
+                                                   const std::optional<MeasuredData> &measured,
+                                                   bool with_modes);
+} // namespace vibrocontact

@@ -1,0 +1,51 @@
+#include <vibrocontact/run/entries_of_contact.h>
+#include <vibrocontact/run/prepare_pair.h>
+#include <vibrocontact/run/road_body.h>
+
+namespace vibrocontact
+{
+  std::optional<ContactRows> body_of_contact(const Parameters &parameters, std::optional<ReducedBody> meshed,
+                                             const std::optional<MeasuredData> &measured,
+                                             const unsigned int number)
+  {
+    const BodyParameters &body = parameters.scene.bodies[number];
+    if (!body.is_green())
+      return meshed ? std::optional<ContactRows>({std::move(*meshed)}) : std::nullopt;
+    RoadUse use;
+    use.friction = largest_friction(parameters) > 0;
+    use.speed = parameters.rolling.creepage.speed;
+    use.contact_step = parameters.scene.runs("transient") ? parameters.transient.time_step : 0;
+    const RoadBody on_road = road_body(parameters, meshed ? &*meshed : nullptr, measured, number, use);
+    // it is in one contact
+    for (const PlacedContact &contact : parameters.placed_contacts().all)
+      if (contact.above == number || contact.below == number)
+        return contact_rows(on_road.body, body.name, contact.grid, on_road.shapes);
+    throw dealii::ExcInternalError();
+  }
+
+  std::unique_ptr<const PreparedPair> prepare_pair(const Parameters &parameters, const MeshedBodies &bodies,
+                                                   const std::optional<MeasuredData> &measured,
+                                                   const bool with_modes)
+  {
+    auto pair = std::make_unique<PreparedPair>();
+    pair->reduced.resize(bodies.size());
+    pair->poles.resize(bodies.size());
+    for (unsigned int k = 0; k < bodies.size(); ++k)
+    {
+      std::optional<ReducedBody> meshed;
+      if (bodies[k])
+      {
+        meshed = bodies[k]->reduction.reduced(with_modes);
+        scale_damping(*meshed, parameters.modes.at(parameters.scene.bodies[k].name));
+      }
+      std::optional<ContactRows> body = body_of_contact(parameters, std::move(meshed), measured, k);
+      pair->bodies.push_back({&parameters.scene.bodies[k], body ? &pair->reduced[k] : nullptr,
+                              body ? &pair->poles[k] : nullptr});
+      if (!body)
+        continue;
+      pair->reduced[k] = std::move(body->reduced);
+      pair->poles[k] = std::move(body->poles);
+    }
+    return pair;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""ring.py PROGRAM MPIRUN PARAMETER_FILES: a ring in rolling, stability and the transient, at rest and rolling.
+
+Its receptance G(s), order by order, is written down here once more (doc/theory.md, "Ring on an elastic foundation"). Pressed
+down by d on a rigid plane, N = d / (G(0) + S) with S of the orders beyond and the tread; the roots about it are those of
+G(s) + S = 0. In time it goes as modal convolution has it, step by step. With friction a stiff ring on a soft tread is a row
+of brushes: u_i = u_(i-1) - creepage * spacing as long as T_i = k u_i stays below mu N_i.
+"""
+import cmath, math, os, sys
+
+from scene import Check, entries, run, section, table
+
+R, h, b, E, rho, k_z, k_theta, p, xi = 0.285, 0.01, 0.16, 1e8, 2280., 1.64e6, 2.19e5, 2e5, 0.05
+highest, last, tread, d = 8, 400, 3e5, 1e-3
+m, B, k, t = rho * h * b, E * b * h**3 / 12 / R**4, E * b * h / R**2, p * b / R
+check = Check()
+
+
+def receptance(n, s, Omega):
+    """Of order n inward, in the frame of the ring."""
+    c = m * Omega**2
+
+    def stiffness(t, c):
+        L = [[(B + k + t + c) * n * n + k_theta, 0], [0, B * n**4 + (t + c) * n * n + k + k_z]]
+        coupling = B * n**3 + (k + t + 2 * c) * n
+        L[0][1], L[1][0] = -1j * coupling, 1j * coupling
+        return L
+
+    rest, L = stiffness(t, 0), stiffness(t, c)
+    root = cmath.sqrt(rest[0][0] * rest[1][1] - rest[0][1] * rest[1][0])
+    factor = 2 * xi * cmath.sqrt(m / (rest[0][0] + rest[1][1] + 2 * root))
+    D = [[factor * (rest[i][j] + (root if i == j else 0)) for j in range(2)] for i in range(2)]
+    D[0][1] += 2 * m * Omega
+    D[1][0] -= 2 * m * Omega
+    Z = [[L[i][j] + s * D[i][j] + (m * s * s if i == j else 0) for j in range(2)] for i in range(2)]
+    return Z[0][0] / (Z[0][0] * Z[1][1] - Z[0][1] * Z[1][0]) / (2 * math.pi * R)
+
+
+def inward(s, Omega):
+    """G(s) + S of one point; a force that stands still is seen by order n at n Omega."""
+    moving = sum(receptance(n, s + 1j * n * Omega, Omega) for n in range(-highest, highest + 1))
+    still = 2 * sum(receptance(n, 1j * n * Omega, Omega).real for n in range(highest + 1, last + 1))
+    return moving + still + 1 / tread
+
+
+def ring(**own):
+    values = dict(Highest_order=highest, Residual_order=last, Contact_points=1, Tread_stiffness=tread)
+    values.update(own)
+    return section("tyre", "set Type = ring", section("Ring", entries(**values)),
+                   section("Modes", entries(Upper_frequency=800)) if "elements" in own.get("Model", "") else "")
+
+
+rigid = section("road", "set Type = rigid")
+smooth = section("Contact", entries(Friction_coefficient=0), section("Solver", entries(Tolerance=1e-13)))
+
+# statics and roots
+for V in (0, 30):
+    Omega = -V / R
+    own = ring(Rolling="true") if V else ring()
+    moving = entries(Speed=V) if V else entries(Speed=0, Sliding_velocity_x=1)
+    found, folder = run(f"ring_{V}", "\n".join([
+        "set Bodies = tyre, road", "set Analyses = quasi-static rolling, stability", own, rigid, smooth,
+        section("Rolling", entries(Hub_displacement=d), moving)]))
+    check.near(f"force at {V} m/s", found["quasi_static_rolling"]["cases"][0]["normal_force_N"],
+               d / inward(0, Omega).real, 1e-9)
+    roots = table(folder, "stability.csv")
+    check.near("roots", len(roots), 4 * highest + 2, 0.5, 1)
+    n_free = 0
+    for row in roots:
+        s = complex(row["growth_1_s"], 2 * math.pi * row["frequency_Hz"])
+        value, step = inward(s, Omega), 1e-5 * abs(s)
+        slope = (inward(s + step, Omega) - inward(s - step, Omega)) / (2 * step)
+        # the distance to the root; a motion that does not move the point inward stays a pole
+        is_free = abs(value) > 1e3 * abs(inward(0, 0))
+        turns = V == 0 and abs(abs(s) / math.sqrt(k_theta / m) - 1) < 1e-9
+        n_free += is_free or turns
+        if turns:
+            continue
+        error = abs(inward(0, 0) / value) if is_free else abs(value / slope / s)
+        check.near(f"root at {row['frequency_Hz']:.3f} Hz, {V} m/s", error, 0, 1e-6, 1)
+    check.near("motions without a share in the point", n_free, 0 if V else 2 * highest + 1, 0.5, 1)
+
+# elements against the closed form
+found, _ = run("elements", "\n".join([
+    "set Bodies = tyre, road", "set Analyses = quasi-static rolling",
+    section("tyre", "set Type = ring", section("Ring", entries(Model="beam elements", Contact_points=1, Tread_stiffness=tread))),
+    rigid, smooth, section("Rolling", entries(Hub_displacement=d, Speed=0, Sliding_velocity_x=1))]))
+check.near("force, elements", found["quasi_static_rolling"]["cases"][0]["normal_force_N"], d / inward(0, 0).real, 1e-3)
+
+# in time: three points on a flat road, as modal convolution has it
+poles = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "periodic", "identified_stop.csv")
+end, step = 0.02, 5e-5
+for name, body, V, depth in (
+        ("at rest", ring(Contact_points=3), 0, d), ("elements", ring(Model="beam elements", Contact_points=3), 0, d),
+        ("rolling", ring(Contact_points=3, Rolling="true"), 30, d),
+        ("identified", section("tyre", "set Type = identified",
+                               section("Identified", entries(Poles_file=poles, Tread_stiffness=tread))), 0, d)):
+    if "elements" in body:
+        body = body.replace("set Highest order = 8\n", "").replace("set Residual order = 400\n", "")
+    scheme = entries(Time_step=step, End_time=end, Theta=0.6)
+    pushed, _ = run("pushed", "\n".join([
+        "set Bodies = tyre, road", "set Analyses = transient", body, rigid, smooth,
+        section("Rolling", entries(Hub_displacement=depth, Speed=V)),
+        section("Transient", scheme, entries(Initial_state="undeformed"))]), may_doubt=True)
+    convolved, _ = run("convolved", "\n".join([
+        "set Bodies = tyre", "set Analyses = modal convolution", body,
+        section("Road", entries(Indentation=depth), entries(Speed=V) if V else ""),
+        section("Modal convolution", scheme, entries(Method="theta method", Force_shape="linear"))]), may_doubt=True)
+    check.near(f"impulse, {name}", pushed["transient"]["impulse_Ns"],
+               sum(convolved["modal_convolution"]["impulse_Ns"]), 1e-10)
+
+# brushes
+n, spacing, creepage, mu, along, V = 15, 0.004, 0.02, 0.4, 1e5, 10
+theta = [(i - (n - 1) / 2) * spacing / R for i in range(n)]
+loads = [max(0., tread * (2e-4 - R * (1 - math.cos(angle)))) for angle in theta]
+T, u = [], 0.
+for N in loads:
+    u -= creepage * spacing
+    u = max(-mu * N, along * u) / along
+    T.append(along * u)
+stiff = ring(Rolling="true", Young_modulus=1e13, Radial_foundation_stiffness=1e13,
+             Circumferential_foundation_stiffness=1e13, Contact_points=n, Contact_spacing=spacing, Residual="false",
+             Tread_tangential_stiffness=along).replace("set Residual order = 400\n", "")
+found, _ = run("brushes", "\n".join([
+    "set Bodies = tyre, road", "set Analyses = quasi-static rolling, transient", stiff, rigid,
+    section("Contact", entries(Friction_coefficient=mu, Creep_scheme="first-order upwind"), section("Solver", entries(Tolerance=1e-13))),
+    section("Rolling", entries(Hub_displacement=2e-4, Speed=V, Longitudinal_creepage=creepage)),
+    section("Transient", entries(Time_step=2e-5, End_time=4e-3, Theta=1))]))
+case = found["quasi_static_rolling"]["cases"][0]
+check.near("normal force of the brushes", case["normal_force_N"], sum(loads), 1e-3)
+check.near("friction of the brushes", case["tangential_force_N"][0], sum(T), 1e-3)
+check.near("brushes that stick", case["stick_points"] > 0 and case["slip_points"] > 0, True, 0.5, 1)
+check.near("brushes in time", found["transient"]["last"]["tangential_force_N"][0], case["tangential_force_N"][0], 1e-6)
+check.end()
