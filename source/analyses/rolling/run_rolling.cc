@@ -7,6 +7,7 @@
 #include <vibrocontact/contact/problem_file.h>
 #include <vibrocontact/output/contact_patch.h>
 #include <vibrocontact/output/field_writer.h>
+#include <vibrocontact/output/surface_fields.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/swept_runs.h>

@@ -1,4 +1,5 @@
 #include <vibrocontact/analyses/transient/checkpoint.h>
+#include <vibrocontact/base/checkpoint_schedule.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/row_file.h>
 #include <vibrocontact/base/version.h>
