@@ -441,8 +441,8 @@ namespace vibrocontact
     for (const auto &[section, model] : unreduced_models(*this))
       for (const BodyParameters &body : scene.bodies)
         if (body.type == "half-space" || body.type == "beam rail" || body.is_green())
-          throw InputError(section + "/Model is " + model + ", but " + body.name + " is of type " +
-                           body.type +
+          throw InputError(section + "/Model is " + model + ", but " + body.name +
+                           (body.is_green() ? " is of type " : " is a ") + body.type +
                            (body.is_green() ? ", which is known between its contact points alone"
                                             : ", whose contact lies on a half-space without inertia") +
                            ": set it to reduced, or make the body rigid or of solid elements.");
