@@ -71,7 +71,8 @@ namespace vibrocontact
                         (pair.omega[k] * pair.omega[k]);
     }
     const auto method = create_contact_solver(solver);
-    const ContactSolution solution = solve_with_friction_of_speed(problem, *method, {});
+    ContactSolution solution;
+    solve_with_friction_of_speed(problem, *method, solution);
     if (!solution.converged)
     {
       std::ostringstream text;
