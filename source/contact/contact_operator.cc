@@ -2,19 +2,20 @@
 
 namespace vibrocontact
 {
-  DenseContactOperator::DenseContactOperator(DenseMatrix m) : matrix(std::move(m))
+  DenseContactOperator::DenseContactOperator(DenseMatrix m, const unsigned int n_components)
+      : matrix(std::move(m)), components(n_components)
   {
-    AssertThrow(matrix.m() == matrix.n() && matrix.m() % 3 == 0,
-                dealii::ExcMessage("A contact operator is square with three rows per point."));
+    AssertThrow(matrix.m() == matrix.n() && matrix.m() % components == 0,
+                dealii::ExcMessage("A contact operator is square with as many rows for each point."));
   }
 
   void DenseContactOperator::vmult(DenseVector &y, const DenseVector &R,
                                    const std::vector<unsigned int> &sources) const
   {
-    const unsigned int n = n_points(), size = 3 * n;
+    const unsigned int n = n_points(), size = components * n;
     y.reinit(size);
     double *const out = y.data();
-    for (unsigned int component = 0; component < 3; ++component)
+    for (unsigned int component = 0; component < components; ++component)
       for (const unsigned int source : sources)
       {
         const unsigned int column = contact_row(n, component, source);
@@ -30,13 +31,13 @@ namespace vibrocontact
   void DenseContactOperator::extract(const std::vector<unsigned int> &points, DenseMatrix &block) const
   {
     const unsigned int n = n_points(), m = points.size();
-    block.reinit(3 * m);
-    for (unsigned int component = 0; component < 3; ++component)
+    block.reinit(components * m);
+    for (unsigned int component = 0; component < components; ++component)
       for (unsigned int j = 0; j < m; ++j)
       {
         const double *const from = &matrix(0, contact_row(n, component, points[j]));
         double *const to = &block(0, component * m + j);
-        for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int c = 0; c < components; ++c)
           for (unsigned int i = 0; i < m; ++i)
             to[c * m + i] = from[c * n + points[i]];
       }

@@ -52,14 +52,20 @@ namespace vibrocontact
     // disc.
     double tangential_rho(const ContactProblem &problem, const double factor)
     {
-      const double diagonal = problem.A->mean_diagonal(1) + problem.A->mean_diagonal(2);
+      const unsigned int n_tangential = problem.n_components() - 1;
+      double diagonal = 0;
+      for (unsigned int c = 1; c <= n_tangential; ++c)
+        diagonal += problem.A->mean_diagonal(c);
       if (diagonal != 0)
-        return 2 * factor / diagonal;
+        return n_tangential * factor / diagonal;
+      if (n_tangential == 0)
+        return 1;
       double slip = 0, approach = std::abs(problem.approach);
       const unsigned int n = problem.n_points();
       for (unsigned int i = 0; i < n; ++i)
       {
-        slip = std::max(slip, std::hypot(problem.b[n + i], problem.b[2 * n + i]));
+        const auto b = at_point(problem.b, n, n_tangential + 1, i);
+        slip = std::max(slip, std::hypot(b[1], b[2]));
         approach = std::max(approach, std::abs(problem.b[i] - problem.approach));
       }
       const double force = std::max(problem.normal_force, approach / problem.A->mean_diagonal(0));
@@ -85,25 +91,31 @@ namespace vibrocontact
   double ContactResidual::evaluate(const DenseVector &R, const DenseVector &y, DenseVector &projected,
                                    std::vector<ContactStatus> &status) const
   {
-    const unsigned int n = problem.n_points();
-    projected.reinit(3 * n, true);
+    const unsigned int n = problem.n_points(), n_components = problem.n_components();
+    if (projected.size() != n_components * n)
+      projected.reinit(n_components * n);
     status.resize(n);
     double difference = 0, scale = 0, normal = 0;
     for (unsigned int i = 0; i < n; ++i)
     {
       const double force = problem.normal_law[i].project(R[i], y[i], rho_normal).force;
-      const DiscProjection friction = project_on_disc(
-          {{R[n + i] - rho_tangential * y[n + i], R[2 * n + i] - rho_tangential * y[2 * n + i]}},
-          problem.mu[i] * force);
       projected[i] = force;
-      projected[n + i] = friction.force[0];
-      projected[2 * n + i] = friction.force[1];
-      status[i] =
-          force > 0 ? (friction.sticks ? ContactStatus::stick : ContactStatus::slip) : ContactStatus::open;
-      for (unsigned int c = 0; c < 3; ++c)
-        difference += std::pow(R[c * n + i] - projected[c * n + i], 2);
-      scale += std::pow(problem.mu[i] * force, 2);
+      status[i] = force > 0 ? ContactStatus::stick : ContactStatus::open;
+      difference += std::pow(R[i] - force, 2);
       normal += force * force;
+      if (n_components == 1)
+        continue;
+      const auto own = at_point(R, n, n_components, i), slip = at_point(y, n, n_components, i);
+      const DiscProjection friction = project_on_disc(
+          {{own[1] - rho_tangential * slip[1], own[2] - rho_tangential * slip[2]}}, problem.mu[i] * force);
+      if (force > 0 && !friction.sticks)
+        status[i] = ContactStatus::slip;
+      for (unsigned int c = 1; c < n_components; ++c)
+      {
+        projected[c * n + i] = friction.force[c - 1];
+        difference += std::pow(own[c] - friction.force[c - 1], 2);
+      }
+      scale += std::pow(problem.mu[i] * force, 2);
     }
     if (scale == 0)
       scale = normal;
@@ -112,20 +124,23 @@ namespace vibrocontact
     return difference == 0 ? 0 : std::sqrt(difference / scale);
   }
 
-  std::vector<unsigned int> loaded_points(const DenseVector &R)
+  std::vector<unsigned int> loaded_points(const DenseVector &R, const unsigned int n_points)
   {
-    const unsigned int n = R.size() / 3;
     std::vector<unsigned int> points;
-    for (unsigned int i = 0; i < n; ++i)
-      if (R[i] != 0 || R[n + i] != 0 || R[2 * n + i] != 0)
-        points.push_back(i);
+    for (unsigned int i = 0; i < n_points; ++i)
+      for (unsigned int row = i; row < R.size(); row += n_points)
+        if (R[row] != 0)
+        {
+          points.push_back(i);
+          break;
+        }
     return points;
   }
 
   void contact_response(const ContactProblem &problem, const DenseVector &R, const double approach,
                         DenseVector &y)
   {
-    problem.A->vmult(y, R, loaded_points(R));
+    problem.A->vmult(y, R, loaded_points(R, problem.n_points()));
     y += problem.b;
     problem.move(y, approach);
   }

@@ -2,6 +2,7 @@
 #include <vibrocontact/contact/contact_solver.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -10,8 +11,10 @@ namespace vibrocontact
   void ContactSolverParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
-    prm.add_parameter("Method", method, "How the discrete contact problem is solved. Units: none.",
-                      Selection(selection(names_of(*methods))));
+    prm.add_parameter(
+        "Method", method,
+        "How the discrete contact problem is solved; automatic chooses by its size and laws. Units: none.",
+        Selection(selection(names_of(*methods))));
     prm.add_parameter("Tolerance", tolerance,
                       "Relative residual of the projections to be reached. Units: none.",
                       Double(1e-15, 1e-2));
@@ -26,12 +29,20 @@ namespace vibrocontact
         Double(1e-16, 1e-2));
   }
 
+  ContactSolution ContactSolver::solved(const ContactProblem &problem, ContactSolution start)
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    solve(problem, start);
+    start.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return start;
+  }
+
   void frictionless_start(const ContactProblem &problem, const double tolerance, ContactSolution &state)
   {
-    const unsigned int n = problem.n_points();
-    state.R.reinit(3 * n);
+    const unsigned int n = problem.n_points(), n_rows = problem.n_rows();
+    state.R.reinit(n_rows);
     DenseVector &p = state.R;
-    DenseVector direction(3 * n), image(3 * n), response;
+    DenseVector direction(n_rows), image(n_rows), response;
 
     // Begin with the half ellipsoid over the points whose gap is below a quarter of the largest one (or that
     // are pressed in).

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace vibrocontact
 {
@@ -12,6 +13,8 @@ namespace vibrocontact
   {
     constexpr unsigned int most_newton_steps = 30, most_sweeps = 2000;
     constexpr double accuracy = 1e-11;
+    /// beyond, Newton on the points in contact alone costs less (doc/contact.md)
+    constexpr unsigned int most_points = 4;
 
     /// columns of b <- matrix^-1 b; false if it is singular
     bool solve_linear(std::vector<double> &matrix, std::vector<dealii::types::blas_int> &pivots,
@@ -26,15 +29,34 @@ namespace vibrocontact
     }
   } // namespace
 
-  FewPoints::FewPoints(DenseMatrix matrix, const double mu, std::shared_ptr<const NormalLaw> law)
-      : n(matrix.m() / 3), A(std::move(matrix)), mu(mu), law(std::move(law)), defect(3 * n), by_R(9 * n * n),
-        by_b(9 * n * n), y(3 * n), trial(3 * n), step(3 * n), factors(9 * n * n), pivots(3 * n), statuses(n)
+  bool FewPointsSolver::takes(const ContactProblem &problem)
   {
+    return problem.n_points() <= most_points && !problem.force_given();
   }
 
-  double FewPoints::linearise(const double *const b, const double *const R)
+  void FewPointsSolver::prepare(const ContactProblem &problem)
   {
-    const unsigned int m = 3 * n;
+    if (operator_of_matrix == problem.A)
+      return;
+    n = problem.n_points();
+    n_components = problem.n_components();
+    n_rows = problem.n_rows();
+    std::vector<unsigned int> all(n);
+    std::iota(all.begin(), all.end(), 0);
+    problem.A->extract(all, A);
+    b.reinit(n_rows);
+    for (auto *const values : {&defect, &y, &trial, &step})
+      values->resize(n_rows);
+    for (auto *const values : {&by_R, &by_b, &factors})
+      values->resize(n_rows * n_rows);
+    pivots.resize(n_rows);
+    operator_of_matrix = problem.A;
+  }
+
+  double FewPointsSolver::linearise(const ContactProblem &problem, const ContactResidual &judge,
+                                    const double *const R)
+  {
+    const unsigned int m = n_rows;
     for (unsigned int i = 0; i < m; ++i)
     {
       y[i] = b[i];
@@ -46,88 +68,140 @@ namespace vibrocontact
     double size = 0, largest = 0;
     for (unsigned int i = 0; i < n; ++i)
     {
-      const double rho = 1 / A(i, i);
-      const NormalLaw::Projection normal = law->project(R[i], y[i], rho);
+      const double rho = A(i, i) > 0 ? 1 / A(i, i) : judge.rho_normal;
+      const NormalLaw::Projection normal = problem.normal_law[i].project(R[i], y[i], rho);
       defect[i] = R[i] - normal.force;
       by_R[i * m + i] += 1 - normal.by_force;
       for (unsigned int j = 0; j < m; ++j)
         by_R[j * m + i] -= normal.by_gap * A(i, j);
       by_b[i * m + i] = -normal.by_gap;
+      size = std::max({size, normal.force, rho * std::abs(b[i])});
+      largest = std::max(largest, std::abs(defect[i]));
+      if (n_components == 1)
+        continue;
 
-      const unsigned int row[2] = {n + i, 2 * n + i};
-      const double rho_t = 1 / std::max(A(row[0], row[0]), A(row[1], row[1]));
-      const DiscProjection tangential = project_on_disc(
-          {{R[row[0]] - rho_t * y[row[0]], R[row[1]] - rho_t * y[row[1]]}}, mu * normal.force);
-      for (unsigned int a = 0; a < 2; ++a)
+      double softest = 0;
+      Vector2 pull{};
+      for (unsigned int row = n + i; row < m; row += n)
+        softest = std::max(softest, A(row, row));
+      const double rho_t = softest > 0 ? 1 / softest : judge.rho_tangential;
+      for (unsigned int a = 0, row = n + i; row < m; row += n, ++a)
+        pull[a] = R[row] - rho_t * y[row];
+      const DiscProjection tangential = project_on_disc(pull, problem.mu[i] * normal.force);
+      for (unsigned int a = 0, row = n + i; row < m; row += n, ++a)
       {
-        defect[row[a]] = R[row[a]] - tangential.force[a];
-        by_R[row[a] * m + row[a]] += 1;
-        for (unsigned int c = 0; c < 2; ++c)
+        defect[row] = R[row] - tangential.force[a];
+        largest = std::max(largest, std::abs(defect[row]));
+        by_R[row * m + row] += 1;
+        for (unsigned int c = 0, other = n + i; other < m; other += n, ++c)
         {
           const double by_trial = tangential.by_trial[a][c];
-          by_R[row[c] * m + row[a]] -= by_trial;
+          by_R[other * m + row] -= by_trial;
           for (unsigned int j = 0; j < m; ++j)
-            by_R[j * m + row[a]] += by_trial * rho_t * A(row[c], j);
-          by_b[row[c] * m + row[a]] += by_trial * rho_t;
+            by_R[j * m + row] += by_trial * rho_t * A(other, j);
+          by_b[other * m + row] += by_trial * rho_t;
         }
-        const double by_force = mu * tangential.by_radius[a];
+        const double by_force = problem.mu[i] * tangential.by_radius[a];
         if (by_force == 0)
           continue;
-        by_R[i * m + row[a]] -= by_force * normal.by_force;
+        by_R[i * m + row] -= by_force * normal.by_force;
         for (unsigned int j = 0; j < m; ++j)
-          by_R[j * m + row[a]] -= by_force * normal.by_gap * A(i, j);
-        by_b[i * m + row[a]] -= by_force * normal.by_gap;
+          by_R[j * m + row] -= by_force * normal.by_gap * A(i, j);
+        by_b[i * m + row] -= by_force * normal.by_gap;
       }
-      statuses[i] = normal.force <= 0   ? ContactStatus::open
-                    : tangential.sticks ? ContactStatus::stick
-                                        : ContactStatus::slip;
-      size = std::max({size, normal.force, rho * std::abs(b[i])});
-      for (const unsigned int k : {i, row[0], row[1]})
-        largest = std::max(largest, std::abs(defect[k]));
     }
     return largest / std::max(size, 1e-300);
   }
 
-  bool FewPoints::solve(const double *const b, double *const R)
+  /// One of Newton's steps; false if the defect does not fall, and R stays.
+  bool FewPointsSolver::take_step(const ContactProblem &problem, const ContactResidual &judge,
+                                  double *const R, double &error)
   {
-    double error = linearise(b, R);
+    factors = by_R;
+    step = defect;
+    if (!solve_linear(factors, pivots, step.data(), 1))
+      return false;
+    for (unsigned int i = 0; i < n_rows; ++i)
+      trial[i] = R[i] - step[i];
+    const double next = linearise(problem, judge, trial.data());
+    if (!(next < error))
+    {
+      linearise(problem, judge, R);
+      return false;
+    }
+    std::copy(trial.begin(), trial.end(), R);
+    error = next;
+    return true;
+  }
+
+  bool FewPointsSolver::find(const ContactProblem &problem, const ContactResidual &judge,
+                             ContactSolution &state, double &error)
+  {
+    double *const R = state.R.data();
+    error = linearise(problem, judge, R);
     for (unsigned int sweep = 0; sweep < most_sweeps; ++sweep)
     {
       for (unsigned int k = 0; k < most_newton_steps && error > accuracy; ++k)
       {
-        factors = by_R;
-        step = defect;
-        if (!solve_linear(factors, pivots, step.data(), 1))
+        ++state.iterations;
+        if (!take_step(problem, judge, R, error))
           break;
-        for (unsigned int i = 0; i < 3 * n; ++i)
-          trial[i] = R[i] - step[i];
-        const double next = linearise(b, trial.data());
-        if (!(next < error))
-        {
-          linearise(b, R);
-          break;
-        }
-        std::copy(trial.begin(), trial.end(), R);
-        error = next;
       }
       if (error <= accuracy)
         return true;
       for (unsigned int i = 0; i < n; ++i)
       {
-        linearise(b, R);
-        for (unsigned int c = 0; c < 3; ++c)
-          R[c * n + i] -= defect[c * n + i];
+        linearise(problem, judge, R);
+        for (unsigned int row = i; row < n_rows; row += n)
+          R[row] -= defect[row];
       }
-      error = linearise(b, R);
+      error = linearise(problem, judge, R);
     }
     return false;
   }
 
-  bool FewPoints::sensitivity(double *const rates)
+  void FewPointsSolver::solve(const ContactProblem &problem, ContactSolution &state)
+  {
+    check_finite(problem);
+    prepare(problem);
+    if (!state.is_finite())
+      state = ContactSolution();
+    if (state.R.size() != n_rows)
+      state.R.reinit(n_rows);
+    state.approach = problem.approach;
+    std::copy_n(problem.b.begin(), n_rows, b.begin());
+    if (state.approach != 0)
+      problem.move(b, state.approach);
+    state.iterations = state.factorisations = state.linear_iterations = state.fallbacks = 0;
+    state.response_known = false;
+    const ContactResidual judge(problem);
+    double error = 0;
+    state.converged = find(problem, judge, state, error);
+    const auto respond = [&]
+    {
+      if (problem.b.size() > n_rows)
+        contact_response(problem, state.R, state.approach, state.y);
+      else
+      {
+        if (state.y.size() != n_rows)
+          state.y.reinit(n_rows);
+        std::copy(y.begin(), y.end(), state.y.begin());
+      }
+      state.residual = judge.evaluate(state.R, state.y, projected, state.status);
+    };
+    respond();
+    while (state.converged && state.residual > tolerance && take_step(problem, judge, state.R.data(), error))
+    {
+      ++state.iterations;
+      respond();
+    }
+  }
+
+  bool FewPointsSolver::sensitivity(double *const rates)
   {
     factors = by_R;
     for (std::size_t k = 0; k < by_b.size(); ++k)
       rates[k] = -by_b[k];
-    return solve_linear(factors, pivots, rates, 3 * n);
+    return solve_linear(factors, pivots, rates, n_rows);
   }
 } // namespace vibrocontact

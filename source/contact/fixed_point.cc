@@ -2,7 +2,6 @@
 #include <vibrocontact/contact/fixed_point.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -16,7 +15,7 @@ namespace vibrocontact
                   const unsigned int last)
     {
       const unsigned int n = A.n_points();
-      DenseVector v(3 * n), image(3 * n);
+      DenseVector v(n * A.n_components()), image(v.size());
       for (unsigned int c = first; c < last; ++c)
         for (const unsigned int i : points)
           v[c * n + i] = 1;
@@ -77,7 +76,7 @@ namespace vibrocontact
         if (points.empty())
           return;
         normal = 1 / growth(A, points, 0, 1);
-        tangential = 1 / growth(A, points, 1, 3);
+        tangential = A.n_components() > 1 ? 1 / growth(A, points, 1, A.n_components()) : 1.;
       }
 
       const ContactOperator &A;
@@ -92,17 +91,17 @@ namespace vibrocontact
     double shift_for_force(const ContactProblem &problem, const DenseVector &R, const DenseVector &y,
                            const double rho)
     {
-      const unsigned int n = problem.n_points();
+      const unsigned int n = problem.n_points(), n_components = problem.n_components();
       const auto sum = [&](const double shift)
       {
         double total = 0;
         for (unsigned int i = 0; i < n; ++i)
         {
-          const std::array<double, 3> l = problem.share_of(i);
+          const std::array<double, 3> l = problem.share_of(i), force = at_point(R, n, n_components, i);
           total +=
               l[0] *
                   problem.normal_law[i].project(R[i], y[i] - shift * problem.approach_of(i)[0], rho).force +
-              l[1] * R[n + i] + l[2] * R[2 * n + i];
+              l[1] * force[1] + l[2] * force[2];
         }
         return total - problem.normal_force;
       };
@@ -124,21 +123,21 @@ namespace vibrocontact
     }
   } // namespace
 
-  ContactSolution FixedPointSolver::solve(const ContactProblem &problem, const ContactSolution &start)
+  void FixedPointSolver::solve(const ContactProblem &problem, ContactSolution &s)
   {
-    const auto begin = std::chrono::steady_clock::now();
-    const unsigned int n = problem.n_points();
+    const unsigned int n = problem.n_points(), n_components = problem.n_components();
     check_finite(problem);
-    ContactSolution s = start.is_finite() ? start : ContactSolution();
+    if (!s.is_finite())
+      s = ContactSolution();
     if (s.empty())
     {
-      s.R.reinit(3 * n);
+      s.R.reinit(problem.n_rows());
       s.approach = problem.approach;
     }
     else if (!problem.force_given())
       s.approach = problem.approach;
     s.iterations = s.factorisations = s.linear_iterations = s.fallbacks = 0;
-    s.converged = false;
+    s.converged = s.response_known = false;
 
     Steps rho(problem);
     double largest_change = 0, previous_change = std::numeric_limits<double>::max();
@@ -154,14 +153,14 @@ namespace vibrocontact
       double change = 0, size = 0;
       for (unsigned int i = 0; i < n; ++i)
       {
-        const std::array<double, 3> a = problem.approach_of(i);
+        const std::array<double, 3> a = problem.approach_of(i), own = at_point(s.R, n, n_components, i),
+                                    slip = at_point(s.y, n, n_components, i);
         const double force = problem.normal_law[i].project(s.R[i], s.y[i] - shift * a[0], rho_n).force;
-        const DiscProjection friction =
-            project_on_disc({{s.R[n + i] - rho_t * (s.y[n + i] - shift * a[1]),
-                              s.R[2 * n + i] - rho_t * (s.y[2 * n + i] - shift * a[2])}},
-                            problem.mu[i] * force);
+        const DiscProjection friction = project_on_disc(
+            {{own[1] - rho_t * (slip[1] - shift * a[1]), own[2] - rho_t * (slip[2] - shift * a[2])}},
+            n_components > 1 ? problem.mu[i] * force : 0.);
         const double next[3] = {force, friction.force[0], friction.force[1]};
-        for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int c = 0; c < n_components; ++c)
         {
           double &value = s.R[c * n + i];
           change += (next[c] - value) * (next[c] - value);
@@ -194,7 +193,5 @@ namespace vibrocontact
       throw ConvergenceError("The fixed point of the contact problem '" + problem.title +
                              "' left the finite numbers; use Contact/Solver/Method = semi-smooth newton.");
     s.converged = s.residual <= parameters.tolerance;
-    s.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return s;
   }
 } // namespace vibrocontact

@@ -14,29 +14,26 @@ namespace vibrocontact
     return speed;
   }
 
-  ContactSolution
-  solve_with_friction_of_speed(ContactProblem &problem, ContactSolver &solver, const ContactSolution &start,
-                               const std::function<std::vector<double>(const ContactSolution &)> &speed)
+  void solve_with_friction_of_speed(ContactProblem &problem, ContactSolver &solver, ContactSolution &solution,
+                                    const std::function<std::vector<double>(const ContactSolution &)> &speed)
   {
     if (!problem.friction_law || !problem.friction_law.any(&FrictionLaw::depends_on_speed))
-      return solver.solve(problem, start);
+      return solver.solve(problem, solution);
     constexpr unsigned int max_rounds = 100;
-    ContactSolution solution = start;
+    const bool response_known = solution.response_known;
     unsigned int iterations = 0, factorisations = 0, linear_iterations = 0, fallbacks = 0;
-    double seconds = 0;
     std::vector<double> share(problem.mu.size(), 1.), missing(problem.mu.size(), 0.), step(missing);
     for (unsigned int round = 0; round < max_rounds; ++round)
     {
       // the response does not depend on mu
-      solution.response_known = start.response_known;
-      solution = solver.solve(problem, solution);
+      solution.response_known = response_known;
+      solver.solve(problem, solution);
       solution.iterations = iterations += solution.iterations;
       solution.factorisations = factorisations += solution.factorisations;
       solution.linear_iterations = linear_iterations += solution.linear_iterations;
       solution.fallbacks = fallbacks += solution.fallbacks;
-      solution.seconds = seconds += solution.seconds;
       if (!solution.converged)
-        return solution;
+        return;
       const std::vector<double> now = speed(solution);
       double change = 0, largest = 0;
       for (unsigned int i = 0; i < now.size(); ++i)
@@ -59,9 +56,8 @@ namespace vibrocontact
         problem.mu[i] += step[i];
       }
       if (change <= 1e-9 * largest)
-        return solution;
+        return;
     }
     solution.converged = false;
-    return solution;
   }
 } // namespace vibrocontact

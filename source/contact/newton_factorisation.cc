@@ -29,11 +29,11 @@ namespace vibrocontact
   {
     if (!anew && A == problem.A && force_given == problem.force_given() && points == J.points())
     {
-      std::vector<unsigned int> flipped;
+      flipped.clear();
       for (unsigned int k = 0; k < points.size(); ++k)
         if (now[points[k]] != status[k])
           flipped.push_back(k);
-      if (flipped == changed || (flipped.size() <= max_changed && update(J, flipped)))
+      if (flipped == changed || (flipped.size() <= max_changed && update(J)))
         return true;
     }
     ++factorisations;
@@ -59,37 +59,37 @@ namespace vibrocontact
     return true;
   }
 
-  bool NewtonFactorisation::update(const NewtonJacobian &J, const std::vector<unsigned int> &flipped)
+  bool NewtonFactorisation::update(const NewtonJacobian &J)
   {
-    const unsigned int m = points.size(), size = lu.m(), n_flipped = flipped.size();
-    DenseMatrix Z(size, 2 * n_flipped);
+    const unsigned int m = points.size(), size = lu.m(), n_flipped = flipped.size(), t = J.n_components() - 1;
+    DenseMatrix Z(size, t * n_flipped);
     DenseVector column(size);
-    differences.reinit(2 * n_flipped, size);
+    differences.reinit(t * n_flipped, size);
     for (unsigned int f = 0; f < n_flipped; ++f)
     {
       const unsigned int k = flipped[f];
       const auto known = std::find(changed.begin(), changed.end(), k);
-      for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int c = 0; c < t; ++c)
       {
         if (known != changed.end())
-          std::copy_n(&columns(0, 2 * (known - changed.begin()) + c), size, column.begin());
+          std::copy_n(&columns(0, t * (known - changed.begin()) + c), size, column.begin());
         else
         {
           column = 0;
           column[(c + 1) * m + k] = 1;
           lu.solve(column);
         }
-        std::copy(column.begin(), column.end(), &Z(0, 2 * f + c));
+        std::copy(column.begin(), column.end(), &Z(0, t * f + c));
       }
-      J.assemble_difference(k, rows[k], response, differences, 2 * f);
+      J.assemble_difference(k, rows[k], response, differences, t * f);
     }
     columns = Z;
     changed = flipped;
     if (n_flipped == 0)
       return true;
-    small.reinit(2 * n_flipped);
+    small.reinit(t * n_flipped);
     differences.mmult(small, columns);
-    for (unsigned int i = 0; i < 2 * n_flipped; ++i)
+    for (unsigned int i = 0; i < t * n_flipped; ++i)
       small(i, i) += 1;
     return factorise_lu(small);
   }

@@ -2,22 +2,33 @@
 
 namespace vibrocontact
 {
-  NewtonJacobian::NewtonJacobian(const ContactProblem &problem, const double rho_normal,
+  void NewtonJacobian::linearise(const ContactProblem &of, const double rho_normal,
                                  const double rho_tangential, const DenseVector &R, const DenseVector &y)
-      : problem(problem), n(problem.n_points()), rho_t(rho_tangential), dR(3 * n), dy(3 * n)
   {
+    problem = &of;
+    n = of.n_points();
+    components = of.n_components();
+    rho_t = rho_tangential;
+    active.clear();
+    rows.clear();
     for (unsigned int i = 0; i < n; ++i)
     {
-      const NormalLaw::Projection normal = problem.normal_law[i].project(R[i], y[i], rho_normal);
+      const NormalLaw::Projection normal = of.normal_law[i].project(R[i], y[i], rho_normal);
       if (normal.by_force == 0 && normal.by_gap == 0)
         continue;
-      const DiscProjection friction = project_on_disc(
-          {{R[n + i] - rho_t * y[n + i], R[2 * n + i] - rho_t * y[2 * n + i]}}, problem.mu[i] * normal.force);
       active.push_back(i);
+      if (components == 1)
+      {
+        rows.push_back({normal.by_force, normal.by_gap, {}, {}});
+        continue;
+      }
+      const auto force = at_point(R, n, components, i), slip = at_point(y, n, components, i);
+      const DiscProjection friction = project_on_disc(
+          {{force[1] - rho_t * slip[1], force[2] - rho_t * slip[2]}}, of.mu[i] * normal.force);
       rows.push_back({normal.by_force,
                       normal.by_gap,
                       friction.by_trial,
-                      {{problem.mu[i] * friction.by_radius[0], problem.mu[i] * friction.by_radius[1]}}});
+                      {{of.mu[i] * friction.by_radius[0], of.mu[i] * friction.by_radius[1]}}});
     }
   }
 
@@ -38,7 +49,7 @@ namespace vibrocontact
 
   std::array<double, 3> NewtonJacobian::by_approach(const unsigned int k, const Row &row) const
   {
-    const std::array<double, 3> a = problem.approach_of(active[k]);
+    const std::array<double, 3> a = problem->approach_of(active[k]);
     const double scale = approach_scale();
     return apply(row, 0, 0, 0, -scale * a[0], -scale * a[1], -scale * a[2]);
   }
@@ -46,55 +57,61 @@ namespace vibrocontact
   void NewtonJacobian::vmult(DenseVector &dst, const DenseVector &src) const
   {
     const unsigned int m = active.size();
-    dR = 0;
+    dR.reinit(components * n);
     scatter(src, dR);
-    problem.A->vmult_among(dy, dR, active);
-    const double d_approach = problem.force_given() ? src[3 * m] * approach_scale() : 0;
+    problem->A->vmult_among(dy, dR, active);
+    const double d_approach = problem->force_given() ? src[components * m] * approach_scale() : 0;
     double sum = 0;
     for (unsigned int k = 0; k < m; ++k)
     {
       const unsigned int i = active[k];
-      const std::array<double, 3> a = problem.approach_of(i), l = problem.share_of(i);
-      const auto value = apply(rows[k], dR[i], dR[n + i], dR[2 * n + i], dy[i] - d_approach * a[0],
-                               dy[n + i] - d_approach * a[1], dy[2 * n + i] - d_approach * a[2]);
-      for (unsigned int c = 0; c < 3; ++c)
+      const std::array<double, 3> a = problem->approach_of(i), l = problem->share_of(i);
+      const auto force = at_point(dR, n, components, i), moved = at_point(dy, n, components, i);
+      const auto value = apply(rows[k], force[0], force[1], force[2], moved[0] - d_approach * a[0],
+                               moved[1] - d_approach * a[1], moved[2] - d_approach * a[2]);
+      for (unsigned int c = 0; c < components; ++c)
       {
         dst[c * m + k] = value[c];
-        sum += l[c] * dR[c * n + i];
+        sum += l[c] * force[c];
       }
     }
-    if (problem.force_given())
-      dst[3 * m] = sum;
+    if (problem->force_given())
+      dst[components * m] = sum;
   }
 
   void NewtonJacobian::assemble(const DenseMatrix &A, DenseMatrix &J) const
   {
     const unsigned int m = active.size();
     J.reinit(size());
-    for (unsigned int column = 0; column < 3 * m; ++column)
+    // what rows that a point has not read and write
+    const std::vector<double> zero(components < 3 ? m : 0, 0.);
+    std::vector<double> nowhere(zero);
+    for (unsigned int column = 0; column < components * m; ++column)
     {
-      const double *const a = &A(0, column);
-      double *const out = &J(0, column);
+      const double *const a = &A(0, column), *const ax = components > 1 ? a + m : zero.data(),
+                          *const ay = components > 2 ? a + 2 * m : zero.data();
+      double *const out = &J(0, column), *const out_x = components > 1 ? out + m : nowhere.data(),
+                    *const out_y = components > 2 ? out + 2 * m : nowhere.data();
       const unsigned int c = column / m, own = column % m;
       for (unsigned int k = 0; k < m; ++k)
       {
-        const auto value = apply(rows[k], 0, 0, 0, a[k], a[m + k], a[2 * m + k]);
+        const auto value = apply(rows[k], 0, 0, 0, a[k], ax[k], ay[k]);
         out[k] = value[0];
-        out[m + k] = value[1];
-        out[2 * m + k] = value[2];
+        out_x[k] = value[1];
+        out_y[k] = value[2];
       }
       const std::array<double, 3> diagonal = apply(rows[own], c == 0, c == 1, c == 2, 0, 0, 0);
-      for (unsigned int row = 0; row < 3; ++row)
+      for (unsigned int row = 0; row < components; ++row)
         out[row * m + own] += diagonal[row];
-      if (problem.force_given())
-        J(3 * m, column) = problem.share_of(active[own])[c];
+      if (problem->force_given())
+        J(components * m, column) = problem->share_of(active[own])[c];
     }
-    if (problem.force_given())
+    if (problem->force_given())
       for (unsigned int k = 0; k < m; ++k)
       {
         const std::array<double, 3> value = by_approach(k, rows[k]);
-        for (unsigned int row = 0; row < 3; ++row)
-          J(row * m + k, 3 * m) = value[row];
+        for (unsigned int row = 0; row < components; ++row)
+          J(row * m + k, components * m) = value[row];
       }
   }
 
@@ -105,26 +122,27 @@ namespace vibrocontact
     const auto entries = [&](const Row &r, const unsigned int column)
     {
       const unsigned int c = column % m == k ? column / m : 3;
-      return apply(r, c == 0, c == 1, c == 2, A(k, column), A(m + k, column), A(2 * m + k, column));
+      return apply(r, c == 0, c == 1, c == 2, A(k, column), components > 1 ? A(m + k, column) : 0.,
+                   components > 2 ? A(2 * m + k, column) : 0.);
     };
-    for (unsigned int column = 0; column < 3 * m; ++column)
+    for (unsigned int column = 0; column < components * m; ++column)
     {
       const auto now = entries(rows[k], column), then = entries(before, column);
-      for (unsigned int row = 0; row < 2; ++row)
+      for (unsigned int row = 0; row + 1 < components; ++row)
         differences(at + row, column) = now[row + 1] - then[row + 1];
     }
-    if (problem.force_given())
+    if (problem->force_given())
     {
       const auto now = by_approach(k, rows[k]), then = by_approach(k, before);
-      for (unsigned int row = 0; row < 2; ++row)
-        differences(at + row, 3 * m) = now[row + 1] - then[row + 1];
+      for (unsigned int row = 0; row + 1 < components; ++row)
+        differences(at + row, components * m) = now[row + 1] - then[row + 1];
     }
   }
 
   void NewtonJacobian::scatter(const DenseVector &values, DenseVector &full) const
   {
     const unsigned int m = active.size();
-    for (unsigned int c = 0; c < 3; ++c)
+    for (unsigned int c = 0; c < components; ++c)
       for (unsigned int k = 0; k < m; ++k)
         full[c * n + active[k]] = values[c * m + k];
   }

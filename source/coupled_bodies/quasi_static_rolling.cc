@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 
 namespace vibrocontact
@@ -296,18 +297,21 @@ namespace vibrocontact
         const bool continues = !last.solution.empty() && last.rolling_case.curve == one.curve &&
                                last.rolling_case.friction == one.friction && last.solution.converged;
         std::string failure;
-        const auto solve_from = [&](const ContactSolution &start)
+        const auto solve_from = [&](ContactSolution state)
         {
+          const auto begin = std::chrono::steady_clock::now();
           failure.clear();
           try
           {
-            return solve_with_friction_of_speed(problem, *solver, start);
+            solve_with_friction_of_speed(problem, *solver, state);
           }
           catch (const ConvergenceError &error)
           {
             failure = error.what();
-            return no_solution(problem);
+            state = no_solution(problem);
           }
+          state.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+          return state;
         };
         ContactSolution solution = solve_from(continues ? last.solution : ContactSolution());
         if (continues && !solution.converged)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 extern "C" void dgglse_(const int *, const int *, const int *, double *, const int *, double *, const int *,
                         double *, double *, double *, double *, const int *, int *);
@@ -162,5 +163,13 @@ namespace vibrocontact
     with_work("dsyev", [&](double *work, const int &n_work, int &info)
               { dealii::syev("V", "U", &n, &vectors(0, 0), &n, values.data(), work, &n_work, &info); });
     return values;
+  }
+
+  double definiteness(const DenseMatrix &A)
+  {
+    DenseMatrix vectors;
+    const std::vector<double> values = symmetric_eigenvalues(A, vectors);
+    return values.front() /
+           std::max({std::abs(values.front()), std::abs(values.back()), std::numeric_limits<double>::min()});
   }
 } // namespace vibrocontact

@@ -1,5 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/contact/unilateral_contact.h>
+#include <vibrocontact/contact/active_set.h>
 #include <vibrocontact/propagators/event_located.h>
 
 #include <algorithm>
@@ -26,10 +26,20 @@ namespace vibrocontact
     void solve_contact(const DenseMatrix &matrix, const std::vector<unsigned int> &points,
                        std::vector<double> &gap, std::vector<double> &q)
     {
-      if (points.size() > 1)
-        return UnilateralContact(block_of(matrix, points), "at an impact").solve(gap.data(), q.data());
-      q[0] = std::max(0., -gap[0] / matrix(points[0], points[0]));
-      gap[0] = std::max(0., gap[0]);
+      if (points.size() == 1)
+      {
+        q[0] = rigid_force(-gap[0] / matrix(points[0], points[0]));
+        gap[0] = q[0] > 0 ? 0. : gap[0];
+        return;
+      }
+      ContactProblem problem;
+      problem.title = "points at an impact";
+      problem.A = std::make_shared<DenseContactOperator>(block_of(matrix, points), 1);
+      problem.b = DenseVector(gap.begin(), gap.end());
+      ContactSolution found;
+      ActiveSetSolver().solve(problem, found);
+      std::copy(found.R.begin(), found.R.end(), q.begin());
+      std::copy(found.y.begin(), found.y.end(), gap.begin());
     }
   } // namespace
 

@@ -1,3 +1,4 @@
+#include <vibrocontact/contact/laws/signorini.h>
 #include <vibrocontact/propagators/modal_recursion.h>
 #include <vibrocontact/propagators/step_weights.h>
 
@@ -163,11 +164,11 @@ namespace vibrocontact
     unsigned long closed = 0;
     for (unsigned int k = 0; k < n_steps; ++k)
     {
-      const double trial = ((heights[k] - own) * stiffness + rest) + pushed, real = rest + pushed;
-      const double force = trial > 0 ? trial : 0.;
+      const double force = rigid_force(((heights[k] - own) * stiffness + rest) + pushed),
+                   real = rest + pushed;
       forces[k] = force;
-      displacements[k] = trial > 0 ? heights[k] : own - real * one_step(0, 0);
-      closed += trial > 0;
+      displacements[k] = force > 0 ? heights[k] : own - real * one_step(0, 0);
+      closed += force > 0;
       rest = er * real - ei * imaginary;
       imaginary = er * imaginary + ei * real + gi * force;
       pushed = gr * force;

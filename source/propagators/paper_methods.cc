@@ -1,3 +1,4 @@
+#include <vibrocontact/contact/laws/signorini.h>
 #include <vibrocontact/propagators/paper_methods.h>
 
 #include <algorithm>
@@ -46,7 +47,7 @@ namespace vibrocontact
         const double real = c * alpha[k] + s * beta[k], imaginary = s * alpha[k] - c * beta[k];
         u += decay * (gains[k].real() * real - gains[k].imag() * imaginary);
       }
-      const double force = std::max(0., (heights[step] - u) / first);
+      const double force = rigid_force((heights[step] - u) / first);
       for (unsigned int k = 0; k < n; ++k)
       {
         const double growth = std::exp(-poles[k].real() * begin) * force * h;

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/laws/signorini.h>
 #include <vibrocontact/propagators/response.h>
 
 namespace vibrocontact
@@ -10,10 +11,9 @@ namespace vibrocontact
     unsigned long closed = 0;
     for (unsigned int k = 0; k < n_steps; ++k)
     {
-      const double trial = (heights[k] - free[0]) * inverse;
-      forces[k] = trial > 0 ? trial : 0.;
-      displacements[k] = trial > 0 ? heights[k] : free[0];
-      closed += trial > 0;
+      forces[k] = rigid_force((heights[k] - free[0]) * inverse);
+      displacements[k] = forces[k] > 0 ? heights[k] : free[0];
+      closed += forces[k] > 0;
       advance(forces + k);
     }
     return closed;

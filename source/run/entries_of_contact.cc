@@ -86,13 +86,10 @@ namespace vibrocontact
                           const std::string &condition)
   {
     const std::string section = "Contact/Solver", also = condition.empty() ? "" : condition + " and ";
-    // a further method may read both
-    const std::string &method = parameters.contact_solver.method;
-    entries.add_if(holds, condition, section, "Method, Tolerance, Force change");
-    entries.add_if(holds && method != "fixed point", also + "Method is semi-smooth newton", section,
-                   "Max Newton iterations");
-    entries.add_if(holds && method != "semi-smooth newton", also + "Method is fixed point", section,
-                   "Max fixed point iterations");
+    entries.add_if(holds, condition, section, "Method");
+    for (const ContactSolverEntry &row : *parameters.contact_solver.methods)
+      entries.add_if(holds && row.name == parameters.contact_solver.method, also + "Method is " + row.name,
+                     section, row.entries);
   }
 
   void add_normal_law(EntriesRead &entries, const ContactParameters &contact, const std::string &name,

@@ -8,8 +8,12 @@
 /// a creepage of 0.18 %.
 
 #include "../unit/contact_cases.h"
+#include "../unit/random_contact.h"
 
+#include <vibrocontact/contact/active_set.h>
 #include <vibrocontact/contact/contact_solvers.h>
+#include <vibrocontact/contact/few_points.h>
+#include <vibrocontact/contact/newton.h>
 #include <vibrocontact/contact/problem_file.h>
 
 #include <algorithm>
@@ -64,8 +68,8 @@ namespace
     parameters.method = method;
     const auto solver = create_contact_solver(parameters);
     ContactSolution cold, warm;
-    const Times c = measure(repetitions, [&] { cold = solver->solve(problem, {}); });
-    const Times w = measure(repetitions, [&] { warm = solver->solve(problem, neighbour); });
+    const Times c = measure(repetitions, [&] { cold = solver->solved(problem); });
+    const Times w = measure(repetitions, [&] { warm = solver->solved(problem, neighbour); });
     std::printf("%-34s cold %9.2f (%9.2f) ms %5u its %3u LU %5u linear its, res %.0e; warm %9.2f (%9.2f) ms "
                 "%5u its%s\n",
                 name, c.least, c.median, cold.iterations, cold.factorisations, cold.linear_iterations,
@@ -107,18 +111,62 @@ namespace
   }
 } // namespace
 
+namespace
+{
+  /// us of a step of few points by the solvers that take it: gaps and slips swing, so that points open, stick and slip
+  void report_few_points(const unsigned int repetitions)
+  {
+    constexpr unsigned int steps = 2000;
+    for (const unsigned int n_components : {1u, 3u})
+      for (const unsigned int n : {1u, 2u, 3u, 4u, 8u, 30u})
+      {
+        ContactProblem problem = random_contact(n, n_components, 0.3, create_normal_law("signorini"), n);
+        const DenseVector mean = problem.b;
+        std::printf("%2u points of %u components:", n, n_components);
+        const auto report = [&](const char *name, ContactSolver &solver)
+        {
+          ContactSolution state;
+          const Times times = measure(repetitions,
+                                      [&]
+                                      {
+                                        for (unsigned int k = 0; k < steps; ++k)
+                                        {
+                                          for (unsigned int row = 0; row < mean.size(); ++row)
+                                            problem.b[row] =
+                                                mean[row] + 5e-5 * std::sin(0.02 * k + 1.7 * row);
+                                          solver.solve(problem, state);
+                                        }
+                                      });
+          std::printf("  %s %.3f", name, 1e3 * times.median / steps);
+        };
+        NewtonSolver newton({});
+        report("newton", newton);
+        FewPointsSolver few;
+        if (n <= 8)
+          report("few points", few);
+        ActiveSetSolver active;
+        if (n_components == 1)
+          report("active set", active);
+        const auto automatic = create_contact_solver({});
+        report("automatic", *automatic);
+        std::printf(" us per step\n");
+      }
+  }
+} // namespace
+
 int main(int argc, char **argv)
 {
   const double finest = argc > 1 ? std::atof(argv[1]) : 0.25;
   const unsigned int repetitions = argc > 2 ? std::atoi(argv[2]) : 15;
   report_laws(repetitions);
+  report_few_points(repetitions);
   for (const double mm : {1., 0.5, 0.25, 0.125})
   {
     if (mm < finest)
       break;
     ContactProblem problem = problem_at(mm * 1e-3, 0.002), slower = problem_at(mm * 1e-3, 0.0018);
     const auto newton = create_contact_solver({});
-    const ContactSolution s = newton->solve(problem, {}), neighbour = newton->solve(slower, {});
+    const ContactSolution s = newton->solved(problem), neighbour = newton->solved(slower);
     std::vector<unsigned int> points;
     for (unsigned int i = 0; i < problem.n_points(); ++i)
       if (s.status[i] != ContactStatus::open)

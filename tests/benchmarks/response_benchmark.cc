@@ -6,8 +6,9 @@
 /// with tread and 404 rolling poles; the event-located oscillator on the sine.
 
 #include <vibrocontact/analyses/modal_convolution/modal_convolution.h>
+#include <vibrocontact/analyses/modal_convolution/road_contact.h>
 #include <vibrocontact/base/processor_clock.h>
-#include <vibrocontact/contact/unilateral_contact.h>
+#include <vibrocontact/contact/active_set.h>
 #include <vibrocontact/numerics/wide_loops.h>
 #include <vibrocontact/propagators/response_methods.h>
 
@@ -26,12 +27,16 @@ namespace
   double time_steps(Response &response, const unsigned int n_steps, const double h, const double depth)
   {
     const unsigned int n = response.n_rows();
-    UnilateralContact contact(response.compliance(), "in the benchmark");
+    ContactProblem problem = road_contact_problem(response.compliance(), n, {}, h);
+    ActiveSetSolver contact;
+    contact.prepare(problem);
+    ContactSolution solution;
     std::vector<double> road(n_steps * n), u(n_steps * n), q(n_steps * n), times;
     for (unsigned int k = 0; k < n_steps; ++k)
       for (unsigned int i = 0; i < n; ++i)
         road[k * n + i] = depth * (std::sin(25 * k * h + 0.01 * i) - 1e-4 * std::pow(i - 0.5 * n, 2));
     const double *const free = response.free_displacement();
+    double *const b = problem.b.data();
     for (unsigned int repetition = 0; repetition < repetitions; ++repetition)
     {
       const double begin = processor_seconds();
@@ -39,13 +44,16 @@ namespace
         response.advance_in_contact(n_steps, road.data(), u.data(), q.data());
       for (unsigned int k = 0; k < n_steps && n > 1; ++k)
       {
-        double *const gap = u.data() + k * n;
         for (unsigned int i = 0; i < n; ++i)
-          gap[i] = free[i] - road[k * n + i];
-        contact.solve(gap, q.data() + k * n);
+          b[i] = free[i] - road[k * n + i];
+        contact.solve(problem, solution);
+        const double *const y = solution.y.data(), *const R = solution.R.data();
         for (unsigned int i = 0; i < n; ++i)
-          gap[i] += road[k * n + i];
-        response.advance(q.data() + k * n);
+        {
+          u[k * n + i] = y[i] + road[k * n + i];
+          q[k * n + i] = R[i];
+        }
+        response.advance(R);
       }
       times.push_back((processor_seconds() - begin) / n_steps);
     }

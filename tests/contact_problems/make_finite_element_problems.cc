@@ -73,7 +73,7 @@ namespace
   /// Keeps the points in contact and their neighbours and writes the problem.
   void store(const ContactProblem &problem, const ContactGrid &grid, const std::string &description)
   {
-    const ContactSolution s = create_contact_solver({})->solve(problem, {});
+    const ContactSolution s = create_contact_solver({})->solved(problem);
     const auto touches = [&](const int i, const int j)
     {
       return i >= 0 && j >= 0 && i < int(grid.n_x) && j < int(grid.n_y) &&
@@ -148,7 +148,7 @@ int main(int argc, char **argv)
     problem.normal_force = force;
     if (spin)
     {
-      problem.approach = create_contact_solver({})->solve(problem, {}).approach;
+      problem.approach = create_contact_solver({})->solved(problem).approach;
       problem.normal_force = 0;
     }
     store(problem, grid, description);

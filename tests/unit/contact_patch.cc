@@ -65,7 +65,7 @@ namespace
     parameters.friction = 0;
     ContactProblem problem = rolling_problem(A, interface, creep_schemes().front(), Creepage(), parameters);
     problem.approach = approach;
-    const ContactSolution solution = create_contact_solver(ContactSolverParameters())->solve(problem, {});
+    const ContactSolution solution = create_contact_solver(ContactSolverParameters())->solved(problem);
     EXPECT_TRUE(solution.converged);
     double low = 1e300, high = 0;
     for (unsigned int i = 0; i < g.n_points(); ++i)

@@ -28,9 +28,11 @@ TEST(ContactProblemFile, OfARunIsSolvedAgain)
 
   for (const ContactSolverEntry &entry : contact_solvers())
   {
+    if (entry.takes && !entry.takes(problem))
+      continue;
     ContactSolverParameters parameters;
     parameters.method = entry.name;
-    const ContactSolution solution = create_contact_solver(parameters)->solve(problem, {});
+    const ContactSolution solution = create_contact_solver(parameters)->solved(problem);
     EXPECT_TRUE(solution.converged) << entry.name;
     double force[3] = {0, 0, 0};
     for (unsigned int component = 0; component < 3; ++component)

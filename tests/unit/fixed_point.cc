@@ -30,7 +30,7 @@ TEST(FixedPoint, FreePointsDoNotSlowItDown)
     problem.approach = 1;
     ContactSolverParameters parameters;
     parameters.method = "fixed point";
-    const ContactSolution s = create_contact_solver(parameters)->solve(problem, {});
+    const ContactSolution s = create_contact_solver(parameters)->solved(problem);
     EXPECT_TRUE(s.converged) << n;
     for (unsigned int i = 0; i < 10; ++i)
       EXPECT_NEAR(s.R[i], 1. / 7, 1e-10) << n;
@@ -58,5 +58,5 @@ TEST(FixedPoint, GapsBeyondAllNumbersEndInASentence)
   start.approach = -1e308; // the gaps are infinite
   ContactSolverParameters parameters;
   parameters.method = "fixed point";
-  EXPECT_THROW(create_contact_solver(parameters)->solve(problem, start), ConvergenceError);
+  EXPECT_THROW(create_contact_solver(parameters)->solved(problem, start), ConvergenceError);
 }

@@ -249,7 +249,7 @@ TEST(HalfSpaceRolling, CarterTractionsInTwoDimensions)
             rolling_problem(rolling_operator(interface.contacts.only(), pair, creep_scheme, creepage.speed),
                             interface, creep_scheme, creepage, contact);
         problem.normal_force = load;
-        const ContactSolution s = create_contact_solver({})->solve(problem, {});
+        const ContactSolution s = create_contact_solver({})->solved(problem);
         ASSERT_TRUE(s.converged);
         const unsigned int n = interface.contacts.only().n_points(), component = lateral ? 2 : 1;
         double force = 0;

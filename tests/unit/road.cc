@@ -3,7 +3,7 @@
 #include <vibrocontact/analyses/modal_convolution/static_load.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/ring_poles.h>
-#include <vibrocontact/contact/unilateral_contact.h>
+#include <vibrocontact/contact/active_set.h>
 #include <vibrocontact/numerics/chebyshev_fit.h>
 #include <vibrocontact/propagators/event_located.h>
 #include <vibrocontact/propagators/response_methods.h>
@@ -242,15 +242,17 @@ TEST(StaticLoad, IndentationOfAForce)
   settings.time_step = 1e-4;
   settings.interpolation = ForceInterpolation::linear;
   const auto response = create_response("modal recursion", model, state_at_rest(model), settings);
-  UnilateralContact contact(response->compliance(), "in the test");
-  std::vector<double> gap(5), q(5), height(5);
+  ContactProblem problem = road_contact_problem(response->compliance(), 5, {}, settings.time_step);
+  ActiveSetSolver contact;
+  ContactSolution solution;
+  std::vector<double> height(5);
   for (unsigned int k = 0; k < 10000; ++k)
   {
     road.heights((k + 1) * 1e-4, height.data());
     for (unsigned int i = 0; i < 5; ++i)
-      gap[i] = response->free_displacement()[i] - height[i];
-    contact.solve(gap.data(), q.data());
-    response->advance(q.data());
+      problem.b[i] = response->free_displacement()[i] - height[i];
+    contact.solve(problem, solution);
+    response->advance(solution.R.data());
   }
-  EXPECT_NEAR(std::accumulate(q.begin(), q.end(), 0.), 800, 1e-6);
+  EXPECT_NEAR(std::accumulate(solution.R.begin(), solution.R.end(), 0.), 800, 1e-6);
 }

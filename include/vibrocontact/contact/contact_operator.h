@@ -12,15 +12,17 @@ namespace vibrocontact
 {
   /// The constant linear part A of the discrete contact problem, y = A R + b (Delassus operator of the step).
   ///
-  /// R: forces on body 1 (N, Tx, Ty) [N]; y: (gap [m], slip_x, slip_y [m/s]); both of size 3 n, contact_row()
-  /// order.
+  /// R: forces on body 1 (N, Tx, Ty) [N]; y: (gap [m], slip_x, slip_y [m/s]); contact_row() order. Without friction, or
+  /// with friction along x alone, the rows that nothing moves along are left out: 1 or 2 components per point.
   class ContactOperator
   {
   public:
     virtual ~ContactOperator() = default;
     virtual unsigned int n_points() const = 0;
+    /// rows per point: 1 (normal), 2 (and x) or 3 (and y)
+    virtual unsigned int n_components() const { return 3; }
     /// y = A R; sources: the points where R is not zero (a hint, everything else is taken as zero). An
-    /// operator may have rows of its own behind the 3 n of y; b then has them too, and solvers carry them
+    /// operator may have rows of its own behind those of y; b then has them too, and solvers carry them
     /// along.
     virtual void vmult(DenseVector &y, const DenseVector &R,
                        const std::vector<unsigned int> &sources) const = 0;
@@ -30,7 +32,7 @@ namespace vibrocontact
     {
       vmult(y, R, sources);
     }
-    /// A restricted to some points, 3 m square, rows and columns (normal of all, x of all, y of all)
+    /// A restricted to some points, m times the components square, rows and columns (normal of all, x of all, y of all)
     virtual void extract(const std::vector<unsigned int> &points, DenseMatrix &block) const = 0;
     /// mean of the diagonal entries of a component's own block
     virtual double mean_diagonal(unsigned int component) const = 0;
@@ -42,9 +44,10 @@ namespace vibrocontact
   class DenseContactOperator : public ContactOperator
   {
   public:
-    /// @param matrix 3 n square
-    explicit DenseContactOperator(DenseMatrix matrix);
-    unsigned int n_points() const override { return matrix.m() / 3; }
+    /// @param matrix n times n_components square
+    explicit DenseContactOperator(DenseMatrix matrix, unsigned int n_components = 3);
+    unsigned int n_points() const override { return matrix.m() / components; }
+    unsigned int n_components() const override { return components; }
     void vmult(DenseVector &y, const DenseVector &R, const std::vector<unsigned int> &sources) const override;
     void extract(const std::vector<unsigned int> &points, DenseMatrix &block) const override;
     double mean_diagonal(unsigned int component) const override;
@@ -52,6 +55,7 @@ namespace vibrocontact
 
   private:
     DenseMatrix matrix;
+    unsigned int components;
   };
 
   /// A of two half-spaces rolling on each other: translation invariant, nine kernels over the grid's offsets.

@@ -13,6 +13,14 @@
 
 namespace vibrocontact
 {
+  /// The components of forces or responses at a point, zero where it has none.
+  inline std::array<double, 3> at_point(const DenseVector &values, const unsigned int n_points,
+                                        const unsigned int n_components, const unsigned int point)
+  {
+    return {{values[point], n_components > 1 ? values[n_points + point] : 0.,
+             n_components > 2 ? values[2 * n_points + point] : 0.}};
+  }
+
   /// The one discrete contact problem that every analysis ends in (doc/theory.md, "One contact problem for
   /// every analysis").
   ///
@@ -21,14 +29,17 @@ namespace vibrocontact
   ///
   /// at every point. The approach [m] is given, or it is one more unknown that makes l . R equal to a given normal
   /// force. Where one contact lies under the hub, a = l is one on every gap, so that l . R = sum N. Friction that depends on the slip speed makes mu_i part of the solution
-  /// (friction_of_speed.h). Sizes 3 n by contact_row().
+  /// (friction_of_speed.h).
+  ///
+  /// A point has n_components() rows, those of A: 1 (frictionless, no tangential rows), 2 (friction along x) or 3. Sizes "rows"
+  /// are n times that, by contact_row().
   struct ContactProblem
   {
     std::string title;
     std::shared_ptr<const ContactOperator> A;
-    /// gap [m] and slip velocity [m/s] without contact forces, at approach zero; 3 n
+    /// gap [m] and slip velocity [m/s] without contact forces, at approach zero; rows
     DenseVector b;
-    /// friction coefficient of each point; n
+    /// friction coefficient of each point; n, of 1 component not looked at
     std::vector<double> mu;
     /// what mu follows; none: mu is given
     PointLaws<FrictionLaw> friction_law;
@@ -37,12 +48,14 @@ namespace vibrocontact
     double normal_force = 0;
     /// given approach [m]; the starting value if the normal force is given
     double approach = 0;
-    /// a: rows of y per approach [-, 1/s]; l: normal force per force [-]; 3 n each, empty: one on every gap
+    /// a: rows of y per approach [-, 1/s]; l: normal force per force [-]; rows each, empty: one on every gap
     DenseVector by_approach, to_force;
 
     unsigned int n_points() const { return A->n_points(); }
+    unsigned int n_components() const { return A->n_components(); }
+    unsigned int n_rows() const { return n_points() * n_components(); }
     bool force_given() const { return normal_force > 0; }
-    /// The three rows of a and of l at a point.
+    /// a and l at a point; zero in rows that it has not.
     std::array<double, 3> approach_of(const unsigned int point) const { return rows_of(by_approach, point); }
     std::array<double, 3> share_of(const unsigned int point) const { return rows_of(to_force, point); }
     /// l . R [N]
@@ -55,8 +68,7 @@ namespace vibrocontact
     {
       if (values.size() == 0)
         return {{1, 0, 0}};
-      const unsigned int n = values.size() / 3;
-      return {{values[point], values[n + point], values[2 * n + point]}};
+      return at_point(values, n_points(), n_components(), point);
     }
   };
 
@@ -74,7 +86,7 @@ namespace vibrocontact
   /// A state of the contact and how it was reached.
   struct ContactSolution
   {
-    /// (N, Tx, Ty) on body 1 [N], (gap [m], slip_x, slip_y [m/s]); 3 n each
+    /// (N, Tx, Ty) on body 1 [N], (gap [m], slip_x, slip_y [m/s]); rows of the problem each
     DenseVector R, y;
     std::vector<ContactStatus> status;
     /// [m]
@@ -85,6 +97,7 @@ namespace vibrocontact
     /// norm of R - projections over norm of mu N (over norm of N without friction), see ContactResidual
     double residual = 0;
     unsigned int iterations = 0, factorisations = 0, linear_iterations = 0, fallbacks = 0;
+    /// of those who ask for a solution, not for a step
     double seconds = 0;
     bool empty() const { return R.size() == 0; }
     /// whether all forces and the approach are finite numbers: what can be started from
@@ -100,7 +113,8 @@ namespace vibrocontact
     /// @param tangential_factor multiplies rho_t: solvers may look at the same problem with another rho
     explicit ContactResidual(const ContactProblem &problem, double tangential_factor = 1);
 
-    /// Projections of a state: next = (P, Proj), their status, and the relative residual.
+    /// Projections of a state: next = (P, Proj), their status (a point without tangential rows sticks), and the relative
+    /// residual.
     double evaluate(const DenseVector &R, const DenseVector &y, DenseVector &projected,
                     std::vector<ContactStatus> &status) const;
 
@@ -111,7 +125,7 @@ namespace vibrocontact
   };
 
   /// Points with a force that is not zero.
-  std::vector<unsigned int> loaded_points(const DenseVector &R);
+  std::vector<unsigned int> loaded_points(const DenseVector &R, unsigned int n_points);
   /// y = A R + b - approach a
   void contact_response(const ContactProblem &problem, const DenseVector &R, double approach, DenseVector &y);
 } // namespace vibrocontact

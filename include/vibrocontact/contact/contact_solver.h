@@ -10,6 +10,7 @@
 
 namespace vibrocontact
 {
+  class CheckpointFile;
   class ContactSolver;
   struct ContactSolverParameters;
 
@@ -18,17 +19,22 @@ namespace vibrocontact
   {
     std::string name, help;
     std::unique_ptr<ContactSolver> (*create)(const ContactSolverParameters &);
+    /// whether it takes a problem; null: every one. Asked at every solution, and so of the kind of the problem alone
+    bool (*takes)(const ContactProblem &) = nullptr;
+    /// what `takes` asks for, for the message that refuses others
+    std::string asks_for = {};
+    /// entries of the section that it reads
+    std::string entries = "Tolerance, Force change, Max Newton iterations, Max fixed point iterations";
   };
   using ContactSolvers = std::vector<ContactSolverEntry>;
 
-  /// The shipped ones, semi-smooth newton and fixed point; a program may have more (run/tables.h). Made beside
-  /// create_contact_solver().
+  /// The shipped ones; a program may have more (run/tables.h). Made beside create_contact_solver().
   const ContactSolvers &contact_solvers();
 
   /// `subsection Contact / subsection Solver`
   struct ContactSolverParameters
   {
-    std::string method = "semi-smooth newton";
+    std::string method = "automatic";
     /// relative residual to be reached, see ContactResidual
     double tolerance = 1e-10;
     unsigned int max_newton_iterations = 60;
@@ -41,15 +47,26 @@ namespace vibrocontact
     void declare_parameters(dealii::ParameterHandler &prm);
   };
 
-  /// Solves a ContactProblem. A solver may keep factorisations between calls and is used for a sequence of
-  /// related problems (sweep, time steps); the previous solution is the start of the next.
+  /// Solves a ContactProblem, in place. A solver is used for a sequence of related problems (sweep, time steps); the previous
+  /// solution is the start of the next. What it keeps between them (factors, inverses, work vectors) belongs to the operator,
+  /// ContactProblem::A, and is made anew for another one.
   class ContactSolver
   {
   public:
     virtual ~ContactSolver() = default;
-    /// @param start state to begin from; empty: a cold start. Its status and forces are used, sizes must
-    /// match. Returns the best state found with converged = false if the tolerance was not reached.
-    virtual ContactSolution solve(const ContactProblem &problem, const ContactSolution &start) = 0;
+    /// @param state to begin from; empty: a cold start. Its status and forces are used, sizes must match. On return the best
+    /// state found, with converged = false if the tolerance was not reached.
+    virtual void solve(const ContactProblem &problem, ContactSolution &state) = 0;
+    /// Makes what solve() keeps of a problem's operator. @throws InputError if the problem is none for this solver
+    virtual void prepare(const ContactProblem &) {}
+    /// Forgets, or makes anew, what depends on the problems before: called at fixed steps, it makes a resumed run equal to an
+    /// uninterrupted one bit for bit.
+    virtual void renew() {}
+    /// What a checkpoint needs, after prepare().
+    virtual void exchange(CheckpointFile &) {}
+
+    /// A solution by itself, with the time that it took.
+    ContactSolution solved(const ContactProblem &problem, ContactSolution start = {});
   };
 
   /// Frictionless start: the normal forces of problem without tangential forces, by

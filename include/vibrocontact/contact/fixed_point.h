@@ -23,7 +23,7 @@ namespace vibrocontact
   {
   public:
     explicit FixedPointSolver(const ContactSolverParameters &parameters) : parameters(parameters) {}
-    ContactSolution solve(const ContactProblem &problem, const ContactSolution &start) override;
+    void solve(const ContactProblem &problem, ContactSolution &state) override;
 
   private:
     ContactSolverParameters parameters;

@@ -7,7 +7,7 @@
 
 namespace vibrocontact
 {
-  /// |slip| of each point from the rows of y = (gap, slip); n [m/s]
+  /// |slip| of each point from the rows of y = (gap, slip_x, slip_y); n [m/s]
   std::vector<double> slip_speed(const ContactSolution &solution);
 
   /// Solves a contact problem whose friction may depend on the slip speed: with problem.mu alone if it does not.
@@ -22,8 +22,9 @@ namespace vibrocontact
   /// means less slip and that more friction, mu would jump about the solution: such points go by secants. A loop that does
   /// not converge within 100 rounds is returned as not converged. problem.mu is left as it was last used, a good start for
   /// the next step.
+  /// @param state start and solution, as in ContactSolver::solve()
   /// @param speed the slip speed of each point that counts in mu, from a solution
-  ContactSolution solve_with_friction_of_speed(
-      ContactProblem &problem, ContactSolver &solver, const ContactSolution &start,
+  void solve_with_friction_of_speed(
+      ContactProblem &problem, ContactSolver &solver, ContactSolution &state,
       const std::function<std::vector<double>(const ContactSolution &)> &speed = slip_speed);
 } // namespace vibrocontact

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <vibrocontact/contact/contact_solver.h>
-#include <vibrocontact/contact/newton_factorisation.h>
 
 namespace vibrocontact
 {
@@ -9,7 +8,7 @@ namespace vibrocontact
   /// 0.4 of that of ContactResidual: a smaller one takes more steps, a larger one starts to cycle between
   /// stick and slip (doc/contact.md). Solutions are judged by ContactResidual all the same.
   ///
-  /// Only points whose projected normal force is positive enter the linear system: 3 m unknowns, one more if
+  /// Only points whose projected normal force is positive enter the linear system: their forces, one unknown more if
   /// the normal force is given. Its matrix is factorised by LAPACK and kept while the active points stay
   /// and the residual falls fast (NewtonFactorisation); with a fast product and many points the system is
   /// solved by GMRES instead.
@@ -22,11 +21,13 @@ namespace vibrocontact
   class NewtonSolver : public ContactSolver
   {
   public:
-    explicit NewtonSolver(const ContactSolverParameters &parameters) : parameters(parameters) {}
-    ContactSolution solve(const ContactProblem &problem, const ContactSolution &start) override;
+    explicit NewtonSolver(const ContactSolverParameters &parameters);
+    ~NewtonSolver() override;
+    void solve(const ContactProblem &problem, ContactSolution &state) override;
+    void renew() override;
 
   private:
-    ContactSolverParameters parameters;
-    NewtonFactorisation kept;
+    class Steps;
+    std::unique_ptr<Steps> steps;
   };
 } // namespace vibrocontact

@@ -7,7 +7,7 @@ namespace vibrocontact
   /// The factorised matrix of a Newton step, kept while it serves: from one step to the next, and from one
   /// problem of the same operator to the next (time steps).
   ///
-  /// A point that changes between stick and slip changes two rows of J. As long as few have done so since the
+  /// A point that changes between stick and slip changes its tangential rows of J, t = 1 or 2. As long as few have done so since the
   /// factorisation J = L U, the new matrix J + E D (E: unit columns of these rows, D: their differences) is
   /// solved by
   ///
@@ -29,7 +29,7 @@ namespace vibrocontact
   private:
     bool factorise(const ContactProblem &problem, const NewtonJacobian &J,
                    const std::vector<ContactStatus> &now);
-    bool update(const NewtonJacobian &J, const std::vector<unsigned int> &flipped);
+    bool update(const NewtonJacobian &J);
 
     /// operator and kind of load that lu belongs to; null: nothing is kept
     std::shared_ptr<const ContactOperator> A;
@@ -41,9 +41,9 @@ namespace vibrocontact
     /// A among the points
     DenseMatrix response;
     DenseMatrix lu;
-    /// points (among the active ones) with another status now
-    std::vector<unsigned int> changed;
-    /// Z, size x 2 changed; D, 2 changed x size; I + D Z, factorised
+    /// points (among the active ones) with another status than when lu was made, and now
+    std::vector<unsigned int> changed, flipped;
+    /// Z, size x t changed; D, t changed x size; I + D Z, factorised
     DenseMatrix columns, differences, small;
   };
 } // namespace vibrocontact

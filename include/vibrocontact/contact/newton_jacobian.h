@@ -14,8 +14,8 @@ namespace vibrocontact
   ///   tangential rows dT - D (dT - rho_t ds) - mu r dP,   D, r: derivatives of the projection on the disc
   ///   last row        l . dR                          (only if the normal force is given)
   ///
-  /// with (dgap, ds) = A dR - d_approach a (ContactProblem). Unknowns: 3 m changes of forces (normal of all active points,
-  /// x, y), then, if the normal force is given, the approach divided by approach_scale(), which makes it a
+  /// with (dgap, ds) = A dR - d_approach a (ContactProblem). Unknowns: changes of the forces of the m active points (normal of
+  /// all, x, y, as many components as the problem has), then, if the normal force is given, the approach divided by approach_scale(), which makes it a
   /// force.
   class NewtonJacobian
   {
@@ -29,18 +29,20 @@ namespace vibrocontact
     };
     using Rows = std::vector<Row>;
 
+    /// Takes a state of a problem, which is referred to until the next one.
     /// @param rho_normal, rho_tangential those of the projections [N/m, N s/m]
-    NewtonJacobian(const ContactProblem &problem, double rho_normal, double rho_tangential,
+    void linearise(const ContactProblem &problem, double rho_normal, double rho_tangential,
                    const DenseVector &R, const DenseVector &y);
 
     /// active points, ascending
     const std::vector<unsigned int> &points() const { return active; }
     const Rows &rows_of_points() const { return rows; }
-    unsigned int size() const { return 3 * active.size() + (problem.force_given() ? 1 : 0); }
+    unsigned int n_components() const { return components; }
+    unsigned int size() const { return components * active.size() + (problem->force_given() ? 1 : 0); }
     /// [m/N]
     double approach_scale() const;
 
-    /// The three rows of active point k for changes of its own forces and responses.
+    /// The rows of active point k for changes of its own forces and responses.
     std::array<double, 3> apply(unsigned int k, double dN, double dTx, double dTy, double dgap, double dsx,
                                 double dsy) const
     {
@@ -50,22 +52,21 @@ namespace vibrocontact
     void vmult(DenseVector &dst, const DenseVector &src) const;
     /// @param response A among the active points (ContactOperator::extract)
     void assemble(const DenseMatrix &response, DenseMatrix &J) const;
-    /// The two tangential rows of active point k, less what they were with the derivatives `before`, into
-    /// rows `at` and at + 1.
+    /// The tangential rows of active point k, less what they were with the derivatives `before`, into rows `at` and on.
     void assemble_difference(unsigned int k, const Row &before, const DenseMatrix &response,
                              DenseMatrix &differences, unsigned int at) const;
-    /// Values at the active points into a full vector of 3 n.
+    /// Values at the active points into a full vector.
     void scatter(const DenseVector &values, DenseVector &full) const;
 
   private:
     std::array<double, 3> apply(const Row &row, double dN, double dTx, double dTy, double dgap, double dsx,
                                 double dsy) const;
-    /// the three rows of active point k for a unit of the last unknown
+    /// the rows of active point k for a unit of the last unknown
     std::array<double, 3> by_approach(unsigned int k, const Row &row) const;
 
-    const ContactProblem &problem;
-    const unsigned int n;
-    const double rho_t;
+    const ContactProblem *problem = nullptr;
+    unsigned int n = 0, components = 3;
+    double rho_t = 0;
     std::vector<unsigned int> active;
     Rows rows;
     mutable DenseVector dR, dy;

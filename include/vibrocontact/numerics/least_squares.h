@@ -24,4 +24,7 @@ namespace vibrocontact
 
   /// Eigenvalues of the symmetric part of a matrix, ascending (dsyev), with its vectors in the columns of `vectors`.
   std::vector<double> symmetric_eigenvalues(const DenseMatrix &A, DenseMatrix &vectors);
+
+  /// Smallest eigenvalue of the symmetric part of a matrix over the largest modulus: <= 0 if x^T A x > 0 fails.
+  double definiteness(const DenseMatrix &A);
 } // namespace vibrocontact

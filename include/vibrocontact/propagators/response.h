@@ -34,7 +34,7 @@ namespace vibrocontact
   ///
   ///   while (...)
   ///   {
-  ///     find q with   gap = free_displacement() + compliance() q - road     (contact/unilateral_contact.h)
+  ///     find q with   gap = free_displacement() + compliance() q - road     (contact/active_set.h)
   ///     advance(q)
   ///   }
   ///

@@ -123,7 +123,6 @@ namespace vibrocontact
 
   void ModalConvolution::advance_steps(const unsigned int n_steps, const Observer &observe)
   {
-    stepper->contact.renew();
     // one line more than steps: lines join displacements and forces of different steps
     for (auto *array : {&heights, &displacements, &forces})
       array->resize((n_steps + 1) * n_points);
@@ -148,9 +147,9 @@ namespace vibrocontact
         [&]
         {
           if (has_friction)
-            stepper->run_common(n_steps, heights.data() + n_points, displacements.data() + n_points,
-                                forces.data() + n_points, tangential_displacements.data() + n_points,
-                                tangential_forces.data() + n_points);
+            stepper->run_steps(n_steps, heights.data() + n_points, displacements.data() + n_points,
+                               forces.data() + n_points, tangential_displacements.data() + n_points,
+                               tangential_forces.data() + n_points);
           else
             stepper->run(n_steps, heights.data() + n_points, displacements.data() + n_points,
                          forces.data() + n_points);
@@ -363,7 +362,7 @@ namespace vibrocontact
         modal_work->exchange(file);
       show_modal_work(last_displacement.data(), last_height.data());
       stepper->response->exchange(file);
-      stepper->contact.exchange(file);
+      stepper->solver->exchange(file);
       file("stepper/closed_points", stepper->closed_points);
       file("stepper/iterations", stepper->iterations);
       file("stepper/residual", stepper->residual);

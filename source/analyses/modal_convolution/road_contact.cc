@@ -1,6 +1,6 @@
 #include <vibrocontact/analyses/modal_convolution/road_contact.h>
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/contact/unilateral_contact.h>
+#include <vibrocontact/numerics/least_squares.h>
 
 namespace vibrocontact
 {
@@ -9,21 +9,14 @@ namespace vibrocontact
   {
     const unsigned int n = n_points, n_rows = matrix.m();
     AssertThrow(n_rows == n || n_rows == 2 * n, dealii::ExcDimensionMismatch(n_rows, 2 * n));
-    DenseMatrix whole(3 * n, 3 * n);
-    for (unsigned int i = 0; i < n_rows; ++i)
+    DenseMatrix rows = matrix;
+    for (unsigned int i = n; i < n_rows; ++i)
       for (unsigned int j = 0; j < n_rows; ++j)
-        whole(i, j) = i < n ? matrix(i, j) : matrix(i, j) / time_step;
-    // nothing pulls sideways
-    for (unsigned int i = 0; i < n; ++i)
-    {
-      if (n_rows == n)
-        whole(n + i, n + i) = matrix(0, 0);
-      whole(2 * n + i, 2 * n + i) = whole(n + i, n + i);
-    }
+        rows(i, j) /= time_step;
     ContactProblem problem;
     problem.title = "contact with the road";
-    problem.A = std::make_shared<DenseContactOperator>(whole);
-    problem.b.reinit(3 * n);
+    problem.A = std::make_shared<DenseContactOperator>(std::move(rows), n_rows / n);
+    problem.b.reinit(n_rows);
     problem.normal_law = laws.normal;
     problem.friction_law = laws.friction;
     problem.mu.assign(n, laws.friction ? laws.friction->at_rest() : 0.);

@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/modal_convolution/road_contact.h>
 #include <vibrocontact/analyses/modal_convolution/road_stepper.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/active_set.h>
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/friction_of_speed.h>
 #include <vibrocontact/propagators/response_methods.h>
@@ -23,10 +24,10 @@ namespace vibrocontact
       return block;
     }
 
-    std::string at_step(const double time_step)
+    std::string title(const double time_step)
     {
       std::ostringstream text;
-      text << "at Modal convolution/Time step " << time_step << " s";
+      text << "contact with the road at Modal convolution/Time step " << time_step << " s";
       return text.str();
     }
 
@@ -102,81 +103,90 @@ namespace vibrocontact
                            const unsigned int n_points, const unsigned long n_steps, const RoadLaws &laws,
                            const double sliding_speed)
       : response(make_response(parameters, model, n_steps)),
-        contact(normal_block(response->compliance(), n_points), at_step(parameters.time_step)),
         is_common(parameters.contact_solver == "common" || model.n_rows() > n_points ||
                   !laws.normal->is_rigid()),
         n(n_points), step(parameters.time_step), sliding_speed(sliding_speed),
-        solver_parameters(solver_parameters),
         problem(road_contact_problem(response->compliance(), n_points, laws, parameters.time_step)),
         is_linear(force_interpolation(parameters.force_shape) == ForceInterpolation::linear),
         residual_flexibility(model.residual)
   {
+    problem.title = title(step);
+    ContactSolverParameters own = solver_parameters;
+    if (is_common)
+      check_unique_forces(normal_block(response->compliance(), n), "in '" + problem.title + "'");
+    else
+      own.method = "active set";
+    solver = create_contact_solver(own);
+    solver->prepare(problem);
     check_force_interpolation(parameters, model, n_points, *laws.normal);
   }
 
   void RoadStepper::run(const unsigned int n_steps, const double *heights, double *displacements,
                         double *forces)
   {
-    if (is_common)
-      run_common(n_steps, heights, displacements, forces, nullptr, nullptr);
-    else if (n == 1)
-      run_one(n_steps, heights, displacements, forces);
-    else
-      run_many(n_steps, heights, displacements, forces);
+    if (is_common || n > 1)
+      return run_steps(n_steps, heights, displacements, forces, nullptr, nullptr);
+    closed_points += response->advance_in_contact(n_steps, heights, displacements, forces);
+    if (!std::isfinite(response->free_displacement()[0]))
+      throw ConvergenceError(
+          "The motion is no longer finite: take a shorter Time step or another Force shape.");
   }
 
-  void RoadStepper::run_common(const unsigned int n_steps, const double *heights, double *displacements,
-                               double *forces, double *tangential_displacements, double *tangential_forces)
+  void RoadStepper::run_steps(const unsigned int n_steps, const double *heights, double *displacements,
+                              double *forces, double *tangential_displacements, double *tangential_forces)
   {
-    // nothing is left of the steps before: a resumed run, which begins with a block, has the same solver
+    // little is left of the steps before, and nothing that a resumed run, which begins with a block too, has not
     if (problem.friction_law)
       problem.mu.assign(n, problem.friction_law->at_rest());
-    const std::unique_ptr<ContactSolver> solver = create_contact_solver(solver_parameters);
+    solver->renew();
     ContactSolution solution;
-    std::vector<double> q(response->n_rows());
     const double *const free = response->free_displacement();
+    double *const b = problem.b.data();
     const bool has_friction = tangential_forces != nullptr;
+    std::vector<double> forces_before(has_friction ? 2 * n : 0);
     for (unsigned int i = 0; has_friction && i < n; ++i)
     {
-      q[i] = (forces - n)[i];
-      q[n + i] = (tangential_forces - n)[i];
+      forces_before[i] = (forces - n)[i];
+      forces_before[n + i] = (tangential_forces - n)[i];
     }
-    // until it has been solved q holds the forces of the step before
     const std::function<std::vector<double>(const ContactSolution &)> speed =
-        [&](const ContactSolution &found) { return law_speed(found, q); };
+        [&](const ContactSolution &found) { return law_speed(found, forces_before); };
     for (unsigned int k = 0; k < n_steps; ++k, heights += n, displacements += n, forces += n)
     {
       const double *const before = tangential_displacements - (has_friction ? n : 0);
       for (unsigned int i = 0; i < n; ++i)
-        problem.b[i] = free[i] - heights[i];
+        b[i] = free[i] - heights[i];
       for (unsigned int i = 0; has_friction && i < n; ++i)
-        problem.b[n + i] = (free[n + i] - before[i]) / step + sliding_speed;
-      solution = solve_with_friction_of_speed(problem, *solver, solution, speed);
+        b[n + i] = (free[n + i] - before[i]) / step + sliding_speed;
+      solve_with_friction_of_speed(problem, *solver, solution, speed);
       if (!solution.converged)
         throw ConvergenceError("The contact of a step did not converge, relative residual " +
                                std::to_string(solution.residual) + ".");
+      const double *const R = solution.R.data(), *const y = solution.y.data();
       for (unsigned int i = 0; i < n; ++i)
       {
-        forces[i] = q[i] = solution.R[i];
-        displacements[i] = solution.y[i] + heights[i];
+        forces[i] = R[i];
+        displacements[i] = y[i] + heights[i];
         closed_points += forces[i] > 0;
       }
       for (unsigned int i = 0; has_friction && i < n; ++i)
       {
-        const double slip = solution.y[n + i];
-        tangential_forces[i] = q[n + i] = solution.R[n + i];
+        const double slip = y[n + i];
+        tangential_forces[i] = R[n + i];
         tangential_displacements[i] = before[i] + step * (slip - sliding_speed);
         // of linear forces the mean
-        const double force = is_linear ? 0.5 * (q[n + i] + (tangential_forces - n)[i]) : q[n + i];
+        const double force =
+            is_linear ? 0.5 * (tangential_forces[i] + (tangential_forces - n)[i]) : tangential_forces[i];
         dissipation -= step * force * slip;
         sticking_points += solution.status[i] == ContactStatus::stick;
       }
       if (has_friction)
       {
+        forces_before.assign(solution.R.begin(), solution.R.end());
         tangential_displacements += n;
         tangential_forces += n;
       }
-      response->advance(q.data());
+      response->advance(R);
       iterations += solution.iterations;
       residual = std::max(residual, solution.residual);
     }
@@ -196,32 +206,5 @@ namespace vibrocontact
       speed[i] = std::abs(slip);
     }
     return speed;
-  }
-
-  void RoadStepper::run_one(const unsigned int n_steps, const double *heights, double *displacements,
-                            double *forces)
-  {
-    closed_points += response->advance_in_contact(n_steps, heights, displacements, forces);
-    if (!std::isfinite(response->free_displacement()[0]))
-      throw ConvergenceError(
-          "The motion is no longer finite: take a shorter Time step or another Force shape.");
-  }
-
-  void RoadStepper::run_many(const unsigned int n_steps, const double *heights, double *displacements,
-                             double *forces)
-  {
-    const double *const free = response->free_displacement();
-    for (unsigned int k = 0; k < n_steps; ++k, heights += n, displacements += n, forces += n)
-    {
-      for (unsigned int i = 0; i < n; ++i)
-        displacements[i] = free[i] - heights[i];
-      contact.solve(displacements, forces);
-      for (unsigned int i = 0; i < n; ++i)
-        displacements[i] += heights[i];
-      response->advance(forces);
-      closed_points += contact.n_closed();
-      residual = std::max(residual, contact.residual());
-    }
-    iterations = contact.corrections();
   }
 } // namespace vibrocontact

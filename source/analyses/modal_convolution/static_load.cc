@@ -1,8 +1,8 @@
 #include <vibrocontact/analyses/modal_convolution/static_load.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/contact/active_set.h>
 #include <vibrocontact/contact/contact_solvers.h>
-#include <vibrocontact/contact/unilateral_contact.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +44,7 @@ namespace vibrocontact
     problem.approach = *std::min_element(problem.b.begin(), problem.b.begin() + n);
     ContactSolverParameters parameters;
     parameters.tolerance = 1e-12;
-    const ContactSolution solution = create_contact_solver(parameters)->solve(problem, {});
+    const ContactSolution solution = create_contact_solver(parameters)->solved(problem);
     if (!(solution.residual <= 1e-10))
       throw InputError("Rolling/Normal force of " + number_text(force) +
                        " N is not reached however far the road is pushed towards the body: give less.");

@@ -1,5 +1,4 @@
 #include <vibrocontact/analyses/periodic/massless_contact.h>
-#include <vibrocontact/contact/laws/normal_laws.h>
 
 #include <algorithm>
 
@@ -26,15 +25,19 @@ namespace vibrocontact
   } // namespace
 
   MasslessContact::MasslessContact(const DenseMatrix &residual, const double friction)
-      : S(residual), contact(contact_matrix(S), friction, create_normal_law("signorini")), n(residual.m())
+      : S(residual), n(residual.m())
   {
+    problem.title = "contact points without mass";
+    problem.A = std::make_shared<DenseContactOperator>(contact_matrix(S));
+    problem.b.reinit(n);
+    problem.mu.assign(n / 3, friction);
   }
 
   bool MasslessContact::march(const std::vector<double> &w, const std::vector<double> &gap,
                               std::vector<double> &p)
   {
     const unsigned int count = w.size() / n;
-    std::vector<double> here(n), before(n), force(n, 0.), b(n), R(n, 0.), rates(n * n);
+    std::vector<double> here(n), before(n), force(n, 0.), rates(n * n);
     // place of a row in the contact problem
     const auto at = [this](const unsigned int row) { return row % 3 * (n / 3) + row / 3; };
     const auto load = [&](const unsigned int k)
@@ -57,6 +60,7 @@ namespace vibrocontact
     rate_before.assign(count, {});
     p.assign(w.size(), 0.);
     statuses.assign(w.size() / 3, ContactStatus::open);
+    solution.R.reinit(n);
     load(order[0]);
     before = here;
     bool solved = true;
@@ -68,18 +72,19 @@ namespace vibrocontact
       {
         for (unsigned int i = 0; i < n; ++i)
         {
-          b[at(i)] = i % 3 == 0 ? gap[i / 3] - here[i] : here[i] - before[i];
-          R[at(i)] = sign(i) * force[i];
+          problem.b[at(i)] = i % 3 == 0 ? gap[i / 3] - here[i] : here[i] - before[i];
+          solution.R[at(i)] = sign(i) * force[i];
         }
-        solved = contact.solve(b.data(), R.data()) && solved;
+        contact.solve(problem, solution);
+        solved = solution.converged && solved;
         for (unsigned int i = 0; i < n / 3; ++i)
-          statuses[i * count + k] = contact.status(i);
+          statuses[i * count + k] = solution.status[i];
         solved = contact.sensitivity(rates.data()) && solved;
         rate_w[k].resize(n * n);
         rate_before[k].assign(n * n, 0.);
         for (unsigned int i = 0; i < n; ++i)
         {
-          force[i] = sign(i) * R[at(i)];
+          force[i] = sign(i) * solution.R[at(i)];
           for (unsigned int j = 0; j < n; ++j)
           {
             rate_w[k][i * n + j] = sign(i) * sign(j) * rates[at(j) * n + at(i)];

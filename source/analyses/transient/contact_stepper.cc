@@ -269,7 +269,7 @@ namespace vibrocontact
       if (problem.friction_law.any(&FrictionLaw::depends_on_speed))
         solve_with_modal_slip_in_friction(state, solver);
       else
-        solution = solver.solve(problem, solution);
+        solver.solve(problem, solution);
       iterations += solution.iterations;
     } while (closes_another(state, drive.force));
     solution.iterations = iterations;
@@ -391,7 +391,7 @@ namespace vibrocontact
       }
       return speeds;
     };
-    solution = solve_with_friction_of_speed(problem, solver, solution, speed_of);
+    solve_with_friction_of_speed(problem, solver, solution, speed_of);
   }
 
   void ContactStepper::take_over(DynamicState &state, const DenseVector &rigid)
@@ -469,6 +469,5 @@ namespace vibrocontact
     to.factorisations = solution.factorisations;
     to.linear_iterations = solution.linear_iterations;
     to.fallbacks = solution.fallbacks;
-    to.seconds = solution.seconds;
   }
 } // namespace vibrocontact

@@ -74,7 +74,8 @@ namespace vibrocontact
             2 * (pair.poles.right(i, k) * pair.force_into_pole(k) / pair.poles.poles[k]).real() * drive.force;
     }
     const auto method = create_contact_solver(solver);
-    const ContactSolution solution = solve_with_friction_of_speed(problem, *method, {});
+    ContactSolution solution;
+    solve_with_friction_of_speed(problem, *method, solution);
     if (!solution.converged)
     {
       std::ostringstream text;

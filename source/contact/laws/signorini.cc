@@ -13,9 +13,9 @@ namespace vibrocontact
       /// the resolvent written out, as every point of every time step asks for it
       Projection project(const double force, const double gap, const double rho) const override
       {
-        const double trial = force - rho * gap;
-        if (trial > 0)
-          return {trial, 1., -rho};
+        const double closing = rigid_force(force - rho * gap);
+        if (closing > 0)
+          return {closing, 1., -rho};
         return {0., 0., 0.};
       }
     };

@@ -38,7 +38,7 @@ namespace vibrocontact
   /// and with a tread Omega d/dtheta of its deformation, which enters undeformed in front. Of that W + dv/dt alone is
   /// here: right for bodies that do not roll, and refused for rolling ones. The slope of the road does not turn forces.
   ///
-  /// @param matrix M; n_points rows (no friction) or 2 n_points; b is left zero.
+  /// @param matrix M; n_points rows (no friction) or 2 n_points, as many as the problem has; b is left zero.
   ContactProblem road_contact_problem(const DenseMatrix &matrix, unsigned int n_points, const RoadLaws &laws,
                                       double time_step);
 

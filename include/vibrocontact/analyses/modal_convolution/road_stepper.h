@@ -3,7 +3,6 @@
 #include <vibrocontact/analyses/modal_convolution/modal_convolution_parameters.h>
 #include <vibrocontact/analyses/modal_convolution/road_contact.h>
 #include <vibrocontact/contact/contact_solver.h>
-#include <vibrocontact/contact/unilateral_contact.h>
 #include <vibrocontact/propagators/response.h>
 
 #include <memory>
@@ -14,21 +13,21 @@ namespace vibrocontact
   class RoadStepper
   {
   public:
-    /// @throws InputError if the body cannot be in contact in this way. The solver's parameters are referred to.
+    /// @throws InputError if the body cannot be in contact in this way, or Contact/Solver/Method does not take its problem
     RoadStepper(const ModalConvolutionParameters &parameters,
                 const ContactSolverParameters &solver_parameters, const BodyInContact &model,
                 unsigned int n_points, unsigned long n_steps, const RoadLaws &laws, double sliding_speed);
 
     /// Without friction. @param heights, displacements, forces n_points per step
     void run(unsigned int n_steps, const double *heights, double *displacements, double *forces);
-    /// By the common solvers. @param tangential_displacements, tangential_forces as the others; null without friction. With
-    /// it the line that the first step begins with stands in front of them and of the forces
-    void run_common(unsigned int n_steps, const double *heights, double *displacements, double *forces,
-                    double *tangential_displacements, double *tangential_forces);
+    /// @param tangential_displacements, tangential_forces as the others; null without friction. With it the line that the
+    /// first step begins with stands in front of them and of the forces
+    void run_steps(unsigned int n_steps, const double *heights, double *displacements, double *forces,
+                   double *tangential_displacements, double *tangential_forces);
 
     std::unique_ptr<Response> response;
-    UnilateralContact contact;
-    /// whether the common solvers find the forces: friction, a law that yields, or asked for
+    std::unique_ptr<ContactSolver> solver;
+    /// whether that of Contact/Solver/Method finds the forces: friction, a law that yields, or asked for; if not, the active set
     const bool is_common;
     unsigned long closed_points = 0, sticking_points = 0, iterations = 0;
     double residual = 0, dissipation = 0;
@@ -36,12 +35,9 @@ namespace vibrocontact
   private:
     std::vector<double> law_speed(const ContactSolution &solution,
                                   const std::vector<double> &forces_before) const;
-    void run_one(unsigned int n_steps, const double *heights, double *displacements, double *forces);
-    void run_many(unsigned int n_steps, const double *heights, double *displacements, double *forces);
 
     const unsigned int n;
     const double step, sliding_speed;
-    const ContactSolverParameters &solver_parameters;
     ContactProblem problem;
     const bool is_linear;
     /// S, what answers to a force at once

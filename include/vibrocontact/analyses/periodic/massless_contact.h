@@ -33,7 +33,9 @@ namespace vibrocontact
 
   private:
     const DenseMatrix S;
-    FewPoints contact;
+    ContactProblem problem;
+    ContactSolution solution;
+    FewPointsSolver contact;
     const unsigned int n;
     /// order of the samples; dp/dw and dp/d(position before) of each in contact, empty in flight
     std::vector<unsigned int> order;

@@ -1,10 +1,13 @@
+#include <vibrocontact/base/checkpoint_file.h>
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/contact/unilateral_contact.h>
+#include <vibrocontact/contact/active_set.h>
+#include <vibrocontact/contact/laws/signorini.h>
+#include <vibrocontact/numerics/least_squares.h>
 #include <vibrocontact/numerics/wide_loops.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 #include <sstream>
 
 namespace vibrocontact
@@ -17,30 +20,20 @@ namespace vibrocontact
     /// the kept inverse is made anew after so many changes
     constexpr unsigned long changes_of_one_inverse = 5000;
 
-    double largest(const double *values, const unsigned int n)
+    double largest(const double *const values, const unsigned int n)
     {
       double value = 0;
       for (unsigned int i = 0; i < n; ++i)
         value = std::max(value, std::abs(values[i]));
       return value;
     }
-  } // namespace
 
-  double definiteness(const DenseMatrix &matrix)
-  {
-    const unsigned int n = matrix.m();
-    DenseMatrix symmetric(n, n);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        symmetric(i, j) = 0.5 * (matrix(i, j) + matrix(j, i));
-    dealii::Vector<double> values(n);
-    dealii::FullMatrix<double> vectors;
-    const double bound = std::max(symmetric.linfty_norm(), std::numeric_limits<double>::min());
-    symmetric.compute_eigenvalues_symmetric(-2 * bound, 2 * bound, 2 * std::numeric_limits<double>::min(),
-                                            values, vectors);
-    return values[0] /
-           std::max({std::abs(values[0]), std::abs(values[n - 1]), std::numeric_limits<double>::min()});
-  }
+    /// what ContactResidual finds in closed points, from their forces and rho times their gaps, squared and summed
+    double relative(const double gaps, const double forces)
+    {
+      return gaps > 0 ? std::sqrt(gaps / forces) : 0.;
+    }
+  } // namespace
 
   void check_unique_forces(const DenseMatrix &matrix, const std::string &where)
   {
@@ -59,13 +52,36 @@ namespace vibrocontact
     }
   }
 
-  UnilateralContact::UnilateralContact(const DenseMatrix &full, const std::string &where) : n(full.m())
+  bool ActiveSetSolver::takes(const ContactProblem &problem)
   {
-    check_unique_forces(full, where);
-    inverse_1 = 1 / full(0, 0);
+    return problem.n_components() == 1 && !problem.force_given() && !problem.A->fast_product() &&
+           !problem.normal_law.any([](const NormalLaw &law) { return !law.is_rigid(); });
+  }
+
+  void ActiveSetSolver::prepare(const ContactProblem &problem)
+  {
+    if (A == problem.A)
+      return;
+    A.reset();
+    n = problem.n_points();
+    std::vector<unsigned int> all(n);
+    std::iota(all.begin(), all.end(), 0);
+    DenseMatrix full;
+    problem.A->extract(all, full);
+    check_unique_forces(full, "in '" + problem.title + "'");
+    rho = 1 / problem.A->mean_diagonal(0);
+    last_set = 0;
+    closed.clear();
+    since_rebuilt = 0;
+    keep(full);
+    A = problem.A;
+  }
+
+  void ActiveSetSolver::keep(const DenseMatrix &full)
+  {
+    matrix.assign(n <= few ? n * n : n * padded(n), 0.);
     if (n <= few)
     {
-      matrix.resize(n * n);
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)
           matrix[i * n + j] = full(i, j);
@@ -88,7 +104,6 @@ namespace vibrocontact
       return;
     }
     stride = padded(n);
-    matrix.assign(n * stride, 0.);
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
         matrix[j * stride + i] = full(i, j);
@@ -98,64 +113,59 @@ namespace vibrocontact
     is_closed.assign(n, 0);
   }
 
-  unsigned int UnilateralContact::n_closed() const
-  {
-    return n <= few ? __builtin_popcount(last_set) : closed.size();
-  }
-
   template <unsigned int N>
-  bool UnilateralContact::try_set(const unsigned int set, const double *gap_0, double *gap, double *q)
+  bool ActiveSetSolver::try_set(const unsigned int set, const double *const start_gap, const double scale,
+                                ContactSolution &state)
   {
     const double *const own = set_inverses.data() + set * N * N;
-    double worst = 0, scale = 0, largest_closed = 0;
+    double *const q = state.R.data(), *const gap = state.y.data();
+    double worst = 0, gaps = 0, forces = 0;
     for (unsigned int i = 0; i < N; ++i)
     {
       double force = 0;
       for (unsigned int j = 0; j < N; ++j)
-        force -= own[i * N + j] * gap_0[j];
+        force -= own[i * N + j] * start_gap[j];
       worst = std::min(worst, force * matrix[i * N + i]);
       q[i] = std::max(force, 0.);
-      scale = std::max(scale, std::abs(gap_0[i]));
+      forces += q[i] * q[i];
     }
     for (unsigned int i = 0; i < N; ++i)
     {
-      double value = gap_0[i];
+      double value = start_gap[i];
       for (unsigned int j = 0; j < N; ++j)
         value += matrix[i * N + j] * q[j];
       const bool shut = set >> i & 1;
       worst = shut ? worst : std::min(worst, value);
-      largest_closed = shut ? std::max(largest_closed, std::abs(value)) : largest_closed;
+      gaps += q[i] > 0 ? rho * value * (rho * value) : 0.;
       gap[i] = shut ? 0. : value;
     }
-    if (!(worst >= -slack * scale))
-      return false;
-    last_residual = std::max(-worst, largest_closed) / std::max(scale, std::numeric_limits<double>::min());
-    return true;
+    state.residual = relative(gaps, forces);
+    return worst >= -slack * scale;
   }
 
   template <unsigned int N>
-  void UnilateralContact::solve_few(double *gap, double *q)
+  void ActiveSetSolver::solve_few(const ContactProblem &problem, ContactSolution &state)
   {
-    double gap_0[N], next[N], force[N];
+    const double *const gap = state.y.data();
+    double start_gap[N], scale = 0;
     for (unsigned int i = 0; i < N; ++i)
-      gap_0[i] = gap[i];
-    bool found = try_set<N>(last_set, gap_0, next, force);
+    {
+      start_gap[i] = gap[i];
+      scale = std::max(scale, std::abs(start_gap[i]));
+    }
+    bool found = try_set<N>(last_set, start_gap, scale, state);
     for (unsigned int set = 0; set < 1u << N && !found; ++set)
     {
-      found = try_set<N>(set, gap_0, next, force);
-      n_corrections += found;
+      found = try_set<N>(set, start_gap, scale, state);
+      state.iterations += found;
       last_set = set;
     }
     if (!found)
-      throw ConvergenceError("The contact of a step has no solution: the motion is no longer finite.");
-    for (unsigned int i = 0; i < N; ++i)
-    {
-      gap[i] = next[i];
-      q[i] = force[i];
-    }
+      throw ConvergenceError("The contact problem '" + problem.title +
+                             "' has no closed set: the motion is no longer finite.");
   }
 
-  void UnilateralContact::add(const unsigned int point)
+  void ActiveSetSolver::add(const unsigned int point)
   {
     const std::size_t m = closed.size();
     for (std::size_t i = 0; i < m; ++i)
@@ -184,7 +194,7 @@ namespace vibrocontact
     ++since_rebuilt;
   }
 
-  void UnilateralContact::remove(const unsigned int place)
+  void ActiveSetSolver::remove(const unsigned int place)
   {
     const std::size_t m = closed.size() - 1;
     is_closed[closed[place]] = 0;
@@ -211,7 +221,7 @@ namespace vibrocontact
     ++since_rebuilt;
   }
 
-  void UnilateralContact::rebuild()
+  void ActiveSetSolver::rebuild()
   {
     const std::vector<unsigned int> points = closed;
     closed.clear();
@@ -222,22 +232,21 @@ namespace vibrocontact
     since_rebuilt = 0;
   }
 
-  void UnilateralContact::exchange(CheckpointFile &file)
+  void ActiveSetSolver::exchange(CheckpointFile &file)
   {
     file("contact/last_set", last_set);
     file("contact/closed", closed);
-    file("contact/corrections", n_corrections);
     if (file.reading())
       renew();
   }
 
-  void UnilateralContact::renew()
+  void ActiveSetSolver::renew()
   {
-    if (n > few)
+    if (A && n > few)
       rebuild();
   }
 
-  void UnilateralContact::multiply_inverse(const double *right, double *result) const
+  void ActiveSetSolver::multiply_inverse(const double *right, double *result) const
   {
     const std::size_t m = closed.size();
     std::fill_n(result, padded(m), 0.);
@@ -245,18 +254,16 @@ namespace vibrocontact
     wide_add_columns(result, inverse.data(), padded(m), stride, right, m);
   }
 
-  void UnilateralContact::response(const double *gap_0, double *gap, const double *forces) const
+  void ActiveSetSolver::response(const double *gap_0, double *gap, const double *forces) const
   {
     std::copy(gap_0, gap_0 + stride, gap);
     wide_add_columns(gap, matrix.data(), stride, closed.data(), forces, closed.size());
   }
 
-  void UnilateralContact::solve_many(double *gap, double *q)
+  void ActiveSetSolver::solve_many(const ContactProblem &problem, ContactSolution &state)
   {
-    std::copy(gap, gap + n, start.begin());
-    const double scale = largest(gap, n);
-    if (!std::isfinite(scale))
-      throw ConvergenceError("The motion is no longer finite.");
+    std::copy(state.y.begin(), state.y.begin() + n, start.begin());
+    const double scale = largest(state.y.data(), n);
     if (since_rebuilt > changes_of_one_inverse)
       rebuild();
     unsigned int fewest = n + 1, in_vain = 0;
@@ -275,8 +282,7 @@ namespace vibrocontact
           b[i] = -now[closed[i]];
           worst = std::max(worst, std::abs(b[i]));
         }
-        last_residual = worst / std::max(scale, std::numeric_limits<double>::min());
-        if (last_residual <= 1e-13)
+        if (worst <= 1e-13 * scale)
           break;
         multiply_inverse(b.data(), work_1.data());
         for (std::size_t i = 0; i < m; ++i)
@@ -293,9 +299,9 @@ namespace vibrocontact
       if (wrong.empty())
         break;
       if (k > 50 * n)
-        throw ConvergenceError("The contact of a step was not found in " + std::to_string(k) +
-                               " corrections.");
-      ++n_corrections;
+        throw ConvergenceError("The closed set of the contact problem '" + problem.title +
+                               "' was not found in " + std::to_string(k) + " corrections.");
+      ++state.iterations;
       if (wrong.size() < fewest)
       {
         fewest = wrong.size();
@@ -311,37 +317,71 @@ namespace vibrocontact
         else
           add(point);
     }
-    std::fill(q, q + n, 0.);
-    std::copy(now.begin(), now.begin() + n, gap);
+    std::fill(state.R.begin(), state.R.end(), 0.);
+    std::copy(now.begin(), now.begin() + n, state.y.begin());
+    double *const q = state.R.data(), *const gap = state.y.data();
+    double gaps = 0, forces = 0;
     for (std::size_t i = 0; i < closed.size(); ++i)
     {
+      const double left = rho * now[closed[i]];
+      gaps += left * left;
+      forces += x[i] * x[i];
       q[closed[i]] = x[i];
       gap[closed[i]] = 0;
     }
+    state.residual = relative(gaps, forces);
   }
 
-  void UnilateralContact::solve(double *gap, double *q)
+  void ActiveSetSolver::solve(const ContactProblem &problem, ContactSolution &state)
   {
-    if (n == 1)
+    prepare(problem);
+    if (state.R.size() != n || state.status.size() != n || state.y.size() != n)
     {
-      const double force = -gap[0] * inverse_1;
-      if (!std::isfinite(force))
-        throw ConvergenceError("The motion is no longer finite.");
-      last_set = force > 0;
-      q[0] = force > 0 ? force : 0.;
-      gap[0] = force > 0 ? 0. : gap[0];
-      return;
+      state.R.reinit(n);
+      state.y.reinit(n);
+      state.status.resize(n);
     }
+    // deal.II's own assignments ask first whether to share their work out
+    double *const q = state.R.data(), *const gap = state.y.data();
+    const double *const b = problem.b.data();
+    double sum = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      gap[i] = b[i];
+    state.approach = problem.approach;
+    if (state.approach != 0)
+      problem.move(state.y, state.approach);
+    if (n > few)
+      sum = wide_dot(gap, gap, n);
+    else
+      for (unsigned int i = 0; i < n; ++i)
+        sum += gap[i];
+    if (!std::isfinite(sum))
+      throw ConvergenceError("The gaps of the contact problem '" + problem.title +
+                             "' are no longer finite numbers.");
+    state.iterations = state.factorisations = state.linear_iterations = state.fallbacks = 0;
+    state.response_known = false;
+    state.converged = true;
     switch (n)
     {
+    case 1:
+      q[0] = rigid_force(-gap[0] * rho);
+      gap[0] = q[0] > 0 ? 0. : gap[0];
+      state.residual = 0;
+      break;
     case 2:
-      return solve_few<2>(gap, q);
+      solve_few<2>(problem, state);
+      break;
     case 3:
-      return solve_few<3>(gap, q);
+      solve_few<3>(problem, state);
+      break;
     case 4:
-      return solve_few<4>(gap, q);
+      solve_few<4>(problem, state);
+      break;
     default:
-      solve_many(gap, q);
+      solve_many(problem, state);
     }
+    ContactStatus *const status = state.status.data();
+    for (unsigned int i = 0; i < n; ++i)
+      status[i] = q[i] > 0 ? ContactStatus::stick : ContactStatus::open;
   }
 } // namespace vibrocontact
