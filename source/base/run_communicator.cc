@@ -16,12 +16,12 @@ namespace vibrocontact
     return current();
   }
 
-  LoneRank::LoneRank() : before(current())
+  SingleRank::SingleRank() : before(current())
   {
     current() = MPI_COMM_SELF;
   }
 
-  LoneRank::~LoneRank()
+  SingleRank::~SingleRank()
   {
     current() = before;
   }

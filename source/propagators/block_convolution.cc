@@ -88,7 +88,7 @@ namespace vibrocontact
 
   BlockConvolution::BlockConvolution(const BodyInContact &model,
                                      const std::vector<std::complex<double>> &state,
-                                     const ResponseSettings &settings)
+                                     const PropagatorSettings &settings)
       : motion(model, state, settings.time_step)
   {
     const unsigned long lags = std::max(2ul, settings.memory > 0 ? settings.memory : settings.n_steps);
@@ -179,14 +179,14 @@ namespace vibrocontact
   void BlockConvolution::exchange(CheckpointFile &file)
   {
     exchange_past_forces(file, forces);
-    file("response/end", end);
-    file("response/steps", steps);
-    file("response/ahead", ahead);
-    file("response/free", free);
-    motion.exchange(file, "response/motion");
+    file("propagator/end", end);
+    file("propagator/steps", steps);
+    file("propagator/ahead", ahead);
+    file("propagator/free", free);
+    motion.exchange(file, "propagator/motion");
     for (unsigned int k = 0; k < levels.size(); ++k)
     {
-      const std::string name = "response/level_" + std::to_string(k);
+      const std::string name = "propagator/level_" + std::to_string(k);
       std::vector<double> kept(levels[k]->inputs.begin(), levels[k]->inputs.end());
       file(name + "/inputs", kept);
       file(name + "/newest", levels[k]->newest_block);

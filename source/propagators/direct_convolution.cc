@@ -18,7 +18,7 @@ namespace vibrocontact
 
   DirectConvolution::DirectConvolution(const BodyInContact &model,
                                        const std::vector<std::complex<double>> &state,
-                                       const ResponseSettings &settings, const bool wide)
+                                       const PropagatorSettings &settings, const bool wide)
       : motion(model, state, settings.time_step), dot(wide ? &wide_dot : &scalar_dot)
   {
     const unsigned long lags = std::max(2ul, settings.memory > 0 ? settings.memory : settings.n_steps);
@@ -76,9 +76,9 @@ namespace vibrocontact
   void DirectConvolution::exchange(CheckpointFile &file)
   {
     exchange_past_forces(file, forces);
-    file("response/end", end);
-    file("response/count", count);
-    file("response/free", free);
-    motion.exchange(file, "response/motion");
+    file("propagator/end", end);
+    file("propagator/count", count);
+    file("propagator/free", free);
+    motion.exchange(file, "propagator/motion");
   }
 } // namespace vibrocontact

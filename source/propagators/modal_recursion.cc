@@ -15,7 +15,7 @@ namespace vibrocontact
   }
 
   ModalRecursion::ModalRecursion(const BodyInContact &model, const std::vector<Complex> &state,
-                                 const ResponseSettings &settings, const StepWeights &weights)
+                                 const PropagatorSettings &settings, const StepWeights &weights)
       : n_poles(model.n_poles()), n_states(padded(model.n_poles())), n_padded(padded(model.n_rows())),
         p(2 * n_states), e(2 * n_states), w(2 * n_states * model.n_rows()), c(2 * n_states * model.n_rows()),
         constant(model.n_rows(), 0.), fall(model, settings.time_step)
@@ -149,7 +149,7 @@ namespace vibrocontact
                                                    double *displacements, double *forces)
   {
     if (n_poles > 1 || !fall.is_none())
-      return Response::advance_in_contact(n_steps, heights, displacements, forces);
+      return Propagator::advance_in_contact(n_steps, heights, displacements, forces);
     // the state as minus the force that it takes to undo its displacement, so that a step waits for little: a
     // product, a sum and a comparison; what the force before did not change is computed beside
     const std::size_t i = n_states;
@@ -183,9 +183,9 @@ namespace vibrocontact
   void ModalRecursion::exchange(CheckpointFile &file)
   {
     std::vector<double> states(p.begin(), p.end());
-    file("response/states", states);
-    file("response/free", free);
-    fall.exchange(file, "response/fall");
+    file("propagator/states", states);
+    file("propagator/free", free);
+    fall.exchange(file, "propagator/fall");
     std::copy(states.begin(), states.end(), p.begin());
   }
 } // namespace vibrocontact

@@ -65,7 +65,8 @@ namespace vibrocontact
     return result;
   }
 
-  double longest_step(const DenseMatrix &S, const DenseMatrix &slope, const ForceInterpolation interpolation)
+  double critical_time_step(const DenseMatrix &S, const DenseMatrix &slope,
+                            const ForceInterpolation interpolation)
   {
     if (interpolation == ForceInterpolation::impulse)
       return std::numeric_limits<double>::infinity();
@@ -90,7 +91,7 @@ namespace vibrocontact
     return 2.7 / std::sqrt(largest);
   }
 
-  double longest_theta_step(const DenseMatrix &S, const ForceInterpolation interpolation, const double theta)
+  double critical_theta_step(const DenseMatrix &S, const ForceInterpolation interpolation, const double theta)
   {
     const bool gives_way = S.m() > 0 && definiteness(S) > 1e-12;
     return interpolation == ForceInterpolation::impulse || theta > 0.5 || gives_way
@@ -101,7 +102,7 @@ namespace vibrocontact
   void exchange_past_forces(CheckpointFile &file, std::vector<double> &forces)
   {
     const std::size_t n_forces = forces.size();
-    file("response/forces", forces);
+    file("propagator/forces", forces);
     if (forces.size() != n_forces)
       throw InputError(
           "A convolution that remembers every force of its run cannot go on beyond its End time: give "

@@ -162,8 +162,8 @@ namespace vibrocontact
   namespace
   {
     /// Of frequencies that ranks share out, if each rank's memory holds the factors; null otherwise. Collective.
-    std::unique_ptr<HarmonicSolver> lone_solver(const SecondOrderSystem &system,
-                                                const std::size_t n_frequencies)
+    std::unique_ptr<HarmonicSolver> single_rank_solver(const SecondOrderSystem &system,
+                                                       const std::size_t n_frequencies)
     {
       if (dealii::Utilities::MPI::n_mpi_processes(system.communicator) == 1 || n_frequencies < 2)
         return nullptr;
@@ -191,7 +191,7 @@ namespace vibrocontact
       }
       advance();
     };
-    if (const auto alone = lone_solver(system, frequency.size()))
+    if (const auto alone = single_rank_solver(system, frequency.size()))
       share_cases<std::vector<std::complex<double>>>(
           frequency.size(), 1,
           [&]

@@ -18,7 +18,7 @@ namespace vibrocontact
     contacts = ContactParameters({from, &from->laws});
     contact_solver.methods = {from, &from->contact_solvers};
     periodic.bases = {from, &from->time_bases};
-    modal_convolution.methods = {from, &from->response_methods};
+    modal_convolution.methods = {from, &from->propagator_types};
   }
 
   namespace

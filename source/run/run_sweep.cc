@@ -144,7 +144,7 @@ namespace vibrocontact
       outcome.failure = unprepared[k];
       if (outcome.stopped_by != 0 || outcome.failure)
         return outcome;
-      const LoneRank lone;
+      const SingleRank lone;
       outcome.failure = failure_of(
           [&]
           {

@@ -219,35 +219,36 @@ namespace
 
   // ---------------------------------------------------------------- a propagator
 
-  class Forwarding : public Response
+  class Forwarding : public Propagator
   {
   public:
-    explicit Forwarding(std::unique_ptr<Response> response) : response(std::move(response))
+    explicit Forwarding(std::unique_ptr<Propagator> propagator) : propagator(std::move(propagator))
     {
-      one_step = this->response->compliance();
+      one_step = this->propagator->compliance();
       take();
     }
     void advance(const double *const q) override
     {
-      response->advance(q);
+      propagator->advance(q);
       take();
     }
     void exchange(CheckpointFile &file) override
     {
-      response->exchange(file);
+      propagator->exchange(file);
       take();
     }
 
   private:
-    void take() { free.assign(response->free_displacement(), response->free_displacement() + n_rows()); }
-    const std::unique_ptr<Response> response;
+    void take() { free.assign(propagator->free_displacement(), propagator->free_displacement() + n_rows()); }
+    const std::unique_ptr<Propagator> propagator;
   };
 
-  ResponseMethod own_propagator()
+  PropagatorType own_propagator()
   {
     return {"own propagator", "hands on to modal recursion", false, false,
-            [](const auto &model, const auto &state, const auto &settings) -> std::unique_ptr<Response> {
-              return std::make_unique<Forwarding>(create_response("modal recursion", model, state, settings));
+            [](const auto &model, const auto &state, const auto &settings) -> std::unique_ptr<Propagator> {
+              return std::make_unique<Forwarding>(
+                  create_propagator("modal recursion", model, state, settings));
             }};
   }
 
@@ -325,7 +326,7 @@ int main(int argc, char **argv)
   tables.laws.normal.push_back(own_spring());
   tables.laws.friction.push_back(own_friction());
   tables.body_types.push_back(rod());
-  tables.response_methods.push_back(own_propagator());
+  tables.propagator_types.push_back(own_propagator());
   tables.time_bases.push_back(own_basis());
   tables.contact_solvers.push_back(own_solver());
   tables.analyses.push_back(wave_speed());

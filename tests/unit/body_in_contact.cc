@@ -4,7 +4,7 @@
 #include <vibrocontact/analyses/modal_convolution/static_load.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/ring_poles.h>
-#include <vibrocontact/propagators/response_methods.h>
+#include <vibrocontact/propagators/propagator_types.h>
 
 #include <gtest/gtest.h>
 
@@ -114,23 +114,23 @@ TEST(BodyInContact, FreeBodyFallsAndRingsInEveryResponse)
   const BodyInContact body = two_masses(zeta), poles = by_poles(body);
   for (const ForceInterpolation interpolation :
        {ForceInterpolation::impulse, ForceInterpolation::constant, ForceInterpolation::linear})
-    for (const ResponseMethod &method : response_methods())
+    for (const PropagatorType &method : propagator_types())
     {
-      ResponseSettings settings;
+      PropagatorSettings settings;
       settings.time_step = h;
       settings.interpolation = interpolation;
       settings.n_steps = n_steps;
-      const auto response = create_response(method.name, poles, state_at_rest(poles), settings);
+      const auto response = create_propagator(method.name, poles, state_at_rest(poles), settings);
       double worst_mean = 0, worst_apart = 0;
       for (unsigned int k = 0; k < n_steps; ++k)
       {
         // an impulse in the first step
         const double q[2] = {k == 0 ? push : 0., 0.}, t = (k + 1) * h;
-        const double *const free = response->free_displacement();
+        const double *const free = propagator->free_displacement();
         double u[2];
         for (unsigned int i = 0; i < 2; ++i)
-          u[i] = free[i] + response->compliance()(i, 0) * q[0];
-        response->advance(q);
+          u[i] = free[i] + propagator->compliance()(i, 0) * q[0];
+        propagator->advance(q);
         if (k < 2)
           continue;
         // impulse at 0, constant until h, linear: a hat from 0 to 2 h around h

@@ -1,7 +1,7 @@
 // The oscillator on a sine against the closed forms (doc/theory.md, corrections to the tyre paper).
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/propagators/event_located.h>
-#include <vibrocontact/propagators/response.h>
+#include <vibrocontact/propagators/propagator.h>
 
 #include <gtest/gtest.h>
 

@@ -371,7 +371,7 @@ TEST(ModalConvolution, FreeBodyFallsAndComesToRest)
   }
 }
 
-// With a tread and theta = 1/2 the theta-method is of second order, and of first with more.
+// With a tread and theta = 1/2 the theta method is of second order, and of first with more.
 TEST(ModalConvolution, OrderOfTheThetaMethodOnARoad)
 {
   DenseMatrix trace(1, 2), residual(1, 1);

@@ -1,4 +1,4 @@
-// One step of one mode: closed forms for any damping, order of the theta-method, its energy and its damping.
+// One step of one mode: closed forms for any damping, order of the theta method, its energy and its damping.
 
 #include <vibrocontact/propagators/modal_step.h>
 

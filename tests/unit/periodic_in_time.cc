@@ -7,7 +7,7 @@
 #include <vibrocontact/analyses/periodic/shooting.h>
 #include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/contact/laws/normal_laws.h>
-#include <vibrocontact/propagators/response_methods.h>
+#include <vibrocontact/propagators/propagator_types.h>
 
 #include <gtest/gtest.h>
 
@@ -165,7 +165,7 @@ TEST(PeriodicInTime, OneBodyByEveryAnalysis)
     compare("exact propagator", settled(body, c, "exact propagator", n), 1e-4);
 
     // Green's functions: the exciting force acts where the contact's does
-    ResponseSettings response_settings;
+    PropagatorSettings response_settings;
     const double h = response_settings.time_step = 1 / c.frequency / n;
     response_settings.interpolation = ForceInterpolation::linear;
     response_settings.n_steps = 300 * n;
@@ -173,15 +173,15 @@ TEST(PeriodicInTime, OneBodyByEveryAnalysis)
     for (const std::string method : {"modal recursion", "theta method", "block convolution"})
     {
       const std::clock_t begin = std::clock();
-      const auto response = create_response(method, model, state_at_rest(model), response_settings);
-      const double compliance = response->compliance()(0, 0);
+      const auto response = create_propagator(method, model, state_at_rest(model), response_settings);
+      const double compliance = propagator->compliance()(0, 0);
       Period last;
       for (unsigned int k = 1; k <= 300 * n; ++k)
       {
         const double excitation = -AxialBarCase::force * std::sin(2 * M_PI * c.frequency * k * h),
-                     free = response->free_displacement()[0] + compliance * excitation,
+                     free = propagator->free_displacement()[0] + compliance * excitation,
                      force = std::max(0., -(c.gap + free) / compliance), q = force + excitation;
-        response->advance(&q);
+        propagator->advance(&q);
         if (k <= 299 * n)
           continue;
         last.displacement.push_back(-(free + compliance * force));

@@ -6,7 +6,7 @@
 #include <vibrocontact/contact/active_set.h>
 #include <vibrocontact/numerics/chebyshev_fit.h>
 #include <vibrocontact/propagators/event_located.h>
-#include <vibrocontact/propagators/response_methods.h>
+#include <vibrocontact/propagators/propagator_types.h>
 
 #include <gtest/gtest.h>
 
@@ -238,11 +238,11 @@ TEST(StaticLoad, IndentationOfAForce)
   flat.indentation = indentation;
   flat.loading_time = 0.05;
   const Road road(flat, places, shapes, 1);
-  ResponseSettings settings;
+  PropagatorSettings settings;
   settings.time_step = 1e-4;
   settings.interpolation = ForceInterpolation::linear;
-  const auto response = create_response("modal recursion", model, state_at_rest(model), settings);
-  ContactProblem problem = road_contact_problem(response->compliance(), 5, {}, settings.time_step);
+  const auto response = create_propagator("modal recursion", model, state_at_rest(model), settings);
+  ContactProblem problem = road_contact_problem(propagator->compliance(), 5, {}, settings.time_step);
   ActiveSetSolver contact;
   ContactSolution solution;
   std::vector<double> height(5);
@@ -250,9 +250,9 @@ TEST(StaticLoad, IndentationOfAForce)
   {
     road.heights((k + 1) * 1e-4, height.data());
     for (unsigned int i = 0; i < 5; ++i)
-      problem.b[i] = response->free_displacement()[i] - height[i];
+      problem.b[i] = propagator->free_displacement()[i] - height[i];
     contact.solve(problem, solution);
-    response->advance(solution.R.data());
+    propagator->advance(solution.R.data());
   }
   EXPECT_NEAR(std::accumulate(solution.R.begin(), solution.R.end(), 0.), 800, 1e-6);
 }

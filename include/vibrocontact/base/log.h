@@ -65,7 +65,7 @@ namespace vibrocontact
     unsigned int n_warnings() const { return warnings; }
 
     /// While it lives, run_log() of this rank is a log of its own that goes to a file and nowhere else: that of a case
-    /// which this rank computes alone (LoneRank). Made after the LoneRank.
+    /// which this rank computes alone (SingleRank). Made after the SingleRank.
     class Aside;
 
   private:

@@ -18,11 +18,11 @@ namespace vibrocontact
   /// asked for: nothing comes late (Gardner, J. Audio Eng. Soc. 43 (1995) 127; Hairer, Lubich, Schlichte, SIAM J. Sci.
   /// Stat. Comput. 6 (1985) 532). Transforms by FFTW; plans are estimated, not measured, so that two runs agree bit for
   /// bit.
-  class BlockConvolution final : public Response
+  class BlockConvolution final : public Propagator
   {
   public:
     BlockConvolution(const BodyInContact &model, const std::vector<std::complex<double>> &state,
-                     const ResponseSettings &settings);
+                     const PropagatorSettings &settings);
     ~BlockConvolution() override;
     void advance(const double *q) override;
     void exchange(CheckpointFile &file) override;

@@ -11,12 +11,12 @@ namespace vibrocontact
   /// The forces lie in the order of time and the kernel backwards, so that each pair of rows is one scalar product in
   /// the widest registers of the machine, or for comparison a plain loop, one multiplication after the other, as the
   /// paper's. Whole histories cost what they are long: use it for comparison.
-  class DirectConvolution final : public Response
+  class DirectConvolution final : public Propagator
   {
   public:
     /// @param wide registers, or the plain loop
     DirectConvolution(const BodyInContact &model, const std::vector<std::complex<double>> &state,
-                      const ResponseSettings &settings, bool wide);
+                      const PropagatorSettings &settings, bool wide);
     void advance(const double *q) override;
     void exchange(CheckpointFile &file) override;
 

@@ -5,7 +5,7 @@
 
 namespace vibrocontact
 {
-  /// The propagator of the poles' states, exact or by the theta-method, as its weights say: with p_k the state that the next step would end with if no force
+  /// The propagator of the poles' states, exact or by the theta method, as its weights say: with p_k the state that the next step would end with if no force
   /// acted in it,
   ///
   ///   p_k <- factor_k p_k + w_k left_k^T q,      u_free = u_static + 2 Re sum_k right_k p_k
@@ -15,11 +15,11 @@ namespace vibrocontact
   /// points; constant loads only move the origin of the states (z - z_static) and cost nothing, but for those that a free
   /// body falls under. Cost: 4 numbers read per state and point, 1 if right shapes are real and left ones proportional to
   /// them (real modes); forces that are zero are skipped if there are more than four points.
-  class ModalRecursion final : public Response
+  class ModalRecursion final : public Propagator
   {
   public:
     ModalRecursion(const BodyInContact &model, const std::vector<std::complex<double>> &state,
-                   const ResponseSettings &settings, const StepWeights &weights);
+                   const PropagatorSettings &settings, const StepWeights &weights);
     void advance(const double *q) override;
     unsigned long advance_in_contact(unsigned int n_steps, const double *heights, double *displacements,
                                      double *forces) override;

@@ -29,7 +29,7 @@ namespace vibrocontact
     end_of_step
   };
 
-  /// Jean's theta-method (Lai et al. 2018, section 5; doc/theory.md, "Time steps"):
+  /// Jean's theta method (Lai et al. 2018, section 5; doc/theory.md, "Time steps"):
   ///
   ///   v1 - v0 = h [theta f1 + (1 - theta) f0],   q1 - q0 = h [theta v1 + (1 - theta) v0]
   ///   f = p - 2 zeta w v - w^2 q

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/propagators/response.h>
+#include <vibrocontact/propagators/propagator.h>
 
 namespace vibrocontact
 {
@@ -19,7 +19,7 @@ namespace vibrocontact
 
   StepWeights step_weights(const BodyInContact &model, double time_step, ForceInterpolation interpolation);
 
-  /// The same of Jean's theta-method (Lai et al. 2018, section 5; doc/theory.md, "Time steps"), x = lambda h:
+  /// The same of Jean's theta method (Lai et al. 2018, section 5; doc/theory.md, "Time steps"), x = lambda h:
   ///
   ///   factor = (1 + (1 - theta) x) / (1 - theta x),     impulse: now = h factor
   ///   constant: now = h / (1 - theta x);     linear: now = theta h / (1 - theta x), later = (1 - theta) h / (1 - theta x)
@@ -37,10 +37,10 @@ namespace vibrocontact
   ///   impulse: infinite
   ///   constant: infinite if S is positive definite, else 0 (error factor -1 per step: impacts become elastic)
   ///   linear: 2.7 sqrt(min_x x^T S x / x^T slope x), 0 without S (error factor -3.73)      (doc/theory.md)
-  double longest_step(const DenseMatrix &S, const DenseMatrix &slope, ForceInterpolation interpolation);
-  /// The same of the theta-method: infinite for theta > 1/2 and for impulses; theta = 1/2 has the error factor -1 in forces of
+  double critical_time_step(const DenseMatrix &S, const DenseMatrix &slope, ForceInterpolation interpolation);
+  /// The same of the theta method: infinite for theta > 1/2 and for impulses; theta = 1/2 has the error factor -1 in forces of
   /// rigid points, 0, and none that grows otherwise.
-  double longest_theta_step(const DenseMatrix &S, ForceInterpolation interpolation, double theta);
+  double critical_theta_step(const DenseMatrix &S, ForceInterpolation interpolation, double theta);
 
   /// What constant loads do to the rigid motions of a free body, which have no equilibrium: u(t) = a t^2 / 2, step by step.
   class FreeFall

@@ -16,7 +16,7 @@ namespace vibrocontact
 
   /// The finite elements themselves, unreduced, in the form of a reduced body: the change of basis to all modes
   /// takes nothing away. The residual flexibility becomes zero (or that of massless dofs, if there are any), the contact points have the mass that
-  /// the elements give them, and a step of the theta-method has the response
+  /// the elements give them, and a step of the theta method has the response
   ///
   ///   Psi diag(1 / (1 + h theta c + h^2 theta^2 w^2)) Psi^T = P_c (M + h theta C + h^2 theta^2 K)^-1 P_c^T,
   ///

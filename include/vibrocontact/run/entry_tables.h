@@ -3,7 +3,7 @@
 #include <vibrocontact/contact/contact_solver.h>
 #include <vibrocontact/contact/laws/contact_laws.h>
 #include <vibrocontact/numerics/time_basis.h>
-#include <vibrocontact/propagators/response_methods.h>
+#include <vibrocontact/propagators/propagator_types.h>
 #include <vibrocontact/scene/body.h>
 
 namespace vibrocontact
@@ -13,7 +13,7 @@ namespace vibrocontact
   {
     ContactLaws laws;
     ContactSolvers contact_solvers = vibrocontact::contact_solvers();
-    ResponseMethods response_methods = vibrocontact::response_methods();
+    PropagatorTypes propagator_types = vibrocontact::propagator_types();
     TimeBases time_bases = vibrocontact::time_bases();
     BodyTypes body_types = vibrocontact::body_types();
   };

@@ -20,7 +20,7 @@ namespace vibrocontact
     /// Makes what case k needs of all ranks. Collective.
     /// @throws InputError, which ends the run; ConvergenceError: what the case came to
     virtual void prepare(unsigned int k) = 0;
-    /// What case k comes to, on a LoneRank. @throws what take() hears of, CaseStopped
+    /// What case k comes to, on a SingleRank. @throws what take() hears of, CaseStopped
     virtual PackedCase compute(unsigned int k) = 0;
     /// `outcome` returns what the case came to or throws InputError, ConvergenceError. Collective.
     virtual void take(unsigned int k, const std::function<PackedCase()> &outcome) = 0;

@@ -18,7 +18,7 @@ namespace vibrocontact
     std::string pointer;
   };
 
-  /// The run of one case: on a LoneRank, into the folder and results that it is given.
+  /// The run of one case: on a SingleRank, into the folder and results that it is given.
   using PreparedRun = std::function<void(const AnalysisRun &)>;
   /// Makes what the run of a case needs of all ranks (bodies are reduced), and returns that run. Collective.
   using PrepareRun = std::function<PreparedRun(const AnalysisRun &)>;

@@ -66,9 +66,9 @@ namespace vibrocontact
       stepper = std::make_unique<RoadStepper>(parameters, solver, model, n_points, last_step, laws,
                                               road.sliding_speed());
       if (has_friction)
-        check_road_friction(stepper->response->compliance());
+        check_road_friction(stepper->propagator->compliance());
       for (unsigned int i = 0; i < n_points; ++i)
-        stiffness.push_back(1 / (stepper->response->compliance()(i, i) + yields));
+        stiffness.push_back(1 / (stepper->propagator->compliance()(i, i) + yields));
       results.has_residual = n_points > 1 || stepper->is_common;
       last_height.resize(n_points);
       road.heights(0, last_height.data());
@@ -361,7 +361,7 @@ namespace vibrocontact
       if (modal_work)
         modal_work->exchange(file);
       show_modal_work(last_displacement.data(), last_height.data());
-      stepper->response->exchange(file);
+      stepper->propagator->exchange(file);
       stepper->solver->exchange(file);
       file("stepper/closed_points", stepper->closed_points);
       file("stepper/iterations", stepper->iterations);

@@ -7,7 +7,7 @@ namespace vibrocontact
   {
     using namespace dealii::Patterns;
     std::string names, help;
-    for (const ResponseMethod &known : *methods)
+    for (const PropagatorType &known : *methods)
     {
       names += known.name + "|";
       help += known.name + " (" + known.help + "), ";

@@ -4,7 +4,7 @@
 #include <vibrocontact/contact/active_set.h>
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/friction_of_speed.h>
-#include <vibrocontact/propagators/response_methods.h>
+#include <vibrocontact/propagators/propagator_types.h>
 #include <vibrocontact/propagators/step_weights.h>
 
 #include <algorithm>
@@ -31,10 +31,10 @@ namespace vibrocontact
       return text.str();
     }
 
-    std::unique_ptr<Response> make_response(const ModalConvolutionParameters &parameters,
-                                            const BodyInContact &model, const unsigned long n_steps)
+    std::unique_ptr<Propagator> make_propagator(const ModalConvolutionParameters &parameters,
+                                                const BodyInContact &model, const unsigned long n_steps)
     {
-      ResponseSettings settings;
+      PropagatorSettings settings;
       settings.time_step = parameters.time_step;
       settings.interpolation = force_interpolation(parameters.force_shape);
       settings.n_steps = n_steps;
@@ -50,10 +50,10 @@ namespace vibrocontact
         throw InputError(
             "Modal convolution/Memory asks for more than 200 million samples of the Green's functions: "
             "give a shorter one or take the modal recursion.");
-      return create_response(parameters.method, model,
-                             parameters.initial_state == "at rest" ? state_at_rest(model)
-                                                                   : state_in_equilibrium(model),
-                             settings, *parameters.methods);
+      return create_propagator(parameters.method, model,
+                               parameters.initial_state == "at rest" ? state_at_rest(model)
+                                                                     : state_in_equilibrium(model),
+                               settings, *parameters.methods);
     }
 
     /// S with what the normal law yields on its diagonal: its one compliance if it is linear. Constant forces only need some, so
@@ -76,8 +76,8 @@ namespace vibrocontact
       const ForceInterpolation interpolation = force_interpolation(parameters.force_shape);
       const DenseMatrix S = least_compliance(model, n_points, law, interpolation);
       const double longest = parameters.takes_theta()
-                                 ? longest_theta_step(S, interpolation, parameters.theta)
-                                 : longest_step(S, initial_derivative(model, 1), interpolation);
+                                 ? critical_theta_step(S, interpolation, parameters.theta)
+                                 : critical_time_step(S, initial_derivative(model, 1), interpolation);
       if (parameters.time_step <= longest)
         return;
       std::ostringstream text;
@@ -102,18 +102,18 @@ namespace vibrocontact
                            const ContactSolverParameters &solver_parameters, const BodyInContact &model,
                            const unsigned int n_points, const unsigned long n_steps, const RoadLaws &laws,
                            const double sliding_speed)
-      : response(make_response(parameters, model, n_steps)),
+      : propagator(make_propagator(parameters, model, n_steps)),
         is_common(parameters.contact_solver == "common" || model.n_rows() > n_points ||
                   !laws.normal->is_rigid()),
         n(n_points), step(parameters.time_step), sliding_speed(sliding_speed),
-        problem(road_contact_problem(response->compliance(), n_points, laws, parameters.time_step)),
+        problem(road_contact_problem(propagator->compliance(), n_points, laws, parameters.time_step)),
         is_linear(force_interpolation(parameters.force_shape) == ForceInterpolation::linear),
         residual_flexibility(model.residual)
   {
     problem.title = title(step);
     ContactSolverParameters own = solver_parameters;
     if (is_common)
-      check_unique_forces(normal_block(response->compliance(), n), "in '" + problem.title + "'");
+      check_unique_forces(normal_block(propagator->compliance(), n), "in '" + problem.title + "'");
     else
       own.method = "active set";
     solver = create_contact_solver(own);
@@ -126,8 +126,8 @@ namespace vibrocontact
   {
     if (is_common || n > 1)
       return run_steps(n_steps, heights, displacements, forces, nullptr, nullptr);
-    closed_points += response->advance_in_contact(n_steps, heights, displacements, forces);
-    if (!std::isfinite(response->free_displacement()[0]))
+    closed_points += propagator->advance_in_contact(n_steps, heights, displacements, forces);
+    if (!std::isfinite(propagator->free_displacement()[0]))
       throw ConvergenceError(
           "The motion is no longer finite: take a shorter Time step or another Force shape.");
   }
@@ -140,7 +140,7 @@ namespace vibrocontact
       problem.mu.assign(n, problem.friction_law->at_rest());
     solver->renew();
     ContactSolution solution;
-    const double *const free = response->free_displacement();
+    const double *const free = propagator->free_displacement();
     double *const b = problem.b.data();
     const bool has_friction = tangential_forces != nullptr;
     std::vector<double> forces_before(has_friction ? 2 * n : 0);
@@ -186,7 +186,7 @@ namespace vibrocontact
         tangential_displacements += n;
         tangential_forces += n;
       }
-      response->advance(R);
+      propagator->advance(R);
       iterations += solution.iterations;
       residual = std::max(residual, solution.residual);
     }

@@ -28,7 +28,7 @@ namespace vibrocontact
   {
     constexpr unsigned int most_point_tables = 10;
     constexpr unsigned long most_table_lines = 1000000, most_spectrum_lines = 20000000;
-    constexpr int checkpoint_format = 3;
+    constexpr int checkpoint_format = 4;
 
     std::string checkpoint_name(const std::string &folder)
     {

@@ -2,7 +2,7 @@
 #include <vibrocontact/analyses/periodic/periodic_output.h>
 #include <vibrocontact/analyses/periodic/response_output.h>
 #include <vibrocontact/analyses/periodic/run_periodic.h>
-#include <vibrocontact/analyses/periodic/run_response.h>
+#include <vibrocontact/analyses/periodic/run_response_curve.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
@@ -177,7 +177,7 @@ namespace vibrocontact
     if (reference)
       on_first_rank([&] { table.write(folder + "/periodic_errors.csv"); });
     if (periodic.continuation.is_wanted())
-      run_response(periodic, body, law, law_name, parameters.contact().friction, folder, results);
+      run_response_curve(periodic, body, law, law_name, parameters.contact().friction, folder, results);
   }
 
   namespace

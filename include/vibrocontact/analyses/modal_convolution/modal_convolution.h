@@ -4,7 +4,7 @@
 #include <vibrocontact/analyses/modal_convolution/road_contact.h>
 #include <vibrocontact/contact/contact_solver.h>
 #include <vibrocontact/propagators/event_located.h>
-#include <vibrocontact/propagators/response.h>
+#include <vibrocontact/propagators/propagator.h>
 #include <vibrocontact/propagators/work_account.h>
 #include <vibrocontact/scene/road.h>
 
@@ -85,7 +85,7 @@ namespace vibrocontact
   class RoadStepper;
 
   /// A body known by its poles on a road, in steps of h: u = u_free + (B + S) q with 0 <= q perp u - u_r >= 0 at the end
-  /// of every step (propagators/response.h, contact/contact_solver.h), or from event to event
+  /// of every step (propagators/propagator.h, contact/contact_solver.h), or from event to event
   /// (propagators/event_located.h). With friction (two rows of the model per point of the road) by the common solvers
   /// (analyses/modal_convolution/road_contact.h).
   class ModalConvolution

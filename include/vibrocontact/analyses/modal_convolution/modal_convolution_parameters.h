@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/propagators/response_methods.h>
+#include <vibrocontact/propagators/propagator_types.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -36,15 +36,15 @@ namespace vibrocontact
     /// no entry: of the event-located method, shortened where poles ask for it [s]
     double longest_piece = 1e300;
     /// that `method` chooses from; never null
-    std::shared_ptr<const ResponseMethods> methods =
-        std::make_shared<const ResponseMethods>(response_methods());
+    std::shared_ptr<const PropagatorTypes> methods =
+        std::make_shared<const PropagatorTypes>(propagator_types());
 
     void declare_parameters(dealii::ParameterHandler &prm);
     void check() const;
     bool is_event_located() const { return method == "event located"; }
     /// Whether `memory` matters.
     bool is_convolution() const;
-    /// whether the Method is the theta-method
+    /// whether the Method is the theta method
     bool takes_theta() const;
   };
 } // namespace vibrocontact

@@ -3,13 +3,13 @@
 #include <vibrocontact/analyses/modal_convolution/modal_convolution_parameters.h>
 #include <vibrocontact/analyses/modal_convolution/road_contact.h>
 #include <vibrocontact/contact/contact_solver.h>
-#include <vibrocontact/propagators/response.h>
+#include <vibrocontact/propagators/propagator.h>
 
 #include <memory>
 
 namespace vibrocontact
 {
-  /// The steps of a modal convolution at any number of points: response and contact.
+  /// The steps of a modal convolution at any number of points: propagator and contact.
   class RoadStepper
   {
   public:
@@ -25,7 +25,7 @@ namespace vibrocontact
     void run_steps(unsigned int n_steps, const double *heights, double *displacements, double *forces,
                    double *tangential_displacements, double *tangential_forces);
 
-    std::unique_ptr<Response> response;
+    std::unique_ptr<Propagator> propagator;
     std::unique_ptr<ContactSolver> solver;
     /// whether that of Contact/Solver/Method finds the forces: friction, a law that yields, or asked for; if not, the active set
     const bool is_common;

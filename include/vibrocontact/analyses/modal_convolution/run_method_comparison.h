@@ -9,7 +9,7 @@
 
 namespace vibrocontact
 {
-  /// Every response method on the bodies that have `Comparison/Rows`, each on its road: method_comparison.csv, and what
+  /// Every propagator on the bodies that have `Comparison/Rows`, each on its road: method_comparison.csv, and what
   /// results.json shows as `method_comparison[]`: `body`, `method`, `step_s`, `steps`, `memory_steps`,
   /// `error_displacement_m`, `error_force_N`, `error_impulse` (in their place `broke_down` if a method ends without
   /// finite numbers), `seconds_per_step`. Collective.

@@ -60,7 +60,7 @@ namespace vibrocontact
   ///
   ///   e^2 = sum w^2 dq^2 / sum (v^2 + (a / w)^2),      a = p - 2 zeta w v - w^2 q
   ///
-  /// dq: what the theta-method leaves out of the displacement, h^2 / 12 |a1 - a0| (the next term of the
+  /// dq: what the theta method leaves out of the displacement, h^2 / 12 |a1 - a0| (the next term of the
   /// Euler-Maclaurin series) and (theta - 1/2) h |v1 - v0|; for the exact propagator h^2 / 12 |p1 - p0|, the
   /// force's change, since only its course in between is not known.
   double step_error(const TransientParameters &parameters, const ContactPair &pair,

@@ -1,5 +1,5 @@
 #include <vibrocontact/analyses/periodic/response_output.h>
-#include <vibrocontact/analyses/periodic/run_response.h>
+#include <vibrocontact/analyses/periodic/run_response_curve.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
 
@@ -78,9 +78,9 @@ namespace vibrocontact
     }
   } // namespace
 
-  void run_response(const PeriodicParameters &periodic, const ForcedBody &body,
-                    const std::shared_ptr<const NormalLaw> &law, const std::string &law_name,
-                    const double friction, const std::string &folder, Results &results)
+  void run_response_curve(const PeriodicParameters &periodic, const ForcedBody &body,
+                          const std::shared_ptr<const NormalLaw> &law, const std::string &law_name,
+                          const double friction, const std::string &folder, Results &results)
   {
     const BranchParameters &response = periodic.continuation;
     const std::string unit = response.parameter == "frequency" ? "Hz"

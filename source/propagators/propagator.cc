@@ -1,11 +1,11 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/laws/signorini.h>
-#include <vibrocontact/propagators/response.h>
+#include <vibrocontact/propagators/propagator.h>
 
 namespace vibrocontact
 {
-  unsigned long Response::advance_in_contact(const unsigned int n_steps, const double *heights,
-                                             double *displacements, double *forces)
+  unsigned long Propagator::advance_in_contact(const unsigned int n_steps, const double *heights,
+                                               double *displacements, double *forces)
   {
     const double inverse = 1 / one_step(0, 0);
     unsigned long closed = 0;

@@ -1,6 +1,6 @@
 /// Times of the propagators with contact, histories stored, profile tabulated; medians in nanoseconds.
 ///
-///   response_benchmark [repetitions, default 7]
+///   propagator_benchmark [repetitions, default 7]
 ///
 /// Oscillator of the tyre paper at its four rows (step, memory); many modes at one and three points; a patch of 100 points
 /// with tread and 404 rolling poles; the event-located oscillator on the sine.
@@ -10,7 +10,7 @@
 #include <vibrocontact/base/processor_clock.h>
 #include <vibrocontact/contact/active_set.h>
 #include <vibrocontact/numerics/wide_loops.h>
-#include <vibrocontact/propagators/response_methods.h>
+#include <vibrocontact/propagators/propagator_types.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ namespace
   unsigned int repetitions = 7;
 
   /// Nanoseconds per step, median over the repetitions.
-  double time_steps(Response &response, const unsigned int n_steps, const double h, const double depth)
+  double time_steps(Propagator &response, const unsigned int n_steps, const double h, const double depth)
   {
     const unsigned int n = response.n_rows();
     ContactProblem problem = road_contact_problem(response.compliance(), n, {}, h);
@@ -94,14 +94,14 @@ int main(int argc, char *argv[])
   for (const Row &row :
        {Row{1e-4, 2000, 1900}, {1e-4, 20000, 1900}, {1e-5, 20000, 19000}, {1e-5, 200000, 19000}})
   {
-    ResponseSettings settings;
+    PropagatorSettings settings;
     settings.time_step = row.h;
     settings.n_steps = row.n_steps;
     settings.memory = row.memory;
     double ns[3];
     for (unsigned int k = 0; k < 3; ++k)
     {
-      const auto response = response_methods()[k].create(oscillator, state_at_rest(oscillator), settings);
+      const auto response = propagator_types()[k].create(oscillator, state_at_rest(oscillator), settings);
       ns[k] = time_steps(*response, row.n_steps, row.h, 5e-3);
     }
     std::printf("h %g s, %u steps, memory %u: modal %.2f, direct %.1f (%.3f per stored force), block %.1f ns "
@@ -112,24 +112,24 @@ int main(int argc, char *argv[])
   for (const unsigned int n_modes : {128u, 256u, 512u})
     for (const unsigned int n_rows : {1u, 3u})
     {
-      ResponseSettings settings;
+      PropagatorSettings settings;
       settings.time_step = 2e-5;
       const BodyInContact model = modes(n_rows, n_modes, 1e-7);
       settings.interpolation = ForceInterpolation::constant;
-      const auto response = create_response("modal recursion", model, state_at_rest(model), settings);
+      const auto response = create_propagator("modal recursion", model, state_at_rest(model), settings);
       const double ns = time_steps(*response, 20000, 2e-5, 1e-4);
       std::printf("%u modes, %u points: %.1f ns per step, %.3f per mode\n", n_modes, n_rows, ns,
                   ns / n_modes);
     }
   {
-    ResponseSettings settings;
+    PropagatorSettings settings;
     settings.time_step = 1 / 51200.;
     settings.interpolation = ForceInterpolation::linear;
     BodyInContact model = modes(100, 202, 1 / 40320.);
     for (unsigned int k = 0; k < model.n_poles(); ++k)
       for (unsigned int i = 0; i < 100; ++i)
         model.right(i, k) *= std::polar(1., 0.01 * k * i);
-    const auto response = create_response("modal recursion", model, state_at_rest(model), settings);
+    const auto response = create_propagator("modal recursion", model, state_at_rest(model), settings);
     std::printf("100 points, 202 complex shapes: %.2f us per step\n",
                 1e-3 * time_steps(*response, 5000, settings.time_step, 3e-3));
   }

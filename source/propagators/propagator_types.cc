@@ -2,31 +2,31 @@
 #include <vibrocontact/propagators/block_convolution.h>
 #include <vibrocontact/propagators/direct_convolution.h>
 #include <vibrocontact/propagators/modal_recursion.h>
-#include <vibrocontact/propagators/response_methods.h>
+#include <vibrocontact/propagators/propagator_types.h>
 
 namespace vibrocontact
 {
   namespace
   {
     template <typename Method, bool... wide>
-    std::unique_ptr<Response> create(const BodyInContact &model,
-                                     const std::vector<std::complex<double>> &state,
-                                     const ResponseSettings &settings)
+    std::unique_ptr<Propagator> create(const BodyInContact &model,
+                                       const std::vector<std::complex<double>> &state,
+                                       const PropagatorSettings &settings)
     {
       return std::make_unique<Method>(model, state, settings, wide...);
     }
 
-    std::unique_ptr<Response> exact_recursion(const BodyInContact &model,
-                                              const std::vector<std::complex<double>> &state,
-                                              const ResponseSettings &settings)
+    std::unique_ptr<Propagator> exact_recursion(const BodyInContact &model,
+                                                const std::vector<std::complex<double>> &state,
+                                                const PropagatorSettings &settings)
     {
       return std::make_unique<ModalRecursion>(
           model, state, settings, step_weights(model, settings.time_step, settings.interpolation));
     }
 
-    std::unique_ptr<Response> theta_recursion(const BodyInContact &model,
-                                              const std::vector<std::complex<double>> &state,
-                                              const ResponseSettings &settings)
+    std::unique_ptr<Propagator> theta_recursion(const BodyInContact &model,
+                                                const std::vector<std::complex<double>> &state,
+                                                const PropagatorSettings &settings)
     {
       return std::make_unique<ModalRecursion>(
           model, state, settings,
@@ -34,9 +34,9 @@ namespace vibrocontact
     }
   } // namespace
 
-  const ResponseMethods &response_methods()
+  const PropagatorTypes &propagator_types()
   {
-    static const ResponseMethods methods = {
+    static const PropagatorTypes methods = {
         {"modal recursion", "exact propagation of one complex state per pole", false, false,
          &exact_recursion},
         {"theta method", "Jean's theta method on the same states", false, true, &theta_recursion},
@@ -49,9 +49,10 @@ namespace vibrocontact
     return methods;
   }
 
-  std::unique_ptr<Response> create_response(const std::string &name, const BodyInContact &model,
-                                            const std::vector<std::complex<double>> &state,
-                                            const ResponseSettings &settings, const ResponseMethods &table)
+  std::unique_ptr<Propagator> create_propagator(const std::string &name, const BodyInContact &model,
+                                                const std::vector<std::complex<double>> &state,
+                                                const PropagatorSettings &settings,
+                                                const PropagatorTypes &table)
   {
     return find_named(table, name, "propagator").create(model, state, settings);
   }

@@ -24,7 +24,7 @@ TEST(LoneRankMpi, EachIsTheFirstAndFailsAlone)
   unsigned int acted = 0;
   bool thrown = false;
   {
-    const LoneRank lone;
+    const SingleRank lone;
     on_first_rank([&] { ++acted; });
     // the others do not even call it
     if (rank == n - 1)

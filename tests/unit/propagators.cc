@@ -9,7 +9,7 @@
 #include <vibrocontact/numerics/piecewise_polynomial.h>
 #include <vibrocontact/numerics/wide_loops.h>
 #include <vibrocontact/propagators/modal_step.h>
-#include <vibrocontact/propagators/response_methods.h>
+#include <vibrocontact/propagators/propagator_types.h>
 #include <vibrocontact/propagators/step_weights.h>
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ namespace
   }
 
   /// Displacements at the end of each step, with contact.
-  std::vector<double> run(Response &response, const unsigned int n_steps, const double h)
+  std::vector<double> run(Propagator &response, const unsigned int n_steps, const double h)
   {
     const unsigned int n = response.n_rows();
     ContactProblem problem = road_contact_problem(response.compliance(), n, {}, h);
@@ -143,7 +143,7 @@ TEST(PiecewisePolynomial, ValuesDerivativesIntegral)
 }
 
 // The oscillator under forces that are known: closed forms of each force interpolation.
-TEST(Response, ForceInterpolationsAreExact)
+TEST(Propagator, ForceInterpolationsAreExact)
 {
   const double w = 300, zeta = 0.1, h = 0.004, wd = w * std::sqrt(1 - zeta * zeta);
   DenseMatrix trace(1, 1), residual(1, 1);
@@ -168,13 +168,13 @@ TEST(Response, ForceInterpolationsAreExact)
     return 0.25 / (w * w) * (t - a + std::exp(-zeta * w * t) * (a * std::cos(wd * t) + b * std::sin(wd * t)));
   };
   const std::vector<double> forces = {3, -1, 4, 1, 5, -9};
-  for (const ResponseMethod &method : response_methods())
+  for (const PropagatorType &method : propagator_types())
     for (const ForceInterpolation interpolation :
          {ForceInterpolation::impulse, ForceInterpolation::constant, ForceInterpolation::linear})
     {
       if (method.name == "theta method")
         continue; // the next test
-      ResponseSettings settings;
+      PropagatorSettings settings;
       settings.time_step = h;
       settings.interpolation = interpolation;
       settings.n_steps = 200;
@@ -182,7 +182,7 @@ TEST(Response, ForceInterpolationsAreExact)
       for (unsigned int n = 0; n < 150; ++n)
       {
         const double q = n < forces.size() ? forces[n] : 0;
-        const double u = response->free_displacement()[0] + response->compliance()(0, 0) * q;
+        const double u = propagator->free_displacement()[0] + propagator->compliance()(0, 0) * q;
         const double t = (n + 1) * h;
         double exact = 1e-6 * q;
         for (unsigned int m = 0; m < forces.size() && m <= n; ++m)
@@ -195,13 +195,13 @@ TEST(Response, ForceInterpolationsAreExact)
                      (ramp_response(t - m * h) - 2 * ramp_response(t - (m + 1) * h) +
                       ramp_response(t - (m + 2) * h));
         EXPECT_NEAR(u, exact, 1e-17) << method.name << " " << n;
-        response->advance(&q);
+        propagator->advance(&q);
       }
     }
 }
 
 // On poles as on modes: the recursion against the steps of q and q' that the transient makes, damped beyond critical too.
-TEST(Response, ThetaMethodIsThatOfTheTransient)
+TEST(Propagator, ThetaMethodIsThatOfTheTransient)
 {
   const double h = 0.004, w = 300;
   const std::vector<double> forces = {3, -1, 4, 1, 5, -9};
@@ -213,19 +213,19 @@ TEST(Response, ThetaMethodIsThatOfTheTransient)
         trace(0, 0) = 0.5;
         residual(0, 0) = 1e-6;
         const BodyInContact model = by_poles({{w}, {zeta}, trace, {}, residual, {}});
-        ResponseSettings settings;
+        PropagatorSettings settings;
         settings.time_step = h;
         settings.theta = theta;
         settings.interpolation = linear ? ForceInterpolation::linear : ForceInterpolation::constant;
-        const auto response = create_response("theta method", model, state_at_rest(model), settings);
+        const auto response = create_propagator("theta method", model, state_at_rest(model), settings);
         const ModalStep step = theta_step(
             w, zeta, theta, h, linear ? ReactionWeighting::as_other_forces : ReactionWeighting::end_of_step);
         double q = 0, v = 0, before = 0, worst = 0, largest = 0;
         for (unsigned int n = 0; n < 60; ++n)
         {
           const double force = n < forces.size() ? forces[n] : 0,
-                       u = response->free_displacement()[0] + response->compliance()(0, 0) * force;
-          response->advance(&force);
+                       u = propagator->free_displacement()[0] + propagator->compliance()(0, 0) * force;
+          propagator->advance(&force);
           const double p0 = 0.5 * before, p1 = 0.5 * force,
                        q1 = step.T[0][0] * q + step.T[0][1] * v + step.g0[0] * p0 + step.g1[0] * p1;
           v = step.T[1][0] * q + step.T[1][1] * v + step.g0[1] * p0 + step.g1[1] * p1;
@@ -238,28 +238,29 @@ TEST(Response, ThetaMethodIsThatOfTheTransient)
       }
 }
 
-TEST(Response, DirectBlockAndModalAreEqual)
+TEST(Propagator, DirectBlockAndModalAreEqual)
 {
   for (const unsigned int n_rows : {1u, 3u, 6u, 17u})
     for (const ForceInterpolation interpolation :
          {ForceInterpolation::impulse, ForceInterpolation::constant, ForceInterpolation::linear})
     {
       const BodyInContact model = random_model(n_rows, n_rows == 17 ? 40 : 12, n_rows != 3, 2e-6);
-      ResponseSettings settings;
+      PropagatorSettings settings;
       settings.time_step = 2e-5;
       settings.interpolation = interpolation;
       settings.n_steps = n_rows == 17 ? 300 : 1500;
       std::vector<std::complex<double>> state = state_in_equilibrium(model);
       state[0] *= 0.3;
-      const auto history = [&](const std::string &method)
-      { return run(*create_response(method, model, state, settings), settings.n_steps, settings.time_step); };
+      const auto history = [&](const std::string &method) {
+        return run(*create_propagator(method, model, state, settings), settings.n_steps, settings.time_step);
+      };
       const std::vector<double> modal = history("modal recursion"), direct = history("direct convolution");
       EXPECT_LT(difference(direct, modal), 1e-12) << n_rows;
       EXPECT_LT(difference(direct, history("block convolution")), 1e-12) << n_rows;
     }
 }
 
-TEST(Response, MemoryOfTheOnePercentRule)
+TEST(Propagator, MemoryOfTheOnePercentRule)
 {
   // the paper's oscillator: 3655 steps of 0.1 ms
   DenseMatrix trace(1, 1);
@@ -283,11 +284,11 @@ namespace
   double growth(const ForceInterpolation interpolation, const double step, const BodyInContact &model,
                 const unsigned int n_steps)
   {
-    ResponseSettings settings;
+    PropagatorSettings settings;
     settings.time_step = step;
     settings.interpolation = interpolation;
-    const auto response = create_response("modal recursion", model, state_at_rest(model), settings);
-    DenseMatrix inverse = response->compliance();
+    const auto response = create_propagator("modal recursion", model, state_at_rest(model), settings);
+    DenseMatrix inverse = propagator->compliance();
     inverse.invert();
     double first = 0, last = 0;
     for (unsigned int k = 0; k < n_steps; ++k)
@@ -297,10 +298,10 @@ namespace
       {
         q[i] = 0;
         for (unsigned int j = 0; j < 2; ++j)
-          q[i] += inverse(i, j) * ((k == 0 ? 1e-6 * (j + 1.) : 0.) - response->free_displacement()[j]);
+          q[i] += inverse(i, j) * ((k == 0 ? 1e-6 * (j + 1.) : 0.) - propagator->free_displacement()[j]);
         size = std::max(size, std::abs(q[i]));
       }
-      response->advance(q);
+      propagator->advance(q);
       first = k == 0 ? size : first;
       last = size;
     }
@@ -308,7 +309,7 @@ namespace
   }
 } // namespace
 
-TEST(Response, LongestStep)
+TEST(Propagator, LongestStep)
 {
   // a rigid translation and a rotation of two points; the softer combination of both decides, no point by itself
   DenseMatrix trace(2, 2), S(2, 2);
@@ -319,12 +320,14 @@ TEST(Response, LongestStep)
   const BodyInContact model = by_poles({{100., 150.}, {0.02, 0.02}, trace, {}, S, {}}),
                       rigid = by_poles({{100., 150.}, {0.02, 0.02}, trace, {}, DenseMatrix(2, 2), {}});
   const DenseMatrix slope = initial_derivative(model, 1);
-  EXPECT_EQ(longest_step(S, slope, ForceInterpolation::impulse), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(longest_step(S, slope, ForceInterpolation::constant), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(longest_step(DenseMatrix(2, 2), slope, ForceInterpolation::constant), 0);
-  EXPECT_EQ(longest_step(DenseMatrix(2, 2), slope, ForceInterpolation::linear), 0);
+  EXPECT_EQ(critical_time_step(S, slope, ForceInterpolation::impulse),
+            std::numeric_limits<double>::infinity());
+  EXPECT_EQ(critical_time_step(S, slope, ForceInterpolation::constant),
+            std::numeric_limits<double>::infinity());
+  EXPECT_EQ(critical_time_step(DenseMatrix(2, 2), slope, ForceInterpolation::constant), 0);
+  EXPECT_EQ(critical_time_step(DenseMatrix(2, 2), slope, ForceInterpolation::linear), 0);
   // both together: g'(0) of the translation is (1, 1; 1, 1), eigenvalue 2
-  const double longest = longest_step(S, slope, ForceInterpolation::linear);
+  const double longest = critical_time_step(S, slope, ForceInterpolation::linear);
   EXPECT_NEAR(longest / (2.7 * std::sqrt(1e-6 / 2)), 1, 1e-12);
   // the motion itself: bounded below, growing above sqrt(12) sqrt(S / g'(0))
   EXPECT_LT(growth(ForceInterpolation::linear, longest, model, 400), 1);
@@ -338,11 +341,11 @@ TEST(ActiveSet, AgreesWithNewton)
   for (const unsigned int n : {1u, 2u, 3u, 4u, 5u, 30u})
   {
     const BodyInContact model = random_model(n, 40, n == 3 || n == 30, 3e-6);
-    ResponseSettings settings;
+    PropagatorSettings settings;
     settings.time_step = 5e-5;
     settings.interpolation = ForceInterpolation::constant;
     const DenseMatrix matrix =
-        create_response("modal recursion", model, state_at_rest(model), settings)->compliance();
+        create_propagator("modal recursion", model, state_at_rest(model), settings)->compliance();
     ContactProblem problem = road_contact_problem(matrix, n, {}, settings.time_step);
     ActiveSetSolver fast;
     ContactSolverParameters parameters;

@@ -40,10 +40,10 @@ namespace vibrocontact
   ///
   /// Sizes: n_rows; u [m] away from the other body, q [N] > 0 pushes in that direction. B comes from the exact
   /// integral of g times the interpolated force over the step, S is the static residual (tread included).
-  class Response
+  class Propagator
   {
   public:
-    virtual ~Response() = default;
+    virtual ~Propagator() = default;
     unsigned int n_rows() const { return one_step.m(); }
     /// B + S, n_rows square [m/N]
     const DenseMatrix &compliance() const { return one_step; }
@@ -69,8 +69,8 @@ namespace vibrocontact
   /// The equilibrium under the loads: z = -load / lambda.
   std::vector<std::complex<double>> state_in_equilibrium(const BodyInContact &model);
 
-  /// What a response is made of.
-  struct ResponseSettings
+  /// What a propagator is made of.
+  struct PropagatorSettings
   {
     /// [s]
     double time_step = 0;
@@ -78,7 +78,7 @@ namespace vibrocontact
     /// convolutions: how many of the newest forces count; 0: as many as the run has steps
     unsigned long memory = 0;
     unsigned long n_steps = 0;
-    /// of the theta-method
+    /// of the theta method
     double theta = 0.5;
   };
 } // namespace vibrocontact
