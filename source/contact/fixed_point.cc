@@ -88,8 +88,10 @@ namespace vibrocontact
 
     /// approach at which the projections of N - rho (gap - shift a) add up to the force, with the tangential forces as they
     /// are; shift is added to the approach
-    double shift_for_force(const ContactProblem &problem, const DenseVector &R, const DenseVector &y,
-                           const double rho)
+    /// @param approach, share a and l of each point
+    double shift_for_force(const ContactProblem &problem, const std::vector<std::array<double, 3>> &approach,
+                           const std::vector<std::array<double, 3>> &share, const DenseVector &R,
+                           const DenseVector &y, const double rho)
     {
       const unsigned int n = problem.n_points(), n_components = problem.n_components();
       const auto sum = [&](const double shift)
@@ -97,11 +99,9 @@ namespace vibrocontact
         double total = 0;
         for (unsigned int i = 0; i < n; ++i)
         {
-          const std::array<double, 3> l = problem.share_of(i), force = at_point(R, n, n_components, i);
-          total +=
-              l[0] *
-                  problem.normal_law[i].project(R[i], y[i] - shift * problem.approach_of(i)[0], rho).force +
-              l[1] * force[1] + l[2] * force[2];
+          const std::array<double, 3> &l = share[i], force = at_point(R, n, n_components, i);
+          total += l[0] * problem.normal_law[i].project(R[i], y[i] - shift * approach[i][0], rho).force +
+                   l[1] * force[1] + l[2] * force[2];
         }
         return total - problem.normal_force;
       };
@@ -139,6 +139,12 @@ namespace vibrocontact
     s.iterations = s.factorisations = s.linear_iterations = s.fallbacks = 0;
     s.converged = s.response_known = false;
 
+    std::vector<std::array<double, 3>> approach(n), share(n);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      approach[i] = problem.approach_of(i);
+      share[i] = problem.share_of(i);
+    }
     Steps rho(problem);
     double largest_change = 0, previous_change = std::numeric_limits<double>::max();
     const ContactResidual residual(problem);
@@ -148,12 +154,13 @@ namespace vibrocontact
     {
       ++s.iterations;
       const double rho_n = rho.normal, rho_t = rho.tangential_factor * rho.tangential;
-      const double shift = problem.force_given() ? shift_for_force(problem, s.R, s.y, rho_n) : 0;
+      const double shift =
+          problem.force_given() ? shift_for_force(problem, approach, share, s.R, s.y, rho_n) : 0;
       s.approach += shift;
       double change = 0, size = 0;
       for (unsigned int i = 0; i < n; ++i)
       {
-        const std::array<double, 3> a = problem.approach_of(i), own = at_point(s.R, n, n_components, i),
+        const std::array<double, 3> &a = approach[i], own = at_point(s.R, n, n_components, i),
                                     slip = at_point(s.y, n, n_components, i);
         const double force = problem.normal_law[i].project(s.R[i], s.y[i] - shift * a[0], rho_n).force;
         const DiscProjection friction = project_on_disc(
