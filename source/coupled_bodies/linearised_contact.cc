@@ -69,7 +69,8 @@ namespace vibrocontact
       }
       return result;
     }
-    /// What moves without the contact: x' = transition x + input R, x = (q, v, Re z, Im z),
+    /// What moves without the contact: x' = transition x + (0, input R), x = (q, v, Re z, Im z), of which forces do not
+    /// move the first n_modes, q, at once,
     ///
     ///   du = displacement x + W R,     du' = rate x + rate_at_once R + W R'
     struct FreeMotion
@@ -83,7 +84,7 @@ namespace vibrocontact
                          size = 2 * (m + p);
       FreeMotion motion;
       motion.transition.reinit(size, size);
-      motion.input.reinit(size, n_rows);
+      motion.input.reinit(size - m, n_rows);
       motion.displacement.reinit(n_rows, size);
       motion.rate.reinit(n_rows, size);
       for (unsigned int k = 0; k < m; ++k)
@@ -92,7 +93,7 @@ namespace vibrocontact
         motion.transition(m + k, k) = -pair.omega[k] * pair.omega[k];
         motion.transition(m + k, m + k) = -2 * pair.damping_ratio[k] * pair.omega[k];
         for (unsigned int i = 0; i < n_rows; ++i)
-          motion.displacement(i, k) = motion.rate(i, m + k) = motion.input(m + k, i) = pair.modal_trace(i, k);
+          motion.displacement(i, k) = motion.rate(i, m + k) = motion.input(k, i) = pair.modal_trace(i, k);
       }
       for (unsigned int d = 0; pair.hub && d < 3; ++d)
         for (unsigned int j = 0; j < pair.hub->shapes.n(); ++j)
@@ -113,8 +114,8 @@ namespace vibrocontact
           motion.displacement(i, im) = -right.imag();
           motion.rate(i, re) = moving.real();
           motion.rate(i, im) = -moving.imag();
-          motion.input(re, i) = pair.poles.left(i, k).real();
-          motion.input(im, i) = pair.poles.left(i, k).imag();
+          motion.input(re - m, i) = pair.poles.left(i, k).real();
+          motion.input(im - m, i) = pair.poles.left(i, k).imag();
         }
       }
       if (p > 0)
@@ -175,7 +176,7 @@ namespace vibrocontact
 
     // slip by x and R: V d/dx of the displacements, and rates; that of W R comes with R'
     const FreeMotion motion = free_motion(pair);
-    const unsigned int n_x = motion.transition.m();
+    const unsigned int n_x = motion.transition.m(), m = pair.n_modes();
     DenseMatrix slip_by_x(3 * n, n_x), slip_by_R(3 * n, 3 * n);
     if (options.convection)
     {
@@ -237,7 +238,7 @@ namespace vibrocontact
         n_z > 0 && (options.lateral_damping || n_stick > 0) && (options.residual_rate || n_stick > 0);
     DenseMatrix A(n_x + (has_states ? n_z : 0));
     add_block(A, motion.transition, 0, 0);
-    add_block(A, product(motion.input, X_x), 0, 0);
+    add_block(A, product(motion.input, X_x), m, 0);
     if (n_z == 0)
       return A;
 
@@ -248,13 +249,23 @@ namespace vibrocontact
     if (has_states)
     {
       // W_d X_z s' = -slip_x x - (slip_z + mobility) s - W_d X_x x'
-      add_block(A, product(motion.input, X_z), 0, n_x);
-      DenseMatrix rates(n_x, n_x + n_z);
-      for (unsigned int j = 0; j < n_x + n_z; ++j)
-        for (unsigned int i = 0; i < n_x; ++i)
-          rates(i, j) = A(i, j);
-      DenseMatrix right = product(product(W_d, X_x), rates);
-      right *= -1;
+      add_block(A, product(motion.input, X_z), m, n_x);
+      const DenseMatrix by_rates = product(W_d, X_x);
+      DenseMatrix right(n_z, n_x + n_z);
+      for (unsigned int j = 0; j < m; ++j)
+        for (unsigned int k = 0; k < n_z; ++k)
+          right(k, m + j) = -by_rates(k, j); // q' = v
+      if (!frame.along.empty() || pair.n_poles() > 0)
+      {
+        DenseMatrix others(n_z, n_x - m), rates(n_x - m, n_x + n_z);
+        for (unsigned int j = 0; j < n_x - m; ++j)
+          for (unsigned int k = 0; k < n_z; ++k)
+            others(k, j) = by_rates(k, m + j);
+        for (unsigned int j = 0; j < n_x + n_z; ++j)
+          for (unsigned int i = 0; i < n_x - m; ++i)
+            rates(i, j) = A(m + i, j);
+        add_block(right, product(others, rates), 0, 0, -1);
+      }
       add_block(right, slip_x, 0, 0, -1);
       add_block(right, slip_z, 0, n_x, -1);
       add_block(A, solve(product(W_d, X_z), right, "tangential flexibility"), n_x, 0);
@@ -264,7 +275,7 @@ namespace vibrocontact
       // (slip_z + mobility) s = -slip_x x is no state; the paper's C_b, whose effect on N is left out
       slip_x *= -1;
       const DenseMatrix z = solve(slip_z, slip_x, "sliding mobility");
-      add_block(A, product(product(motion.input, options.convection ? X_z : E_z), z), 0, 0);
+      add_block(A, product(product(motion.input, options.convection ? X_z : E_z), z), m, 0);
     }
     return A;
   }
@@ -347,6 +358,8 @@ namespace vibrocontact
   std::vector<StabilityRoot> stability_roots(const ContactPair &pair, DenseMatrix linearised)
   {
     const Eigenvalues lambda = eigenvalues(std::move(linearised));
+    const std::vector<double> omega = pair.frequencies();
+    const std::vector<std::string> names = pair.names();
     std::vector<StabilityRoot> roots;
     for (unsigned int k = 0; k < lambda.values.size(); ++k)
     {
@@ -362,7 +375,7 @@ namespace vibrocontact
         amplitudes.push_back(std::polar(
             size_of_pole(pair.poles, i) * std::sqrt(2 * (std::norm(a) + std::norm(b))), std::arg(a)));
       }
-      roots.push_back(named_root(lambda.values[k], std::move(amplitudes), pair.frequencies(), pair.names()));
+      roots.push_back(named_root(lambda.values[k], std::move(amplitudes), omega, names));
     }
     sort_roots(roots);
     return roots;
