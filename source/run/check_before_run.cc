@@ -172,7 +172,13 @@ namespace vibrocontact
     if (!parameters.scene.runs("transient"))
       return;
     const TransientParameters &transient = parameters.transient;
-    transient_hub(parameters.hub(), load_over_time(transient));
+    const LoadOverTime load = load_over_time(transient);
+    transient_hub(parameters.hub(), load);
+    const BodyParameters &body_1 = parameters.scene.bodies[0];
+    if (load.hub_displacement && body_1.is_known_by_poles())
+      throw InputError(load.name + " moves the hub over time, but body 1, " + body_1.name +
+                       ", is known at its contact points alone, by poles, which do not say what the hub's "
+                       "acceleration does to it: give a roughness or a Normal force.");
     check_drive(transient, rolling_cases(parameters.rolling, parameters.contacts).front(),
                 parameters.placed_contacts());
     if (transient.model != "reduced")

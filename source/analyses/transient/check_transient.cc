@@ -48,10 +48,8 @@ namespace vibrocontact
       if (transient.initial_gap != 0 || transient.initial_velocity != 0)
         throw InputError("Transient/Initial " + std::string(transient.initial_gap != 0 ? "gap" : "velocity") +
                          " is given" + known + "how it is thrown: leave it out.");
-      if (!transient.hub_displacement.empty())
-        throw InputError("Transient/Hub displacement is given" + known +
-                         "what its hub's acceleration does to it: give a roughness or a Normal force.");
     }
+
     bool elements_have_mass(const Parameters &parameters)
     {
       if (parameters.transient.model != "finite elements")
