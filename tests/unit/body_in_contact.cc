@@ -120,7 +120,7 @@ TEST(BodyInContact, FreeBodyFallsAndRingsInEveryResponse)
       settings.time_step = h;
       settings.interpolation = interpolation;
       settings.n_steps = n_steps;
-      const auto response = create_propagator(method.name, poles, state_at_rest(poles), settings);
+      const auto propagator = create_propagator(method.name, poles, state_at_rest(poles), settings);
       double worst_mean = 0, worst_apart = 0;
       for (unsigned int k = 0; k < n_steps; ++k)
       {

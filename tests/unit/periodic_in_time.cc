@@ -173,7 +173,7 @@ TEST(PeriodicInTime, OneBodyByEveryAnalysis)
     for (const std::string method : {"modal recursion", "theta method", "block convolution"})
     {
       const std::clock_t begin = std::clock();
-      const auto response = create_propagator(method, model, state_at_rest(model), response_settings);
+      const auto propagator = create_propagator(method, model, state_at_rest(model), response_settings);
       const double compliance = propagator->compliance()(0, 0);
       Period last;
       for (unsigned int k = 1; k <= 300 * n; ++k)

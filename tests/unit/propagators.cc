@@ -60,10 +60,10 @@ namespace
   }
 
   /// Displacements at the end of each step, with contact.
-  std::vector<double> run(Propagator &response, const unsigned int n_steps, const double h)
+  std::vector<double> run(Propagator &propagator, const unsigned int n_steps, const double h)
   {
-    const unsigned int n = response.n_rows();
-    ContactProblem problem = road_contact_problem(response.compliance(), n, {}, h);
+    const unsigned int n = propagator.n_rows();
+    ContactProblem problem = road_contact_problem(propagator.compliance(), n, {}, h);
     ActiveSetSolver contact;
     ContactSolution solution;
     std::vector<double> history;
@@ -71,9 +71,9 @@ namespace
     {
       const std::vector<double> heights = road(n, step * h);
       for (unsigned int i = 0; i < n; ++i)
-        problem.b[i] = response.free_displacement()[i] - heights[i];
+        problem.b[i] = propagator.free_displacement()[i] - heights[i];
       contact.solve(problem, solution);
-      response.advance(solution.R.data());
+      propagator.advance(solution.R.data());
       for (unsigned int i = 0; i < n; ++i)
         history.push_back(solution.y[i] + heights[i]);
     }
@@ -178,7 +178,7 @@ TEST(Propagator, ForceInterpolationsAreExact)
       settings.time_step = h;
       settings.interpolation = interpolation;
       settings.n_steps = 200;
-      const auto response = method.create(model, state_at_rest(model), settings);
+      const auto propagator = method.create(model, state_at_rest(model), settings);
       for (unsigned int n = 0; n < 150; ++n)
       {
         const double q = n < forces.size() ? forces[n] : 0;
@@ -217,7 +217,7 @@ TEST(Propagator, ThetaMethodIsThatOfTheTransient)
         settings.time_step = h;
         settings.theta = theta;
         settings.interpolation = linear ? ForceInterpolation::linear : ForceInterpolation::constant;
-        const auto response = create_propagator("theta method", model, state_at_rest(model), settings);
+        const auto propagator = create_propagator("theta method", model, state_at_rest(model), settings);
         const ModalStep step = theta_step(
             w, zeta, theta, h, linear ? ReactionWeighting::as_other_forces : ReactionWeighting::end_of_step);
         double q = 0, v = 0, before = 0, worst = 0, largest = 0;
@@ -287,7 +287,7 @@ namespace
     PropagatorSettings settings;
     settings.time_step = step;
     settings.interpolation = interpolation;
-    const auto response = create_propagator("modal recursion", model, state_at_rest(model), settings);
+    const auto propagator = create_propagator("modal recursion", model, state_at_rest(model), settings);
     DenseMatrix inverse = propagator->compliance();
     inverse.invert();
     double first = 0, last = 0;

@@ -241,7 +241,7 @@ TEST(StaticLoad, IndentationOfAForce)
   PropagatorSettings settings;
   settings.time_step = 1e-4;
   settings.interpolation = ForceInterpolation::linear;
-  const auto response = create_propagator("modal recursion", model, state_at_rest(model), settings);
+  const auto propagator = create_propagator("modal recursion", model, state_at_rest(model), settings);
   ContactProblem problem = road_contact_problem(propagator->compliance(), 5, {}, settings.time_step);
   ActiveSetSolver contact;
   ContactSolution solution;
