@@ -40,6 +40,8 @@ namespace
       {"Contact/Solver/Force change", "a solve has to meet it before it counts"},
       {"Contact/Solver/Max Newton iterations", "a solve that needs more is not converged"},
       {"Contact/Solver/Max fixed point iterations", "a solve that needs more is not converged"},
+      {"Modal convolution/Contact solver",
+       "common asks Contact/Solver, whose automatic Method chooses the active set as well where it may"},
       {"Contact/Friction law", "names the law that the other entries of friction mean already"},
       {"Transient/Checkpoint interval", "a matter of wall time"},
       {"Modal convolution/Checkpoint interval", "a matter of wall time"},
