@@ -253,6 +253,26 @@ namespace vibrocontact
       check_rolling(body, parameters.road);
     }
 
+    /// What moves beside the modes of two bodies relaxes at one rate.
+    void check_relaxations(const Parameters &parameters)
+    {
+      const auto relaxation = [&](const BodyParameters &body)
+      { return body.is_meshed() ? parameters.modes.at(body.name).stiffness_damping : 0.; };
+      const auto has_rest = [&](const BodyParameters &body)
+      {
+        return body.is_meshed() ? parameters.periodic.model == "reduced" || body.bar.massless_contact_node
+                                : !body.has_rigid_points();
+      };
+      const BodyParameters &first = parameters.scene.bodies[0], &second = parameters.scene.bodies[1];
+      if (has_rest(first) && has_rest(second) && relaxation(first) != relaxation(second))
+        throw InputError(
+            "The flexibilities of " + first.name + " and " + second.name +
+            " beside their modes relax at two rates, " + number_text(relaxation(first)) + " and " +
+            number_text(relaxation(second)) +
+            " s, but a periodic motion knows one: give both the same Modes/Stiffness damping, or " +
+            "none beside a body without elements.");
+    }
+
     /// A body that moves in a periodic motion.
     void check_vibrating_body(const Parameters &parameters, const unsigned int number)
     {
@@ -390,6 +410,8 @@ namespace vibrocontact
         check_vibrating_body(*this, k);
         has_massless_node = has_massless_node || scene.bodies[k].bar.massless_contact_node;
       }
+      if (n_vibrating() > 1)
+        check_relaxations(*this);
       const bool tells_stability = periodic.continuation.tells_stability();
       if (tells_stability && contact().friction > 0)
         throw InputError(

@@ -155,10 +155,6 @@ namespace vibrocontact
         throw InputError("The bodies " + names + " have " + std::to_string(first.n_points()) + " and " +
                          std::to_string(second.n_points()) +
                          " contact points, but each of one meets one of the other: give both as many.");
-      if (has_rest(first) && has_rest(second) && first.relaxation != second.relaxation)
-        throw InputError("The bodies " + names +
-                         " have flexibilities beside their modes that relax at two rates, which a periodic "
-                         "motion does not know: give both the same Modes/Stiffness damping.");
       std::vector<SignedRow> turned;
       for (unsigned int i = 0; i < second.n_contact_rows(); ++i)
         turned.push_back({i, -1.});
