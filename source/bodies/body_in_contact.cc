@@ -130,6 +130,7 @@ namespace vibrocontact
     append(result.poles, second.poles, first.n_poles(), second.n_poles(), Complex());
     append(result.pole_load, second.pole_load, first.n_poles(), second.n_poles(), Complex());
     beside(result.trace, second.trace);
+    result.participation.reinit(0, 0);
     beside(result.right, second.right);
     beside(result.left, second.left);
     if (second.residual.m() > 0)

@@ -1,3 +1,4 @@
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/road_rows.h>
 
 #include <algorithm>
@@ -33,6 +34,10 @@ namespace vibrocontact
                            const std::vector<double> &heights)
   {
     const unsigned int n = grid.n_points(), n_rows = body.n_rows(), m = body.n_modes();
+    if (n_rows != n && n_rows != 2 * n)
+      throw InputError("The body " + name + " is known at " + std::to_string(n_rows) +
+                       " places, but its contact has " + std::to_string(n) +
+                       " points: give a position for each of them.");
     // the grid runs backwards
     std::vector<SignedRow> rows(3 * n, {0, 0.});
     for (unsigned int i = 0; i < n_rows; ++i)

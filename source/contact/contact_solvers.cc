@@ -95,7 +95,7 @@ namespace vibrocontact
               "the closed set of the step before, corrected; up to four points in closed form",
               make<ActiveSetSolver>,
               ActiveSetSolver::takes,
-              "rigid points without friction, with a dense matrix and a given approach,",
+              "the rigid points of a road without friction, with a dense matrix and a given approach,",
               ""};
     }
 

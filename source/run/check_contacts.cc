@@ -1,8 +1,10 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/run/check_contacts.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace vibrocontact
@@ -64,10 +66,9 @@ namespace vibrocontact
       const std::string lists = "Contacts lists " + scene.contacts_entry + ", but ";
       for (const char *analysis : {"modal convolution", "periodic"})
         if (scene.runs(analysis))
-          throw InputError(
-              lists + "the analysis \"" + analysis +
-              "\" knows the contact of body 1 with a road or stop alone: run it from a file with "
-              "section Contact.");
+          throw InputError(lists + "the analysis \"" + analysis +
+                           "\" knows one contact alone: run it from a file with "
+                           "section Contact.");
       for (const auto &[section, model] : unreduced_models(parameters))
         throw InputError(
             lists + section + "/Model is " + model +
@@ -191,12 +192,18 @@ namespace vibrocontact
     {
       if (body_2.touches_downwards_only())
         throw InputError("The " + body_2.type + " " + body_2.name +
-                         " touches what lies below it, but is body 2, below: list it first in Bodies.");
+                         " touches what lies below it, but is body 2, below: list it first in Bodies" +
+                         (body_2.type == "identified" ? " or leave its Radius out." : "."));
       const auto own_1 = body_1.contact_points(1), own_2 = body_2.contact_points(1);
       if (own_1 && own_2 && own_1->n_points() != own_2->n_points())
         throw InputError("The bodies " + body_1.name + " and " + body_2.name + " bring " +
                          std::to_string(own_1->n_points()) + " and " + std::to_string(own_2->n_points()) +
                          " contact points of their own, which cannot meet: give both the same number.");
+      for (unsigned int i = 0; own_1 && own_2 && own_1->n_points() > 1 && i < own_1->n_points(); ++i)
+        if (std::abs(own_1->x(i) - own_2->x(i)) > 1e-6 * own_1->spacing_x)
+          throw InputError("The bodies " + body_1.name + " and " + body_2.name +
+                           " bring contact points of their own at other places: " + number_text(own_1->x(i)) +
+                           " and " + number_text(own_2->x(i)) + " m; give both the same.");
       if (body_1.vibrates() || body_2.vibrates())
         return;
       if (body_1.type == "rigid" && body_2.type == "rigid")
@@ -251,6 +258,8 @@ namespace vibrocontact
     if (!parameters.has_contact())
       return;
     check_layer(scene, parameters.rolling);
+    const bool has_two_bodies = scene.runs("quasi-static rolling") || scene.runs("stability") ||
+                                scene.runs("transient") || scene.runs("periodic");
     for (unsigned int k = 0; k < parameters.contacts.all.size(); ++k)
     {
       const ContactParameters &one = parameters.contacts.all[k];
@@ -260,7 +269,7 @@ namespace vibrocontact
       if (below < scene.bodies.size())
         joined.push_back(&scene.bodies[below]);
       check_half_space_contact(joined, one);
-      if (joined.size() > 1 && !scene.runs("modal convolution"))
+      if (joined.size() > 1 && (has_two_bodies || !scene.runs("modal convolution")))
         check_touch(*joined[0], *joined[1], one.strip_length > 0);
       check_local_flexibility(parameters, one, joined);
     }

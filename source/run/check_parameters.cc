@@ -52,11 +52,11 @@ namespace vibrocontact
       if (body.rolls() && speed == 0)
         throw InputError(body.name +
                          "/Ring/Rolling is true, but Rolling/Speed is 0: give the speed that it turns with.");
-      if (body.rolls() && body.ring.n_points < 3 && parameters.largest_friction() > 0)
-        throw InputError(body.name + "/Ring/Contact points is " + std::to_string(body.ring.n_points) +
-                         ", but the ring rolls with friction, and how its material is deformed upstream of a "
-                         "point decides about its slip there: give three or more, or a friction coefficient "
-                         "of 0.");
+      if (body.rolls() && parameters.largest_friction() > 0)
+        throw InputError(body.name +
+                         "/Ring/Rolling is true, but there is friction: the slip of material that flows "
+                         "through the contact points of a ring is not known here; set Rolling to false or "
+                         "the friction coefficient to 0.");
       if (body.type == "identified" && body.identified.inverse_transform)
         throw InputError(body.name +
                          "/Identified/Inverse transform is true, whose Green's functions repeat themselves; "
@@ -283,14 +283,12 @@ namespace vibrocontact
                          std::to_string(number + 1) +
                          " one with elements, an oscillator, a ring or an identified body" +
                          (number > 0 ? ", or a rigid stop." : "."));
-      if (!body.is_meshed() || body.type == "ring")
-      {
-        if (number > 0 && body.type == "ring")
-          throw InputError("Analyses lists periodic, but body 2, " + of_type +
-                           ", which stands on what is below it: list it first in Bodies.");
-        if (!body.is_meshed())
-          check_periodic_points(parameters, number);
-      }
+      if (number > 0 && body.touches_downwards_only())
+        throw InputError("Analyses lists periodic, but body 2, " + of_type +
+                         ", which stands on what is below it: list it first in Bodies" +
+                         (body.type == "identified" ? " or leave its Radius out." : "."));
+      if (!body.is_meshed())
+        check_periodic_points(parameters, number);
       if (body.type == "beam rail")
         throw InputError("Analyses lists periodic, but " + of_type +
                          ", whose contact points lie on a half-space that periodic motion does not know: "

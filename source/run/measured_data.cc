@@ -37,7 +37,9 @@ namespace vibrocontact
 
   std::optional<MeasuredData> measured_data(const Parameters &parameters)
   {
-    const bool in_contact = parameters.scene.runs("modal convolution") || parameters.scene.runs("periodic");
+    const Scene &scene = parameters.scene;
+    const bool in_contact = scene.any_analysis(&AnalysisType::has_contact) ||
+                            scene.runs("modal convolution") || scene.runs("periodic");
     for (const BodyParameters &body : parameters.scene.bodies)
       if (body.type == "identified" && !body.identified.poles_file.empty())
         check_positions(body, in_contact, pole_file(body).names.labels.size(), body.identified.poles_file);

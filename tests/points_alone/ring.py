@@ -3,8 +3,7 @@
 
 Its receptance G(s), order by order, is written down here once more (doc/theory.md, "Ring on an elastic foundation"). Pressed
 down by d on a rigid plane, N = d / (G(0) + S) with S of the orders beyond and the tread; the roots about it are those of
-G(s) + S = 0. In time it goes as modal convolution has it, step by step. With friction a stiff ring on a soft tread is a row
-of brushes: u_i = u_(i-1) - creepage * spacing as long as T_i = k u_i stays below mu N_i.
+G(s) + S = 0. In time it goes as modal convolution has it, step by step.
 """
 import cmath, math, os, sys
 
@@ -109,26 +108,4 @@ for name, body, V, depth in (
     check.near(f"impulse, {name}", pushed["transient"]["impulse_Ns"],
                sum(convolved["modal_convolution"]["impulse_Ns"]), 1e-10)
 
-# brushes
-n, spacing, creepage, mu, along, V = 15, 0.004, 0.02, 0.4, 1e5, 10
-theta = [(i - (n - 1) / 2) * spacing / R for i in range(n)]
-loads = [max(0., tread * (2e-4 - R * (1 - math.cos(angle)))) for angle in theta]
-T, u = [], 0.
-for N in loads:
-    u -= creepage * spacing
-    u = max(-mu * N, along * u) / along
-    T.append(along * u)
-stiff = ring(Rolling="true", Young_modulus=1e13, Radial_foundation_stiffness=1e13,
-             Circumferential_foundation_stiffness=1e13, Contact_points=n, Contact_spacing=spacing, Residual="false",
-             Tread_tangential_stiffness=along).replace("set Residual order = 400\n", "")
-found, _ = run("brushes", "\n".join([
-    "set Bodies = tyre, road", "set Analyses = quasi-static rolling, transient", stiff, rigid,
-    section("Contact", entries(Friction_coefficient=mu, Creep_scheme="first-order upwind"), section("Solver", entries(Tolerance=1e-13))),
-    section("Rolling", entries(Hub_displacement=2e-4, Speed=V, Longitudinal_creepage=creepage)),
-    section("Transient", entries(Time_step=2e-5, End_time=4e-3, Theta=1))]))
-case = found["quasi_static_rolling"]["cases"][0]
-check.near("normal force of the brushes", case["normal_force_N"], sum(loads), 1e-3)
-check.near("friction of the brushes", case["tangential_force_N"][0], sum(T), 1e-3)
-check.near("brushes that stick", case["stick_points"] > 0 and case["slip_points"] > 0, True, 0.5, 1)
-check.near("brushes in time", found["transient"]["last"]["tangential_force_N"][0], case["tangential_force_N"][0], 1e-6)
 check.end()

@@ -17,7 +17,7 @@
 
 using namespace vibrocontact;
 
-TEST(LoneRankMpi, EachIsTheFirstAndFailsAlone)
+TEST(SingleRankMpi, EachIsTheFirstAndFailsAlone)
 {
   const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD),
                      n = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);

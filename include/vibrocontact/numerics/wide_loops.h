@@ -6,7 +6,7 @@
 
 namespace vibrocontact
 {
-  /// Inner loops of the response methods, compiled for AVX-512, for AVX2 and for any x86-64; which one runs is
+  /// Inner loops of the propagators, compiled for AVX-512, for AVX2 and for any x86-64; which one runs is
   /// chosen when the program starts. Arrays whose length is called padded have it in multiples of wide_width,
   /// with zeros behind their end.
   constexpr std::size_t wide_width = 8;

@@ -114,7 +114,7 @@ namespace vibrocontact
     /// all of its flexibility has mass: a force moves its contact points by their inertia alone
     bool has_rigid_points() const
     {
-      return type == "oscillator" ||
+      return type == "oscillator" || (type == "identified" && identified.tread_stiffness == 0) ||
              (type == "ring" && !is_meshed() && !ring.residual && ring.tread_stiffness == 0);
     }
     /// turns about an axle, built in or from a mesh file: its modes have labels and Eq. 23's damping
@@ -129,7 +129,10 @@ namespace vibrocontact
     /// its only point has no cell of its own but one of Contact/Grid spacing
     bool takes_cell() const { return type == "oscillator" || type == "identified"; }
     /// its contact points look down: it is the body above
-    bool touches_downwards_only() const { return type == "ring"; }
+    bool touches_downwards_only() const
+    {
+      return type == "ring" || (type == "identified" && identified.radius > 0);
+    }
     /// can come into contact in one point only
     bool is_point() const
     {
