@@ -1,5 +1,8 @@
 #include <vibrocontact/analyses/transient/energy_account.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace vibrocontact
 {
   namespace
@@ -10,6 +13,22 @@ namespace vibrocontact
       for (unsigned int k = 0; k < pair.n_modes(); ++k)
         energy += 0.5 * (state.v[k] * state.v[k] + pair.omega[k] * pair.omega[k] * state.q[k] * state.q[k]);
       return energy;
+    }
+
+    /// What poles store nobody knows: there was what they have taken at least, and more than what rounding leaves of the
+    /// work of the forces on them.
+    double least_energy_of_poles(const ContactPair &pair, const DynamicState &state, const double taken)
+    {
+      constexpr double rounding = 1e-10;
+      double work = 0;
+      for (unsigned int i = 0; i < state.R.size() && pair.n_poles() > 0; ++i)
+      {
+        double moved = 0;
+        for (unsigned int k = 0; k < pair.n_poles(); ++k)
+          moved += 2 * (pair.poles.right(i, k) * state.z[k]).real();
+        work += std::abs(state.R[i] * moved);
+      }
+      return pair.n_poles() > 0 ? std::max(std::abs(taken), rounding * work) : 0;
     }
   } // namespace
 
@@ -145,6 +164,7 @@ namespace vibrocontact
                                (drive_before.gap.empty() ? 0 : drive_before.gap[i]);
       account.hub -= (before.R[i] + after.R[i]) / 2 * roughness;
     }
-    account.available = std::max(account.available, account.initial + account.input());
+    account.available = std::max({account.available, account.initial + account.input(),
+                                  least_energy_of_poles(pair, after, account.damping)});
   }
 } // namespace vibrocontact
