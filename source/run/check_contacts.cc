@@ -218,6 +218,12 @@ namespace vibrocontact
             "number in both directions (along x alone with a Contact/Strip length).");
     }
 
+    /// Whether an analysis moves body 1 over body 2 as section Rolling says.
+    bool rolls_or_slides(const Scene &scene)
+    {
+      return scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient");
+    }
+
     /// A layer stays where it is; what it slides on is rigid.
     void check_layer(const Scene &scene, const RollingParameters &rolling)
     {
@@ -231,9 +237,7 @@ namespace vibrocontact
           if (scene.bodies[1].half_space.curvature_x() != 0 || scene.bodies[1].half_space.curvature_y() != 0)
             throw InputError(scene.bodies[1].name + "/Rigid has a curvature, but a layer slides on a plane: "
                                                     "leave its radii out.");
-          const bool reads_speed =
-              scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient");
-          if (reads_speed && rolling.creepage.speed != 0)
+          if (rolls_or_slides(scene) && rolling.creepage.speed != 0)
             throw InputError("Entry Rolling/Speed has to be 0 for the layer " + body.name +
                              ", whose material stays in place: give a Sliding velocity.");
         }
@@ -258,8 +262,7 @@ namespace vibrocontact
     if (!parameters.has_contact())
       return;
     check_layer(scene, parameters.rolling);
-    const bool has_two_bodies = scene.runs("quasi-static rolling") || scene.runs("stability") ||
-                                scene.runs("transient") || scene.runs("periodic");
+    const bool has_two_bodies = rolls_or_slides(scene) || scene.runs("periodic");
     for (unsigned int k = 0; k < parameters.contacts.all.size(); ++k)
     {
       const ContactParameters &one = parameters.contacts.all[k];

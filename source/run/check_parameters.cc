@@ -5,6 +5,7 @@
 #include <vibrocontact/contact/problem_file.h>
 #include <vibrocontact/reduction/window.h>
 #include <vibrocontact/run/check_contacts.h>
+#include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/parameters.h>
 
 #include <algorithm>
@@ -52,7 +53,7 @@ namespace vibrocontact
       if (body.rolls() && speed == 0)
         throw InputError(body.name +
                          "/Ring/Rolling is true, but Rolling/Speed is 0: give the speed that it turns with.");
-      if (body.rolls() && parameters.largest_friction() > 0)
+      if (body.rolls() && largest_friction(parameters) > 0)
         throw InputError(body.name +
                          "/Ring/Rolling is true, but there is friction: the slip of material that flows "
                          "through the contact points of a ring is not known here; set Rolling to false or "
@@ -61,9 +62,9 @@ namespace vibrocontact
         throw InputError(body.name +
                          "/Identified/Inverse transform is true, whose Green's functions repeat themselves; "
                          "other analyses than modal convolution need poles: leave it out.");
-      if (body.type == "identified" && parameters.largest_friction() > 0)
+      if (body.type == "identified" && largest_friction(parameters) > 0)
         throw InputError(
-            "Contact/Friction coefficient is " + number_text(parameters.largest_friction()) + ", but " +
+            "Contact/Friction coefficient is " + number_text(largest_friction(parameters)) + ", but " +
             body.name +
             " is of type identified, whose data say nothing about motion along the contact: set it "
             "to 0.");

@@ -180,8 +180,7 @@ namespace vibrocontact
                  {"impulse_Ns", result.impulse},
                  {"largest_force_N", result.largest_force},
                  {"rms_force_N", result.rms_force()},
-                 {"closed_points_mean", result.closed_points / steps},
-                 {"histories", "histories.h5"}};
+                 {"closed_points_mean", result.closed_points / steps}};
     const WorkAccount &work = result.work;
     json["energy"] = {{"input_J", work.input},
                       {"returned_J", work.returned},
