@@ -412,10 +412,10 @@ namespace vibrocontact
       if (n_vibrating() > 1)
         check_relaxations(*this);
       const bool tells_stability = periodic.continuation.tells_stability();
-      if (tells_stability && contact().friction > 0)
-        throw InputError(
-            "Periodic/Continuation/Stability knows no friction: set it to none or Contact/Friction "
-            "coefficient to 0.");
+      if (tells_stability && contact().friction > 0 && !rigid)
+        throw InputError("Periodic/Continuation/Stability knows no friction beside a law over the gap: set "
+                         "Periodic/Law to "
+                         "signorini, Stability to none or Contact/Friction coefficient to 0.");
       if (tells_stability && rigid && periodic.model == "finite elements" && !has_massless_node)
         throw InputError(
             "Periodic/Continuation/Stability with the rigid law needs a contact node without mass: set " +

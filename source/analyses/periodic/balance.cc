@@ -2,6 +2,8 @@
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
 
+#include <deal.II/lac/lapack_templates.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -308,13 +310,7 @@ namespace vibrocontact
     jacobian.reinit(n * N, n * N);
     by_displacement.reinit(n * N, n * N);
     if (massless)
-    {
-      massless->add_rates(trial_values, moment_weights, by_displacement);
-      for (unsigned int i = 0; i < n * N; ++i)
-        if (is_normal(i / N))
-          for (unsigned int j = 0; j < n * N; ++j)
-            by_displacement(i, j) *= -1;
-    }
+      by_displacement = massless_rates(0);
     for (unsigned int p = 0; p < (massless ? 0 : body.n_points()); ++p)
       for (unsigned int a = 0; a < rows; ++a)
         for (unsigned int b = 0; b < rows; ++b)
@@ -331,14 +327,34 @@ namespace vibrocontact
           if (!spring || (a > 0 && b > 0))
             samples->add_weighted(&by_c[at], Quantity::force, -1., jacobian, row, column);
         }
-    // minus by_displacement H sign; forces of a point without history depend on its own motion alone. H_m is diagonal in
-    // the orders: it mixes the two columns Re, Im of order m as a complex number does.
+    add_answer(by_displacement, linear.compliance, jacobian);
+  }
+
+  DenseMatrix PeriodicBalance::massless_rates(const double growth) const
+  {
+    const unsigned int N = settings.n_functions, size = body.n_contact_rows() * N;
+    DenseMatrix result(size, size);
+    massless->add_rates(trial_values, moment_weights, result, growth);
+    for (unsigned int i = 0; i < size; ++i)
+      if (is_normal(i / N))
+        for (unsigned int j = 0; j < size; ++j)
+          result(i, j) *= -1;
+    return result;
+  }
+
+  /// Forces of a point without history depend on its own motion alone. H_m is diagonal in the orders: it mixes the two columns
+  /// Re, Im of order m as a complex number does.
+  void PeriodicBalance::add_answer(const DenseMatrix &by_motion,
+                                   const std::vector<std::complex<double>> &compliance,
+                                   DenseMatrix &jacobian) const
+  {
+    const unsigned int N = settings.n_functions, n = body.n_contact_rows(), rows = body.rows_per_point;
     const auto axpy = [&](const double factor, const unsigned int from, const unsigned int to)
     {
       if (factor == 0)
         return;
       const unsigned int size = massless ? n * N : rows * N, begin = massless ? 0 : from / size * size;
-      const double *const x = &by_displacement(begin, from);
+      const double *const x = &by_motion(begin, from);
       double *const y = &jacobian(begin, to);
       for (unsigned int r = 0; r < size; ++r)
         y[r] += factor * x[r];
@@ -350,7 +366,7 @@ namespace vibrocontact
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)
         {
-          Complex h = linear.compliance[(m * n + i) * n + j];
+          Complex h = compliance[(m * n + i) * n + j];
           if (massless)
             h -= body.residual(i, j) / pairing.a0[m];
           h *= -sign(j);
@@ -364,6 +380,26 @@ namespace vibrocontact
     }
     for (unsigned int k = 0; k < n * N; ++k)
       jacobian(k, k) += 1;
+  }
+
+  std::pair<double, int> PeriodicBalance::determinant_of_growth(const double lambda) const
+  {
+    const double f = force.frequency;
+    const dealii::types::blas_int size = body.n_contact_rows() * settings.n_functions;
+    DenseMatrix matrix(size, size);
+    add_answer(massless_rates(lambda / (f * samples->n_samples())),
+               condense(body, pairing, force, lambda).compliance, matrix);
+    std::vector<dealii::types::blas_int> pivots(size);
+    dealii::types::blas_int info;
+    dealii::getrf(&size, &size, &matrix(0, 0), &size, pivots.data(), &info);
+    std::pair<double, int> result = {log_of_poles(body, pairing, f, lambda), 1};
+    for (int i = 0; i < size; ++i)
+    {
+      result.first += std::log(std::abs(matrix(i, i)));
+      if ((matrix(i, i) < 0) != (pivots[i] != i + 1))
+        result.second = -result.second;
+    }
+    return result;
   }
 
   std::vector<double> PeriodicBalance::motion_slope(const std::vector<double> &c,
@@ -493,6 +529,23 @@ namespace vibrocontact
         result[closed] += stiffness * s * (1 - 0.5 * s);
         result[open] += stiffness * 0.5 * s * s;
       }
+    }
+    return result;
+  }
+
+  std::vector<double> PeriodicBalance::part_in_contact(const unsigned int point) const
+  {
+    const unsigned int count = samples->n_samples(), row = point * body.rows_per_point;
+    const double *const u = &u_samples[row * count], *const f = &law_samples[row * count];
+    const auto depth = [&](const unsigned int k) { return body.residual(row, row) * f[k]; };
+    std::vector<double> result(count, 0.);
+    for (unsigned int k = 0; k < count; ++k)
+    {
+      const double here = depth(k);
+      if (!(here > 0))
+        continue;
+      for (const unsigned int next : {(k + 1) % count, (k + count - 1) % count})
+        result[k] += depth(next) > 0 ? 0.5 : here / (here + std::max(0., body.gap[point] - u[next]));
     }
     return result;
   }

@@ -13,9 +13,10 @@ namespace vibrocontact
     struct DynamicStiffness
     {
       DynamicStiffness(const double omega, const double damping_ratio, const TimePairing &a,
-                       const unsigned int m, const double f)
-          : value(f * f * a.a2[m] + 2 * damping_ratio * omega * f * a.a1[m] + omega * omega * a.a0[m]),
-            slope(2 * f * a.a2[m] + 2 * damping_ratio * omega * a.a1[m])
+                       const unsigned int m, const double f, const double growth = 0)
+          : value(f * f * a.a2[m] + 2 * damping_ratio * omega * f * a.a1[m] + omega * omega * a.a0[m] +
+                  growth * (2 * f * a.a1[m] + (growth + 2 * damping_ratio * omega) * a.a0[m])),
+            slope(2 * f * a.a2[m] + 2 * damping_ratio * omega * a.a1[m] + 2 * growth * a.a1[m])
       {
       }
       Complex value, slope;
@@ -42,7 +43,21 @@ namespace vibrocontact
     return largest;
   }
 
-  CondensedBody condense(const ForcedBody &body, const TimePairing &pairing, const HarmonicForce &force)
+  double log_of_poles(const ForcedBody &body, const TimePairing &pairing, const double frequency,
+                      const double growth)
+  {
+    double result = 0;
+    for (unsigned int m = 0; m < pairing.a0.size(); ++m)
+      for (unsigned int k = 0; k < body.n_modes(); ++k)
+      {
+        const DynamicStiffness d(body.omega[k], body.damping_ratio[k], pairing, m, frequency, growth);
+        result += (m == 0 || 2 * m == pairing.n_functions ? 1 : 2) * std::log(std::abs(d.value));
+      }
+    return result;
+  }
+
+  CondensedBody condense(const ForcedBody &body, const TimePairing &pairing, const HarmonicForce &force,
+                         const double growth)
   {
     const unsigned int n = body.n_contact_rows(), force_row = body.force_row, orders = pairing.a0.size();
     const double f = force.frequency;
@@ -62,7 +77,7 @@ namespace vibrocontact
       const Complex exciting = exciting_moment(pairing, m, force), constant = constant_moment(pairing, m);
       for (unsigned int k = 0; k < body.n_modes(); ++k)
       {
-        const DynamicStiffness d(body.omega[k], body.damping_ratio[k], pairing, m, f);
+        const DynamicStiffness d(body.omega[k], body.damping_ratio[k], pairing, m, f, growth);
         const Complex inverse = 1. / d.value, slope = -d.slope * inverse * inverse;
         const Complex load = body.modal_force(k) * exciting + body.modal_load[k] * constant;
         for (unsigned int i = 0; i < n; ++i)
@@ -82,7 +97,7 @@ namespace vibrocontact
         // of each pole, then of its conjugate
         const unsigned int p = k / 2;
         const auto own = [k](const Complex &value) { return k % 2 == 0 ? value : std::conj(value); };
-        const Complex inverse = 1. / (f * pairing.a1[m] - own(body.poles[p]) * pairing.a0[m]),
+        const Complex inverse = 1. / (f * pairing.a1[m] + (growth - own(body.poles[p])) * pairing.a0[m]),
                       slope = -pairing.a1[m] * inverse * inverse,
                       load = own(body.left(force_row, p)) * exciting +
                              (body.pole_load.empty() ? 0. : own(body.pole_load[p]) * constant);
@@ -98,7 +113,8 @@ namespace vibrocontact
           }
         }
       }
-      const Complex relaxed = 1. / (pairing.a0[m] + f * body.relaxation * pairing.a1[m]);
+      const Complex relaxed = 1. / (pairing.a0[m] + f * body.relaxation * pairing.a1[m] +
+                                    growth * body.relaxation * pairing.a0[m]);
       const Complex relaxed_slope = -body.relaxation * pairing.a1[m] * relaxed * relaxed;
       for (unsigned int i = 0; i < n; ++i)
       {

@@ -1,11 +1,11 @@
 #include <vibrocontact/analyses/periodic/floquet.h>
+#include <vibrocontact/analyses/periodic/force_step.h>
 #include <vibrocontact/analyses/periodic/shooting.h>
 #include <vibrocontact/base/exceptions.h>
 
 #include <deal.II/lac/lapack_templates.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace vibrocontact
@@ -14,16 +14,39 @@ namespace vibrocontact
   {
     using Complex = std::complex<double>;
 
-    /// [q; q'] after a time from [q; q'] by rows
-    std::array<double, 4> free_motion(const double omega, const double damping_ratio, const double t)
+    /// Modes of a state [q, q', ...] over a time, column by column of their variation.
+    class Flight
     {
-      const Complex s = omega * std::sqrt(Complex(damping_ratio * damping_ratio - 1));
-      const double decay = damping_ratio * omega;
-      const Complex plus = std::exp((s - decay) * t), minus = std::exp((-s - decay) * t);
-      const double c = 0.5 * (plus + minus).real(),
-                   sine = std::abs(s * t) < 1e-6 ? t * c : (0.5 * (plus - minus) / s).real();
-      return {{c + decay * sine, sine, -omega * omega * sine, c - decay * sine}};
-    }
+    public:
+      explicit Flight(const ForcedBody &body) : body(body) {}
+
+      void operator()(const double t, DenseMatrix &X)
+      {
+        const unsigned int n = body.n_modes();
+        if (t != kept_t)
+        {
+          kept.resize(n);
+          for (unsigned int i = 0; i < n; ++i)
+            kept[i] = free_mode(body.omega[i], body.damping_ratio[i], t);
+          kept_t = t;
+        }
+        for (unsigned int j = 0; j < X.n(); ++j)
+        {
+          double *const x = &X(0, j);
+          for (unsigned int i = 0; i < n; ++i)
+          {
+            const double q = x[i], v = x[n + i];
+            x[i] = kept[i].qq * q + kept[i].qv * v;
+            x[n + i] = kept[i].vq * q + kept[i].vv * v;
+          }
+        }
+      }
+
+    private:
+      const ForcedBody &body;
+      double kept_t = -1;
+      std::vector<FreeMode> kept;
+    };
 
     /// Variation of the state [q, q', (r)] over a period, column by column of the monodromy matrix.
     class Variation
@@ -31,7 +54,7 @@ namespace vibrocontact
     public:
       Variation(const ForcedBody &body, const double dt)
           : body(body), n(body.n_modes()), points(body.n_points()), rows(body.rows_per_point), dt(dt),
-            beta(body.relaxation)
+            beta(body.relaxation), flight(body)
       {
         double largest = 0;
         for (unsigned int p = 0; p < points; ++p)
@@ -50,26 +73,11 @@ namespace vibrocontact
       /// modes over a time; residual over another one
       void fly(const double t, const double residual_t)
       {
-        if (t != kept_t)
-        {
-          kept.resize(n);
-          for (unsigned int i = 0; i < n; ++i)
-            kept[i] = free_motion(body.omega[i], body.damping_ratio[i], t);
-          kept_t = t;
-        }
+        flight(t, X);
         const double decay = has_state ? std::exp(-residual_t / beta) : 0;
         for (unsigned int j = 0; j < n_states; ++j)
-        {
-          double *const x = &X(0, j);
-          for (unsigned int i = 0; i < n; ++i)
-          {
-            const double q = x[i], v = x[n + i];
-            x[i] = kept[i][0] * q + kept[i][1] * v;
-            x[n + i] = kept[i][2] * q + kept[i][3] * v;
-          }
           for (unsigned int i = 2 * n; i < n_states; ++i)
-            x[i] *= decay;
-        }
+            X(i, j) *= decay;
       }
 
       /// @param stiffness by point [N/m]
@@ -130,8 +138,7 @@ namespace vibrocontact
       bool has_residual = false, has_state = false;
       unsigned int n_states = 0;
       std::vector<double> z, r, given;
-      double kept_t = -1;
-      std::vector<std::array<double, 4>> kept;
+      Flight flight;
     };
   } // namespace
 
@@ -190,6 +197,76 @@ namespace vibrocontact
     }
     variation.fly(modes_behind * dt, residual_behind * dt);
     return floquet_multipliers(variation.X);
+  }
+
+  std::vector<Complex> slip_multipliers(const ForcedBody &body, const SlipTangent &contact)
+  {
+    const unsigned int n = body.n_modes(), rows = body.n_contact_rows(), count = contact.by_motion.size(),
+                       per_point = body.rows_per_point, n_states = 2 * n + rows;
+    const double dt = 1 / (contact.frequency * count);
+    const DenseMatrix S = body.contact_residual();
+    for (unsigned int i = 0; i < rows; ++i)
+    {
+      // impulses at samples follow a stiffness 1 / S on the modes up to 2 / dt
+      double mobility = 0;
+      for (unsigned int m = 0; m < n; ++m)
+        mobility += body.trace(i, m) * body.trace(i, m);
+      if (mobility * dt * dt > S(i, i))
+        throw InputError("The modes move a contact point by more than its residual flexibility between two "
+                         "samples of the period: give more samples or fewer modes.");
+    }
+    DenseMatrix X(n_states, n_states), w(rows, n_states), p(rows, n_states);
+    for (unsigned int i = 0; i < n_states; ++i)
+      X(i, i) = 1;
+    const auto touches = [&](const unsigned int k) { return !contact.by_motion[k % count].empty(); };
+
+    /// forces of a sample, their impulse, and u there
+    const auto meet = [&](const unsigned int k)
+    {
+      for (unsigned int j = 0; j < n_states; ++j)
+        for (unsigned int i = 0; i < rows; ++i)
+        {
+          w(i, j) = p(i, j) = 0;
+          for (unsigned int m = 0; m < n; ++m)
+            w(i, j) += body.trace(i, m) * X(m, j);
+        }
+      for (unsigned int j = 0; j < n_states && touches(k); ++j)
+        for (unsigned int i = 0; i < rows; ++i)
+          for (unsigned int l = 0; l < rows; ++l)
+            p(i, j) += contact.by_motion[k][i * rows + l] * w(l, j) +
+                       contact.by_history[k][i * rows + l] * X(2 * n + l, j);
+      for (unsigned int j = 0; j < n_states; ++j)
+        for (unsigned int i = 0; i < rows; ++i)
+        {
+          X(2 * n + i, j) = w(i, j);
+          for (unsigned int l = 0; l < rows; ++l)
+            X(2 * n + i, j) += S(i, l) * p(l, j);
+          const double impulse = contact.part[i / per_point][k] * dt * p(i, j);
+          for (unsigned int m = 0; m < n; ++m)
+            X(n + m, j) += body.trace(i, m) * impulse;
+        }
+    };
+
+    Flight flight(body);
+    // half an interval before the first sample, half behind the last one
+    double behind = 0.5;
+    for (unsigned int k = 0; k < count; ++k)
+    {
+      if (touches(k) || touches(k + 1))
+      {
+        flight(behind * dt, X);
+        meet(k);
+        behind = 0;
+      }
+      behind += k + 1 < count ? 1. : 0.5;
+    }
+    flight(behind * dt, X);
+    if (!touches(0))
+      // nothing asks for that place again
+      for (unsigned int j = 0; j < n_states; ++j)
+        for (unsigned int i = 2 * n; i < n_states; ++i)
+          X(i, j) = 0;
+    return floquet_multipliers(X);
   }
 
   namespace

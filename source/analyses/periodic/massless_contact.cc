@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/periodic/massless_contact.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vibrocontact
 {
@@ -104,8 +105,8 @@ namespace vibrocontact
     return solved;
   }
 
-  void MasslessContact::add_rates(const DenseMatrix &basis, const DenseMatrix &weights,
-                                  DenseMatrix &into) const
+  void MasslessContact::add_rates(const DenseMatrix &basis, const DenseMatrix &weights, DenseMatrix &into,
+                                  const double growth) const
   {
     const unsigned int count = basis.m(), N = basis.n(), columns = n * N;
     std::vector<double> values(N), values_before(N);
@@ -131,10 +132,12 @@ namespace vibrocontact
       if (rate_w[k].empty())
         continue;
       const unsigned int last = order[turn > 0 ? turn - 1 : 0];
+      const double grown = std::exp(growth * turn),
+                   grown_before = turn > 0 ? std::exp(growth * (turn - 1.)) : 1.;
       for (unsigned int l = 0; l < N; ++l)
       {
-        values[l] = basis(k, l);
-        values_before[l] = basis(last, l);
+        values[l] = grown * basis(k, l);
+        values_before[l] = grown_before * basis(last, l);
       }
       if (turn == 0 || rate_w[last].empty())
       {
@@ -161,7 +164,7 @@ namespace vibrocontact
       if (turn + count >= order.size())
       {
         for (unsigned int l = 0; l < N; ++l)
-          weight(l, waiting) = weights(k, l);
+          weight(l, waiting) = weights(k, l) / grown;
         std::copy(rate.begin(), rate.end(), &rates(0, waiting));
         if (++waiting == batch)
           add_waiting();

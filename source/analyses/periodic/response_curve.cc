@@ -173,12 +173,69 @@ namespace vibrocontact
                                " Hz; give more functions or samples, or set Stability = none");
       return *largest;
     }
+
+    /// The real multiplier of the balance's own tangents near another one, by secants; or nothing.
+    std::optional<double> real_multiplier(const PeriodicBalance &balance, const double start)
+    {
+      const double f = balance.excitation().frequency;
+      double before = f * std::log(start), lambda = before + 1e-3 * f;
+      const auto [scale, sign] = balance.determinant_of_growth(before);
+      const auto value_at = [&, scale = scale](const double at)
+      {
+        const auto [log, sign] = balance.determinant_of_growth(at);
+        return sign * std::exp(log - scale);
+      };
+      double value_before = sign, value = value_at(lambda);
+      for (unsigned int iteration = 0; iteration < 20; ++iteration)
+      {
+        if (value == 0. || std::abs(lambda - before) <= 1e-7 * f)
+          return std::exp(lambda / f);
+        const double step = -value * (lambda - before) / (value - value_before);
+        if (!(std::abs(lambda + step - f * std::log(start)) < 0.2 * f))
+          break;
+        before = lambda;
+        value_before = value;
+        lambda += step;
+        value = value_at(lambda);
+      }
+      return {};
+    }
+
+    /// Of the monodromy matrix; its largest positive one, which crosses one at folds, by the balance's tangents.
+    std::complex<double> largest_with_friction(const PeriodicBalance &balance)
+    {
+      const ForcedBody &body = balance.linear_body();
+      SlipTangent tangent;
+      tangent.frequency = balance.excitation().frequency;
+      for (unsigned int k = 0; k < balance.sampling().n_samples(); ++k)
+      {
+        tangent.by_motion.push_back(balance.slipping_points()->by_motion(k));
+        tangent.by_history.push_back(balance.slipping_points()->by_history(k));
+      }
+      for (unsigned int p = 0; p < body.n_points(); ++p)
+        tangent.part.push_back(balance.part_in_contact(p));
+      std::vector<std::complex<double>> found = slip_multipliers(body, tangent);
+      const auto is_positive = [](const std::complex<double> &value)
+      { return value.imag() == 0 && value.real() > 0.5; };
+      const auto largest = std::find_if(found.begin(), found.end(), is_positive);
+      if (balance.n_active() > 0 && largest != found.end())
+      {
+        const std::optional<double> own = real_multiplier(balance, largest->real());
+        if (own)
+          *largest = *own;
+      }
+      return *std::max_element(found.begin(), found.end(),
+                               [](const std::complex<double> &a, const std::complex<double> &b)
+                               { return std::abs(a) < std::abs(b); });
+    }
   } // namespace
 
   std::complex<double> largest_multiplier(const PeriodicBalance &balance, const StabilityMethod method,
                                           const double mode_limit, const unsigned int hill_harmonics)
   {
     const ForcedBody &body = balance.linear_body();
+    if (balance.slipping_points())
+      return largest_with_friction(balance);
     const bool is_spring = balance.normal_law().is_function_of_gap();
     TangentContact contact, tangent;
     tangent.frequency = contact.frequency = balance.excitation().frequency;
@@ -254,9 +311,10 @@ namespace vibrocontact
   ResponseCurve follow_response(PeriodicBalance &balance, const BranchSettings &settings)
   {
     const bool wants_stability = settings.stability != StabilityMethod::none;
-    if (wants_stability && balance.settings.friction > 0)
-      throw InputError("The stability of motions with friction is not computed: set "
-                       "Periodic/Continuation/Stability = none.");
+    if (wants_stability && balance.settings.friction > 0 && !balance.slipping_points())
+      throw InputError(
+          "The stability of motions with friction needs a rigid stop before contact points without mass "
+          "whose residual does not relax: set Periodic/Continuation/Stability = none.");
     if (wants_stability && !balance.normal_law().is_function_of_gap() &&
         !(balance.linear_body().residual(0, 0) > 0))
       throw InputError(

@@ -46,6 +46,13 @@ namespace vibrocontact
                                    {"spurious_folds", curve.n_spurious},
                                    {"seconds", curve.seconds},
                                    {"stability_seconds", curve.stability_seconds}};
+    if (curve.has_stability)
+    {
+      nlohmann::ordered_json &at_folds = json["multiplier_at_folds"] = nlohmann::ordered_json::array();
+      for (const BranchPoint &point : curve.points)
+        if (point.kind == CurvePoint::Kind::fold && !point.is_spurious)
+          at_folds.push_back(std::abs(point.multiplier));
+    }
     const auto highest = std::max_element(curve.points.begin(), curve.points.end(),
                                           [](const BranchPoint &a, const BranchPoint &b)
                                           { return a.amplitude < b.amplitude; });

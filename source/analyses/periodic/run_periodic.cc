@@ -230,7 +230,9 @@ namespace vibrocontact
                      "Location tolerance, Stability, Pairs");
       entries.add_if(wanted && !branch.parsed_pairs().empty(), "there are Periodic/Continuation/Pairs",
                      continuation, "Numbers");
-      entries.add_if(tells, "Periodic/Continuation/Stability is not none", continuation, "Mode limit");
+      entries.add_if(tells && !(parameters.contact().friction > 0),
+                     "Periodic/Continuation/Stability is not none and there is no friction", continuation,
+                     "Mode limit");
       entries.add_if(tells && branch.stability == "hill", "Periodic/Continuation/Stability is hill",
                      continuation, "Hill harmonics");
     }

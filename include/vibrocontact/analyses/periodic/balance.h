@@ -107,6 +107,16 @@ namespace vibrocontact
     /// [N/m] and by the force [-].
     std::array<std::vector<double>, 2> normal_tangent(unsigned int point) const;
 
+    /// Intervals between samples that a point with residual is held by a rigid stop around each: 1 within a contact, 0 in
+    /// flight; touch and release are placed between samples by how deep the residual is pushed.
+    std::vector<double> part_in_contact(unsigned int point) const;
+    /// Of massless points with friction: logarithm of the modulus and sign of det R_c for small motions that are periodic but for
+    /// a factor e^(lambda t), with its poles taken out; at lambda = 0 it is zero where R_c is singular, at folds. Of the last
+    /// c that was evaluated.
+    std::pair<double, int> determinant_of_growth(double lambda) const;
+    /// The points without mass that stick and slip, if they are of that kind; or null.
+    const MasslessContact *slipping_points() const { return massless.get(); }
+
     /// From c, or if c is empty from the motion without contact; at several points, whose gaps may close at nearly the same time,
     /// and where points without mass stick and slip, from the motion of half as many functions. If Newton's method fails from
     /// there, the motion is followed from a gap that it just does not touch; if that fails too, for laws that are functions of
@@ -145,6 +155,11 @@ namespace vibrocontact
     void apply_massless(const std::vector<double> &c);
     void residual_of(const std::vector<double> &c, std::vector<double> &residual) const;
     void assemble(DenseMatrix &jacobian);
+    /// of the forces' moments by the coefficients of w
+    DenseMatrix massless_rates(double growth) const;
+    /// adds 1 - by_motion H sign, compliance H of the rows' motion less what massless points answer
+    void add_answer(const DenseMatrix &by_motion, const std::vector<std::complex<double>> &compliance,
+                    DenseMatrix &jacobian) const;
     void slope_of(const std::vector<double> &slope, bool in_frequency, std::vector<double> &by_parameter);
     /// derivative of the rows' coefficients at fixed c
     std::vector<double> motion_slope(const std::vector<double> &c, SceneParameter parameter) const;

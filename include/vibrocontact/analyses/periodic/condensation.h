@@ -28,7 +28,14 @@ namespace vibrocontact
   /// Largest |H_m| of a row on itself over the orders [m/N].
   double largest_compliance(const CondensedBody &body, unsigned int row);
 
-  CondensedBody condense(const ForcedBody &body, const TimePairing &pairing, const HarmonicForce &force);
+  /// @param growth lambda of motions e^(lambda t) times the functions: f A1 + lambda A0 in place of f A1, and its square's
+  /// likewise; compliance alone is right then [1/s]
+  CondensedBody condense(const ForcedBody &body, const TimePairing &pairing, const HarmonicForce &force,
+                         double growth = 0);
+
+  /// Logarithm of prod_n prod_m |d_n(m)| over all modes and over all orders, those of conjugate coefficients twice: its zeros are
+  /// the poles of what is condensed.
+  double log_of_poles(const ForcedBody &body, const TimePairing &pairing, double frequency, double growth);
 
   /// Coefficients of every mode under the moments p of the row forces, in the real layout of time_basis.h:
   /// N x n_modes [m sqrt(kg)].

@@ -89,10 +89,12 @@ namespace vibrocontact
   /// are scaled by the force that would close the gap at rest, at least the exciting force; without contact they are
   /// zero, so that arc length is the parameter alone. Grazing: largest displacement equal to the gap.
   /// @param balance with body, law and force; left at the end of the branch
-  /// @throws InputError if stability is asked for with friction or with a rigid stop at a contact point with mass
+  /// @throws InputError if stability is asked for with a rigid stop at a contact point with mass, or with friction at others
+  /// than PeriodicBalance::slipping_points()
   ResponseCurve follow_response(PeriodicBalance &balance, const BranchSettings &settings);
 
   /// Largest multiplier of the motion that the balance evaluated last; Hill's method starts from that of the monodromy matrix.
+  /// With friction the monodromy matrix of all modes, its positive real one by determinant_of_growth().
   std::complex<double> largest_multiplier(const PeriodicBalance &balance, StabilityMethod method,
                                           double mode_limit, unsigned int hill_harmonics);
 } // namespace vibrocontact
