@@ -199,7 +199,7 @@ namespace vibrocontact
     if (ring.residual)
       rest = ring_residual(ring, rows, rotation, frame);
     for (unsigned int i = 0; i < rows.size(); ++i)
-      rest(i, i) += tread_compliance(ring, rows[i].tangential);
+      rest(i, i) += ring.tread_compliance(rows[i].tangential);
     return rest;
   }
 
@@ -249,12 +249,6 @@ namespace vibrocontact
     return result;
   }
 
-  double tread_compliance(const RingParameters &ring, const bool tangential)
-  {
-    const double stiffness = tangential ? ring.tread_tangential_stiffness : ring.tread_stiffness;
-    return stiffness > 0 ? 1 / stiffness : 0.;
-  }
-
   BodyInContact ring_modes(const RingParameters &ring, const std::vector<RingRow> &rows)
   {
     const unsigned int n_rows = rows.size(), n_modes = 2 + 4 * ring.highest_order;
@@ -300,41 +294,51 @@ namespace vibrocontact
     return body;
   }
 
-  BodyInContact oscillator_body(const OscillatorParameters &oscillator, const bool with_friction)
+  BodyInContact RingParameters::between_points(const bool with_friction, const double speed) const
   {
-    BodyInContact body;
-    std::vector<double> mass = {oscillator.mass};
-    body.omega = {std::sqrt(oscillator.stiffness / oscillator.mass)};
-    body.damping_ratio = {oscillator.damping_ratio};
-    body.modal_load = {-std::sqrt(oscillator.mass) * oscillator.gravity};
-    body.labels = {"oscillator"};
-    if (with_friction)
-    {
-      mass.push_back(oscillator.tangential_mass);
-      body.omega.push_back(std::sqrt(oscillator.tangential_stiffness / oscillator.tangential_mass));
-      body.damping_ratio.push_back(oscillator.tangential_damping_ratio);
-      body.modal_load.push_back(0);
-      body.labels.push_back("oscillator, tangential");
-    }
-    const unsigned int n = mass.size();
-    body.trace.reinit(n, n);
-    body.participation.reinit(n, 3);
-    for (unsigned int k = 0; k < n; ++k)
-    {
-      body.trace(k, k) = 1 / std::sqrt(mass[k]);
-      body.participation(k, k == 0 ? 2 : 0) = std::sqrt(mass[k]);
-    }
-    body.residual.reinit(n, n);
-    body.residual_load.assign(n, 0.);
-    return body;
+    const std::vector<RingRow> rows = ring_rows(*this, with_friction);
+    const double turning = rotation(speed);
+    return turning == 0 ? ring_modes(*this, rows) : ring_poles(*this, rows, turning);
   }
 
-  BodyInContact ring_of_elements(const RingParameters &ring, const ReducedBody &reduced,
-                                 const bool with_friction)
+  std::vector<std::string> RingParameters::row_names(const bool with_friction) const
+  {
+    const auto point = [&](const unsigned int i)
+    { return n_points <= 26 ? std::string(1, char('A' + i)) : "P" + std::to_string(i); };
+    std::vector<std::string> names;
+    for (const char *direction : {"_z", "_x"})
+      for (unsigned int i = 0; i < n_points && (with_friction || direction[1] == 'z'); ++i)
+        names.push_back(point(i) + direction);
+    return names;
+  }
+
+  std::function<ComplexMatrix(double)> RingParameters::sum_of_orders(const unsigned int highest,
+                                                                     const bool with_residual,
+                                                                     const bool with_friction,
+                                                                     const double speed) const
+  {
+    RingParameters ring = *this;
+    ring.highest_order = highest;
+    ring.residual = with_residual;
+    ring.residual_order = std::max(ring.residual_order, highest + 1);
+    const std::vector<RingRow> rows = ring_rows(ring, with_friction);
+    const double turning = rotation(speed);
+    const DenseMatrix rest = ring_rest(ring, rows, turning, RingFrame::road);
+    return [=](const double omega)
+    {
+      ComplexMatrix G = ring_receptance(ring, rows, turning, RingFrame::road, omega);
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        for (unsigned int j = 0; j < rows.size(); ++j)
+          G(i, j) += rest(i, j);
+      return G;
+    };
+  }
+
+  BodyInContact RingParameters::on_road(const ReducedBody &reduced, const bool with_friction) const
   {
     BodyInContact body = road_rows(reduced, with_friction, 1);
     for (unsigned int i = 0; i < body.n_rows(); ++i)
-      body.residual(i, i) += tread_compliance(ring, i >= ring.n_points);
+      body.residual(i, i) += tread_compliance(i >= n_points);
     return body;
   }
 } // namespace vibrocontact

@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/road_rows.h>
+#include <vibrocontact/scene/body_description.h>
 
 #include <algorithm>
 
@@ -75,5 +76,10 @@ namespace vibrocontact
       poles.labels.push_back(m + k < body.labels.size() ? body.labels[m + k]
                                                         : "pole " + std::to_string(k + 1));
     return result;
+  }
+
+  BodyInContact BodyDescription::on_road(const ReducedBody &reduced, const bool with_friction) const
+  {
+    return road_rows(reduced, with_friction, -1);
   }
 } // namespace vibrocontact

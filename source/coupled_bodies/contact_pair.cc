@@ -9,7 +9,7 @@ namespace vibrocontact
 {
   HalfSpaceMaterial half_space_material(const BodyParameters &body)
   {
-    if (body.type == "rigid")
+    if (body.own->is_rigid())
       return {std::numeric_limits<double>::infinity(), 0.};
     return {body.material.young_modulus, body.material.poisson_ratio};
   }
@@ -17,13 +17,14 @@ namespace vibrocontact
   namespace
   {
     /// Undeformed surface of a body without mesh over a contact's plane; sign +1 above it, -1 below.
-    double surface_height(const HalfSpaceParameters &surface, const PlacedContact &contact,
+    double surface_height(const BodyDescription &surface, const PlacedContact &contact,
                           const unsigned int point, const double sign)
     {
       const std::array<double, 3> &origin = sign > 0 ? contact.frame.origin : contact.origin_below;
+      const auto [along, across] = surface.curvatures();
       return sign * 0.5 *
-             (surface.curvature_x() * std::pow(origin[0] + contact.grid.x(point), 2) +
-              surface.curvature_y() * std::pow(origin[1] + contact.grid.y(point), 2));
+             (along * std::pow(origin[0] + contact.grid.x(point), 2) +
+              across * std::pow(origin[1] + contact.grid.y(point), 2));
     }
 
     /// The poles of one body behind those of the others, in its rows of the contacts.
@@ -71,7 +72,7 @@ namespace vibrocontact
                          k = own.rows.empty() ? 0 : contacts.contact_of(own.rows[0] % n);
       if (body.reduced && !(body.parameters->is_solid() && sections.all[k].half_space_flexibility()))
         return body.reduced->residual_flexibility;
-      if (body.parameters->type == "rigid" || own.rows.empty())
+      if (body.parameters->own->is_rigid() || own.rows.empty())
         return DenseMatrix(own.rows.size());
       const HalfSpaceMaterial half_space = half_space_material(*body.parameters),
                               rigid = {std::numeric_limits<double>::infinity(), 0.};
@@ -147,10 +148,10 @@ namespace vibrocontact
         const bool meshed = bodies[b].reduced != nullptr;
         interface.gap[own.rows[i]] +=
             own.sign[i] * (meshed ? bodies[b].reduced->surface_height[i]
-                                  : surface_height(bodies[b].parameters->half_space, contact,
+                                  : surface_height(*bodies[b].parameters->own, contact,
                                                    own.rows[i] - contacts.first_point(k), own.sign[i]));
         if (contact.grid.traction != TractionShape::constant && !meshed &&
-            bodies[b].parameters->type == "half-space")
+            bodies[b].parameters->own->lies_on_half_space())
           throw InputError(
               sections.all[k].section +
               "/Quadrature is consistent, but a half-space knows tractions that are constant on each "

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <vibrocontact/bodies/body_in_contact.h>
-#include <vibrocontact/reduction/reduced_body.h>
-#include <vibrocontact/scene/oscillator.h>
 #include <vibrocontact/scene/ring.h>
 
 namespace vibrocontact
@@ -55,16 +53,8 @@ namespace vibrocontact
   DenseMatrix ring_rest(const RingParameters &ring, const std::vector<RingRow> &rows, double rotation,
                         RingFrame frame);
 
-  /// Of the tread under a contact point, radially or along the circle [m/N].
-  double tread_compliance(const RingParameters &ring, bool tangential);
-
   /// The same ring at rest by its real modes: of each order n > 0 both branches, twice, a quarter of a wave apart.
   /// @throws InputError if a motion is rigid
   BodyInContact ring_modes(const RingParameters &ring, const std::vector<RingRow> &rows);
 
-  /// A mass on a spring under its weight; one row, up; with friction a second one, forward.
-  BodyInContact oscillator_body(const OscillatorParameters &oscillator, bool with_friction = false);
-
-  /// A ring of elements with its tread: rows inward, then with friction along theta.
-  BodyInContact ring_of_elements(const RingParameters &ring, const ReducedBody &reduced, bool with_friction);
 } // namespace vibrocontact

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <vibrocontact/analyses/transient/recorder.h>
+#include <vibrocontact/base/entries_read.h>
 #include <vibrocontact/output/answers.h>
 #include <vibrocontact/output/results.h>
-#include <vibrocontact/run/entry_list.h>
 #include <vibrocontact/run/measured_data.h>
 #include <vibrocontact/run/prepare_bodies.h>
 #include <vibrocontact/run/sweep_cases.h>

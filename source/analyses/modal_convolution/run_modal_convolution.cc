@@ -278,13 +278,6 @@ namespace vibrocontact
       entries.add_if(friction, "Modal convolution/Friction is true", section, "Sliding speed");
     }
 
-    /// Whether its contact points may have a tread or residual flexibility.
-    bool gives_way(const BodyParameters &body)
-    {
-      return body.type == "ring" ? body.ring.tread_stiffness > 0 || body.ring.residual
-                                 : body.type != "oscillator";
-    }
-
     void modal_convolution_read(EntriesRead &entries, const Parameters &parameters)
     {
       const ModalConvolutionParameters &own = parameters.modal_convolution;
@@ -293,7 +286,7 @@ namespace vibrocontact
       BodyUse use = moving_in_contact();
       use.tangential = own.friction;
       add_body(entries, parameters, 0, use);
-      if (bodies[0].is_meshed() && bodies[0].type != "ring")
+      if (!bodies[0].is_green())
         add_contact_grid(entries, parameters);
       entries.add("Rolling", "Normal force");
       add_road(entries, "Road", parameters.road, bodies[0].rolls(), own.friction,
@@ -311,7 +304,7 @@ namespace vibrocontact
                      section, "Contact solver");
       entries.add_if(own.is_convolution(), section + "/Method is a convolution", section, "Memory");
       entries.add_if(own.takes_theta(), section + "/Method is theta method", section, "Theta");
-      entries.add_if(stands_under_loads(bodies[0]), "body 1 stands under a load", section, "Initial state");
+      entries.add_if(bodies[0].has_load(), "body 1 stands under a load", section, "Initial state");
       entries.add_if(!own.is_event_located(), section + "/Method is no event located", "Contact",
                      "Normal law");
       add_normal_law(entries, parameters.contact(), parameters.contact().normal_law, "Contact/Normal law");
@@ -333,7 +326,7 @@ namespace vibrocontact
         entries.add(of_body, "Rows");
         if (further->second.rows.empty())
           continue;
-        entries.add_if(gives_way(bodies[k]), "its points are not rigid", of_body, "Force shape");
+        entries.add_if(bodies[k].own->may_yield(), "its points are not rigid", of_body, "Force shape");
         add_body(entries, parameters, k, use);
         add_road(entries, of_body + "/Road", further->second.road, bodies[k].rolls(), own.friction);
       }

@@ -407,7 +407,7 @@ namespace vibrocontact
                      "the run starts from an equilibrium, with contact points without mass",
                      section + "/Signals", "Mode amplitudes");
       const bool has_wheel = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
-                                         [](const BodyParameters &body) { return body.is_wheel(); });
+                                         [](const BodyParameters &body) { return body.own->is_wheel(); });
       entries.add_if(!signals.probes.empty() && (trimmed(signals.probes) != "rim" || has_wheel) &&
                          own.end_time > least_sound,
                      "there are Transient/Signals/Probes (a rim is that of a wheel) for more than 5 ms",
