@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/modal_convolution/static_load.h>
 #include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/bodies/road_rows.h>
+#include <vibrocontact/contact/creep.h>
 #include <vibrocontact/run/identified_body.h>
 #include <vibrocontact/run/road_body.h>
 
@@ -78,6 +79,9 @@ namespace vibrocontact
         const double rotation = body.ring.rotation(use.speed);
         const std::vector<RingRow> rows = ring_rows(body.ring, use.friction);
         result.body = rotation == 0 ? ring_modes(body.ring, rows) : ring_poles(body.ring, rows, rotation);
+        if (rotation != 0 && use.friction)
+          add_gradient(result.body, body.ring, rotation,
+                       find_creep_scheme(parameters.contact().creep_scheme).coefficients);
         result.is_passive = rotation == 0;
         return result;
       }

@@ -103,8 +103,8 @@ namespace vibrocontact
     bool has_material() const { return type != "rigid" && !is_green(); }
     /// has a mesh whose groups of cells may have materials of their own
     bool has_groups() const { return type == "wheel" || type == "rail" || type == "mesh"; }
-    /// an analytic ring whose Green's functions are those of rolling
-    bool rolls() const { return type == "ring" && !is_meshed() && ring.rolling; }
+    /// a ring that turns with the speed of rolling
+    bool rolls() const { return type == "ring" && ring.rolling; }
     /// known between its own contact points alone, by modes or by Green's functions
     bool is_green() const { return type == "identified" || type == "ring" || type == "oscillator"; }
     /// of these, what has poles and no real modes
