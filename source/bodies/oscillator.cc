@@ -5,7 +5,8 @@
 
 namespace vibrocontact
 {
-  BodyInContact OscillatorParameters::between_points(const bool with_friction, double) const
+  BodyInContact OscillatorParameters::between_points(const bool with_friction, double,
+                                                     const std::vector<double> &) const
   {
     BodyInContact body;
     std::vector<double> masses = {mass};

@@ -192,6 +192,71 @@ namespace vibrocontact
     return model;
   }
 
+  void add_gradient(BodyInContact &body, const RingParameters &ring, const double rotation,
+                    const std::vector<double> &difference)
+  {
+    const unsigned int n = ring.n_points;
+    std::vector<RingRow> rows = ring_rows(ring, true);
+    AssertThrow(body.n_rows() == rows.size() && rotation != 0, dealii::ExcInternalError());
+    body.gradient.reinit(2 * n, body.n_poles());
+    unsigned int k = 0;
+    for (unsigned int order = 0; order <= ring.highest_order; ++order)
+      for (const unsigned int end = k + (order == 0 ? body.n_poles() - 4 * ring.highest_order : 4); k < end;
+           ++k)
+        for (unsigned int i = 0; i < n; ++i)
+          body.gradient(n + i, k) =
+              (j * double(order) * body.right(n + i, k) - body.right(i, k)) / ring.radius;
+
+    // rows along theta of the points and of those in front of them
+    DenseMatrix band;
+    if (ring.residual)
+    {
+      const std::vector<double> angles = ring.angles();
+      for (unsigned int step = 1; step < difference.size(); ++step)
+      {
+        const double beyond = step * ring.spacing / ring.radius;
+        rows.push_back({rotation < 0 ? angles.back() + beyond : angles.front() - beyond, true});
+      }
+      band = ring_residual(ring, rows, rotation, RingFrame::road);
+    }
+    body.residual_gradient = residual_gradient(ring, band, rotation, difference);
+  }
+
+  DenseMatrix residual_gradient(const RingParameters &ring, const DenseMatrix &band, const double rotation,
+                                const std::vector<double> &difference)
+  {
+    const unsigned int n = ring.n_points;
+    DenseMatrix result(2 * n, 2 * n);
+    // the material comes from larger theta if the ring turns to smaller ones
+    const int upstream = rotation < 0 ? 1 : -1;
+    const auto is_point = [n](const int place) { return place >= 0 && place < int(n); };
+    const double forward = -upstream / ring.spacing, tread = ring.tread_compliance(true);
+    for (unsigned int i = 0; i < n && tread > 0; ++i)
+      for (unsigned int step = 0; step < difference.size(); ++step)
+        if (const int place = int(i) + upstream * int(step); is_point(place))
+          result(n + i, n + place) += forward * difference[step] * tread;
+    const unsigned int n_front = band.m() > 0 ? band.m() - 2 * n : 0;
+    for (unsigned int i = 0; i < n && band.m() > 0; ++i)
+    {
+      const unsigned int n_before = upstream > 0 ? n - 1 - i : i, n_known = n_before + n_front;
+      const std::vector<double> c = n_known + 1 >= difference.size() ? difference
+                                    : n_known > 0                    ? std::vector<double>{1., -1.}
+                                                                     : std::vector<double>();
+      for (unsigned int b = 0; b < 2 * n; ++b)
+      {
+        double slope = -band(i, b) / ring.radius;
+        for (unsigned int step = 0; step < c.size(); ++step)
+        {
+          const int place = int(i) + upstream * int(step);
+          const unsigned int row = is_point(place) ? n + place : 2 * n + step - n_before - 1;
+          slope += forward * c[step] * band(row, b);
+        }
+        result(n + i, b) += slope;
+      }
+    }
+    return result;
+  }
+
   DenseMatrix ring_rest(const RingParameters &ring, const std::vector<RingRow> &rows, const double rotation,
                         const RingFrame frame)
   {
@@ -294,11 +359,17 @@ namespace vibrocontact
     return body;
   }
 
-  BodyInContact RingParameters::between_points(const bool with_friction, const double speed) const
+  BodyInContact RingParameters::between_points(const bool with_friction, const double speed,
+                                               const std::vector<double> &upstream) const
   {
     const std::vector<RingRow> rows = ring_rows(*this, with_friction);
     const double turning = rotation(speed);
-    return turning == 0 ? ring_modes(*this, rows) : ring_poles(*this, rows, turning);
+    if (turning == 0)
+      return ring_modes(*this, rows);
+    BodyInContact body = ring_poles(*this, rows, turning);
+    if (!upstream.empty())
+      add_gradient(body, *this, turning, upstream);
+    return body;
   }
 
   std::vector<std::string> RingParameters::row_names(const bool with_friction) const

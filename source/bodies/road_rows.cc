@@ -70,6 +70,13 @@ namespace vibrocontact
     poles.poles = body.poles;
     poles.right = turned.right;
     poles.left = turned.left;
+    // along an axis that points backwards
+    poles.gradient = turned.gradient;
+    for (unsigned int k = 0; k < poles.gradient.n(); ++k)
+      for (unsigned int i = 0; i < poles.gradient.m(); ++i)
+        poles.gradient(i, k) = -turned.gradient(i, k);
+    poles.residual_gradient = turned.residual_gradient;
+    poles.residual_gradient *= -1.;
     poles.pole_load = body.pole_load;
     poles.pole_load.resize(body.n_poles());
     for (unsigned int k = 0; k < body.n_poles(); ++k)

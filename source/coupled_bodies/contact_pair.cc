@@ -32,6 +32,16 @@ namespace vibrocontact
                    const unsigned int n_rows, BodyInContact &all)
     {
       const unsigned int first = all.n_poles(), n = first + own.n_poles();
+      if (own.gradient.m() > 0 || all.gradient.m() > 0)
+      {
+        const ComplexMatrix before = all.gradient;
+        all.gradient.reinit(n_rows, n);
+        for (unsigned int k = 0; k < before.n(); ++k)
+          for (unsigned int i = 0; i < n_rows; ++i)
+            all.gradient(i, k) = before(i, k);
+        if (all.residual_gradient.m() == 0)
+          all.residual_gradient.reinit(n_rows, n_rows);
+      }
       for (ComplexMatrix *const shapes : {&all.right, &all.left})
       {
         const ComplexMatrix &from = shapes == &all.right ? own.right : own.left, before = *shapes;
@@ -48,6 +58,39 @@ namespace vibrocontact
         all.poles.push_back(own.poles[k]);
         all.pole_load.push_back(own.pole_load[k]);
         all.labels.push_back(name + ":" + own.labels[k]);
+      }
+    }
+
+    /// Gradients of the poles added last and of their body's W~, in place of the differences between points.
+    void add_gradients(const BodyInContact &own, const DenseMatrix &W, const PlacedContacts::Rows &rows,
+                       const CreepScheme &scheme, const PlacedContacts &contacts, BodyInContact &all)
+    {
+      const unsigned int n = contacts.n_points(), p = own.n_poles(), first = all.n_poles() - p,
+                         n_own = rows.rows.size();
+      DenseMatrix differences(3 * n, 2 * p + n_own);
+      for (unsigned int i = 0; i < n_own; ++i)
+      {
+        for (unsigned int k = 0; k < p; ++k)
+        {
+          differences(rows.rows[i], k) = rows.sign[i] * own.right(i, k).real();
+          differences(rows.rows[i], p + k) = rows.sign[i] * own.right(i, k).imag();
+        }
+        for (unsigned int j = 0; j < n_own; ++j)
+          differences(rows.rows[i], 2 * p + j) = rows.sign[i] * rows.sign[j] * W(i, j);
+      }
+      convert_to_slip_rows(contacts, scheme, 1., differences);
+      for (unsigned int i = 0; i < n_own; ++i)
+      {
+        const unsigned int row = rows.rows[i];
+        if (row < n)
+          continue;
+        const double along = rows.sign[i] * contacts.all[contacts.contact_of(row % n)].share_of_speed();
+        for (unsigned int k = 0; k < p; ++k)
+          all.gradient(row, first + k) =
+              along * own.gradient(i, k) - std::complex<double>(differences(row, k), differences(row, p + k));
+        for (unsigned int j = 0; j < n_own; ++j)
+          all.residual_gradient(row, rows.rows[j]) +=
+              along * rows.sign[j] * own.residual_gradient(i, j) - differences(row, 2 * p + j);
       }
     }
 
@@ -205,10 +248,15 @@ namespace vibrocontact
       {
         add_poles(*bodies[b].poles, reduced.name, own, 3 * n, pair.poles);
         pair.body_of_pole.resize(pair.n_poles(), b + 1);
+        if (bodies[b].poles->gradient.m() > 0)
+          add_gradients(*bodies[b].poles, W, own, find_creep_scheme(sections.first().creep_scheme), contacts,
+                        pair.poles);
       }
       add_load_jump(reduced, own, 3 * n, pair.interface.load_jump);
     }
     uncouple(sections, contacts, pair.residual_flexibility);
+    if (pair.poles.residual_gradient.m() > 0)
+      uncouple(sections, contacts, pair.poles.residual_gradient);
     hold_across(pair);
     return pair;
   }
@@ -244,6 +292,20 @@ namespace vibrocontact
       weights.push_back(-1. / pair.poles.poles[k]);
     }
     result.add(1., sum_over_poles(pair.poles, weights));
+    return result;
+  }
+
+  DenseMatrix static_gradient(const ContactPair &pair)
+  {
+    if (pair.poles.gradient.m() == 0)
+      return DenseMatrix();
+    BodyInContact along = pair.poles;
+    along.right = pair.poles.gradient;
+    std::vector<std::complex<double>> weights;
+    for (const std::complex<double> &pole : pair.poles.poles)
+      weights.push_back(-1. / pole);
+    DenseMatrix result = sum_over_poles(along, weights);
+    result.add(1., pair.poles.residual_gradient);
     return result;
   }
 

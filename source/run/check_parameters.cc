@@ -47,11 +47,6 @@ namespace vibrocontact
       if (body.rolls() && speed == 0)
         throw InputError(body.name +
                          "/Ring/Rolling is true, but Rolling/Speed is 0: give the speed that it turns with.");
-      if (body.rolls() && largest_friction(parameters) > 0)
-        throw InputError(body.name +
-                         "/Ring/Rolling is true, but there is friction: the slip of material that flows "
-                         "through the contact points of a ring is not known here; set Rolling to false or "
-                         "the friction coefficient to 0.");
       const IdentifiedParameters *const measured = body.own->measured();
       if (!measured)
         return;
@@ -117,10 +112,6 @@ namespace vibrocontact
         throw InputError(entry + body.name +
                          " is of type identified, whose data say nothing about motion along "
                          "the road: set it to false.");
-      if (body.rolls())
-        throw InputError(entry + body.name +
-                         "/Ring/Rolling too: the slip of material that flows through the "
-                         "contact points is not known here; set one of them to false.");
       if (parameters.comparison.any())
         throw InputError(entry +
                          "Comparison/Rows asks for a comparison of methods, whose exact motion has none: "

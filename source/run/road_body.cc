@@ -1,4 +1,5 @@
 #include <vibrocontact/analyses/modal_convolution/static_load.h>
+#include <vibrocontact/contact/creep.h>
 #include <vibrocontact/run/identified_body.h>
 #include <vibrocontact/run/road_body.h>
 
@@ -62,7 +63,9 @@ namespace vibrocontact
     }
     if (const PointBody *const points = body.own->at_points())
     {
-      result.body = points->between_points(use.friction, use.speed);
+      const std::vector<double> upstream = find_creep_scheme(parameters.contact().creep_scheme).coefficients;
+      result.body =
+          points->between_points(use.friction, use.speed, use.friction ? upstream : std::vector<double>());
       result.is_passive = !body.rolls();
       return result;
     }

@@ -205,7 +205,8 @@ namespace vibrocontact
     entries.add_if(!analytic, "Model is beam elements or solid elements", section, "Divisions");
     entries.add_if(model == "solid elements", "Model is solid elements", section, "Element degree");
     entries.add_if(use.contact, "the ring is in contact", section, "Contact points, Tread stiffness");
-    entries.add_if(use.contact && n_points > 1, "there are several Contact points", section,
+    entries.add_if(use.contact && (n_points > 1 || (use.tangential && rolling)),
+                   "there are several Contact points or the ring rolls with friction", section,
                    "Contact spacing");
     entries.add_if(use.contact && use.tangential, "the contact points move along the road", section,
                    "Tread tangential stiffness");

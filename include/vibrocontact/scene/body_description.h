@@ -223,7 +223,10 @@ namespace vibrocontact
   public:
     virtual ~PointBody() = default;
     /// Rows of all points upward, with friction then those forward. @param speed of rolling [m/s]
-    virtual BodyInContact between_points(bool with_friction, double speed) const = 0;
+    /// @param upstream differences along which material flows through the points, of what has no closed form
+    /// (contact/creep.h); empty: nothing asks for gradients
+    virtual BodyInContact between_points(bool with_friction, double speed,
+                                         const std::vector<double> &upstream = {}) const = 0;
     /// Names of these rows.
     virtual std::vector<std::string> row_names(bool with_friction) const = 0;
     /// Receptances of these rows as a sum over circumferential orders: @p highest of them by inversion, those above static

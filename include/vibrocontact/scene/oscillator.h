@@ -26,7 +26,8 @@ namespace vibrocontact
     void print(Log &log) const override;
     std::optional<ContactGrid> contact_points(double cell) const override;
     const PointBody *at_points() const override { return this; }
-    BodyInContact between_points(bool with_friction, double speed) const override;
+    BodyInContact between_points(bool with_friction, double speed,
+                                 const std::vector<double> &upstream = {}) const override;
     std::vector<std::string> row_names(bool with_friction) const override;
     bool has_material() const override { return false; }
     bool has_own_points() const override { return true; }

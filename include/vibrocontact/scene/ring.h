@@ -71,7 +71,8 @@ namespace vibrocontact
     void read_ahead(const ParameterFile &file, const std::string &section) override;
     const ElementBody *elements() const override { return is_meshed() ? this : nullptr; }
     const PointBody *at_points() const override { return is_meshed() ? nullptr : this; }
-    BodyInContact between_points(bool with_friction, double speed) const override;
+    BodyInContact between_points(bool with_friction, double speed,
+                                 const std::vector<double> &upstream = {}) const override;
     std::vector<std::string> row_names(bool with_friction) const override;
     std::function<dealii::LAPACKFullMatrix<std::complex<double>>(double)>
     sum_of_orders(unsigned int highest, bool residual, bool with_friction, double speed) const override;

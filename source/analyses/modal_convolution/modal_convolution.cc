@@ -64,11 +64,11 @@ namespace vibrocontact
     else
     {
       stepper = std::make_unique<RoadStepper>(parameters, solver, model, n_points, last_step, laws,
-                                              road.sliding_speed());
+                                              road.sliding_speed(), road.rolling_speed());
       if (has_friction)
-        check_road_friction(stepper->propagator->compliance());
+        check_road_friction(stepper->compliance);
       for (unsigned int i = 0; i < n_points; ++i)
-        stiffness.push_back(1 / (stepper->propagator->compliance()(i, i) + yields));
+        stiffness.push_back(1 / (stepper->compliance(i, i) + yields));
       results.has_residual = n_points > 1 || stepper->is_common;
       last_height.resize(n_points);
       road.heights(0, last_height.data());

@@ -291,6 +291,9 @@ namespace vibrocontact
       entries.add("Rolling", "Normal force");
       add_road(entries, "Road", parameters.road, bodies[0].rolls(), own.friction,
                !parameters.rolling.normal_force.empty());
+      entries.add_if(own.friction && bodies[0].rolls(),
+                     "Modal convolution/Friction is true and " + bodies[0].name + "/Ring/Rolling too",
+                     "Contact", "Creep scheme");
 
       const bool steps = !own.is_event_located();
       entries.add(
