@@ -51,8 +51,7 @@ namespace
     companion.run.state = state;
     const TransientResult result = transient(
         parameters, contact, {}, scene.pair, scene.drive, state,
-        [](const DynamicState &, const TransientResult &) { return true; }, {},
-        estimate ? &companion : nullptr);
+        [](const DynamicState &, const TransientResult &) { return true; }, estimate ? &companion : nullptr);
     EXPECT_TRUE(result.converged) << result.message;
     return {result.impulse, result.rms_force(), companion.run.errors};
   }

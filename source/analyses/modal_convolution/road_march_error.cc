@@ -129,7 +129,7 @@ namespace vibrocontact
     {
       const unsigned long wanted = std::lround(compared.steps / steps_ratio);
       while (second->results.steps < wanted)
-        second->advance(wanted - second->results.steps, [](const ModalConvolutionLines &) {});
+        second->advance(wanted - second->results.steps);
       compare_second_march();
     }
     catch (const ConvergenceError &error)
