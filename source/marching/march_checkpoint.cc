@@ -28,28 +28,29 @@ namespace vibrocontact
           return true;
       return false;
     }
+
+    /// Whatever `read` stumbles over in the checkpoint of this name becomes one sentence; RowsLost says its own.
+    template <typename Read>
+    void read_whole(const std::string &name, const Read &read)
+    {
+      try
+      {
+        read();
+      }
+      catch (const RowsLost &)
+      {
+        throw;
+      }
+      catch (const std::exception &)
+      {
+        throw InputError("The checkpoint \"" + name + "\" is damaged or incomplete" + run_without_resume);
+      }
+    }
   } // namespace
 
   MarchCheckpoint::MarchCheckpoint(const std::string &file_name, const std::string &section, const int format)
       : name(file_name), section(section), format(format)
   {
-  }
-
-  template <typename Read>
-  void MarchCheckpoint::read_whole(const Read &read) const
-  {
-    try
-    {
-      read();
-    }
-    catch (const RowsLost &)
-    {
-      throw;
-    }
-    catch (const std::exception &)
-    {
-      throw InputError("The checkpoint \"" + name + "\" is damaged or incomplete" + run_without_resume);
-    }
   }
 
   void MarchCheckpoint::write(March &march, const Recorders &recorders) const
@@ -73,14 +74,14 @@ namespace vibrocontact
       return nullptr;
     std::unique_ptr<Hdf5Reader> reader;
     int written_format = 0;
-    read_whole(
-        [&]
-        {
-          // sizes and places are used as they are read
-          Hdf5Reader::check_seal(name);
-          reader = std::make_unique<Hdf5Reader>(name);
-          written_format = reader->integer("format");
-        });
+    read_whole(name,
+               [&]
+               {
+                 // sizes and places are used as they are read
+                 Hdf5Reader::check_seal(name);
+                 reader = std::make_unique<Hdf5Reader>(name);
+                 written_format = reader->integer("format");
+               });
     if (written_format != format)
       throw InputError("The checkpoint \"" + name + "\" was written " +
                        (reader->has("program") ? "by version " + reader->text("program") + " " : "") +
@@ -88,8 +89,12 @@ namespace vibrocontact
     return reader;
   }
 
-  void MarchCheckpoint::check_time(const double reached, const double end_time) const
+  void MarchCheckpoint::check_end_time(const double end_time) const
   {
+    const auto reader = opened();
+    double reached = 0;
+    if (reader)
+      read_whole(name, [&] { reached = reader->number("time"); });
     if (reached <= end_time * (1 + 1e-12))
       return;
     std::ostringstream text;
@@ -98,24 +103,16 @@ namespace vibrocontact
     throw InputError(text.str());
   }
 
-  void MarchCheckpoint::check_end_time(const double end_time) const
-  {
-    const auto reader = opened();
-    double reached = 0;
-    if (reader)
-      read_whole([&] { reached = reader->number("time"); });
-    check_time(reached, end_time);
-  }
-
   bool MarchCheckpoint::read(March &march, const Recorders &recorders) const
   {
     const auto reader = opened();
     if (!reader)
       return false;
+    check_end_time(march.end_time());
     for (const auto &[mark, values] : march.marks())
     {
       std::vector<double> written;
-      read_whole([&, &mark = mark] { written = reader->numbers("marks/" + mark); });
+      read_whole(name, [&, &mark = mark] { written = reader->numbers("marks/" + mark); });
       if (differ(written, values))
         throw InputError("The checkpoint \"" + name + "\" belongs to other bodies, their " + mark +
                          " differ though the parameters are the same; a mesh, a section or the program has "
@@ -123,14 +120,13 @@ namespace vibrocontact
                          run_without_resume);
     }
     CheckpointFile file(*reader);
-    read_whole(
-        [&]
-        {
-          march.exchange(file);
-          for (Recorder *const recorder : recorders)
-            recorder->exchange(file);
-        });
-    check_time(march.time(), march.end_time());
+    read_whole(name,
+               [&]
+               {
+                 march.exchange(file);
+                 for (Recorder *const recorder : recorders)
+                   recorder->exchange(file);
+               });
     return true;
   }
 } // namespace vibrocontact

@@ -34,4 +34,26 @@ namespace vibrocontact
     /// How it goes, said beside the time left.
     virtual std::string pace() const { return ""; }
   };
+
+  /// What a second march beside the first one tells about its error (numerics/doubled_step.h).
+  struct MarchErrors
+  {
+    /// until when both were compared, 0: not at all [s]
+    double time = 0;
+    /// of the normal impulse and of the rms normal force until then, relative [-]
+    double impulse = 0, rms_force = 0;
+    /// what the second march took [s]
+    double seconds = 0;
+    /// why it ended early, if it did
+    std::string failure;
+
+    void exchange(CheckpointFile &file)
+    {
+      file("errors/time", time);
+      file("errors/impulse", impulse);
+      file("errors/rms_force", rms_force);
+      file("errors/seconds", seconds);
+      file("errors/failure", failure);
+    }
+  };
 } // namespace vibrocontact

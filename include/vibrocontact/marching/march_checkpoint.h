@@ -29,10 +29,6 @@ namespace vibrocontact
   private:
     /// null: there is none
     std::unique_ptr<Hdf5Reader> opened() const;
-    /// Whatever `read` stumbles over becomes one sentence; RowsLost says its own.
-    template <typename Read>
-    void read_whole(const Read &read) const;
-    void check_time(double reached, double end_time) const;
 
     const std::string name, section;
     const int format;

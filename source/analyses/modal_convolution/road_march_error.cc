@@ -191,10 +191,8 @@ namespace vibrocontact
     file("compared/square_integral", compared.square_integral);
     if (has_friction)
       file("compared/tangential_impulse", compared.tangential_impulse);
-    file("errors/seconds", results.errors.seconds);
-    file("errors/failure", results.errors.failure);
-    if (file.reading() && results.errors.failure.empty())
-      compare_second_march();
+    results.errors.exchange(file);
+    file("errors/worst_point", results.errors.worst_point);
   }
 
   void ModalConvolution::check_steps_of_the_road(const unsigned int n_steps) const

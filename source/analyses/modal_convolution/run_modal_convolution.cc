@@ -7,11 +7,11 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/marching/run_march.h>
+#include <vibrocontact/output/verdict.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/road_body.h>
 #include <vibrocontact/run/say_residual_damping.h>
 #include <vibrocontact/run/swept_runs.h>
-#include <vibrocontact/run/verdict.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -83,20 +83,17 @@ namespace vibrocontact
     const std::string histories =
         parameters.scene.runs("transient") ? "modal_convolution_histories" : "histories";
     std::optional<ModalConvolutionHistory> history;
-    if (first)
-      history.emplace(own, n_points, folder + "/" + histories);
     Recorders recorders;
-    if (history)
+    if (first)
     {
-      recorders.push_back(&*history);
+      recorders.push_back(&history.emplace(own, n_points, folder + "/" + histories));
       motion.recorder = [&](const ModalConvolutionLines &lines) { history->add(lines); };
     }
     const MarchCheckpoint checkpoint = road_checkpoint(folder);
     if (resume)
       resume_march(motion, checkpoint, recorders);
-    const MarchEnd end =
-        run_march("modal convolution", motion, checkpoint, own.checkpoint_interval, recorders);
-    results.stopped_by = end.stopped_by;
+    const bool is_whole =
+        run_march("modal convolution", motion, checkpoint, own.checkpoint_interval, recorders, results);
     const ModalConvolutionResult &result = motion.result();
     nlohmann::ordered_json &json = results.analyses["modal_convolution"];
     json = modal_convolution_json(own, result);
@@ -124,14 +121,8 @@ namespace vibrocontact
           }
         });
     print(own, result);
-    judge_road_march(own, motion, body.is_passive, end.is_whole, json, results);
-    if (!end.failure.empty())
-    {
-      std::ostringstream text;
-      text << "The modal convolution ended at " << result.time << " s: " << end.failure;
-      refuse("modal convolution", text.str(), results);
-    }
-    if (parameters.comparison.any() && end.is_whole && end.stopped_by == 0)
+    judge_road_march(own, motion, body.is_passive, is_whole, json, results);
+    if (parameters.comparison.any() && is_whole && results.stopped_by == 0)
       json["method_comparison"] = run_method_comparison(parameters, bodies, measured, folder);
   }
 

@@ -14,12 +14,12 @@
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
 #include <vibrocontact/marching/run_march.h>
+#include <vibrocontact/output/verdict.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/say_residual_damping.h>
 #include <vibrocontact/run/swept_runs.h>
 #include <vibrocontact/run/unreduced_pair.h>
-#include <vibrocontact/run/verdict.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -211,9 +211,11 @@ namespace vibrocontact
     }
     std::optional<Companion> companion;
     if (own.error_estimate)
-      companion = Companion{
-          hub.driven(drive_function(with_doubled_step(own), constants, parameters.placed_contacts())), {}};
-    CoarseRun *const coarse = companion ? &companion->run : nullptr;
+      companion = {
+          hub.driven(drive_function(with_doubled_step(own), constants, parameters.placed_contacts())),
+          {},
+          {},
+          {}};
     warn_of_ringing(parameters, pair, results);
     warn_of_spectrum(parameters, results);
 
@@ -224,29 +226,23 @@ namespace vibrocontact
     Recorders recorders;
     for (const auto &recorder : run_recorders.all)
       recorders.push_back(recorder.get());
-    const auto record = [&](const DynamicState &now)
+    const TransientMarch::Observer record = [&](const DynamicState &now, const TransientResult &)
     {
       for (const auto &recorder : run_recorders.all)
         recorder->add(now);
+      return true;
     };
-    TransientMarch march(
-        own, parameters.contacts, parameters.contact_solver, pair, drive,
-        [&](const DynamicState &now, const TransientResult &)
-        {
-          record(now);
-          return true;
-        },
-        companion ? &*companion : nullptr);
+    TransientMarch march(own, parameters.contacts, parameters.contact_solver, pair, drive, record,
+                         companion ? &*companion : nullptr);
     const MarchCheckpoint checkpoint = transient_checkpoint(folder);
     if (!resume || !resume_march(march, checkpoint, recorders))
     {
       march.state = initial_state(own, parameters.contacts, parameters.contact_solver, *held, hub);
-      if (coarse)
-        coarse->state = march.state;
-      on_first_rank([&] { record(march.state); });
+      if (companion)
+        companion->state = march.state;
+      on_first_rank([&] { record(march.state, march.sums); });
     }
-    const MarchEnd end = run_march("transient", march, checkpoint, own.checkpoint_interval, recorders);
-    results.stopped_by = end.stopped_by;
+    run_march("transient", march, checkpoint, own.checkpoint_interval, recorders, results);
     const TransientResult &result = march.sums;
     const DynamicState &state = march.state;
     results.analyses["transient"] = transient_json(result, state, pair.interface.contacts);
@@ -267,17 +263,10 @@ namespace vibrocontact
           evaluate_signals(parameters.signals, run_recorders, probes, pair.interface.contacts, folder,
                            results.analyses["transient"]);
         });
-    if (!end.failure.empty())
-    {
-      std::ostringstream text;
-      text << "The transient ended at " << result.time << " s: " << end.failure
-           << (end.failure.back() == '.' ? "" : ".");
-      refuse("transient", text.str(), results);
-    }
     print(result);
     say_residual_damping(parameters, *prepared, pair, dominant_frequencies(results.analyses["transient"]),
                          "transient", results);
-    judge_transient(result, coarse, results.stopped_by != 0, results);
+    judge_transient(result, companion ? &companion->errors : nullptr, results.stopped_by != 0, results);
   }
 
   namespace

@@ -331,8 +331,8 @@ namespace vibrocontact
       return;
     steps = std::make_unique<Steps>(parameters, contact, solver, pair, drive, state, sums);
     if (companion)
-      coarse = std::make_unique<Steps>(doubled, contact, solver, pair, companion->drive, companion->run.state,
-                                       companion->run.sums);
+      coarse = std::make_unique<Steps>(doubled, contact, solver, pair, companion->drive, companion->state,
+                                       companion->sums);
   }
 
   bool TransientMarch::is_over()
@@ -344,10 +344,11 @@ namespace vibrocontact
   void TransientMarch::follow()
   {
     const auto begin = std::chrono::steady_clock::now();
-    CoarseRun &run = companion->run;
+    Companion &run = *companion;
     while (run.sums.converged && !coarse->is_over() && run.state.time < sums.time * (1 - 1e-12))
       coarse->step();
-    run.sums.seconds += seconds_since(begin);
+    run.errors.failure = run.sums.message;
+    run.errors.seconds += seconds_since(begin);
     if (std::abs(run.sums.time - sums.time) > 1e-12 * sums.time)
       return;
     // of two steps of a second order scheme a third is the error, of any a part of 1 / sqrt(3)
@@ -370,19 +371,19 @@ namespace vibrocontact
     const auto begin = std::chrono::steady_clock::now();
     const double before = sums.seconds;
     prepare();
-    const double estimate_before = companion ? companion->run.sums.seconds : 0;
+    const double estimate_before = companion ? companion->errors.seconds : 0;
     steps->start_afresh();
     if (coarse)
       coarse->start_afresh();
     do
     {
       steps->step();
-      if (sums.converged && coarse)
+      if (sums.converged && coarse && companion->errors.failure.empty())
         follow();
       goes_on = sums.converged && observe(state, sums);
     } while (!is_over() && sums.steps % steps_between_fresh_starts != 0);
     sums.seconds =
-        before + seconds_since(begin) - (companion ? companion->run.sums.seconds - estimate_before : 0.);
+        before + seconds_since(begin) - (companion ? companion->errors.seconds - estimate_before : 0.);
     if (!sums.converged)
       throw ConvergenceError(sums.message);
   }

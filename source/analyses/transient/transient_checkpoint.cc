@@ -23,88 +23,83 @@ namespace vibrocontact
         values[k] = {parts[0][k], parts[1].at(k)};
     }
 
-    void exchange_state(CheckpointFile &file, DynamicState &state, const std::string &run = "")
+    void exchange_state(CheckpointFile &file, DynamicState &state)
     {
-      file(run + "state/time", state.time);
-      file(run + "state/q", state.q);
-      file(run + "state/v", state.v);
-      file(run + "state/R", state.R);
-      file(run + "state/residual_displacement", state.residual_displacement);
-      file(run + "state/force_change", state.force_change);
-      file(run + "state/residual_change", state.residual_change);
-      file(run + "state/modal_force", state.modal_force);
-      exchange_complex(file, state.z, run + "state/poles");
-      exchange_complex(file, state.pole_force, run + "state/pole_force");
-      file(run + "state/hub_acceleration", state.hub_acceleration);
-      file(run + "state/force", state.force);
-      file(run + "state/friction_power", state.friction_power);
-      file(run + "state/creepage_power", state.creepage_power);
-      file(run + "state/transport_power", state.transport_power);
-      file(run + "state/roughness", state.roughness);
-      file(run + "state/watched", state.nearby);
-      file(run + "state/travel", state.moved_since_search);
-      file(run + "state/steps_since_look", state.steps_since_search);
+      file("state/time", state.time);
+      file("state/q", state.q);
+      file("state/v", state.v);
+      file("state/R", state.R);
+      file("state/residual_displacement", state.residual_displacement);
+      file("state/force_change", state.force_change);
+      file("state/residual_change", state.residual_change);
+      file("state/modal_force", state.modal_force);
+      exchange_complex(file, state.z, "state/poles");
+      exchange_complex(file, state.pole_force, "state/pole_force");
+      file("state/hub_acceleration", state.hub_acceleration);
+      file("state/force", state.force);
+      file("state/friction_power", state.friction_power);
+      file("state/creepage_power", state.creepage_power);
+      file("state/transport_power", state.transport_power);
+      file("state/roughness", state.roughness);
+      file("state/watched", state.nearby);
+      file("state/travel", state.moved_since_search);
+      file("state/steps_since_look", state.steps_since_search);
       ContactSolution &contact = state.contact;
-      file(run + "contact/R", contact.R);
-      file(run + "contact/y", contact.y);
-      file(run + "contact/status", contact.status);
-      file(run + "contact/approach", contact.approach);
-      file(run + "contact/converged", contact.converged);
-      file(run + "contact/residual", contact.residual);
+      file("contact/R", contact.R);
+      file("contact/y", contact.y);
+      file("contact/status", contact.status);
+      file("contact/approach", contact.approach);
+      file("contact/converged", contact.converged);
+      file("contact/residual", contact.residual);
     }
 
-    void exchange_sums(CheckpointFile &file, TransientResult &result, const std::string &run = "")
+    void exchange_forces(CheckpointFile file, ForceSums &sums)
     {
-      file(run + "result/steps", result.steps);
-      file(run + "result/iterations", result.iterations);
-      file(run + "result/factorisations", result.factorisations);
-      file(run + "result/fallbacks", result.fallbacks);
-      file(run + "result/rejected", result.rejected);
-      file(run + "result/above_tolerance", result.above_tolerance);
-      file(run + "result/rung", result.level);
-      file(run + "result/time", result.time);
-      file(run + "result/seconds", result.seconds);
-      file(run + "result/impulse", result.impulse);
-      file(run + "result/force_square", result.force_square);
-      file(run + "result/tangential_square", result.tangential_square);
-      file(run + "result/smallest_gap", result.smallest_gap);
+      file("impulse", sums.impulse);
+      file("force_square", sums.force_square);
+      file("tangential_square", sums.tangential_square);
+      file("smallest_gap", sums.smallest_gap);
+    }
+
+    void exchange_sums(CheckpointFile &file, TransientResult &result)
+    {
+      file("result/steps", result.steps);
+      file("result/iterations", result.iterations);
+      file("result/factorisations", result.factorisations);
+      file("result/fallbacks", result.fallbacks);
+      file("result/rejected", result.rejected);
+      file("result/above_tolerance", result.above_tolerance);
+      file("result/rung", result.level);
+      file("result/time", result.time);
+      file("result/seconds", result.seconds);
+      exchange_forces(file.group("result"), result);
       for (std::size_t k = 0; k < result.contacts.size(); ++k)
-      {
-        const std::string contact = run + "result/contact_" + std::to_string(k) + "/";
-        ForceSums &sums = result.contacts[k];
-        file(contact + "impulse", sums.impulse);
-        file(contact + "force_square", sums.force_square);
-        file(contact + "tangential_square", sums.tangential_square);
-        file(contact + "smallest_gap", sums.smallest_gap);
-      }
+        exchange_forces(file.group("result/contact_" + std::to_string(k)), result.contacts[k]);
       EnergyAccount &energy = result.energy;
-      file(run + "energy/initial", energy.initial);
-      file(run + "energy/stored", energy.stored);
-      file(run + "energy/available", energy.available);
-      file(run + "energy/creepage", energy.creepage);
-      file(run + "energy/transport", energy.transport);
-      file(run + "energy/hub", energy.hub);
-      file(run + "energy/loads", energy.loads);
-      file(run + "energy/friction", energy.friction);
-      file(run + "energy/damping", energy.damping);
-      file(run + "energy/numerical_modes", energy.numerical_modes);
-      file(run + "energy/numerical_upwind", energy.numerical_upwind);
-      file(run + "energy/numerical_rate", energy.numerical_rate);
+      file("energy/initial", energy.initial);
+      file("energy/stored", energy.stored);
+      file("energy/available", energy.available);
+      file("energy/creepage", energy.creepage);
+      file("energy/transport", energy.transport);
+      file("energy/hub", energy.hub);
+      file("energy/loads", energy.loads);
+      file("energy/friction", energy.friction);
+      file("energy/damping", energy.damping);
+      file("energy/numerical_modes", energy.numerical_modes);
+      file("energy/numerical_upwind", energy.numerical_upwind);
+      file("energy/numerical_rate", energy.numerical_rate);
     }
 
-    void exchange_coarse(CheckpointFile &file, CoarseRun &coarse)
+    void exchange_companion(CheckpointFile file, Companion &coarse)
     {
-      exchange_state(file, coarse.state, "coarse/");
-      exchange_sums(file, coarse.sums, "coarse/");
-      file("coarse/result/converged", coarse.sums.converged);
-      file("coarse/result/message", coarse.sums.message);
-      file("coarse/errors/time", coarse.errors.time);
-      file("coarse/errors/impulse", coarse.errors.impulse);
-      file("coarse/errors/rms_force", coarse.errors.rms_force);
-      file("coarse/errors/rms_tangential", coarse.errors.rms_tangential);
-      file("coarse/errors/averaged_time", coarse.errors.averaged_time);
-      file("coarse/errors/impulse_square", coarse.errors.impulse_square);
-      file("coarse/errors/rms_square", coarse.errors.rms_square);
+      exchange_state(file, coarse.state);
+      exchange_sums(file, coarse.sums);
+      StepErrors &errors = coarse.errors;
+      errors.exchange(file);
+      file("errors/rms_tangential", errors.rms_tangential);
+      file("errors/averaged_time", errors.averaged_time);
+      file("errors/impulse_square", errors.impulse_square);
+      file("errors/rms_square", errors.rms_square);
     }
 
     double weight(const unsigned int row)
@@ -146,15 +141,13 @@ namespace vibrocontact
 
   void TransientMarch::exchange(CheckpointFile &file)
   {
-    CoarseRun *const coarse = companion ? &companion->run : nullptr;
     // what is written and what is read hold the sums of every contact
-    const std::size_t n_contacts = pair.interface.contacts.all.size();
-    sums.contacts.resize(n_contacts);
-    if (coarse)
-      coarse->sums.contacts.resize(n_contacts);
+    sums.contacts.resize(pair.interface.contacts.all.size());
     exchange_state(file, state);
     exchange_sums(file, sums);
-    if (coarse)
-      exchange_coarse(file, *coarse);
+    if (!companion)
+      return;
+    companion->sums.contacts.resize(sums.contacts.size());
+    exchange_companion(file.group("coarse"), *companion);
   }
 } // namespace vibrocontact

@@ -17,20 +17,11 @@
 
 namespace vibrocontact
 {
-  /// What a second march tells about the error of a run (numerics/doubled_step.h).
-  struct RoadMarchErrors
+  /// Of all points together, with friction the larger of both components of the impulse, relative to both together.
+  struct RoadMarchErrors : MarchErrors
   {
-    /// until which they are known, 0: not at all [s]
-    double time = 0;
-    /// of the impulse of all points together (with friction the larger of both components, relative to both together), of the
-    /// rms of their normal force, relative [-]
-    double impulse = 0, rms_force = 0;
     /// the largest error of one point's impulse over the largest of them [-]
     double worst_point = 0;
-    /// processor time of the second march [s]
-    double seconds = 0;
-    /// why it ended early, if it did
-    std::string failure;
   };
 
   /// What a run has been through.

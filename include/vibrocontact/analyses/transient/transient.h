@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient/coarse_run.h>
+#include <vibrocontact/analyses/transient/contact_stepper.h>
 #include <vibrocontact/analyses/transient/drive.h>
 #include <vibrocontact/analyses/transient/transient_parameters.h>
 #include <vibrocontact/analyses/transient/transient_result.h>
@@ -34,14 +34,21 @@ namespace vibrocontact
                              const ContactSolverParameters &solver, const ContactPair &pair,
                              const Drive &drive);
 
-  /// The run with twice the step that is marched beside another one.
+  /// The same run again with twice the step, beside the first one: what both differ by tells the error of the
+  /// first (numerics/doubled_step.h).
   struct Companion
   {
     /// as the other's, for with_doubled_step(parameters)
     DriveFunction drive;
-    /// at the beginning of a run: the state that it begins with
-    CoarseRun run;
+    /// to begin with, that of the other
+    DynamicState state;
+    TransientResult sums;
+    StepErrors errors;
   };
+
+  /// Parameters of the run with twice the step; of adapted steps all lengths are doubled, and the tolerance
+  /// follows the error of a step, which is of third order.
+  TransientParameters with_doubled_step(TransientParameters parameters);
 
   /// Steps to the end time (Lai et al. 2018, section 5), steps_between_fresh_starts of them in a block.
   ///
