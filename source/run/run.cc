@@ -205,7 +205,7 @@ namespace vibrocontact
       {
         check_places(parameters, bodies, sweeps);
         if (command_line.resume)
-          earlier_results(folder, used, parameters.transient.end_time);
+          earlier_results(folder, used, parameters);
       }
     }
     catch (const MachineError &)
@@ -233,7 +233,7 @@ namespace vibrocontact
                           !command_line.resume);
     Results results;
     if (command_line.resume)
-      results = earlier_results(folder, used, parameters.transient.end_time);
+      results = earlier_results(folder, used, parameters);
     results.title = parameters.scene.title;
     results.input_files = input_files(used);
     RunRecord record(folder, file, used, command_line.resume ? &results : nullptr);

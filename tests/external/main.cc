@@ -291,7 +291,7 @@ namespace
 
   // ---------------------------------------------------------------- a recorder: the largest normal force
 
-  class LargestForce : public Recorder
+  class LargestForce : public StateRecorder
   {
   public:
     explicit LargestForce(const std::string &folder) : file(folder + "/largest_force.csv") {}
