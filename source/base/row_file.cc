@@ -1,6 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/hdf5_file.h>
 #include <vibrocontact/base/row_file.h>
+#include <vibrocontact/base/table.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -171,5 +172,24 @@ namespace vibrocontact
     file.close();
     std::error_code ignored;
     fs::remove(stem + ".rows", ignored);
+  }
+
+  void write_rows_as_table(const std::string &stem, const std::vector<std::string> &columns,
+                           const std::string &prefix, const std::vector<std::string> &notes,
+                           const std::string &table_name)
+  {
+    Hdf5Reader file(stem + ".h5");
+    std::vector<std::vector<double>> values;
+    for (const std::string &name : columns)
+      values.push_back(file.numbers(name == "time_s" ? name : prefix + name));
+    Table table(columns, notes);
+    std::vector<Table::Cell> line(columns.size());
+    for (std::size_t i = 0; i < values[0].size(); ++i)
+    {
+      for (std::size_t k = 0; k < line.size(); ++k)
+        line[k].emplace<double>(values[k][i]);
+      table.add_row(line);
+    }
+    table.write(table_name);
   }
 } // namespace vibrocontact

@@ -68,6 +68,11 @@ namespace vibrocontact
     result.left.reinit(n, body.n_poles());
     result.residual.reinit(n, n);
     result.residual_load.assign(n, 0.);
+    if (body.gradient.m() > 0)
+    {
+      result.gradient.reinit(n, body.n_poles());
+      result.residual_gradient.reinit(n, n);
+    }
     for (unsigned int i = 0; i < n; ++i)
     {
       const auto [row, factor] = rows[i];
@@ -82,6 +87,10 @@ namespace vibrocontact
         result.residual_load[i] = factor * body.residual_load[row];
       for (unsigned int j = 0; j < n && body.residual.m() > 0; ++j)
         result.residual(i, j) = factor * rows[j].factor * body.residual(row, rows[j].row);
+      for (unsigned int k = 0; k < result.gradient.n(); ++k)
+        result.gradient(i, k) = factor * body.gradient(row, k);
+      for (unsigned int j = 0; j < result.residual_gradient.n(); ++j)
+        result.residual_gradient(i, j) = factor * rows[j].factor * body.residual_gradient(row, rows[j].row);
     }
     return result;
   }
@@ -133,6 +142,17 @@ namespace vibrocontact
     result.participation.reinit(0, 0);
     beside(result.right, second.right);
     beside(result.left, second.left);
+    if (first.gradient.m() > 0 || second.gradient.m() > 0)
+    {
+      const auto gradient = [n](const BodyInContact &body)
+      { return body.gradient.m() > 0 ? body.gradient : ComplexMatrix(n, body.n_poles()); };
+      result.gradient = gradient(first);
+      beside(result.gradient, gradient(second));
+      if (result.residual_gradient.m() == 0)
+        result.residual_gradient.reinit(n, n);
+      if (second.residual_gradient.m() > 0)
+        add_block(result.residual_gradient, second.residual_gradient, 0, 0);
+    }
     if (second.residual.m() > 0)
     {
       if (result.residual.m() == 0)

@@ -192,6 +192,71 @@ namespace vibrocontact
     return model;
   }
 
+  void add_gradient(BodyInContact &body, const RingParameters &ring, const double rotation,
+                    const std::vector<double> &difference)
+  {
+    const unsigned int n = ring.n_points;
+    std::vector<RingRow> rows = ring_rows(ring, true);
+    AssertThrow(body.n_rows() == rows.size() && rotation != 0, dealii::ExcInternalError());
+    body.gradient.reinit(2 * n, body.n_poles());
+    unsigned int k = 0;
+    for (unsigned int order = 0; order <= ring.highest_order; ++order)
+      for (const unsigned int end = k + (order == 0 ? body.n_poles() - 4 * ring.highest_order : 4); k < end;
+           ++k)
+        for (unsigned int i = 0; i < n; ++i)
+          body.gradient(n + i, k) =
+              (j * double(order) * body.right(n + i, k) - body.right(i, k)) / ring.radius;
+
+    // rows along theta of the points and of those in front of them
+    DenseMatrix band;
+    if (ring.residual)
+    {
+      const std::vector<double> angles = ring.angles();
+      for (unsigned int step = 1; step < difference.size(); ++step)
+      {
+        const double beyond = step * ring.spacing / ring.radius;
+        rows.push_back({rotation < 0 ? angles.back() + beyond : angles.front() - beyond, true});
+      }
+      band = ring_residual(ring, rows, rotation, RingFrame::road);
+    }
+    body.residual_gradient = residual_gradient(ring, band, rotation, difference);
+  }
+
+  DenseMatrix residual_gradient(const RingParameters &ring, const DenseMatrix &band, const double rotation,
+                                const std::vector<double> &difference)
+  {
+    const unsigned int n = ring.n_points;
+    DenseMatrix result(2 * n, 2 * n);
+    // the material comes from larger theta if the ring turns to smaller ones
+    const int upstream = rotation < 0 ? 1 : -1;
+    const auto is_point = [n](const int place) { return place >= 0 && place < int(n); };
+    const double forward = -upstream / ring.spacing, tread = ring.tread_compliance(true);
+    for (unsigned int i = 0; i < n && tread > 0; ++i)
+      for (unsigned int step = 0; step < difference.size(); ++step)
+        if (const int place = int(i) + upstream * int(step); is_point(place))
+          result(n + i, n + place) += forward * difference[step] * tread;
+    const unsigned int n_front = band.m() > 0 ? band.m() - 2 * n : 0;
+    for (unsigned int i = 0; i < n && band.m() > 0; ++i)
+    {
+      const unsigned int n_before = upstream > 0 ? n - 1 - i : i, n_known = n_before + n_front;
+      const std::vector<double> c = n_known + 1 >= difference.size() ? difference
+                                    : n_known > 0                    ? std::vector<double>{1., -1.}
+                                                                     : std::vector<double>();
+      for (unsigned int b = 0; b < 2 * n; ++b)
+      {
+        double slope = -band(i, b) / ring.radius;
+        for (unsigned int step = 0; step < c.size(); ++step)
+        {
+          const int place = int(i) + upstream * int(step);
+          const unsigned int row = is_point(place) ? n + place : 2 * n + step - n_before - 1;
+          slope += forward * c[step] * band(row, b);
+        }
+        result(n + i, b) += slope;
+      }
+    }
+    return result;
+  }
+
   DenseMatrix ring_rest(const RingParameters &ring, const std::vector<RingRow> &rows, const double rotation,
                         const RingFrame frame)
   {
@@ -199,7 +264,7 @@ namespace vibrocontact
     if (ring.residual)
       rest = ring_residual(ring, rows, rotation, frame);
     for (unsigned int i = 0; i < rows.size(); ++i)
-      rest(i, i) += tread_compliance(ring, rows[i].tangential);
+      rest(i, i) += ring.tread_compliance(rows[i].tangential);
     return rest;
   }
 
@@ -249,12 +314,6 @@ namespace vibrocontact
     return result;
   }
 
-  double tread_compliance(const RingParameters &ring, const bool tangential)
-  {
-    const double stiffness = tangential ? ring.tread_tangential_stiffness : ring.tread_stiffness;
-    return stiffness > 0 ? 1 / stiffness : 0.;
-  }
-
   BodyInContact ring_modes(const RingParameters &ring, const std::vector<RingRow> &rows)
   {
     const unsigned int n_rows = rows.size(), n_modes = 2 + 4 * ring.highest_order;
@@ -300,41 +359,57 @@ namespace vibrocontact
     return body;
   }
 
-  BodyInContact oscillator_body(const OscillatorParameters &oscillator, const bool with_friction)
+  BodyInContact RingParameters::between_points(const bool with_friction, const double speed,
+                                               const std::vector<double> &upstream) const
   {
-    BodyInContact body;
-    std::vector<double> mass = {oscillator.mass};
-    body.omega = {std::sqrt(oscillator.stiffness / oscillator.mass)};
-    body.damping_ratio = {oscillator.damping_ratio};
-    body.modal_load = {-std::sqrt(oscillator.mass) * oscillator.gravity};
-    body.labels = {"oscillator"};
-    if (with_friction)
-    {
-      mass.push_back(oscillator.tangential_mass);
-      body.omega.push_back(std::sqrt(oscillator.tangential_stiffness / oscillator.tangential_mass));
-      body.damping_ratio.push_back(oscillator.tangential_damping_ratio);
-      body.modal_load.push_back(0);
-      body.labels.push_back("oscillator, tangential");
-    }
-    const unsigned int n = mass.size();
-    body.trace.reinit(n, n);
-    body.participation.reinit(n, 3);
-    for (unsigned int k = 0; k < n; ++k)
-    {
-      body.trace(k, k) = 1 / std::sqrt(mass[k]);
-      body.participation(k, k == 0 ? 2 : 0) = std::sqrt(mass[k]);
-    }
-    body.residual.reinit(n, n);
-    body.residual_load.assign(n, 0.);
+    const std::vector<RingRow> rows = ring_rows(*this, with_friction);
+    const double turning = rotation(speed);
+    if (turning == 0)
+      return ring_modes(*this, rows);
+    BodyInContact body = ring_poles(*this, rows, turning);
+    if (!upstream.empty())
+      add_gradient(body, *this, turning, upstream);
     return body;
   }
 
-  BodyInContact ring_of_elements(const RingParameters &ring, const ReducedBody &reduced,
-                                 const bool with_friction)
+  std::vector<std::string> RingParameters::row_names(const bool with_friction) const
+  {
+    const auto point = [&](const unsigned int i)
+    { return n_points <= 26 ? std::string(1, char('A' + i)) : "P" + std::to_string(i); };
+    std::vector<std::string> names;
+    for (const char *direction : {"_z", "_x"})
+      for (unsigned int i = 0; i < n_points && (with_friction || direction[1] == 'z'); ++i)
+        names.push_back(point(i) + direction);
+    return names;
+  }
+
+  std::function<ComplexMatrix(double)> RingParameters::sum_of_orders(const unsigned int highest,
+                                                                     const bool with_residual,
+                                                                     const bool with_friction,
+                                                                     const double speed) const
+  {
+    RingParameters ring = *this;
+    ring.highest_order = highest;
+    ring.residual = with_residual;
+    ring.residual_order = std::max(ring.residual_order, highest + 1);
+    const std::vector<RingRow> rows = ring_rows(ring, with_friction);
+    const double turning = rotation(speed);
+    const DenseMatrix rest = ring_rest(ring, rows, turning, RingFrame::road);
+    return [=](const double omega)
+    {
+      ComplexMatrix G = ring_receptance(ring, rows, turning, RingFrame::road, omega);
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        for (unsigned int j = 0; j < rows.size(); ++j)
+          G(i, j) += rest(i, j);
+      return G;
+    };
+  }
+
+  BodyInContact RingParameters::on_road(const ReducedBody &reduced, const bool with_friction) const
   {
     BodyInContact body = road_rows(reduced, with_friction, 1);
     for (unsigned int i = 0; i < body.n_rows(); ++i)
-      body.residual(i, i) += tread_compliance(ring, i >= ring.n_points);
+      body.residual(i, i) += tread_compliance(i >= n_points);
     return body;
   }
 } // namespace vibrocontact

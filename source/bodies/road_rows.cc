@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/road_rows.h>
+#include <vibrocontact/scene/body_description.h>
 
 #include <algorithm>
 
@@ -69,11 +70,23 @@ namespace vibrocontact
     poles.poles = body.poles;
     poles.right = turned.right;
     poles.left = turned.left;
+    // along an axis that points backwards
+    poles.gradient = turned.gradient;
+    for (unsigned int k = 0; k < poles.gradient.n(); ++k)
+      for (unsigned int i = 0; i < poles.gradient.m(); ++i)
+        poles.gradient(i, k) = -turned.gradient(i, k);
+    poles.residual_gradient = turned.residual_gradient;
+    poles.residual_gradient *= -1.;
     poles.pole_load = body.pole_load;
     poles.pole_load.resize(body.n_poles());
     for (unsigned int k = 0; k < body.n_poles(); ++k)
       poles.labels.push_back(m + k < body.labels.size() ? body.labels[m + k]
                                                         : "pole " + std::to_string(k + 1));
     return result;
+  }
+
+  BodyInContact BodyDescription::on_road(const ReducedBody &reduced, const bool with_friction) const
+  {
+    return road_rows(reduced, with_friction, -1);
   }
 } // namespace vibrocontact

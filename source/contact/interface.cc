@@ -286,9 +286,11 @@ namespace vibrocontact
 
   std::shared_ptr<const ContactOperator> rolling_operator(const PlacedContacts &contacts,
                                                           DenseMatrix compliance, const CreepScheme &scheme,
-                                                          const double speed)
+                                                          const double speed, const DenseMatrix &gradient)
   {
     convert_to_slip_rows(contacts, scheme, speed, compliance);
+    if (gradient.m() > 0)
+      compliance.add(speed, gradient);
     return std::make_shared<DenseContactOperator>(std::move(compliance));
   }
 

@@ -9,7 +9,7 @@ namespace vibrocontact
 {
   HalfSpaceMaterial half_space_material(const BodyParameters &body)
   {
-    if (body.type == "rigid")
+    if (body.own->is_rigid())
       return {std::numeric_limits<double>::infinity(), 0.};
     return {body.material.young_modulus, body.material.poisson_ratio};
   }
@@ -17,13 +17,14 @@ namespace vibrocontact
   namespace
   {
     /// Undeformed surface of a body without mesh over a contact's plane; sign +1 above it, -1 below.
-    double surface_height(const HalfSpaceParameters &surface, const PlacedContact &contact,
+    double surface_height(const BodyDescription &surface, const PlacedContact &contact,
                           const unsigned int point, const double sign)
     {
       const std::array<double, 3> &origin = sign > 0 ? contact.frame.origin : contact.origin_below;
+      const auto [along, across] = surface.curvatures();
       return sign * 0.5 *
-             (surface.curvature_x() * std::pow(origin[0] + contact.grid.x(point), 2) +
-              surface.curvature_y() * std::pow(origin[1] + contact.grid.y(point), 2));
+             (along * std::pow(origin[0] + contact.grid.x(point), 2) +
+              across * std::pow(origin[1] + contact.grid.y(point), 2));
     }
 
     /// The poles of one body behind those of the others, in its rows of the contacts.
@@ -31,6 +32,16 @@ namespace vibrocontact
                    const unsigned int n_rows, BodyInContact &all)
     {
       const unsigned int first = all.n_poles(), n = first + own.n_poles();
+      if (own.gradient.m() > 0 || all.gradient.m() > 0)
+      {
+        const ComplexMatrix before = all.gradient;
+        all.gradient.reinit(n_rows, n);
+        for (unsigned int k = 0; k < before.n(); ++k)
+          for (unsigned int i = 0; i < n_rows; ++i)
+            all.gradient(i, k) = before(i, k);
+        if (all.residual_gradient.m() == 0)
+          all.residual_gradient.reinit(n_rows, n_rows);
+      }
       for (ComplexMatrix *const shapes : {&all.right, &all.left})
       {
         const ComplexMatrix &from = shapes == &all.right ? own.right : own.left, before = *shapes;
@@ -47,6 +58,39 @@ namespace vibrocontact
         all.poles.push_back(own.poles[k]);
         all.pole_load.push_back(own.pole_load[k]);
         all.labels.push_back(name + ":" + own.labels[k]);
+      }
+    }
+
+    /// Gradients of the poles added last and of their body's W~, in place of the differences between points.
+    void add_gradients(const BodyInContact &own, const DenseMatrix &W, const PlacedContacts::Rows &rows,
+                       const CreepScheme &scheme, const PlacedContacts &contacts, BodyInContact &all)
+    {
+      const unsigned int n = contacts.n_points(), p = own.n_poles(), first = all.n_poles() - p,
+                         n_own = rows.rows.size();
+      DenseMatrix differences(3 * n, 2 * p + n_own);
+      for (unsigned int i = 0; i < n_own; ++i)
+      {
+        for (unsigned int k = 0; k < p; ++k)
+        {
+          differences(rows.rows[i], k) = rows.sign[i] * own.right(i, k).real();
+          differences(rows.rows[i], p + k) = rows.sign[i] * own.right(i, k).imag();
+        }
+        for (unsigned int j = 0; j < n_own; ++j)
+          differences(rows.rows[i], 2 * p + j) = rows.sign[i] * rows.sign[j] * W(i, j);
+      }
+      convert_to_slip_rows(contacts, scheme, 1., differences);
+      for (unsigned int i = 0; i < n_own; ++i)
+      {
+        const unsigned int row = rows.rows[i];
+        if (row < n)
+          continue;
+        const double along = rows.sign[i] * contacts.all[contacts.contact_of(row % n)].share_of_speed();
+        for (unsigned int k = 0; k < p; ++k)
+          all.gradient(row, first + k) =
+              along * own.gradient(i, k) - std::complex<double>(differences(row, k), differences(row, p + k));
+        for (unsigned int j = 0; j < n_own; ++j)
+          all.residual_gradient(row, rows.rows[j]) +=
+              along * rows.sign[j] * own.residual_gradient(i, j) - differences(row, 2 * p + j);
       }
     }
 
@@ -71,7 +115,7 @@ namespace vibrocontact
                          k = own.rows.empty() ? 0 : contacts.contact_of(own.rows[0] % n);
       if (body.reduced && !(body.parameters->is_solid() && sections.all[k].half_space_flexibility()))
         return body.reduced->residual_flexibility;
-      if (body.parameters->type == "rigid" || own.rows.empty())
+      if (body.parameters->own->is_rigid() || own.rows.empty())
         return DenseMatrix(own.rows.size());
       const HalfSpaceMaterial half_space = half_space_material(*body.parameters),
                               rigid = {std::numeric_limits<double>::infinity(), 0.};
@@ -147,10 +191,10 @@ namespace vibrocontact
         const bool meshed = bodies[b].reduced != nullptr;
         interface.gap[own.rows[i]] +=
             own.sign[i] * (meshed ? bodies[b].reduced->surface_height[i]
-                                  : surface_height(bodies[b].parameters->half_space, contact,
+                                  : surface_height(*bodies[b].parameters->own, contact,
                                                    own.rows[i] - contacts.first_point(k), own.sign[i]));
         if (contact.grid.traction != TractionShape::constant && !meshed &&
-            bodies[b].parameters->type == "half-space")
+            bodies[b].parameters->own->lies_on_half_space())
           throw InputError(
               sections.all[k].section +
               "/Quadrature is consistent, but a half-space knows tractions that are constant on each "
@@ -204,10 +248,15 @@ namespace vibrocontact
       {
         add_poles(*bodies[b].poles, reduced.name, own, 3 * n, pair.poles);
         pair.body_of_pole.resize(pair.n_poles(), b + 1);
+        if (bodies[b].poles->gradient.m() > 0)
+          add_gradients(*bodies[b].poles, W, own, find_creep_scheme(sections.first().creep_scheme), contacts,
+                        pair.poles);
       }
       add_load_jump(reduced, own, 3 * n, pair.interface.load_jump);
     }
     uncouple(sections, contacts, pair.residual_flexibility);
+    if (pair.poles.residual_gradient.m() > 0)
+      uncouple(sections, contacts, pair.poles.residual_gradient);
     hold_across(pair);
     return pair;
   }
@@ -243,6 +292,20 @@ namespace vibrocontact
       weights.push_back(-1. / pair.poles.poles[k]);
     }
     result.add(1., sum_over_poles(pair.poles, weights));
+    return result;
+  }
+
+  DenseMatrix static_gradient(const ContactPair &pair)
+  {
+    if (pair.poles.gradient.m() == 0)
+      return DenseMatrix();
+    BodyInContact along = pair.poles;
+    along.right = pair.poles.gradient;
+    std::vector<std::complex<double>> weights;
+    for (const std::complex<double> &pole : pair.poles.poles)
+      weights.push_back(-1. / pole);
+    DenseMatrix result = sum_over_poles(along, weights);
+    result.add(1., pair.poles.residual_gradient);
     return result;
   }
 

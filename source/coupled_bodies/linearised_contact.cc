@@ -123,6 +123,20 @@ namespace vibrocontact
       return motion;
     }
 
+    /// What V d/dx of poles and W~ is beyond the differences between points.
+    void add_gradients(const ContactPair &pair, const double speed, DenseMatrix &by_x, DenseMatrix &by_R)
+    {
+      const ComplexMatrix &gradient = pair.poles.gradient;
+      for (unsigned int k = 0; k < gradient.n(); ++k)
+        for (unsigned int i = 0; i < gradient.m(); ++i)
+        {
+          by_x(i, 2 * pair.n_modes() + k) += 2 * speed * gradient(i, k).real();
+          by_x(i, 2 * pair.n_modes() + pair.n_poles() + k) -= 2 * speed * gradient(i, k).imag();
+        }
+      if (gradient.m() > 0)
+        by_R.add(speed, pair.poles.residual_gradient);
+    }
+
     /// As of a mode of unit mass: free of how right and left shape share their size.
     double size_of_pole(const BodyInContact &body, const unsigned int k)
     {
@@ -184,6 +198,7 @@ namespace vibrocontact
       slip_by_R = W;
       convert_to_slip_rows(pair.interface.contacts, scheme, equilibrium.speed, slip_by_x);
       convert_to_slip_rows(pair.interface.contacts, scheme, equilibrium.speed, slip_by_R);
+      add_gradients(pair, equilibrium.speed, slip_by_x, slip_by_R);
     }
     slip_by_x.add(1., motion.rate);
     if (pair.n_poles() > 0)

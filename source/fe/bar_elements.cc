@@ -1,4 +1,7 @@
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/fe/bar_elements.h>
+#include <vibrocontact/fe/nearest_dof.h>
+#include <vibrocontact/scene/body.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
@@ -162,5 +165,18 @@ namespace vibrocontact
       system->trace.surface_height = {0.};
     }
     return system;
+  }
+
+  std::unique_ptr<SecondOrderSystem> BarParameters::assemble(const BodyParameters &body, const bool above,
+                                                             const ContactGrid *const grid,
+                                                             const MPI_Comm communicator) const
+  {
+    return assemble_bar(*this, body.material, body.name, above, grid, communicator, body.loads.gravity);
+  }
+
+  void BarParameters::move_contact(SecondOrderSystem &system, const double z) const
+  {
+    system.trace.rows[0] = nearest_dof(system, {0., 0., z}, 2,
+                                       "The contact of " + system.body + " at z = " + number_text(z) + " m");
   }
 } // namespace vibrocontact

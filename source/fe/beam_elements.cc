@@ -1,6 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/fe/beam_elements.h>
 #include <vibrocontact/fe/beam_space.h>
+#include <vibrocontact/scene/body.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
@@ -297,5 +298,18 @@ namespace vibrocontact
     for (const auto &row : rows)
       result.emplace_back(row.begin(), row.end());
     return result;
+  }
+
+  std::unique_ptr<SecondOrderSystem> BeamRailParameters::assemble(const BodyParameters &body, bool,
+                                                                  const ContactGrid *const grid,
+                                                                  const MPI_Comm communicator) const
+  {
+    return assemble_beam_rail(*this, body.material, body.name, grid, communicator);
+  }
+
+  std::vector<TraceRow> BeamRailParameters::surface_rows(const std::string &name, const double x,
+                                                         const double y, const double length) const
+  {
+    return beam_rail_rows(*this, name, x, y, length);
   }
 } // namespace vibrocontact

@@ -1,5 +1,6 @@
 #include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/layer_elements.h>
+#include <vibrocontact/scene/body.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -59,5 +60,12 @@ namespace vibrocontact
     if (grid)
       system->trace = nodal_trace(*system, *grid);
     return system;
+  }
+
+  std::unique_ptr<SecondOrderSystem> LayerParameters::assemble(const BodyParameters &body, bool,
+                                                               const ContactGrid *const grid,
+                                                               const MPI_Comm communicator) const
+  {
+    return assemble_layer(*this, body.material, body.name, grid, communicator);
   }
 } // namespace vibrocontact

@@ -1,4 +1,5 @@
 #include <vibrocontact/fe/ring_elements.h>
+#include <vibrocontact/scene/body.h>
 
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -228,5 +229,12 @@ namespace vibrocontact
     AssertThrow(ring.is_meshed(), ExcMessage("The analytic ring has no elements."));
     return ring.model == "beam elements" ? assemble_beam_ring(ring, name, grid, communicator)
                                          : assemble_solid_ring(ring, name, grid, communicator);
+  }
+
+  std::unique_ptr<SecondOrderSystem> RingParameters::assemble(const BodyParameters &body, bool,
+                                                              const ContactGrid *const grid,
+                                                              const MPI_Comm communicator) const
+  {
+    return assemble_ring(*this, body.name, grid, communicator);
   }
 } // namespace vibrocontact

@@ -12,22 +12,6 @@ namespace vibrocontact
 {
   namespace
   {
-    /// Sizes of bodies that have no surface of their own [m].
-    nlohmann::ordered_json sizes(const BodyParameters &body)
-    {
-      if (body.type == "half-space")
-        return {{"radius_x_m", body.half_space.radius_x}, {"radius_y_m", body.half_space.radius_y}};
-      if (body.type == "beam rail")
-        return {{"length_m", body.beam_rail.length}, {"supports_m", body.beam_rail.supports()}};
-      if (body.type == "bar")
-        return {{"length_m", body.bar.length}};
-      if (body.type == "layer")
-        return {{"length_m", body.layer.length}, {"height_m", body.layer.height}};
-      if (body.type == "ring")
-        return {{"radius_m", body.ring.radius}};
-      return nlohmann::ordered_json::object();
-    }
-
     nlohmann::ordered_json grid_json(const ContactGrid &grid)
     {
       return {{"n_x", grid.n_x},
@@ -47,7 +31,7 @@ namespace vibrocontact
     for (const DrawnBody &body : bodies)
     {
       nlohmann::ordered_json one = {{"name", body.parameters->name}, {"type", body.parameters->type}};
-      one.update(sizes(*body.parameters));
+      one.update(body.parameters->own->sizes());
       if (body.solid)
       {
         const std::string set = "scene_" + body.parameters->name;

@@ -1,11 +1,9 @@
 #include <vibrocontact/base/log.h>
-#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/output/scene_summary.h>
 
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 namespace vibrocontact
@@ -52,62 +50,11 @@ namespace vibrocontact
     };
     for (const auto &[group, material] : parameters.materials)
       print_material(material, " of " + group);
-    if (parameters.has_material() && parameters.materials.empty())
+    if (parameters.own->has_material() && parameters.materials.empty())
       print_material(parameters.material, "");
-    if (parameters.type == "bar")
-    {
-      log.value("length", parameters.bar.length, "m");
-      log.value("section", parameters.bar.section, "m^2");
-      log.value("dofs", parameters.bar.divisions * parameters.bar.degree + 1);
-      return;
-    }
-    if (parameters.type == "identified")
-    {
-      log.value("points", parameters.identified.positions.empty()
-                              ? 1u
-                              : static_cast<unsigned int>(parameters.identified.positions.size()));
-      return;
-    }
-    if (parameters.type == "ring")
-    {
-      const RingParameters &ring = parameters.ring;
-      log.value("model", ring.model + (ring.rolling ? ", rolling" : ", at rest"));
-      log.value("radius", ring.radius, "m");
-      log.value("torsion", ring.frequencies(0).first / (2 * dealii::numbers::PI), "Hz");
-      log.value("breathing", ring.frequencies(0).second / (2 * dealii::numbers::PI), "Hz");
-      log.value("contact points", ring.n_points);
-      return;
-    }
-    if (parameters.type == "oscillator")
-    {
-      const OscillatorParameters &own = parameters.oscillator;
-      log.value("mass", own.mass, "kg");
-      log.value("frequency", std::sqrt(own.stiffness / own.mass) / (2 * dealii::numbers::PI), "Hz");
-      return;
-    }
-    if (parameters.type == "beam rail")
-    {
-      log.value("length", parameters.beam_rail.length, "m");
-      log.value("supports", static_cast<unsigned int>(parameters.beam_rail.supports().size()));
-      return;
-    }
-    if (parameters.type == "layer")
-    {
-      const LayerParameters &layer = parameters.layer;
-      log.value("length", layer.length, "m");
-      log.value("height", layer.height, "m");
-      log.value("width", layer.plane_strain() ? "plane strain, per metre" : number_text(layer.width) + " m");
-      log.value("contact points", layer.grid().n_points());
-      return;
-    }
-    if (parameters.own)
-      return;
+    parameters.own->print(log);
     if (!body)
-    {
-      log.value("radius along x", parameters.half_space.radius_x, "m (0: flat)");
-      log.value("radius along y", parameters.half_space.radius_y, "m (0: flat)");
       return;
-    }
     const double n_dofs = body->dof_handler.n_dofs();
     log.value("size", extent_text(*body));
     log.value("cells", static_cast<unsigned long long>(body->mesh.triangulation->n_global_active_cells()));

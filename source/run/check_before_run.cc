@@ -13,6 +13,7 @@
 #include <vibrocontact/reduction/surface_shapes.h>
 #include <vibrocontact/run/check_before_run.h>
 #include <vibrocontact/run/road_body.h>
+#include <vibrocontact/scene/identified.h>
 #include <vibrocontact/scene/wheel.h>
 
 #include <algorithm>
@@ -28,9 +29,9 @@ namespace vibrocontact
     {
       for (const BodyParameters &body : parameters.scene.bodies)
       {
-        if (!body.is_wheel() || !parameters.modes.at(body.name).any())
+        if (!body.own->is_wheel() || !parameters.modes.at(body.name).any())
           continue;
-        const SectionOutline outline = *body.wheel_section();
+        const SectionOutline outline = *body.own->wheel_section();
         double least = 1e300, most = 0;
         for (const SectionOutline::Row &row : outline.rows)
           for (const double radius : {row.start[1], row.end[1]})
@@ -54,7 +55,7 @@ namespace vibrocontact
       const IdentificationParameters &own = parameters.identification;
       bool transformed = false;
       for (const BodyParameters &body : parameters.scene.bodies)
-        transformed = transformed || (body.type == "identified" && body.identified.inverse_transform);
+        transformed = transformed || (body.own->measured() && body.own->measured()->inverse_transform);
       const std::vector<std::string> methods = own.method_list();
       const bool by_lsce =
           std::any_of(methods.begin(), methods.end(),
@@ -70,9 +71,9 @@ namespace vibrocontact
 
     bool has_poles_at_hand(const BodyParameters &body)
     {
-      if (body.type == "identified")
-        return !body.identified.poles_file.empty() || body.identified.inverse_transform;
-      return body.type == "oscillator" || (body.type == "ring" && !body.is_meshed());
+      if (const IdentifiedParameters *const measured = body.own->measured())
+        return !measured->takes_data() || measured->inverse_transform;
+      return body.own->at_points() != nullptr;
     }
 
     void check_modal_convolution(const Parameters &parameters, const MeshedBodies &bodies,
@@ -83,13 +84,10 @@ namespace vibrocontact
       if (!has_poles_at_hand(body))
       {
         // its points, as high as a flat road
-        std::vector<double> places = {0.};
-        if (body.type == "identified" && !body.identified.positions.empty())
-          places = body.identified.positions;
-        else if (body.is_meshed())
+        std::vector<double> places = body.own->places();
+        if (places.empty())
         {
           const ContactGrid grid = parameters.contact_grid();
-          places.clear();
           for (unsigned int i = 0; i < grid.n_points(); ++i)
             places.push_back(-grid.x(i));
         }

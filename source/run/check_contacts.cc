@@ -36,27 +36,30 @@ namespace vibrocontact
       if (own.empty())
         throw InputError("Body " + body.name +
                          " is in no contact of the list Contacts: join it, or leave it out of Bodies.");
-      if (body.is_solid() || body.type == "rigid")
+      const ContactPlaces places = body.own->contact_places();
+      if (places == ContactPlaces::anywhere)
         return;
       const std::string several =
           body.name + ", of type " + body.type + ", is in " + std::to_string(own.size()) + " contacts, ";
-      if (own.size() > 1 && (body.type == "half-space" || body.type == "beam rail"))
+      if (own.size() > 1 && body.own->lies_on_half_space())
         throw InputError(several +
                          "but half-spaces couple within one grid only: put their points on one grid.");
-      if (own.size() > 1 && body.type != "bar")
+      if (own.size() > 1 && places != ContactPlaces::along_axis)
         throw InputError(several + "but its points are one contact: list them in one.");
       for (const auto &[contact, above] : own)
       {
         const ContactFrame frame = above ? contact->frame() : contact->frame_below();
-        const bool along = body.type == "bar" && frame.origin[0] == 0 && frame.origin[1] == 0;
+        const bool along =
+            places == ContactPlaces::along_axis && frame.origin[0] == 0 && frame.origin[1] == 0;
         if (!frame.has_usual_axes())
           throw InputError(contact->section + "/Normal turns the contact of " + body.name + ", of type " +
                            body.type + ", which moves and touches in its own directions: leave it out.");
-        if (body.type != "half-space" && !frame.is_usual() && !along)
+        if (places != ContactPlaces::any_origin && !frame.is_usual() && !along)
           throw InputError(contact->section + "/Origin moves the contact of " + body.name + ", of type " +
                            body.type + ", " +
-                           (body.type == "bar" ? "off its axis: give x = y = 0."
-                                               : "whose place is its own: leave it at 0, 0, 0."));
+                           (places == ContactPlaces::along_axis
+                                ? "off its axis: give x = y = 0."
+                                : "whose place is its own: leave it at 0, 0, 0."));
       }
     }
 
@@ -158,7 +161,7 @@ namespace vibrocontact
       for (const BodyParameters *const one : joined)
       {
         const BodyParameters &body = *one;
-        if (contact.half_space_flexibility() && (body.type == "bar" || body.type == "layer"))
+        if (contact.half_space_flexibility() && !body.own->may_stand_for_half_space())
           throw InputError(entry + ", but the surface of the " + body.type + " " + body.name +
                            " is no half-space: set it to finite elements.");
         if (contact.half_space_flexibility() && body.materials.size() > 1)
@@ -176,12 +179,12 @@ namespace vibrocontact
     void check_half_space_contact(const std::vector<const BodyParameters *> &bodies,
                                   const ContactParameters &contact)
     {
-      if (bodies[0]->type == "beam rail")
-        throw InputError(bodies[0]->name +
-                         " is a beam rail, which lies below the contact, but is body 1, above; "
+      if (bodies[0]->own->lies_below())
+        throw InputError(bodies[0]->name + " is a " + bodies[0]->type +
+                         ", which lies below the contact, but is body 1, above; "
                          "list it second in Bodies.");
       for (const BodyParameters *const body : bodies)
-        if (contact.quadrature == "consistent" && (body->type == "beam rail" || body->type == "half-space"))
+        if (contact.quadrature == "consistent" && body->own->lies_on_half_space())
           throw InputError(
               contact.section + "/Quadrature is consistent, but the half-space under the contact of " +
               body->name + " knows tractions that are constant on each cell only: set it to lumped.");
@@ -190,11 +193,11 @@ namespace vibrocontact
     /// Two bodies without a mesh touch in a point (in a line along a strip), and one of them gives way.
     void check_touch(const BodyParameters &body_1, const BodyParameters &body_2, const bool strip)
     {
-      if (body_2.touches_downwards_only())
+      if (body_2.own->touches_downwards_only())
         throw InputError("The " + body_2.type + " " + body_2.name +
                          " touches what lies below it, but is body 2, below: list it first in Bodies" +
-                         (body_2.type == "identified" ? " or leave its Radius out." : "."));
-      const auto own_1 = body_1.contact_points(1), own_2 = body_2.contact_points(1);
+                         body_2.own->way_to_look_up() + ".");
+      const auto own_1 = body_1.own->contact_points(1), own_2 = body_2.own->contact_points(1);
       if (own_1 && own_2 && own_1->n_points() != own_2->n_points())
         throw InputError("The bodies " + body_1.name + " and " + body_2.name + " bring " +
                          std::to_string(own_1->n_points()) + " and " + std::to_string(own_2->n_points()) +
@@ -206,11 +209,12 @@ namespace vibrocontact
                            " and " + number_text(own_2->x(i)) + " m; give both the same.");
       if (body_1.vibrates() || body_2.vibrates())
         return;
-      if (body_1.type == "rigid" && body_2.type == "rigid")
+      if (body_1.own->is_rigid() && body_2.own->is_rigid())
         throw InputError("The bodies " + body_1.name + " and " + body_2.name +
                          " are both rigid: make one of them a half-space or a meshed body.");
-      const double x = body_1.half_space.curvature_x() + body_2.half_space.curvature_x(),
-                   y = body_1.half_space.curvature_y() + body_2.half_space.curvature_y();
+      const auto [x_1, y_1] = body_1.own->curvatures();
+      const auto [x_2, y_2] = body_2.own->curvatures();
+      const double x = x_1 + x_2, y = y_1 + y_2;
       if (!(x > 0) || (!(y > 0) && !strip))
         throw InputError(
             "The bodies " + body_1.name + " and " + body_2.name +
@@ -228,13 +232,13 @@ namespace vibrocontact
     void check_layer(const Scene &scene, const RollingParameters &rolling)
     {
       for (const BodyParameters &body : scene.bodies)
-        if (body.type == "layer")
+        if (body.own->stays_in_place())
         {
-          if (&body != &scene.bodies[0] || scene.bodies.size() < 2 || scene.bodies[1].type != "rigid")
+          if (&body != &scene.bodies[0] || scene.bodies.size() < 2 || !scene.bodies[1].own->is_rigid())
             throw InputError(
                 "The layer " + body.name +
                 " slides on a rigid plane: list it first in Bodies and a body of type rigid second.");
-          if (scene.bodies[1].half_space.curvature_x() != 0 || scene.bodies[1].half_space.curvature_y() != 0)
+          if (scene.bodies[1].own->curvatures() != std::make_pair(0., 0.))
             throw InputError(scene.bodies[1].name + "/Rigid has a curvature, but a layer slides on a plane: "
                                                     "leave its radii out.");
           if (rolls_or_slides(scene) && rolling.creepage.speed != 0)

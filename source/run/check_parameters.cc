@@ -7,6 +7,7 @@
 #include <vibrocontact/run/check_contacts.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/parameters.h>
+#include <vibrocontact/scene/identified.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,18 +25,11 @@ namespace vibrocontact
     {
       const std::string free = ", so that the body is free to fall under the contact force; ";
       for (const BodyParameters &body : scene.bodies)
-        if (body.type == "block" && body.block.held.empty())
-          throw InputError(body.name + "/Block/Held is empty" + free +
-                           "hold at least one boundary, for instance Held = " +
-                           (body.block.contact_face == "top" ? "bottom" : "top"));
-        else if (body.type == "mesh" && !body.mesh.is_supported())
-          throw InputError(body.name + "/Mesh/Held groups and Foundation groups are empty" + free +
-                           "hold at least one of the file's groups or put it on springs");
-        else if (body.type == "rail" && !body.rail.has_pads())
-          throw InputError(body.name + "/Rail has no pad stiffness" + free + "give Pad stiffness x, y and z");
-        else if (body.type == "beam rail" && !body.beam_rail.has_pads())
-          throw InputError(body.name + "/Beam rail has no pad stiffness" + free +
-                           "give Pad stiffness x, y and z");
+      {
+        const auto [empty, advice] = body.own->missing_support(body.name);
+        if (!empty.empty())
+          throw InputError(empty + free + advice);
+      }
     }
 
     void check_rolling(const BodyParameters &body, const RoadParameters &road)
@@ -53,22 +47,20 @@ namespace vibrocontact
       if (body.rolls() && speed == 0)
         throw InputError(body.name +
                          "/Ring/Rolling is true, but Rolling/Speed is 0: give the speed that it turns with.");
-      if (body.rolls() && largest_friction(parameters) > 0)
-        throw InputError(body.name +
-                         "/Ring/Rolling is true, but there is friction: the slip of material that flows "
-                         "through the contact points of a ring is not known here; set Rolling to false or "
-                         "the friction coefficient to 0.");
-      if (body.type == "identified" && body.identified.inverse_transform)
+      const IdentifiedParameters *const measured = body.own->measured();
+      if (!measured)
+        return;
+      if (measured->inverse_transform)
         throw InputError(body.name +
                          "/Identified/Inverse transform is true, whose Green's functions repeat themselves; "
                          "other analyses than modal convolution need poles: leave it out.");
-      if (body.type == "identified" && largest_friction(parameters) > 0)
+      if (largest_friction(parameters) > 0)
         throw InputError(
             "Contact/Friction coefficient is " + number_text(largest_friction(parameters)) + ", but " +
             body.name +
             " is of type identified, whose data say nothing about motion along the contact: set it "
             "to 0.");
-      if (body.type == "identified" && !body.identified.is_even() && speed > 0)
+      if (!measured->is_even() && speed > 0)
         throw InputError(body.name +
                          "/Identified/Positions are not evenly spaced, but Rolling/Speed is above 0, and "
                          "material that flows through them is differenced from point to point: set it to 0.");
@@ -116,14 +108,10 @@ namespace vibrocontact
         return;
       }
       const std::string entry = "Modal convolution/Friction is true, but ";
-      if (body.type == "identified")
+      if (body.own->measured())
         throw InputError(entry + body.name +
                          " is of type identified, whose data say nothing about motion along "
                          "the road: set it to false.");
-      if (body.rolls())
-        throw InputError(entry + body.name +
-                         "/Ring/Rolling too: the slip of material that flows through the "
-                         "contact points is not known here; set one of them to false.");
       if (parameters.comparison.any())
         throw InputError(entry +
                          "Comparison/Rows asks for a comparison of methods, whose exact motion has none: "
@@ -140,7 +128,7 @@ namespace vibrocontact
       if (rolling.hub == "held")
         return;
       const BodyParameters &body = parameters.scene.bodies[0];
-      if (body.type == "half-space")
+      if (!parameters.has_hub())
         throw InputError("Rolling/Hub is " + rolling.hub + ", but body 1, " + body.name +
                          ", is a half-space, which has no hub: leave the entry out.");
       if (rolling.hub != "suspended")
@@ -220,7 +208,7 @@ namespace vibrocontact
       const BodyParameters &body = parameters.scene.bodies[number];
       const PeriodicParameters &periodic = parameters.periodic;
       const std::string moves = ", but " + body.name + ", of type " + body.type + ", ";
-      const bool rolls = body.rolls(), by_poles = rolls || body.type == "identified",
+      const bool rolls = body.rolls(), by_poles = body.is_known_by_poles(),
                  friction = parameters.contact().friction > 0;
       const bool has_points =
           number == 0 ? !periodic.contact_points.empty() : !periodic.contact_points_below.empty();
@@ -236,14 +224,14 @@ namespace vibrocontact
                          "meets a stop below or above it: set it to -z or +z.");
       if (number == 0 && periodic.model != "reduced")
         throw InputError("Periodic/Model is finite elements" + moves + "has none: set it to reduced.");
-      if (friction && (by_poles || body.type == "oscillator"))
+      if (friction && (by_poles || !body.own->is_driven_along_stop()))
         throw InputError(
             "Contact/Friction coefficient is " + number_text(parameters.contact().friction) + moves +
             (rolls ? "rolls: the slip of material that flows through the contact points is not known here"
              : by_poles ? "has no data about motion along the stop"
                         : "does not move along the stop, as nothing drives it there") +
             "; set it to 0.");
-      if (body.type == "identified" && body.identified.inverse_transform)
+      if (body.own->measured() && body.own->measured()->inverse_transform)
         throw InputError(
             body.name + "/Identified/Inverse transform is true, whose Green's functions repeat themselves; a "
                         "periodic motion needs poles: leave it out.");
@@ -261,8 +249,8 @@ namespace vibrocontact
       { return body.is_meshed() ? parameters.modes.at(body.name).stiffness_damping : 0.; };
       const auto has_rest = [&](const BodyParameters &body)
       {
-        return body.is_meshed() ? parameters.periodic.model == "reduced" || body.bar.massless_contact_node
-                                : !body.has_rigid_points();
+        return body.is_meshed() ? parameters.periodic.model == "reduced" || body.own->has_massless_points()
+                                : !body.own->has_rigid_points();
       };
       const BodyParameters &first = parameters.scene.bodies[0], &second = parameters.scene.bodies[1];
       if (has_rest(first) && has_rest(second) && relaxation(first) != relaxation(second))
@@ -284,20 +272,22 @@ namespace vibrocontact
                          std::to_string(number + 1) +
                          " one with elements, an oscillator, a ring or an identified body" +
                          (number > 0 ? ", or a rigid stop." : "."));
-      if (number > 0 && body.touches_downwards_only())
+      if (number > 0 && body.own->touches_downwards_only())
         throw InputError("Analyses lists periodic, but body 2, " + of_type +
                          ", which stands on what is below it: list it first in Bodies" +
-                         (body.type == "identified" ? " or leave its Radius out." : "."));
+                         body.own->way_to_look_up() + ".");
       if (!body.is_meshed())
         check_periodic_points(parameters, number);
-      if (body.type == "beam rail")
+      if (body.own->lies_on_half_space())
         throw InputError("Analyses lists periodic, but " + of_type +
                          ", whose contact points lie on a half-space that periodic motion does not know: "
                          "make it a rail.");
-      if (body.type == "blade" && parameters.periodic.contact_points_on(number).empty())
-        throw InputError("Periodic/Contact points is empty, but " + body.name +
-                         " is a blade, which is touched at places of its tip: give them, for instance "
-                         "Contact points = corner: 0.04, 0.003, 0.2");
+      const std::string example = body.own->example_of_points();
+      if (!example.empty() && parameters.periodic.contact_points_on(number).empty())
+        throw InputError("Periodic/Contact points is empty, but " + of_type +
+                         ", which is touched at places of its tip: give them, for instance "
+                         "Contact points = " +
+                         example);
     }
   } // namespace
 
@@ -407,7 +397,7 @@ namespace vibrocontact
       for (unsigned int k = 0; k < n_vibrating(); ++k)
       {
         check_vibrating_body(*this, k);
-        has_massless_node = has_massless_node || scene.bodies[k].bar.massless_contact_node;
+        has_massless_node = has_massless_node || scene.bodies[k].own->has_massless_points();
       }
       if (n_vibrating() > 1)
         check_relaxations(*this);
@@ -434,7 +424,7 @@ namespace vibrocontact
       const ContactParameters &one = contacts.all[k];
       for (const unsigned int b : {bodies_of_contact(k).first, bodies_of_contact(k).second})
         if ((scene.runs("transient") || scene.runs("periodic")) && one.friction > 0 &&
-            b < scene.bodies.size() && scene.bodies[b].type == "bar" &&
+            b < scene.bodies.size() && scene.bodies[b].own->moves_along_z_only() &&
             (b == 0 || scene.runs("periodic") || !one.name.empty()))
           throw InputError(scene.bodies[b].name + " is a bar, which moves in one direction only: set " +
                            one.section + "/Friction coefficient to 0.");
@@ -461,7 +451,7 @@ namespace vibrocontact
           "Static friction ratio of 1) or leave the count out.");
     for (const auto &[section, model] : unreduced_models(*this))
       for (const BodyParameters &body : scene.bodies)
-        if (body.type == "half-space" || body.type == "beam rail" || body.is_green())
+        if (body.own->lies_on_half_space() || body.is_green())
           throw InputError(section + "/Model is " + model + ", but " + body.name +
                            (body.is_green() ? " is of type " : " is a ") + body.type +
                            (body.is_green() ? ", which is known between its contact points alone"

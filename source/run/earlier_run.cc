@@ -1,4 +1,5 @@
-#include <vibrocontact/analyses/transient/checkpoint.h>
+#include <vibrocontact/analyses/modal_convolution/modal_convolution.h>
+#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/base/exceptions.h>
@@ -72,14 +73,18 @@ namespace vibrocontact
     }
   } // namespace
 
-  Results earlier_results(const std::string &folder, const DeclaredParameters &used, const double end_time)
+  Results earlier_results(const std::string &folder, const DeclaredParameters &used,
+                          const Parameters &parameters)
   {
+    const ModalConvolutionParameters &road = parameters.modal_convolution;
     Results results;
     on_all_ranks(
         [&]
         {
           check_same(folder, content(folder, "used.prm"), used);
-          check_end_time(folder, end_time);
+          transient_checkpoint(folder).check_end_time(parameters.transient.end_time);
+          // which is the last whole step's
+          road_checkpoint(folder).check_end_time(road.end_time + road.time_step / 2);
           results = results_of_text(content(folder, "results.json"));
           check_files(folder, results.input_files, used);
         });

@@ -10,7 +10,8 @@ namespace vibrocontact
     bool moves_with_the_lateral_position(const Parameters &parameters)
     {
       for (const BodyParameters &body : parameters.scene.bodies)
-        if (body.is_wheel() || (&body == &parameters.scene.bodies[0] && body.type == "block"))
+        if (body.own->is_wheel() ||
+            (&body == &parameters.scene.bodies[0] && body.own->follows_lateral_position()))
           return true;
       return parameters.lateral_sweep() != nullptr;
     }
@@ -67,10 +68,10 @@ namespace vibrocontact
           bodies.push_back(&body);
       const bool own = std::none_of(bodies.begin(), bodies.end(),
                                     [](const BodyParameters *const body)
-                                    { return body->contact_points(1).has_value(); }),
+                                    { return body->own->contact_points(1).has_value(); }),
                  cells = std::none_of(bodies.begin(), bodies.end(),
                                       [](const BodyParameters *const body)
-                                      { return body->contact_points(1) && !body->takes_cell(); });
+                                      { return body->own->contact_points(1) && !body->own->takes_cell(); });
       const std::string whose = "no body (bar, layer, ring, oscillator) brings its own contact points";
       entries.add_if(cells, "no body (bar, layer, ring) brings its own cells", section, "Grid spacing");
       entries.add_if(own, whose, section, "Half length, Strip length, Offset x, Quadrature");
@@ -188,11 +189,5 @@ namespace vibrocontact
     BodyUse use;
     use.contact = use.loads = use.motion = use.loss = use.scaled_damping = true;
     return use;
-  }
-
-  bool stands_under_loads(const BodyParameters &body)
-  {
-    return body.type == "oscillator" ? body.oscillator.gravity != 0
-                                     : body.loads.gravity != 0 || !body.loads.traction_boundary.empty();
   }
 } // namespace vibrocontact

@@ -5,6 +5,7 @@
 #include <vibrocontact/propagators/well_posedness.h>
 #include <vibrocontact/receptances/pole_file.h>
 #include <vibrocontact/run/identified_body.h>
+#include <vibrocontact/scene/identified.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,10 +67,10 @@ namespace vibrocontact
   IdentifiedPoles identified_poles(const Parameters &parameters, const std::optional<MeasuredData> &measured,
                                    const BodyParameters &body, const double contact_step)
   {
-    if (body.identified.inverse_transform)
+    if (body.own->measured()->inverse_transform)
       throw InputError(body.name +
                        "/Identified/Inverse transform is true, which knows no poles: leave it out.");
-    if (!body.identified.poles_file.empty())
+    if (!body.own->measured()->poles_file.empty())
     {
       const PoleFile file = pole_file(body);
       return {file.names.labels, goes_both_ways(file.names),
@@ -119,9 +120,10 @@ namespace vibrocontact
   BodyInContact identified_body(const Parameters &parameters, const std::optional<MeasuredData> &measured,
                                 const BodyParameters &body, const double contact_step)
   {
-    const double tread = body.identified.tread_stiffness > 0 ? 1 / body.identified.tread_stiffness : 0;
+    const double tread =
+        body.own->measured()->tread_stiffness > 0 ? 1 / body.own->measured()->tread_stiffness : 0;
     BodyInContact model =
-        body.identified.inverse_transform
+        body.own->measured()->inverse_transform
             ? transformed_body(parameters, measured.value().data, body)
             : identified_poles(parameters, measured, body, tread > 0 ? 0 : contact_step).poles;
     for (unsigned int i = 0; i < model.n_rows(); ++i)

@@ -5,11 +5,6 @@
 #include <vibrocontact/contact/contact_operator.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
 #include <vibrocontact/fe/assemble_body.h>
-#include <vibrocontact/fe/bar_elements.h>
-#include <vibrocontact/fe/beam_elements.h>
-#include <vibrocontact/fe/layer_elements.h>
-#include <vibrocontact/fe/nearest_dof.h>
-#include <vibrocontact/fe/ring_elements.h>
 #include <vibrocontact/fe/trace_assembly.h>
 #include <vibrocontact/run/meshed_body.h>
 
@@ -64,7 +59,7 @@ namespace vibrocontact
   {
     if (modes.rim_radius > 0)
       return modes.rim_radius;
-    return WheelFrame().rim_radius * (body.type == "wheel" ? body.wheel.scale : 1.);
+    return WheelFrame().rim_radius * body.own->size_over_section();
   }
 
   namespace
@@ -98,30 +93,17 @@ namespace vibrocontact
   std::unique_ptr<SecondOrderSystem> MeshedBody::assemble()
   {
     const ContactGrid *const pointer = places.empty() ? nullptr : &places.front().grid;
-    if (parameters.type == "bar")
+    if (const ElementBody *const elements = parameters.own->elements())
     {
-      auto system = assemble_bar(parameters.bar, parameters.material, parameters.name, above, pointer,
-                                 communicator, parameters.loads.gravity);
-      if (!places.empty())
-        system->trace = points_of_bar(*system);
-      return system;
-    }
-    if (parameters.type == "beam rail")
-    {
-      auto system = assemble_beam_rail(parameters.beam_rail, parameters.material, parameters.name, pointer,
-                                       communicator);
-      if (pointer)
+      auto system = elements->assemble(parameters, above, pointer, communicator);
+      if (pointer && parameters.own->lies_on_half_space())
         system->local_compliance =
             half_space_compliance(*pointer, HalfSpacePair({std::numeric_limits<double>::infinity(), 0.},
                                                           half_space_material(parameters)));
+      if (!places.empty())
+        system->trace = contacts_of(*elements, *system);
       return system;
     }
-    if (parameters.type == "ring")
-      return assemble_ring(parameters.ring, parameters.name, pointer, communicator);
-    if (parameters.type == "layer")
-      return assemble_layer(parameters.layer, parameters.material, parameters.name, pointer, communicator);
-    if (parameters.own)
-      return parameters.own->assemble(parameters, above, pointer, communicator);
     const double n_dofs = elastic_body().dof_handler.n_dofs();
     // 20 us per dof on one rank
     const Progress progress(parameters.name + ": assembly of " + number_text(n_dofs) + " dofs", 1,
@@ -149,17 +131,16 @@ namespace vibrocontact
     trace = joined(traces);
   }
 
-  ContactTrace MeshedBody::points_of_bar(const SecondOrderSystem &system) const
+  ContactTrace MeshedBody::contacts_of(const ElementBody &elements, SecondOrderSystem &system) const
   {
-    // assembled for the point at its contact end
+    const ContactTrace usual = system.trace;
     std::vector<ContactTrace> traces;
     for (const ContactPlace &place : places)
     {
+      system.trace = usual;
+      if (place.frame.origin[2] != 0)
+        elements.move_contact(system, place.frame.origin[2]);
       traces.push_back(system.trace);
-      const double z = place.frame.origin[2];
-      if (z != 0)
-        traces.back().rows[0] = nearest_dof(
-            system, {0., 0., z}, 2, "The contact of " + parameters.name + " at z = " + number_text(z) + " m");
     }
     return joined(traces);
   }
@@ -170,15 +151,8 @@ namespace vibrocontact
       return;
     const std::string &name = parameters.name, is = above ? "body 1, above" : "body 2, below",
                       direction = faces_up ? "up" : "down";
-    if (parameters.type == "block")
-      throw InputError(name + "/Block/Contact face points " + direction + ", but " + name + " is " + is +
-                       " the plane of contact: set it to " + (above ? "bottom" : "top") +
-                       " or list the bodies the other way round.");
-    throw InputError("The contact surface of body " + name + " points " + direction + ", but " + name +
-                     " is " + is + " the plane of contact: " +
-                     (parameters.type == "mesh"
-                          ? "turn its mesh, choose another " + name + "/Mesh/Contact group"
-                          : std::string("this body belongs to the other place")) +
+    throw InputError(parameters.own->contact_surface(name) + " points " + direction + ", but " + name +
+                     " is " + is + " the plane of contact: " + parameters.own->way_to_turn(name, above) +
                      " or list the bodies the other way round.");
   }
 

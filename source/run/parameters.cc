@@ -5,6 +5,7 @@
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/reduction/window.h>
 #include <vibrocontact/run/parameters.h>
+#include <vibrocontact/scene/identified.h>
 
 #include <algorithm>
 #include <cmath>
@@ -101,7 +102,7 @@ namespace vibrocontact
     return scene.runs("identification") ||
            std::any_of(scene.bodies.begin(), scene.bodies.end(),
                        [](const BodyParameters &body)
-                       { return body.type == "identified" && body.identified.poles_file.empty(); });
+                       { return body.own->measured() && body.own->measured()->takes_data(); });
   }
 
   std::pair<unsigned int, unsigned int> Parameters::bodies_of_contact(const unsigned int k) const
@@ -124,7 +125,7 @@ namespace vibrocontact
     {
       if (!contacts.all[k].name.empty() && b != above && b != below)
         continue;
-      if (const auto own = scene.bodies[b].contact_points(contacts.all[k].spacing))
+      if (const auto own = scene.bodies[b].own->contact_points(contacts.all[k].spacing))
         return *own;
     }
     return contacts.all[k].grid();
@@ -272,11 +273,7 @@ namespace vibrocontact
     {
       Parameters parameters;
       parameters.take(tables);
-      BodyParameters body;
-      body.name = body.type = type.name;
-      body.types = {tables, &tables->body_types};
-      if (type.make)
-        body.own = type.make();
+      const BodyParameters body(type.name, type.name, {tables, &tables->body_types});
       parameters.scene.bodies = {body};
       dealii::ParameterHandler prm;
       parameters.declare(prm);

@@ -20,8 +20,8 @@ namespace vibrocontact
     /// The lateral position that matters to body k: that of the contact on body 1, a wheel's in any place.
     double lateral_position(const Parameters &parameters, const unsigned int k)
     {
-      const std::string &type = parameters.scene.bodies[k].type;
-      return k == 0 || type == "wheel" || type == "mesh" ? parameters.contact().lateral_position : 0.;
+      return k == 0 || parameters.scene.bodies[k].own->is_wheel() ? parameters.contact().lateral_position
+                                                                  : 0.;
     }
   } // namespace
 
@@ -123,7 +123,7 @@ namespace vibrocontact
       {
         const bool with_modes = wants_modes(parameters, *body);
         // a mesh that is to be written has to be made
-        const bool wanted = all || !body->parameters.wheel.write_mesh.empty();
+        const bool wanted = all || body->parameters.own->writes_mesh();
         const bool cached = body->reduction.is_cached(parameters.has_contact(), with_modes);
         if (cached && !wanted)
           continue;

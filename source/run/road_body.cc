@@ -1,6 +1,5 @@
 #include <vibrocontact/analyses/modal_convolution/static_load.h>
-#include <vibrocontact/bodies/ring_poles.h>
-#include <vibrocontact/bodies/road_rows.h>
+#include <vibrocontact/contact/creep.h>
 #include <vibrocontact/run/identified_body.h>
 #include <vibrocontact/run/road_body.h>
 
@@ -52,47 +51,30 @@ namespace vibrocontact
                      const RoadUse &use)
   {
     const BodyParameters &body = parameters.scene.bodies[number];
-    if (body.type == "oscillator")
-      return {oscillator_body(body.oscillator, use.friction), {0.}, {0.}};
     RoadBody result;
-    if (body.type == "identified")
+    result.tread = body.own->tread_compliance(false);
+    result.places = body.own->places();
+    result.shapes = body.own->heights();
+    if (body.own->measured())
     {
-      const IdentifiedParameters &own = body.identified;
       result.body = identified_body(parameters, measured, body, use.contact_step);
-      result.tread = own.tread_stiffness > 0 ? 1 / own.tread_stiffness : 0.;
       result.is_passive = !parameters.identification.rolling && is_reciprocal(result.body);
-      result.places = own.positions.empty() ? std::vector<double>{0.} : own.positions;
-      result.shapes = own.positions.empty() ? std::vector<double>{0.} : own.heights();
       return result;
     }
-    if (body.type == "ring")
+    if (const PointBody *const points = body.own->at_points())
     {
-      result.tread = tread_compliance(body.ring, false);
-      for (const double angle : body.ring.angles())
-      {
-        result.places.push_back(body.ring.radius * angle);
-        result.shapes.push_back(body.ring.radius * (1 - std::cos(angle)));
-      }
-      if (!body.ring.is_meshed())
-      {
-        const double rotation = body.ring.rotation(use.speed);
-        const std::vector<RingRow> rows = ring_rows(body.ring, use.friction);
-        result.body = rotation == 0 ? ring_modes(body.ring, rows) : ring_poles(body.ring, rows, rotation);
-        result.is_passive = rotation == 0;
-        return result;
-      }
+      const std::vector<double> upstream = find_creep_scheme(parameters.contact().creep_scheme).coefficients;
+      result.body =
+          points->between_points(use.friction, use.speed, use.friction ? upstream : std::vector<double>());
+      result.is_passive = !body.rolls();
+      return result;
     }
-    if (body.type == "ring")
-      result.body = ring_of_elements(body.ring, *reduced, use.friction);
-    else
+    result.body = body.own->on_road(*reduced, use.friction);
+    for (unsigned int i = 0; i < reduced->grid.n_points() && !body.is_green(); ++i)
     {
-      result.body = road_rows(*reduced, use.friction, -1);
-      for (unsigned int i = 0; i < reduced->grid.n_points(); ++i)
-      {
-        // the contact travels towards -x
-        result.places.push_back(-reduced->grid.x(i));
-        result.shapes.push_back(reduced->surface_height[i]);
-      }
+      // the contact travels towards -x
+      result.places.push_back(-reduced->grid.x(i));
+      result.shapes.push_back(reduced->surface_height[i]);
     }
     result.is_passive = !falls(result.body);
     return result;

@@ -184,7 +184,7 @@ namespace vibrocontact
       run_log().line("Entries that options have put out of use: " + quoted_list(out_of_use, "and") + ".");
     if (command_line.check)
       for (BodyParameters &body : parameters.scene.bodies)
-        body.wheel.write_mesh.clear();
+        body.own->write_no_mesh();
 
     const std::string folder = parameters.output.folder(command_line.output, command_line.file);
     const DeclaredParameters used = declared_parameters(prm).without(out_of_use);
@@ -205,7 +205,7 @@ namespace vibrocontact
       {
         check_places(parameters, bodies, sweeps);
         if (command_line.resume)
-          earlier_results(folder, used, parameters.transient.end_time);
+          earlier_results(folder, used, parameters);
       }
     }
     catch (const MachineError &)
@@ -233,7 +233,7 @@ namespace vibrocontact
                           !command_line.resume);
     Results results;
     if (command_line.resume)
-      results = earlier_results(folder, used, parameters.transient.end_time);
+      results = earlier_results(folder, used, parameters);
     results.title = parameters.scene.title;
     results.input_files = input_files(used);
     RunRecord record(folder, file, used, command_line.resume ? &results : nullptr);

@@ -7,7 +7,7 @@
 #include <vibrocontact/run/check_before_run.h>
 #include <vibrocontact/run/run_sweep.h>
 #include <vibrocontact/run/swept_runs.h>
-#include <vibrocontact/run/verdict.h>
+#include <vibrocontact/output/verdict.h>
 
 #include <deal.II/base/utilities.h>
 

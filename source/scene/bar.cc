@@ -1,5 +1,10 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
 #include <vibrocontact/scene/bar.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
 
 namespace vibrocontact
 {
@@ -32,5 +37,30 @@ namespace vibrocontact
     if (massless_contact_node && divisions < 2)
       throw InputError("Section '" + path +
                        "': Massless contact node leaves a bar of one element without mass: raise Divisions.");
+  }
+
+  bool BarParameters::add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const
+  {
+    entries.add(section, "Length, Section, Divisions, Element degree, Far end");
+    entries.add_if(use.motion || use.heavy, "the body moves or has a Gravity", section,
+                   "Consistent mass, Massless contact node");
+    return true;
+  }
+
+  void BarParameters::print(Log &log) const
+  {
+    log.value("length", length, "m");
+    log.value("section", this->section, "m^2");
+    log.value("dofs", divisions * degree + 1);
+  }
+
+  nlohmann::ordered_json BarParameters::sizes() const
+  {
+    return {{"length_m", length}};
+  }
+
+  std::optional<ContactGrid> BarParameters::contact_points(double) const
+  {
+    return single_point(std::sqrt(section));
   }
 } // namespace vibrocontact

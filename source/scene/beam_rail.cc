@@ -1,5 +1,8 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
 #include <vibrocontact/scene/beam_rail.h>
+
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <sstream>
@@ -71,5 +74,38 @@ namespace vibrocontact
   double BeamRailParameters::crown_height(const double y) const
   {
     return crown_radius > 0 ? height - crown_radius + std::sqrt(crown_radius * crown_radius - y * y) : height;
+  }
+
+  bool BeamRailParameters::add_entries(EntriesRead &entries, const std::string &section,
+                                       const BodyUse &use) const
+  {
+    entries.add(section,
+                "Length, Area, Moment of area y, Moment of area z, Torsion constant, Warping constant, "
+                "Shear coefficient z, Shear coefficient y, Centroid height, Shear centre height, "
+                "Element length, Element degree");
+    entries.add_if(use.contact || use.points, "places on its crown are observed", section,
+                   "Lateral position, Height");
+    entries.add_if(use.contact || (use.points && lateral_position != 0),
+                   "the body is in contact, or is observed beside its Lateral position 0", section,
+                   "Crown radius");
+    entries.add_if(has_pads(), "there are pads", section, "Foot width");
+    add_support_entries(entries, section, use, true);
+    return true;
+  }
+
+  void BeamRailParameters::print(Log &log) const
+  {
+    log.value("length", length, "m");
+    log.value("supports", static_cast<unsigned int>(supports().size()));
+  }
+
+  nlohmann::ordered_json BeamRailParameters::sizes() const
+  {
+    return {{"length_m", length}, {"supports_m", supports()}};
+  }
+
+  std::pair<std::string, std::string> BeamRailParameters::missing_support(const std::string &name) const
+  {
+    return support_wanted(name + "/Beam rail");
   }
 } // namespace vibrocontact

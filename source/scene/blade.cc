@@ -114,4 +114,21 @@ namespace vibrocontact
     mesh.contact_boundaries = {mesh.boundaries.at("tip")};
     return mesh;
   }
+
+  bool BladeParameters::add_entries(EntriesRead &entries, const std::string &section, const BodyUse &) const
+  {
+    entries.add(section, "Length, Chord, Thickness, Root angle, Tip angle, Length divisions, "
+                         "Chord divisions, Thickness divisions, Element degree");
+    return true;
+  }
+
+  BodyMesh<3> BladeParameters::make_mesh(const MeshRequest &request) const
+  {
+    return make_blade(*this, request.name, request.communicator);
+  }
+
+  void BladeParameters::hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const
+  {
+    model.held = {mesh.boundary_id("root")};
+  }
 } // namespace vibrocontact

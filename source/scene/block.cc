@@ -5,11 +5,28 @@
 #include <deal.II/grid/grid_generator.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <sstream>
 
 namespace vibrocontact
 {
   using namespace dealii;
+
+  namespace
+  {
+    /// The face of a block that looks at its partner.
+    std::string face_towards(const ContactPlace &place)
+    {
+      static const char *const faces[3][2] = {{"left", "right"}, {"front", "back"}, {"bottom", "top"}};
+      const std::array<double, 3> &normal = place.frame.axes[0];
+      unsigned int axis = 0;
+      for (unsigned int d = 1; d < 3; ++d)
+        if (std::abs(normal[d]) > std::abs(normal[axis]))
+          axis = d;
+      return faces[axis][(normal[axis] > 0) != place.above];
+    }
+  } // namespace
 
   void BlockParameters::declare_parameters(ParameterHandler &prm)
   {
@@ -93,4 +110,41 @@ namespace vibrocontact
 
   template BodyMesh<2> make_block(const BlockParameters &, const std::string &, const MPI_Comm);
   template BodyMesh<3> make_block(const BlockParameters &, const std::string &, const MPI_Comm);
+
+  bool BlockParameters::add_entries(EntriesRead &entries, const std::string &section, const BodyUse &) const
+  {
+    entries.add(section, "Length, Width, Height, Divisions x, Divisions y, Divisions z, Contact face, Held, "
+                         "Offset x, Offset y");
+    return true;
+  }
+
+  std::pair<std::string, std::string> BlockParameters::missing_support(const std::string &name) const
+  {
+    if (!held.empty())
+      return {};
+    return {name + "/Block/Held is empty", std::string("hold at least one boundary, for instance Held = ") +
+                                               (contact_face == "top" ? "bottom" : "top")};
+  }
+
+  BodyMesh<3> BlockParameters::make_mesh(const MeshRequest &request) const
+  {
+    BlockParameters shifted = *this;
+    shifted.offset_y -= request.lateral_position;
+    BodyMesh<3> mesh = make_block<3>(shifted, request.name, request.communicator);
+    for (const ContactPlace &place : request.places)
+      if (!place.frame.is_usual())
+        mesh.contact_boundaries.insert(mesh.boundary_id(face_towards(place)));
+    return mesh;
+  }
+
+  void BlockParameters::hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const
+  {
+    for (const std::string &boundary : held)
+      model.held.push_back(mesh.boundary_id(boundary));
+  }
+
+  std::string BlockParameters::way_to_turn(const std::string &, const bool above) const
+  {
+    return std::string("set it to ") + (above ? "bottom" : "top");
+  }
 } // namespace vibrocontact

@@ -27,6 +27,14 @@ namespace vibrocontact
                       Double(0, 1));
   }
 
+  void ContactRefinement::add_entries(EntriesRead &entries, const std::string &section,
+                                      const BodyUse &use) const
+  {
+    entries.add_if(use.contact, "the body is in contact", section, "Contact cell size");
+    entries.add_if(use.contact && cell_size > 0, "the body is in contact and has a Contact cell size",
+                   section, "Refinement margin, Refinement depth");
+  }
+
   void ContactRefinement::check(const std::string &section) const
   {
     std::ostringstream text;

@@ -1,5 +1,8 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
 #include <vibrocontact/scene/half_space_body.h>
+
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <sstream>
@@ -30,5 +33,24 @@ namespace vibrocontact
              << " m, no radius of a contact; give it in m, or 0 for a flat surface";
         throw InputError(text.str());
       }
+  }
+
+  bool HalfSpaceParameters::add_entries(EntriesRead &entries, const std::string &section,
+                                        const BodyUse &use) const
+  {
+    entries.add_if(use.contact && !use.in_a_point, "its surface is in contact, and not in one point of a bar",
+                   section, "Radius x, Radius y");
+    return true;
+  }
+
+  void HalfSpaceParameters::print(Log &log) const
+  {
+    log.value("radius along x", radius_x, "m (0: flat)");
+    log.value("radius along y", radius_y, "m (0: flat)");
+  }
+
+  nlohmann::ordered_json HalfSpaceParameters::sizes() const
+  {
+    return {{"radius_x_m", radius_x}, {"radius_y_m", radius_y}};
   }
 } // namespace vibrocontact

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
 #include <vibrocontact/scene/identified.h>
 
 #include <algorithm>
@@ -43,7 +44,7 @@ namespace vibrocontact
   std::vector<double> IdentifiedParameters::heights() const
   {
     std::vector<double> result;
-    for (const double x : positions)
+    for (const double x : places())
       result.push_back(radius > 0 ? radius * (1 - std::cos(x / radius)) : 0);
     return result;
   }
@@ -67,5 +68,34 @@ namespace vibrocontact
     grid.x_first = -positions.back();
     grid.whole_surface = true;
     return grid;
+  }
+
+  bool IdentifiedParameters::add_entries(EntriesRead &entries, const std::string &section,
+                                         const BodyUse &use) const
+  {
+    entries.add(section, "Poles file, Inverse transform");
+    entries.add_if(use.contact, "the body is in contact", section, "Positions, Tread stiffness");
+    entries.add_if(use.contact && !positions.empty(), "there are Positions", section, "Radius");
+    return true;
+  }
+
+  void IdentifiedParameters::print(Log &log) const
+  {
+    log.value("points", static_cast<unsigned int>(places().size()));
+  }
+
+  std::optional<ContactGrid> IdentifiedParameters::contact_points(const double cell) const
+  {
+    return positions.size() > 1 ? grid(cell) : single_point(cell);
+  }
+
+  std::vector<double> IdentifiedParameters::places() const
+  {
+    return positions.empty() ? std::vector<double>{0.} : positions;
+  }
+
+  double IdentifiedParameters::tread_compliance(bool) const
+  {
+    return tread_stiffness > 0 ? 1 / tread_stiffness : 0;
   }
 } // namespace vibrocontact

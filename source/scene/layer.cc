@@ -1,5 +1,9 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/scene/layer.h>
+
+#include <nlohmann/json.hpp>
 
 namespace vibrocontact
 {
@@ -59,5 +63,30 @@ namespace vibrocontact
     block.contact_face = "bottom";
     block.held = {"top"};
     return block;
+  }
+
+  bool LayerParameters::add_entries(EntriesRead &entries, const std::string &section, const BodyUse &) const
+  {
+    entries.add(section, "Length, Height, Width, Divisions x, Divisions z, Element degree");
+    entries.add_if(!plane_strain(), "Width is given", section, "Divisions y");
+    return true;
+  }
+
+  void LayerParameters::print(Log &log) const
+  {
+    log.value("length", length, "m");
+    log.value("height", height, "m");
+    log.value("width", plane_strain() ? "plane strain, per metre" : number_text(width) + " m");
+    log.value("contact points", grid().n_points());
+  }
+
+  nlohmann::ordered_json LayerParameters::sizes() const
+  {
+    return {{"length_m", length}, {"height_m", height}};
+  }
+
+  std::optional<ContactGrid> LayerParameters::contact_points(double) const
+  {
+    return grid();
   }
 } // namespace vibrocontact

@@ -8,11 +8,16 @@ namespace vibrocontact
 {
   using namespace dealii;
 
+  void LoadParameters::declare_gravity(ParameterHandler &prm)
+  {
+    prm.add_parameter("Gravity", gravity, "Acceleration of gravity along -z; 9.81 on earth. Units: m/s^2.",
+                      Patterns::Double(-1e4, 1e4));
+  }
+
   void LoadParameters::declare_parameters(ParameterHandler &prm)
   {
     using Patterns::Double;
-    prm.add_parameter("Gravity", gravity, "Acceleration of gravity along -z; 9.81 on earth. Units: m/s^2.",
-                      Double(-1e4, 1e4));
+    declare_gravity(prm);
     prm.add_parameter("Traction boundary", traction_boundary,
                       "Boundary under a uniform traction; empty: none. Units: none.", Patterns::Anything());
     prm.add_parameter("Traction", traction, "Traction on that boundary along x, y, z. Units: Pa.",

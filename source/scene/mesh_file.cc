@@ -262,4 +262,57 @@ namespace vibrocontact
                                                                  : parameters.wheel_outline,
                                 parameters.wheel_scale);
   }
+
+  bool MeshFileParameters::add_entries(EntriesRead &entries, const std::string &section,
+                                       const BodyUse &use) const
+  {
+    entries.add(section, "File, Unit, Contact point, Held groups, Foundation groups, Geometry, "
+                         "Element degree");
+    entries.add_if(use.contact, "the body is in contact", section, "Contact group");
+    const bool springs = !foundation_groups.empty();
+    entries.add_if(springs, "there are Foundation groups", section, "Foundation stiffness");
+    entries.add_if(springs && use.loss, "there are Foundation groups and the body moves", section,
+                   "Foundation loss factor");
+    entries.add_if(is_wheel(), "Geometry is wheel", section, "Wheel outline, Wheel scale");
+    refinement.add_entries(entries, section, use);
+    return true;
+  }
+
+  std::pair<std::string, std::string> MeshFileParameters::missing_support(const std::string &name) const
+  {
+    if (is_supported())
+      return {};
+    return {name + "/Mesh/Held groups and Foundation groups are empty",
+            "hold at least one of the file's groups or put it on springs"};
+  }
+
+  BodyMesh<3> MeshFileParameters::make_mesh(const MeshRequest &request) const
+  {
+    return make_mesh_from_file(*this, request.lateral_position, request.grid, request.name,
+                               request.communicator, request.materials);
+  }
+
+  void MeshFileParameters::hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const
+  {
+    add_supports(model, *this, mesh);
+  }
+
+  std::optional<FlatFace> MeshFileParameters::flat_face(double) const
+  {
+    if (is_wheel())
+      return {};
+    return flat_contact_group(*this);
+  }
+
+  std::optional<SectionOutline> MeshFileParameters::wheel_section() const
+  {
+    if (!is_wheel())
+      return {};
+    return vibrocontact::wheel_outline(*this);
+  }
+
+  std::string MeshFileParameters::way_to_turn(const std::string &name, bool) const
+  {
+    return "turn its mesh, choose another " + name + "/Mesh/Contact group";
+  }
 } // namespace vibrocontact

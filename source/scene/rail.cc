@@ -228,4 +228,28 @@ namespace vibrocontact
       bed.segments.emplace_back(x - parameters.pad_length / 2, x + parameters.pad_length / 2);
     model.springs.push_back(bed);
   }
+
+  bool RailParameters::add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const
+  {
+    entries.add(section, "Section mesh, Section outline, Section refinements, Element degree, Length, "
+                         "Lateral position, Contact division, Coarse division, Growth, Fine length");
+    add_support_entries(entries, section, use, false);
+    refinement.add_entries(entries, section, use);
+    return true;
+  }
+
+  std::pair<std::string, std::string> RailParameters::missing_support(const std::string &name) const
+  {
+    return support_wanted(name + "/Rail");
+  }
+
+  BodyMesh<3> RailParameters::make_mesh(const MeshRequest &request) const
+  {
+    return make_rail(*this, request.grid, request.name, request.communicator, request.materials);
+  }
+
+  void RailParameters::hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const
+  {
+    add_supports(model, *this, mesh);
+  }
 } // namespace vibrocontact

@@ -99,4 +99,22 @@ namespace vibrocontact
     return anechoic_loss_first *
            std::pow(anechoic_loss_last / anechoic_loss_first, n > 1 ? double(piece - 1) / (n - 1) : 0.);
   }
+
+  void RailSupports::add_support_entries(EntriesRead &entries, const std::string &section, const BodyUse &use,
+                                         const bool pieces_divide) const
+  {
+    entries.add(section, "Pad stiffness x, Pad stiffness y, Pad stiffness z");
+    entries.add_if(has_pads(), "there are pads", section, "Contact at, Sleeper spacing, Pad length");
+    entries.add_if(has_pads() && use.loss, "there are pads and the body moves", section, "Pad loss factor");
+    entries.add_if(use.loss || pieces_divide, "the body moves", section, "Anechoic lengths");
+    entries.add_if(use.loss && !anechoic_lengths.empty(), "the body moves and has Anechoic lengths", section,
+                   "Anechoic loss factor first, Anechoic loss factor last");
+  }
+
+  std::pair<std::string, std::string> RailSupports::support_wanted(const std::string &path) const
+  {
+    if (has_pads())
+      return {};
+    return {path + " has no pad stiffness", "give Pad stiffness x, y and z"};
+  }
 } // namespace vibrocontact

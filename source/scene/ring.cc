@@ -1,5 +1,8 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
 #include <vibrocontact/scene/ring.h>
+
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <limits>
@@ -181,5 +184,73 @@ namespace vibrocontact
         result = external;
     }
     return result;
+  }
+
+  void RingParameters::read_ahead(const ParameterFile &file, const std::string &section)
+  {
+    // whether it has modes
+    model = file.raw_value(section, "Model", model);
+  }
+
+  bool RingParameters::add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const
+  {
+    const bool analytic = !is_meshed();
+    entries.add(section, "Model, Radius, Thickness, Width, Young modulus, Radial foundation stiffness, "
+                         "Circumferential foundation stiffness, Inflation pressure");
+    entries.add_if(use.motion || rolling, "the ring moves", section, "Density");
+    entries.add_if(use.loss || rolling, "the ring moves", section, "Damping ratio");
+    entries.add_if(pressure != 0, "there is an Inflation pressure", section, "Pressure");
+    entries.add_if(analytic, "Model is analytic", section, "Rolling, Highest order, Residual");
+    entries.add_if(analytic && residual, "Model is analytic and Residual is true", section, "Residual order");
+    entries.add_if(!analytic, "Model is beam elements or solid elements", section, "Divisions");
+    entries.add_if(model == "solid elements", "Model is solid elements", section, "Element degree");
+    entries.add_if(use.contact, "the ring is in contact", section, "Contact points, Tread stiffness");
+    entries.add_if(use.contact && (n_points > 1 || (use.tangential && rolling)),
+                   "there are several Contact points or the ring rolls with friction", section,
+                   "Contact spacing");
+    entries.add_if(use.contact && use.tangential, "the contact points move along the road", section,
+                   "Tread tangential stiffness");
+    return true;
+  }
+
+  void RingParameters::print(Log &log) const
+  {
+    log.value("model", model + (rolling ? ", rolling" : ", at rest"));
+    log.value("radius", radius, "m");
+    log.value("torsion", frequencies(0).first / (2 * dealii::numbers::PI), "Hz");
+    log.value("breathing", frequencies(0).second / (2 * dealii::numbers::PI), "Hz");
+    log.value("contact points", n_points);
+  }
+
+  nlohmann::ordered_json RingParameters::sizes() const
+  {
+    return {{"radius_m", radius}};
+  }
+
+  std::optional<ContactGrid> RingParameters::contact_points(double) const
+  {
+    return grid();
+  }
+
+  std::vector<double> RingParameters::places() const
+  {
+    std::vector<double> result;
+    for (const double angle : angles())
+      result.push_back(radius * angle);
+    return result;
+  }
+
+  std::vector<double> RingParameters::heights() const
+  {
+    std::vector<double> result;
+    for (const double angle : angles())
+      result.push_back(radius * (1 - std::cos(angle)));
+    return result;
+  }
+
+  double RingParameters::tread_compliance(const bool tangential) const
+  {
+    const double stiffness = tangential ? tread_tangential_stiffness : tread_stiffness;
+    return stiffness > 0 ? 1 / stiffness : 0;
   }
 } // namespace vibrocontact

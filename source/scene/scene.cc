@@ -128,23 +128,17 @@ namespace vibrocontact
     for (const auto &name : names)
     {
       check_body_name(file, name, names, reserved);
-      BodyParameters body;
-      body.types = body_types;
-      body.name = name;
-      body.type = file.raw_value(name, "Type");
-      if (body.type.empty())
+      const std::string type = file.raw_value(name, "Type");
+      if (type.empty())
         throw InputError(file.where_section(name) +
                          ": the body has no Type; write \"set Type = ...\" with one of " +
                          quoted_list(types));
-      if (!contains(types, body.type))
-        throw InputError(file.where(name, "Type") + ": there is no type of body \"" + body.type + "\"; " +
-                         name_suggestion(body.type, types));
-      if (body.body_type().make)
-        body.own = body.body_type().make();
-      // whether it has modes
-      if (body.type == "ring")
-        body.ring.model = file.raw_value(name + "/Ring", "Model", body.ring.model);
-      if (body.has_groups())
+      if (!contains(types, type))
+        throw InputError(file.where(name, "Type") + ": there is no type of body \"" + type + "\"; " +
+                         name_suggestion(type, types));
+      BodyParameters body(name, type, body_types);
+      body.own->read_ahead(file, name + "/" + body.body_type().section);
+      if (body.own->has_groups())
         read_materials(file, body);
       scene.bodies.push_back(body);
     }

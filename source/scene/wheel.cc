@@ -192,4 +192,24 @@ namespace vibrocontact
       refine_at_contact(mesh, *grid, parameters.refinement, parameters.section.element_degree);
     return mesh;
   }
+
+  bool WheelParameters::add_entries(EntriesRead &entries, const std::string &section,
+                                    const BodyUse &use) const
+  {
+    entries.add(section, "Section mesh, Section outline, Section refinements, Element degree, Write mesh, "
+                         "Scale, Contact division, Coarse division, Growth, Fine length");
+    refinement.add_entries(entries, section, use);
+    return true;
+  }
+
+  BodyMesh<3> WheelParameters::make_mesh(const MeshRequest &request) const
+  {
+    return make_wheel(*this, request.lateral_position, request.grid, request.name, request.communicator,
+                      request.materials);
+  }
+
+  void WheelParameters::hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const
+  {
+    model.held = {mesh.boundary_id("bore")};
+  }
 } // namespace vibrocontact

@@ -100,12 +100,9 @@ namespace
       if (divisions < 2)
         throw InputError(where + "/Divisions is 1, but a rod has two elements or more: raise it.");
     }
-    std::optional<ContactGrid> contact_grid() const override
+    std::optional<ContactGrid> contact_points(double) const override
     {
-      ContactGrid point;
-      point.n_x = point.n_y = 1;
-      point.spacing_x = point.spacing_y = std::sqrt(section);
-      return point;
+      return single_point(std::sqrt(section));
     }
     std::unique_ptr<SecondOrderSystem> assemble(const BodyParameters &body, const bool above,
                                                 const ContactGrid *const grid,
@@ -157,8 +154,7 @@ namespace
 
   BodyType rod()
   {
-    return {"rod", "Rod", "straight rod along z, far end held",
-            true,  false, [] { return std::make_shared<Rod>(); }};
+    return {"rod", "Rod", "straight rod along z, far end held", [] { return std::make_shared<Rod>(); }};
   }
 
   // ---------------------------------------------------------------- an analysis: the wave speed that a mode means
@@ -295,7 +291,7 @@ namespace
 
   // ---------------------------------------------------------------- a recorder: the largest normal force
 
-  class LargestForce : public Recorder
+  class LargestForce : public StateRecorder
   {
   public:
     explicit LargestForce(const std::string &folder) : file(folder + "/largest_force.csv") {}

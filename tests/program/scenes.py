@@ -32,7 +32,7 @@ BODIES = {
                          "0, 0, 0"),
     "ring, analytic": ("ring", RING + ["Ring/Model = analytic", "Ring/Highest order = 10"], "rigid", True, None),
     "ring, analytic, rolling": ("ring", RING + ["Ring/Model = analytic", "Ring/Highest order = 10", "Ring/Rolling = true"],
-                                "rigid", False, None),
+                                "rigid", True, None),
     "ring, analytic, on a half-space": ("ring", RING + ["Ring/Model = analytic", "Ring/Highest order = 10"], "half-space",
                                         True, None),
     "oscillator": ("oscillator", [], "rigid", True, None),

@@ -1,6 +1,6 @@
 // A checkpoint comes back bit for bit; a damaged one and one of other bodies are refused.
 
-#include <vibrocontact/analyses/transient/checkpoint.h>
+#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/base/exceptions.h>
 
 #include <gtest/gtest.h>
@@ -34,13 +34,19 @@ namespace
     return pair;
   }
 
+  TransientMarch march_of(const ContactPair &pair)
+  {
+    TransientParameters parameters;
+    parameters.end_time = 1;
+    return {parameters, {}, {}, pair, {}, {}};
+  }
+
   std::string refusal(const std::string &folder, const ContactPair &pair)
   {
-    DynamicState state;
-    TransientResult result;
+    TransientMarch march = march_of(pair);
     try
     {
-      read_checkpoint(folder, pair, state, result, {});
+      transient_checkpoint(folder).read(march, {});
     }
     catch (const InputError &error)
     {
@@ -57,20 +63,23 @@ TEST(Checkpoint, OfOtherBodiesIsRefused)
   for (const bool with_mode : {false, true})
   {
     const ContactPair pair = small_pair(with_mode);
-    DynamicState state;
-    state.time = 0.1234567;
-    state.R.reinit(6);
-    state.R[0] = 1. / 3;
-    TransientResult result;
-    result.steps = 50;
-    write_checkpoint(folder, pair, state, result, {});
+    TransientMarch march = march_of(pair);
+    march.state.time = 0.1234567;
+    march.state.R.reinit(6);
+    march.state.R[0] = 1. / 3;
+    march.sums.steps = 50;
+    const MarchCheckpoint checkpoint = transient_checkpoint(folder);
+    checkpoint.write(march, {});
 
-    DynamicState again;
-    TransientResult sums;
-    ASSERT_TRUE(read_checkpoint(folder, pair, again, sums, {}));
-    EXPECT_EQ(again.time, state.time);
-    EXPECT_EQ(again.R[0], state.R[0]);
-    EXPECT_EQ(sums.steps, result.steps);
+    TransientMarch again = march_of(pair);
+    ASSERT_TRUE(checkpoint.read(again, {}));
+    EXPECT_EQ(again.state.time, march.state.time);
+    EXPECT_EQ(again.state.R[0], march.state.R[0]);
+    EXPECT_EQ(again.sums.steps, march.sums.steps);
+    EXPECT_NO_THROW(checkpoint.check_end_time(march.state.time));
+    EXPECT_THROW(checkpoint.check_end_time(0.12), InputError);
+    // of another format
+    EXPECT_THROW(MarchCheckpoint(folder + "/checkpoint.h5", "Transient", 0).read(again, {}), InputError);
 
     const auto differs = [&](const std::function<void(ContactPair &)> &change)
     {
@@ -97,12 +106,11 @@ TEST(Checkpoint, DamagedIsRefused)
   const std::string folder = "damaged_checkpoint_test", name = folder + "/checkpoint.h5";
   std::filesystem::create_directories(folder);
   const ContactPair pair = small_pair(true);
-  DynamicState state;
-  state.time = 0.1234567;
-  TransientResult result;
+  TransientMarch march = march_of(pair);
+  march.state.time = 0.1234567;
   const auto damaged = [&](const std::function<void()> &how)
   {
-    write_checkpoint(folder, pair, state, result, {});
+    transient_checkpoint(folder).write(march, {});
     EXPECT_EQ(refusal(folder, pair), "");
     how();
     return refusal(folder, pair).find("is damaged or incomplete") != std::string::npos;
@@ -113,7 +121,8 @@ TEST(Checkpoint, DamagedIsRefused)
       {
         std::fstream stream(name, std::ios::in | std::ios::out | std::ios::binary);
         const std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-        const std::size_t place = bytes.find(std::string(reinterpret_cast<const char *>(&state.time), 8));
+        const std::size_t place =
+            bytes.find(std::string(reinterpret_cast<const char *>(&march.state.time), 8));
         ASSERT_NE(place, std::string::npos);
         stream.seekp(place + 2);
         stream.put(bytes[place + 2] ^ 0x40);

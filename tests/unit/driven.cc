@@ -33,8 +33,7 @@ namespace
     TransientResult result;
   };
 
-  Motion run(const TransientParameters &parameters, const ContactPair &pair, const RollingCase &constant,
-             const TransientResult &before = {})
+  Motion run(const TransientParameters &parameters, const ContactPair &pair, const RollingCase &constant)
   {
     ContactParameters contact;
     contact.friction = 0;
@@ -42,19 +41,17 @@ namespace
     const DriveFunction drive = drive_function(parameters, constant, pair.interface.contacts.only());
     DynamicState state = initial_state(parameters, contact, solver, pair, drive(0));
     Motion run;
-    run.result = transient(
-        parameters, contact, solver, pair, drive, state,
-        [&](const DynamicState &s, const TransientResult &)
-        {
-          double tip = 0;
-          for (unsigned int k = 0; k < pair.n_modes(); ++k)
-            tip += pair.modal_trace(0, k) * s.q[k];
-          run.time.push_back(s.time);
-          run.force.push_back(s.R[0]);
-          run.tip.push_back(tip);
-          return true;
-        },
-        before);
+    run.result = transient(parameters, contact, solver, pair, drive, state,
+                           [&](const DynamicState &s, const TransientResult &)
+                           {
+                             double tip = 0;
+                             for (unsigned int k = 0; k < pair.n_modes(); ++k)
+                               tip += pair.modal_trace(0, k) * s.q[k];
+                             run.time.push_back(s.time);
+                             run.force.push_back(s.R[0]);
+                             run.tip.push_back(tip);
+                             return true;
+                           });
     EXPECT_TRUE(run.result.converged) << run.result.message;
     return run;
   }

@@ -26,8 +26,7 @@ namespace vibrocontact
   inline std::unique_ptr<ElementScene> element_scene(std::unique_ptr<ElementScene> scene,
                                                      const ContactGrid &grid, const unsigned int n_modes)
   {
-    scene->plane.name = "plane";
-    scene->plane.type = "rigid";
+    scene->plane = BodyParameters("plane", "rigid");
     Flexibility flexibility(*scene->system);
     ModeParameters modes;
     modes.count = n_modes;
@@ -44,8 +43,7 @@ namespace vibrocontact
   layer_scene(const LayerParameters &parameters, const ElasticMaterial &material, const unsigned int n_modes)
   {
     auto scene = std::make_unique<ElementScene>();
-    scene->body.name = scene->body.type = "layer";
-    scene->body.layer = parameters;
+    scene->body = body_of("layer", "layer", parameters);
     const ContactGrid grid = parameters.grid();
     scene->system = assemble_layer(parameters, material, "layer", &grid, MPI_COMM_WORLD);
     return element_scene(std::move(scene), grid, n_modes);
@@ -66,11 +64,10 @@ namespace vibrocontact
                                                  const double gravity = 0)
   {
     auto scene = std::make_unique<ElementScene>();
-    scene->body.name = scene->body.type = "bar";
     bar.length = 10;
     bar.section = 1;
     bar.far_end = "free";
-    scene->body.bar = bar;
+    scene->body = body_of("bar", "bar", bar);
     ElasticMaterial material;
     material.young_modulus = 900;
     material.poisson_ratio = 0;

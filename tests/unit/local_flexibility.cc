@@ -8,6 +8,8 @@
 #include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/make_elastic_body.h>
 #include <vibrocontact/reduction/reduction_parts.h>
+#include <vibrocontact/scene/block.h>
+#include <vibrocontact/scene/half_space_body.h>
 
 #include <gtest/gtest.h>
 
@@ -29,14 +31,23 @@ namespace
     return g;
   }
 
-  BodyParameters surface(const std::string &type, const double young, const double nu, const double radius)
+  template <class Description>
+  BodyParameters elastic(const std::string &type, const Description &description, const double young,
+                         const double nu)
   {
-    BodyParameters body;
-    body.name = body.type = type;
+    BodyParameters body = body_of(type, type, description);
     body.material.young_modulus = young;
     body.material.poisson_ratio = nu;
-    body.half_space.radius_x = body.half_space.radius_y = radius;
     return body;
+  }
+
+  /// A half-space or a rigid body with a spherical surface.
+  template <class Surface = HalfSpaceParameters>
+  BodyParameters surface(const double young, const double nu, const double radius)
+  {
+    Surface own;
+    own.radius_x = own.radius_y = radius;
+    return elastic(own.is_rigid() ? "rigid" : "half-space", own, young, nu);
   }
 
   struct Block
@@ -51,14 +62,14 @@ namespace
               const bool above)
   {
     Block result;
-    result.parameters = surface("block", 2e11, 0.3, 0);
-    BlockParameters &own = result.parameters.block;
+    BlockParameters own;
     own.divisions_x = own.divisions_y = cells * elements_per_cell;
     own.divisions_z = (own.divisions_x + 1) / 2;
     own.length = own.width = cells * spacing;
     own.height = own.divisions_z * spacing / elements_per_cell;
     own.contact_face = above ? "bottom" : "top";
     own.held = {above ? "top" : "bottom"};
+    result.parameters = elastic("block", own, 2e11, 0.3);
     const auto elastic =
         make_elastic_body(result.parameters, 0, {{g, ContactFrame(), above}}, MPI_COMM_WORLD);
     const auto system = assemble_body(*elastic, &g);
@@ -110,7 +121,7 @@ namespace
     return sum / (n * n);
   }
 
-  const BodyParameters stop = surface("rigid", 1, 0.3, 0.1);
+  const BodyParameters stop = surface<RigidParameters>(1, 0.3, 0.1);
   const ContactBody rigid{&stop, nullptr};
 
   RollingResult roll(const RollingScene &scene, const ContactParameters &contact, const double force = 3000)
@@ -140,8 +151,7 @@ namespace
 
 TEST(LocalFlexibility, HalfSpacesStayThemselves)
 {
-  const BodyParameters above = surface("half-space", 2e11, 0.3, 0.1),
-                       below = surface("half-space", 7e10, 0.2, 0);
+  const BodyParameters above = surface(2e11, 0.3, 0.1), below = surface(7e10, 0.2, 0);
   const ContactGrid g = grid(7);
   EXPECT_EQ(
       difference(contact_pair({&above, nullptr}, {&below, nullptr}, {}, g).residual_flexibility,
@@ -195,7 +205,7 @@ TEST(LocalFlexibility, WithoutCoupling)
   const ContactGrid g = grid(5);
   const Block upper = block(7, 1, g, true), lower = block(7, 1, g, false);
   // of different bodies the blocks between the directions go, the others stay
-  const BodyParameters soft = surface("half-space", 7e10, 0.2, 0);
+  const BodyParameters soft = surface(7e10, 0.2, 0);
   const ContactPair with = contact_pair(upper.body(), {&soft, nullptr}, {}, g),
                     without = contact_pair(upper.body(), {&soft, nullptr}, uncoupled(), g);
   EXPECT_GT(coupling(with.residual_flexibility), 1e-2);
@@ -219,8 +229,7 @@ TEST(LocalFlexibility, WithoutCoupling)
 
 TEST(LocalFlexibility, WithoutCouplingFrictionLeavesThePressure)
 {
-  const BodyParameters above = surface("half-space", 2e11, 0.3, 0.1),
-                       below = surface("half-space", 2e10, 0.1, 0);
+  const BodyParameters above = surface(2e11, 0.3, 0.1), below = surface(2e10, 0.1, 0);
   const ContactGrid g = grid(13);
   ContactParameters contact;
   const auto rolled = [&](const bool coupled, const double friction)
@@ -254,7 +263,7 @@ TEST(LocalFlexibility, QuadraturesMeet)
   ContactParameters contact;
   contact.friction = 0;
   std::vector<RollingResult> results;
-  const BodyParameters sphere = surface("rigid", 1, 0.3, 0.4);
+  const BodyParameters sphere = surface<RigidParameters>(1, 0.3, 0.4);
   const double force = 12000;
   for (const TractionShape shape : {TractionShape::constant, TractionShape::bilinear})
   {
@@ -265,7 +274,7 @@ TEST(LocalFlexibility, QuadraturesMeet)
                 shape == TractionShape::constant ? "lumped" : "consistent", results.back().contact_points,
                 results.back().max_pressure * 1e-6, results.back().approach * 1e6);
   }
-  const BodyParameters own = surface("half-space", 2e11, 0.3, 0);
+  const BodyParameters own = surface(2e11, 0.3, 0);
   const HertzContact hertz =
       hertz_contact(1.25, 1.25,
                     HalfSpacePair({std::numeric_limits<double>::infinity(), 0.}, half_space_material(own))

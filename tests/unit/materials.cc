@@ -8,7 +8,11 @@
 #include <vibrocontact/reduction/flexibility.h>
 #include <vibrocontact/reduction/harmonic_solver.h>
 #include <vibrocontact/reduction/modes.h>
+#include <vibrocontact/scene/block.h>
 #include <vibrocontact/scene/gmsh_file.h>
+#include <vibrocontact/scene/mesh_file.h>
+#include <vibrocontact/scene/rail.h>
+#include <vibrocontact/scene/wheel.h>
 
 #include <gtest/gtest.h>
 
@@ -70,10 +74,7 @@ namespace
 
   BodyParameters two_material_bar()
   {
-    BodyParameters body;
-    body.name = "bar";
-    body.type = "mesh";
-    body.mesh = bar_file("bar.msh", {"steel", "rubber"});
+    BodyParameters body = body_of("bar", "mesh", bar_file("bar.msh", {"steel", "rubber"}));
     body.materials = {{"steel", bar_steel}, {"rubber", bar_rubber}};
     body.loads.traction_boundary = "right";
     body.loads.traction = {1e6, 0, 0};
@@ -302,10 +303,7 @@ namespace
 TEST(Materials, ring_of_two_layers_against_closed_form)
 {
   const ElasticMaterial core = make_material(40e9, 2000, 0.02), rim = make_material(210e9, 7800, 1e-3);
-  BodyParameters parameters;
-  parameters.name = "ring";
-  parameters.type = "wheel";
-  parameters.wheel = layered_ring();
+  BodyParameters parameters = body_of("ring", "wheel", layered_ring());
   parameters.materials = {{"rim", rim}, {"core", core}}; // in any order
   const auto body = make_elastic_body(parameters, 0, {}, MPI_COMM_SELF);
   const auto system = assemble_body(*body);
@@ -344,15 +342,14 @@ TEST(Materials, anechoic_pieces_and_groups_are_kept_apart)
          "2 3 2 2 1 3 4 6 5\n$EndElements\n";
   std::ofstream(outline) << "line 0 0 30 0 0 0 0 foot\nline 30 0 30 100 0 0 0 surface\n"
                             "line 30 100 0 100 0 0 0 crown\n";
-  BodyParameters parameters;
-  parameters.name = "rail";
-  parameters.type = "rail";
-  parameters.rail.section.mesh = mesh;
-  parameters.rail.section.outline = outline;
-  parameters.rail.length = 6;
-  parameters.rail.anechoic_lengths = {0.6, 1.2};
-  parameters.rail.anechoic_loss_first = 0.1;
-  parameters.rail.anechoic_loss_last = 1;
+  RailParameters rail;
+  rail.section.mesh = mesh;
+  rail.section.outline = outline;
+  rail.length = 6;
+  rail.anechoic_lengths = {0.6, 1.2};
+  rail.anechoic_loss_first = 0.1;
+  rail.anechoic_loss_last = 1;
+  BodyParameters parameters = body_of("rail", "rail", rail);
   parameters.materials = {{"foot", bar_rubber}, {"head", bar_steel}};
   const auto body = make_elastic_body(parameters, 0, {}, MPI_COMM_SELF);
   const auto &triangulation = *body->mesh.triangulation;

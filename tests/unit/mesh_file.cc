@@ -189,11 +189,10 @@ TEST(MeshFile, foundation_under_a_named_group)
 
 TEST(MeshFile, wheel_from_a_file_is_labelled_as_a_wheel)
 {
-  BodyParameters built_in, from_file, foreign;
-  built_in.type = "wheel";
-  from_file.type = foreign.type = "mesh";
-  from_file.mesh.geometry = "wheel";
-  foreign.mesh = foreign_block();
+  MeshFileParameters wheel;
+  wheel.geometry = "wheel";
+  const BodyParameters built_in("wheel", "wheel"), from_file = body_of("wheel", "mesh", wheel),
+                                                   foreign = body_of("block", "mesh", foreign_block());
   ASSERT_TRUE(from_file.axle_height(0.01).has_value());
   EXPECT_EQ(*from_file.axle_height(0.01), *built_in.axle_height(0.01));
   EXPECT_NEAR(*from_file.axle_height(0), 0.46, 1e-6);

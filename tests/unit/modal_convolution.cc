@@ -2,6 +2,7 @@
 #include <vibrocontact/analyses/modal_convolution/method_comparison.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/ring_poles.h>
+#include <vibrocontact/scene/oscillator.h>
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ namespace
   BodyInContact paper_oscillator()
   {
     OscillatorParameters oscillator;
-    BodyInContact model = by_poles(oscillator_body(oscillator));
+    BodyInContact model = by_poles(oscillator.between_points(false, 0));
     model.residual.reinit(1, 1);
     return model;
   }

@@ -1,6 +1,7 @@
 // The ring on an elastic foundation by its poles: against direct inversion, and against printed values.
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/ring_poles.h>
+#include <vibrocontact/scene/oscillator.h>
 
 #include <gtest/gtest.h>
 
@@ -252,7 +253,7 @@ TEST(RingPoles, SignOfMixedEntry)
 
 TEST(OscillatorPoles, RestsUnderItsWeight)
 {
-  const BodyInContact model = by_poles(oscillator_body({}));
+  const BodyInContact model = by_poles(OscillatorParameters().between_points(false, 0));
   // z = -load / lambda
   double u = 0;
   for (unsigned int k = 0; k < model.n_poles(); ++k)

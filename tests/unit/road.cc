@@ -7,6 +7,7 @@
 #include <vibrocontact/numerics/chebyshev_fit.h>
 #include <vibrocontact/propagators/event_located.h>
 #include <vibrocontact/propagators/propagator_types.h>
+#include <vibrocontact/scene/oscillator.h>
 
 #include <gtest/gtest.h>
 
@@ -47,7 +48,7 @@ namespace
   struct Mass
   {
     OscillatorParameters parameters;
-    BodyInContact model = by_poles(oscillator_body(parameters));
+    BodyInContact model = by_poles(parameters.between_points(false, 0));
     double omega = std::sqrt(parameters.stiffness / parameters.mass), zeta = parameters.damping_ratio,
            rest = -parameters.mass * parameters.gravity / parameters.stiffness;
 

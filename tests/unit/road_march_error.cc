@@ -3,6 +3,7 @@
 #include <vibrocontact/analyses/modal_convolution/modal_convolution.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/ring_poles.h>
+#include <vibrocontact/scene/oscillator.h>
 
 #include <gtest/gtest.h>
 
@@ -110,7 +111,7 @@ TEST(RoadMarchError, LongestStepsAndOddNumbers)
 TEST(RoadMarchError, EnergyAccount)
 {
   OscillatorParameters oscillator;
-  BodyInContact model = by_poles(oscillator_body(oscillator));
+  BodyInContact model = by_poles(oscillator.between_points(false, 0));
   model.residual.reinit(1, 1);
   const RoadParameters road = waves("5e-3*sin(2*pi*s/0.025)", 0.1);
   const ModalConvolutionResult exact = march(model, road, 1e-3, "impulse", 0.6, "event located");

@@ -47,14 +47,12 @@ namespace
     contact.friction = scene.friction;
     DynamicState state = initial_state(parameters, contact, {}, scene.pair, scene.drive(0));
     scene.start(state, k, shift);
-    Companion companion{scene.drive, {}};
-    companion.run.state = state;
+    Companion companion{scene.drive, state, {}, {}};
     const TransientResult result = transient(
         parameters, contact, {}, scene.pair, scene.drive, state,
-        [](const DynamicState &, const TransientResult &) { return true; }, {},
-        estimate ? &companion : nullptr);
+        [](const DynamicState &, const TransientResult &) { return true; }, estimate ? &companion : nullptr);
     EXPECT_TRUE(result.converged) << result.message;
-    return {result.impulse, result.rms_force(), companion.run.errors};
+    return {result.impulse, result.rms_force(), companion.errors};
   }
 
   DriveFunction at_rest()

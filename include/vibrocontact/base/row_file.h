@@ -74,4 +74,10 @@ namespace vibrocontact
     std::vector<double> buffer;
     std::ofstream file;
   };
+
+  /// Rows in `stem`.h5 as a table. @param columns of the table; in the file all but `time_s` have the prefix
+  /// @throws OutputError
+  void write_rows_as_table(const std::string &stem, const std::vector<std::string> &columns,
+                           const std::string &prefix, const std::vector<std::string> &notes,
+                           const std::string &table_name);
 } // namespace vibrocontact

@@ -52,6 +52,12 @@ namespace vibrocontact
     ComplexMatrix right = ComplexMatrix(), left = ComplexMatrix();
     /// what constant loads feed into the states; n_poles or empty
     std::vector<std::complex<double>> pole_load = {};
+    /// Of bodies whose material flows through rows that stand still: d/dx of the vector that the tangential rows are
+    /// components of, x forward, in axes that do not turn with them, of the right shapes and of the rest (normal rows zero).
+    /// A rate in place u' is one of the material less V times this. n_rows x n_poles [1/m times right's], n_rows square
+    /// [1/N]; or empty: nothing flows, or it is differenced between the points.
+    ComplexMatrix gradient = ComplexMatrix();
+    DenseMatrix residual_gradient = DenseMatrix();
     /// Phi^T M e of unit translations e of the whole body forward, across and up, n_modes x 3 [sqrt(kg)]; or empty
     DenseMatrix participation = DenseMatrix();
 

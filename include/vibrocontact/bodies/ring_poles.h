@@ -1,8 +1,6 @@
 #pragma once
 
 #include <vibrocontact/bodies/body_in_contact.h>
-#include <vibrocontact/reduction/reduced_body.h>
-#include <vibrocontact/scene/oscillator.h>
 #include <vibrocontact/scene/ring.h>
 
 namespace vibrocontact
@@ -40,7 +38,26 @@ namespace vibrocontact
   BodyInContact ring_poles(const RingParameters &ring, const std::vector<RingRow> &rows, double rotation = 0,
                            RingFrame frame = RingFrame::road);
 
-  /// The same by inversion of the 2 x 2 systems: orders up to Highest order alone, no residual, no tread.
+  /// Gradient of the rows along theta of a rolling ring, the stretch of the material that flows through them:
+  ///
+  ///   de/ds = (v' + w) / R,     v = v_n e^(j n theta):  (j n v_n + w_n) / R
+  ///
+  /// in closed form of the orders that have poles. Under a force along the circle the stretch of all orders jumps, so that
+  /// that of the residual and of the tread is differenced from the points where the material comes from: at those of the
+  /// ring, in front of the first one too; the tread is free there. The tread does not turn with the circle: it shears, and
+  /// its compression stretches nothing.
+  /// @param body ring_poles() of ring_rows() with friction, in the frame of the road @param rotation not 0 [rad/s]
+  /// @param difference upstream coefficients c: du/dx = sum_k c_k u(x - k spacing) / spacing
+  void add_gradient(BodyInContact &body, const RingParameters &ring, double rotation,
+                    const std::vector<double> &difference);
+
+  /// That of what stands beside the poles: of the band by its static residual, and of the tread.
+  /// @param band 2 n rows of the points, then those along theta of the places in front, as many as are known (near the first
+  /// point shorter differences take their place), or empty [m/N]
+  DenseMatrix residual_gradient(const RingParameters &ring, const DenseMatrix &band, double rotation,
+                                const std::vector<double> &difference);
+
+  /// ring_poles() by inversion of the 2 x 2 systems: orders up to Highest order alone, no residual, no tread.
   /// @param omega [rad/s]
   ComplexMatrix ring_receptance(const RingParameters &ring, const std::vector<RingRow> &rows, double rotation,
                                 RingFrame frame, double omega);
@@ -55,16 +72,8 @@ namespace vibrocontact
   DenseMatrix ring_rest(const RingParameters &ring, const std::vector<RingRow> &rows, double rotation,
                         RingFrame frame);
 
-  /// Of the tread under a contact point, radially or along the circle [m/N].
-  double tread_compliance(const RingParameters &ring, bool tangential);
-
   /// The same ring at rest by its real modes: of each order n > 0 both branches, twice, a quarter of a wave apart.
   /// @throws InputError if a motion is rigid
   BodyInContact ring_modes(const RingParameters &ring, const std::vector<RingRow> &rows);
 
-  /// A mass on a spring under its weight; one row, up; with friction a second one, forward.
-  BodyInContact oscillator_body(const OscillatorParameters &oscillator, bool with_friction = false);
-
-  /// A ring of elements with its tread: rows inward, then with friction along theta.
-  BodyInContact ring_of_elements(const RingParameters &ring, const ReducedBody &reduced, bool with_friction);
 } // namespace vibrocontact

@@ -13,7 +13,7 @@ namespace vibrocontact
   struct ContactRows
   {
     ReducedBody reduced;
-    /// what it moves by poles beside its modes: poles, shapes and loads alone
+    /// what it moves by poles beside its modes: poles, shapes, gradients and loads alone
     BodyInContact poles = BodyInContact();
   };
 

@@ -42,7 +42,8 @@ namespace vibrocontact
     /// W~ of all bodies: residual flexibilities (or what Contact/Local flexibility puts in their place), the
     /// whole compliance of half-spaces, nothing of rigid bodies; 3 n square [m/N]
     DenseMatrix residual_flexibility;
-    /// what bodies move by poles beside their modes, all rows with the signs of Psi; of each pole its body (from 1)
+    /// what bodies move by poles beside their modes, all rows with the signs of Psi; of each pole its body (from 1). Its
+    /// gradients are those of the bodies that bring some, less the differences between points that V d/dx is otherwise
     BodyInContact poles;
     std::vector<unsigned int> body_of_pole;
     /// null: the hub of body 1 moves as the approach does
@@ -114,6 +115,9 @@ namespace vibrocontact
   /// W~ + Psi diag(w^-2) Psi^T - 2 Re right diag(1 / lambda) left^T: what a static analysis sees; 3 n square [m/N].
   /// @throws InputError if a body can move freely
   DenseMatrix static_compliance(const ContactPair &pair);
+
+  /// The gradients of the poles at rest and of W~, 3 n square [1/N]; empty without any.
+  DenseMatrix static_gradient(const ContactPair &pair);
 
   /// The interface of a static analysis, in whose load_jump the modes answer the constant loads at rest.
   ContactInterface static_interface(const ContactPair &pair);

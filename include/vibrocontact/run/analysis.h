@@ -1,9 +1,9 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient/recorder.h>
+#include <vibrocontact/analyses/transient/state_recorder.h>
+#include <vibrocontact/base/entries_read.h>
 #include <vibrocontact/output/answers.h>
 #include <vibrocontact/output/results.h>
-#include <vibrocontact/run/entry_list.h>
 #include <vibrocontact/run/measured_data.h>
 #include <vibrocontact/run/prepare_bodies.h>
 #include <vibrocontact/run/sweep_cases.h>
@@ -27,7 +27,7 @@ namespace vibrocontact
     const std::string &folder;
   };
   /// On rank 0, before the first step; null: nothing to record.
-  using RecorderMaker = std::function<std::unique_ptr<Recorder>(const RecordedTransient &)>;
+  using RecorderMaker = std::function<std::unique_ptr<StateRecorder>(const RecordedTransient &)>;
 
   /// What an analysis runs on.
   struct AnalysisRun

@@ -12,8 +12,6 @@ namespace vibrocontact
   BodyUse moving_in_contact();
   /// All bodies in contact; along the contact they move if something rubs there.
   void add_partners(EntriesRead &entries, const Parameters &parameters, const BodyUse &use);
-  /// Whether a force stands on it: gravity or a traction.
-  bool stands_under_loads(const BodyParameters &body);
 
   void add_lateral_position(EntriesRead &entries, const Parameters &parameters);
   /// Sections of the contacts: places of the points.

@@ -27,7 +27,7 @@ namespace vibrocontact
   {
     /// whether there are rows forward
     bool friction = false;
-    /// that a rolling ring turns at [m/s]
+    /// that a rolling ring turns at [m/s]; its material is differenced by Contact/Creep scheme
     double speed = 0;
     /// an identified body is made usable in contact at such a step of time [s]
     double contact_step = 0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vibrocontact/scene/body_description.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
@@ -11,7 +13,7 @@ namespace vibrocontact
   ///     z ^   | far end          body 1 stands above the plane, body 2 below it
   ///       |   |
   ///       +   o contact end
-  struct BarParameters
+  struct BarParameters : ElementBody
   {
     /// [m], [m^2]
     double length = 1, section = 1e-4;
@@ -27,7 +29,20 @@ namespace vibrocontact
     /// then converge (doc/theory.md, "Periodic motion")
     bool massless_contact_node = false;
 
-    void declare_parameters(dealii::ParameterHandler &prm);
-    void check(const std::string &section) const;
+    void declare_parameters(dealii::ParameterHandler &prm) override;
+    void check(const std::string &section) const override;
+    bool add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const override;
+    void print(Log &log) const override;
+    nlohmann::ordered_json sizes() const override;
+    std::optional<ContactGrid> contact_points(double cell) const override;
+    std::unique_ptr<SecondOrderSystem> assemble(const BodyParameters &body, bool above,
+                                                const ContactGrid *grid,
+                                                MPI_Comm communicator) const override;
+    void move_contact(SecondOrderSystem &system, double z) const override;
+    bool takes_gravity() const override { return true; }
+    bool has_massless_points() const override { return massless_contact_node; }
+    bool moves_along_z_only() const override { return true; }
+    ContactPlaces contact_places() const override { return ContactPlaces::along_axis; }
+    bool may_stand_for_half_space() const override { return false; }
   };
 } // namespace vibrocontact

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/scene/body_description.h>
 #include <vibrocontact/scene/rail_supports.h>
 
 namespace vibrocontact
@@ -18,7 +19,7 @@ namespace vibrocontact
   /// Defaults: 60E1. A, Iy, Iz, centroid as in EN 13674-1; shear coefficient 0.4 as in Hamet (1999). Torsion
   /// constant, warping constant, shear centre and lateral shear coefficient by Saint-Venant's problems of the
   /// section, solved by finite elements on meshes/rail_60e1_section.msh (which give 0.393 vertically).
-  struct BeamRailParameters : RailSupports
+  struct BeamRailParameters : ElementBody, RailSupports
   {
     /// A [m^2]; second moments for vertical (about y) and lateral bending (about z) [m^4]
     double area = 76.71e-4, moment_y = 3038.8e-8, moment_z = 512.4e-8;
@@ -38,8 +39,20 @@ namespace vibrocontact
     double element_length = 0.15;
     unsigned int degree = 4;
 
-    void declare_parameters(dealii::ParameterHandler &prm);
-    void check(const std::string &path) const;
+    void declare_parameters(dealii::ParameterHandler &prm) override;
+    void check(const std::string &path) const override;
+    bool add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const override;
+    void print(Log &log) const override;
+    nlohmann::ordered_json sizes() const override;
+    std::pair<std::string, std::string> missing_support(const std::string &name) const override;
+    std::unique_ptr<SecondOrderSystem> assemble(const BodyParameters &body, bool above,
+                                                const ContactGrid *grid,
+                                                MPI_Comm communicator) const override;
+    bool has_loss() const override { return supports_lose_energy(); }
+    bool lies_below() const override { return true; }
+    bool lies_on_half_space() const override { return true; }
+    std::vector<std::vector<std::pair<dealii::types::global_dof_index, double>>>
+    surface_rows(const std::string &name, double x, double y, double length) const override;
     /// height of the crown above the underside, y from the symmetry plane [m]
     double crown_height(double y) const;
   };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/scene/body_description.h>
 #include <vibrocontact/scene/body_mesh.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -18,7 +19,7 @@ namespace vibrocontact
   /// A point (x, y, z) of the straight blade lies at the radius and height it had, turned by root angle + (tip angle -
   /// root angle) z / length about z, from x towards y. All cells follow that map (mapping of the elements' degree, at least
   /// 2).
-  struct BladeParameters
+  struct BladeParameters : SolidBody
   {
     /// [m]
     double length = 0.2, chord = 0.08, thickness = 0.006;
@@ -28,8 +29,13 @@ namespace vibrocontact
     unsigned int length_divisions = 20, chord_divisions = 8, thickness_divisions = 1;
     unsigned int element_degree = 2;
 
-    void declare_parameters(dealii::ParameterHandler &prm);
-    void check(const std::string &section) const;
+    void declare_parameters(dealii::ParameterHandler &prm) override;
+    void check(const std::string &section) const override;
+    bool add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const override;
+    BodyMesh<3> make_mesh(const MeshRequest &request) const override;
+    void hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const override;
+    unsigned int mesh_degree() const override { return element_degree; }
+    std::string example_of_points() const override { return "corner: 0.04, 0.003, 0.2"; }
   };
 
   /// Without refinement: a blade is touched at points of its tip, not on a contact grid.

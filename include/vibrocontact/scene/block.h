@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/scene/body_description.h>
 #include <vibrocontact/scene/body_mesh.h>
 #include <vibrocontact/scene/flat_face.h>
 
@@ -15,7 +16,7 @@ namespace vibrocontact
   ///        z ^        boundaries: left, right (x), front, back (y), bottom, top (z); 2d: without front, back
   ///          |        the origin is the centre of the contact face (top or bottom), plus the offset
   ///          +--> x
-  struct BlockParameters
+  struct BlockParameters : SolidBody
   {
     /// sizes along x, y, z [m] and numbers of cells
     double length = 0.1, width = 0.1, height = 0.05;
@@ -27,8 +28,22 @@ namespace vibrocontact
     /// shift of the box along x and y against the contact frame [m]
     double offset_x = 0, offset_y = 0;
 
-    void declare_parameters(dealii::ParameterHandler &prm);
-    void check(const std::string &section) const;
+    void declare_parameters(dealii::ParameterHandler &prm) override;
+    void check(const std::string &section) const override;
+    bool add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const override;
+    std::pair<std::string, std::string> missing_support(const std::string &name) const override;
+    BodyMesh<3> make_mesh(const MeshRequest &request) const override;
+    void hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const override;
+    std::optional<FlatFace> flat_face(double lateral_position) const override
+    {
+      return contact_rectangle(lateral_position);
+    }
+    bool follows_lateral_position() const override { return true; }
+    std::string contact_surface(const std::string &name) const override
+    {
+      return name + "/Block/Contact face";
+    }
+    std::string way_to_turn(const std::string &name, bool above) const override;
     /// the contact face, where the contact of body 1 is @p lateral_position from the box's origin along y [m]
     FlatFace contact_rectangle(double lateral_position) const;
   };

@@ -46,6 +46,15 @@ namespace vibrocontact
     double cell_area() const { return spacing_x * spacing_y; }
   };
 
+  /// The only point of a body. @param cell its width along x and y [m]
+  inline ContactGrid single_point(const double cell)
+  {
+    ContactGrid point;
+    point.n_x = point.n_y = 1;
+    point.spacing_x = point.spacing_y = cell;
+    return point;
+  }
+
   /// Contact components are stored component by component: normal of all points, then x, then y.
   /// Row of component c (0 normal, 1 x, 2 y) at a point, in any vector or matrix of size 3 * n_points.
   inline unsigned int contact_row(const unsigned int n_points, const unsigned int component,

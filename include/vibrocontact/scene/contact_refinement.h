@@ -1,6 +1,8 @@
 #pragma once
 
+#include <vibrocontact/base/entries_read.h>
 #include <vibrocontact/scene/body_mesh.h>
+#include <vibrocontact/scene/body_use.h>
 #include <vibrocontact/scene/contact_grid.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -28,6 +30,7 @@ namespace vibrocontact
 
     void declare_parameters(dealii::ParameterHandler &prm);
     void check(const std::string &section) const;
+    void add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const;
   };
 
   /// Halve the cells under @p grid until those of the contact surface are at most cell_size (5 % tolerance).

@@ -19,6 +19,8 @@ namespace vibrocontact
     std::string traction_boundary;
     std::vector<double> traction = {0, 0, 0};
 
+    /// Of bodies that know no other load.
+    void declare_gravity(dealii::ParameterHandler &prm);
     void declare_parameters(dealii::ParameterHandler &prm);
     void check(const std::string &section) const;
   };

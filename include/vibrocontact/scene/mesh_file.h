@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/scene/body_description.h>
 #include <vibrocontact/scene/contact_refinement.h>
 #include <vibrocontact/scene/elastic_model.h>
 #include <vibrocontact/scene/flat_face.h>
@@ -16,7 +17,7 @@ namespace vibrocontact
   ///
   /// The file's axes are those of the contact (z up, x the rolling line); its nominal contact point is moved
   /// to the origin. Faces of no group belong to `surface`.
-  struct MeshFileParameters
+  struct MeshFileParameters : SolidBody
   {
     /// gmsh file, text format 4.1 or 2.2
     std::string file;
@@ -40,9 +41,19 @@ namespace vibrocontact
     unsigned int element_degree = 2;
     ContactRefinement refinement;
 
-    void declare_parameters(dealii::ParameterHandler &prm);
-    void check(const std::string &section) const;
-    bool is_wheel() const { return geometry == "wheel"; }
+    void declare_parameters(dealii::ParameterHandler &prm) override;
+    void check(const std::string &section) const override;
+    bool add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const override;
+    std::pair<std::string, std::string> missing_support(const std::string &name) const override;
+    BodyMesh<3> make_mesh(const MeshRequest &request) const override;
+    void hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const override;
+    unsigned int mesh_degree() const override { return element_degree; }
+    bool has_groups() const override { return true; }
+    bool has_loss() const override { return foundation_loss_factor > 0; }
+    std::optional<FlatFace> flat_face(double lateral_position) const override;
+    std::optional<SectionOutline> wheel_section() const override;
+    std::string way_to_turn(const std::string &name, bool above) const override;
+    bool is_wheel() const override { return geometry == "wheel"; }
     /// held, or on springs that resist every direction: no motion without force
     bool is_supported() const { return !held_groups.empty() || !foundation_groups.empty(); }
   };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/scene/body_description.h>
 #include <vibrocontact/scene/contact_refinement.h>
 #include <vibrocontact/scene/elastic_model.h>
 #include <vibrocontact/scene/rail_supports.h>
@@ -14,7 +15,7 @@ namespace vibrocontact
   ///      []    []    []    []    []    []    []    []    []    []      pads: spread springs to rigid ground
   ///
   /// Boundaries: foot (underside), contact (the crown), end left, end right, surface (all else).
-  struct RailParameters : RailSupports
+  struct RailParameters : SolidBody, RailSupports
   {
     SectionParameters section{"rail_60e1"};
     /// position of the contact on the crown, from the symmetry plane [m]
@@ -25,8 +26,15 @@ namespace vibrocontact
     double fine_length = 0.016;
     ContactRefinement refinement;
 
-    void declare_parameters(dealii::ParameterHandler &prm);
-    void check(const std::string &path) const;
+    void declare_parameters(dealii::ParameterHandler &prm) override;
+    void check(const std::string &path) const override;
+    bool add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const override;
+    std::pair<std::string, std::string> missing_support(const std::string &name) const override;
+    BodyMesh<3> make_mesh(const MeshRequest &request) const override;
+    void hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const override;
+    unsigned int mesh_degree() const override { return section.element_degree; }
+    bool has_groups() const override { return true; }
+    bool has_loss() const override { return supports_lose_energy(); }
   };
 
   /// @param materials groups of the section with a material each; empty: one material. Material ids of the

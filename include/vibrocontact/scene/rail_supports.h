@@ -1,8 +1,12 @@
 #pragma once
 
+#include <vibrocontact/base/entries_read.h>
+#include <vibrocontact/scene/body_use.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vibrocontact
@@ -28,7 +32,17 @@ namespace vibrocontact
     /// Everything but the length.
     void declare_parameters(dealii::ParameterHandler &prm);
     void check(const std::string &path) const;
+    /// anechoic ends or pads do
+    bool supports_lose_energy() const
+    {
+      return !anechoic_lengths.empty() || (has_pads() && pad_loss_factor > 0);
+    }
     bool has_pads() const { return pad_stiffness_x > 0 || pad_stiffness_y > 0 || pad_stiffness_z > 0; }
+    /// What of these entries matters to a body. @param pieces_divide anechoic pieces are divisions of the mesh too
+    void add_support_entries(EntriesRead &entries, const std::string &section, const BodyUse &use,
+                             bool pieces_divide) const;
+    /// BodyDescription::missing_support(). @param path of the section
+    std::pair<std::string, std::string> support_wanted(const std::string &path) const;
     /// x of the supports' centres on the rail [m]
     std::vector<double> supports() const;
     /// Anechoic piece at x: 0 inside, then 1, 2, ... outwards.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/scene/body_description.h>
 #include <vibrocontact/scene/contact_grid.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -26,7 +27,7 @@ namespace vibrocontact
   /// The hoop force p b R strains the ring to second order (first bracket); the pressure works on the area
   /// inside (second bracket), unless its direction is fixed, as in the paper's Eq. 60. Turning adds t -> t + m
   /// Omega^2 to both and Coriolis's forces; m = rho b h. Every motion at rest has the same damping ratio.
-  struct RingParameters
+  struct RingParameters : ElementBody, PointBody
   {
     /// "analytic", "beam elements" or "solid elements"
     std::string model = "analytic";
@@ -58,8 +59,35 @@ namespace vibrocontact
     /// of the same along the circle, with friction only [N/m]
     double tread_tangential_stiffness = 0;
 
-    void declare_parameters(dealii::ParameterHandler &prm);
-    void check(const std::string &section) const;
+    void declare_parameters(dealii::ParameterHandler &prm) override;
+    void check(const std::string &section) const override;
+    bool add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const override;
+    void print(Log &log) const override;
+    nlohmann::ordered_json sizes() const override;
+    std::optional<ContactGrid> contact_points(double cell) const override;
+    std::unique_ptr<SecondOrderSystem> assemble(const BodyParameters &body, bool above,
+                                                const ContactGrid *grid,
+                                                MPI_Comm communicator) const override;
+    void read_ahead(const ParameterFile &file, const std::string &section) override;
+    const ElementBody *elements() const override { return is_meshed() ? this : nullptr; }
+    const PointBody *at_points() const override { return is_meshed() ? nullptr : this; }
+    BodyInContact between_points(bool with_friction, double speed,
+                                 const std::vector<double> &upstream = {}) const override;
+    std::vector<std::string> row_names(bool with_friction) const override;
+    std::function<dealii::LAPACKFullMatrix<std::complex<double>>(double)>
+    sum_of_orders(unsigned int highest, bool residual, bool with_friction, double speed) const override;
+    std::optional<Orders> orders() const override { return Orders{highest_order, residual}; }
+    BodyInContact on_road(const ReducedBody &reduced, bool with_friction) const override;
+    bool has_material() const override { return false; }
+    bool has_own_points() const override { return true; }
+    bool rolls() const override { return rolling && !is_meshed(); }
+    bool has_rigid_points() const override { return !is_meshed() && !residual && tread_stiffness == 0; }
+    bool may_yield() const override { return tread_stiffness > 0 || residual; }
+    bool has_loss() const override { return damping_ratio > 0; }
+    std::vector<double> places() const override;
+    std::vector<double> heights() const override;
+    double tread_compliance(bool tangential) const override;
+    bool touches_downwards_only() const override { return true; }
 
     bool is_meshed() const { return model != "analytic"; }
     /// Omega at a speed of rolling [rad/s]: what rolls forward turns backwards in its own coordinate.

@@ -72,6 +72,8 @@ namespace vibrocontact
     unsigned int n_points() const { return places.size(); }
     /// of the contact points over the road [m/s]
     double sliding_speed() const { return sliding; }
+    /// that it is travelled along with, where it is constant [m/s]
+    double rolling_speed() const { return speed; }
     /// The next time > t at which the height of some point, its rate or acceleration may jump (a break of the profile, of
     /// the speed, the end of the loading); infinite if there is none.
     double next_jump(double t) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/scene/body_description.h>
 #include <vibrocontact/scene/contact_refinement.h>
 #include <vibrocontact/scene/section_parameters.h>
 
@@ -19,7 +20,7 @@ namespace vibrocontact
   ///        |     |____________|  rim
   ///      --+-----------*-----------> y      tread, z = 0
   ///           flange
-  struct WheelParameters
+  struct WheelParameters : SolidBody
   {
     SectionParameters section{"wheel"};
     /// gmsh file to write the coarse mesh to; empty: none
@@ -32,8 +33,18 @@ namespace vibrocontact
     double fine_length = 0.016;
     ContactRefinement refinement;
 
-    void declare_parameters(dealii::ParameterHandler &prm);
-    void check(const std::string &path) const;
+    void declare_parameters(dealii::ParameterHandler &prm) override;
+    void check(const std::string &path) const override;
+    bool add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const override;
+    BodyMesh<3> make_mesh(const MeshRequest &request) const override;
+    void hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const override;
+    unsigned int mesh_degree() const override { return section.element_degree; }
+    bool has_groups() const override { return true; }
+    bool is_wheel() const override { return true; }
+    std::optional<SectionOutline> wheel_section() const override { return section.read_outline(scale); }
+    double size_over_section() const override { return scale; }
+    bool writes_mesh() const override { return !write_mesh.empty(); }
+    void write_no_mesh() override { write_mesh.clear(); }
   };
 
   /// @param lateral_position y of the contact in the section [m]

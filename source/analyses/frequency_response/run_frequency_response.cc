@@ -7,7 +7,6 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
-#include <vibrocontact/fe/beam_elements.h>
 #include <vibrocontact/fe/nearest_dof.h>
 #include <vibrocontact/fe/trace_assembly.h>
 #include <vibrocontact/reduction/reduction_cache.h>
@@ -49,12 +48,15 @@ namespace vibrocontact
           patch.spacing_y = parameters.load_width;
           rows.push_back(make_contact_trace(body.elastic_body(), patch).rows[point.component]);
         }
-        else if (own.type == "beam rail")
-          rows.push_back(beam_rail_rows(own.beam_rail, own.name, point.x, point.y,
-                                        parameters.load_length)[point.component]);
         else
-          throw InputError("Frequency response/Points: " + own.name + " has no surface for the point " +
-                           point.name + "; give it as name: x, y, z, direction.");
+        {
+          const std::vector<TraceRow> surface =
+              own.own->surface_rows(own.name, point.x, point.y, parameters.load_length);
+          if (surface.empty())
+            throw InputError("Frequency response/Points: " + own.name + " has no surface for the point " +
+                             point.name + "; give it as name: x, y, z, direction.");
+          rows.push_back(surface[point.component]);
+        }
       return rows;
     }
 
@@ -348,10 +350,12 @@ namespace vibrocontact
         else if (body.is_green())
         {
           green = true;
-          ring = ring || body.type == "ring";
-          rolls = rolls || (body.type == "ring" && body.ring.rolling);
+          const PointBody *const points = body.own->at_points();
+          const bool in_orders = points && points->orders();
+          ring = ring || in_orders;
+          rolls = rolls || body.rolls();
           // the points of a ring are those of its contact
-          use.contact = body.type == "ring";
+          use.contact = in_orders;
           use.tangential = tangential = own.tangential;
         }
         else

@@ -3,7 +3,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
-#include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/receptances/pole_file.h>
 #include <vibrocontact/run/identified_body.h>
 
@@ -26,14 +25,7 @@ namespace vibrocontact
       /// points and pairs, no values
       FrequencyData names;
       BodyInContact poles;
-      std::vector<RingRow> rows;
-      double rotation = 0;
     };
-
-    std::string point_name(const unsigned int i, const unsigned int n)
-    {
-      return n <= 26 ? std::string(1, char('A' + i)) : "P" + std::to_string(i);
-    }
 
     GreenBody green_body(const Parameters &parameters, const std::optional<MeasuredData> &measured,
                          const BodyParameters &body)
@@ -41,7 +33,7 @@ namespace vibrocontact
       GreenBody result;
       std::vector<std::string> &labels = result.names.labels;
       bool both_ways = false;
-      if (body.type == "identified")
+      if (body.own->measured())
       {
         IdentifiedPoles identified =
             identified_poles(parameters, measured, body, parameters.identification.contact_step);
@@ -49,20 +41,13 @@ namespace vibrocontact
         both_ways = identified.both_ways;
         result.poles = identified.poles;
       }
-      else if (body.type == "oscillator")
-      {
-        labels = {"A_z"};
-        result.poles = by_poles(oscillator_body(body.oscillator));
-      }
       else
       {
-        result.rotation = body.ring.rotation(parameters.road.speed);
-        result.rows = ring_rows(body.ring, parameters.frequency_response.tangential);
-        both_ways = body.ring.rolling;
-        result.poles = ring_poles(body.ring, result.rows, result.rotation);
-        for (unsigned int i = 0; i < result.rows.size(); ++i)
-          labels.push_back(point_name(i % body.ring.n_points, body.ring.n_points) +
-                           (result.rows[i].tangential ? "_x" : "_z"));
+        const PointBody &points = *body.own->at_points();
+        const bool tangential = points.orders() && parameters.frequency_response.tangential;
+        labels = points.row_names(tangential);
+        both_ways = body.rolls();
+        result.poles = by_poles(points.between_points(tangential, parameters.road.speed));
       }
       for (unsigned int i = 0; i < labels.size(); ++i)
         for (unsigned int j = both_ways ? 0 : i; j < labels.size(); ++j)
@@ -87,27 +72,6 @@ namespace vibrocontact
           entry.values.push_back(G(entry.response, entry.reference));
       }
       return data;
-    }
-
-    /// Orders up to the highest one in full, those above it static or left out.
-    FrequencyData ring_sum(const GreenBody &body, RingParameters ring, const unsigned int highest,
-                           const bool residual, const std::vector<double> &frequency)
-    {
-      ring.highest_order = highest;
-      ring.residual = residual;
-      ring.residual_order = std::max(ring.residual_order, highest + 1);
-      const unsigned int n = body.rows.size();
-      const DenseMatrix rest = ring_rest(ring, body.rows, body.rotation, RingFrame::road);
-      return evaluated(body, frequency,
-                       [&](const double omega)
-                       {
-                         ComplexMatrix G =
-                             ring_receptance(ring, body.rows, body.rotation, RingFrame::road, omega);
-                         for (unsigned int i = 0; i < n; ++i)
-                           for (unsigned int j = 0; j < n; ++j)
-                             G(i, j) += rest(i, j);
-                         return G;
-                       });
     }
 
     std::string pair_name(const FrequencyData &data, const FrequencyData::Entry &entry)
@@ -199,9 +163,10 @@ namespace vibrocontact
     }
 
     /// What is lost by leaving out orders of a ring, and by its poles.
-    Json truncation_json(const GreenBody &body, const RingParameters &ring,
-                         const std::vector<unsigned int> &orders, const FrequencyData &direct,
-                         const FrequencyData &modal)
+    /// @param sum over circumferential orders up to a highest one, with those above it static or without
+    Json truncation_json(const std::function<FrequencyData(unsigned int, bool)> &sum,
+                         const PointBody::Orders &kept, const std::vector<unsigned int> &orders,
+                         const FrequencyData &direct, const FrequencyData &modal)
     {
       Json list = Json::array();
       const auto add =
@@ -217,8 +182,8 @@ namespace vibrocontact
       };
       for (const unsigned int order : orders)
         for (const bool residual : {false, true})
-          add(order, residual, false, ring_sum(body, ring, order, residual, direct.frequency));
-      add(ring.highest_order, ring.residual, true, modal);
+          add(order, residual, false, sum(order, residual));
+      add(kept.highest, kept.residual, true, modal);
       return list;
     }
   } // namespace
@@ -241,14 +206,22 @@ namespace vibrocontact
     const std::vector<double> frequency = asked.frequencies();
     const FrequencyData modal =
         evaluated(body, frequency, [&](const double omega) { return receptance(body.poles, omega); });
-    const bool ring = own.type == "ring", is_direct = asked.method == "direct";
-    if (is_direct && !ring)
+    const PointBody *const points = own.own->at_points();
+    const std::optional<PointBody::Orders> orders = points ? points->orders() : std::nullopt;
+    const auto sum = [&](const unsigned int highest, const bool residual)
+    {
+      const bool tangential = asked.tangential;
+      return evaluated(body, frequency,
+                       points->sum_of_orders(highest, residual, tangential, parameters.road.speed));
+    };
+    const bool is_direct = asked.method == "direct";
+    if (is_direct && !orders)
       throw InputError("Frequency response/Method is direct, but " + own.name +
                        " is known by its poles alone: set "
                        "it to modal.");
     FrequencyData direct;
-    if (ring)
-      direct = ring_sum(body, own.ring, std::max(direct_order, own.ring.highest_order), true, frequency);
+    if (orders)
+      direct = sum(std::max(direct_order, orders->highest), true);
     const FrequencyData &shown = is_direct ? direct : modal;
     Json result = {
         {"kind", "Green's functions"}, {"method", asked.method}, {"n_poles", body.poles.n_poles()}};
@@ -262,8 +235,8 @@ namespace vibrocontact
     if (asked.impulse_time > 0)
       result["impulse_response"] =
           write(impulse_table(body, asked.impulse_time, asked.impulse_step), "impulse_response");
-    if (ring)
-      result["truncation"] = truncation_json(body, own.ring, asked.truncated_orders, direct, modal);
+    if (orders)
+      result["truncation"] = truncation_json(sum, *orders, asked.truncated_orders, direct, modal);
     return result;
   }
 } // namespace vibrocontact

@@ -8,7 +8,7 @@
 #include <vibrocontact/receptances/uff58.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/identified_body.h>
-#include <vibrocontact/run/verdict.h>
+#include <vibrocontact/output/verdict.h>
 
 #include <algorithm>
 

@@ -1,7 +1,8 @@
 #include <vibrocontact/analyses/modal_convolution/judge_road_march.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
-#include <vibrocontact/run/verdict.h>
+#include <vibrocontact/marching/judge_march.h>
+#include <vibrocontact/output/verdict.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,29 +17,6 @@ namespace vibrocontact
     double rms_error(const ModalConvolutionResult &result)
     {
       return std::max(result.errors.rms_force, std::hypot(1., result.unseen_share()) - 1);
-    }
-
-    void say_errors_of(const ModalConvolution &motion, nlohmann::ordered_json &json)
-    {
-      const ModalConvolutionResult &result = motion.result();
-      const RoadMarchErrors &errors = result.errors;
-      Log &log = run_log();
-      const std::string second = motion.second_march();
-      if (second.empty())
-        return log.value("estimated error", "not asked for (Modal convolution/Error estimate)");
-      const double steps = std::max(1ul, result.steps);
-      json["error_estimate"] = {
-          {"method", second}, {"until_s", errors.time}, {"seconds_per_step", errors.seconds / steps}};
-      if (!errors.failure.empty())
-        return log.value("estimated error", "unknown: " + second + " ended early: " + errors.failure);
-      if (errors.time <= 0 || !std::isfinite(errors.impulse) || !std::isfinite(errors.rms_force))
-        return log.value("estimated error", "unknown: too few steps for " + second);
-      json["estimated_error"] = errors.impulse;
-      json["estimated_error_rms_force"] = rms_error(result);
-      json["estimated_error_worst_point"] = errors.worst_point;
-      log.value("estimated error of the impulse", percent_text(errors.impulse) + " (" + second + ")");
-      log.value("of the rms force",
-                percent_text(rms_error(result)) + " of " + number_text(result.rms_force()) + " N");
     }
 
     void say_work_of(const WorkAccount &work)
@@ -63,7 +41,17 @@ namespace vibrocontact
     const ModalConvolutionResult &result = motion.result();
     const RoadMarchErrors &errors = result.errors;
     const WorkAccount &work = result.work;
-    say_errors_of(motion, json);
+    const std::string second = motion.second_march();
+    const ErrorReport report = {
+        "modal convolution",
+        "Modal convolution",
+        second,
+        {{"estimated_error", "impulse", errors.impulse},
+         {"estimated_error_rms_force", "rms force", rms_error(result), result.rms_force()}}};
+    if (say_errors(errors, report, json))
+      json["estimated_error_worst_point"] = errors.worst_point;
+    if (!second.empty())
+      json["error_estimate"]["seconds_per_step"] = errors.seconds / std::max(1ul, result.steps);
     say_work_of(work);
     if (!parameters.is_event_located())
       json["unseen_road_share"] = result.unseen_share();
@@ -72,14 +60,10 @@ namespace vibrocontact
     const auto fail = [&](const std::string &text) { refuse("modal convolution", text, results); };
     const std::string shorter =
         parameters.is_event_located() ? "" : " Take a shorter Modal convolution/Time step.";
-    const double worst = std::max(errors.impulse, rms_error(result));
     if (!errors.failure.empty())
-      fail("The error of the modal convolution is not known: " + motion.second_march() + " ended early, " +
-           errors.failure);
-    else if (errors.time > 0 && !(worst <= most_step_error))
-      fail("The modal convolution's steps are too long for its result: the error is estimated at " +
-           percent_text(errors.impulse) + " of the impulse and " + percent_text(rms_error(result)) +
-           " of the rms force, from " + motion.second_march() + "." + shorter);
+      fail("The error of the modal convolution is not known: " + second + " ended early, " + errors.failure);
+    else
+      judge_errors(errors, report, shorter, results);
     const double unseen = result.unseen_share();
     if (!(unseen <= most_unseen_road))
       fail("The road has waves between the steps of the modal convolution, which do not see them: they would "

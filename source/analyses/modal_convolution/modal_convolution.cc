@@ -27,9 +27,9 @@ namespace vibrocontact
   ModalConvolution::ModalConvolution(const ModalConvolutionParameters &parameters,
                                      const ContactSolverParameters &solver, const BodyInContact &model,
                                      const Road &road, const RoadLaws &laws)
-      : parameters(parameters), road(road), n_points(road.n_points()), time_step(parameters.time_step),
-        last_step(std::lround(parameters.end_time / parameters.time_step)), law(laws.normal),
-        was_closed(n_points, 0), has_friction(model.n_rows() > n_points)
+      : parameters(parameters), model(model), road(road), n_points(road.n_points()),
+        time_step(parameters.time_step), last_step(std::lround(parameters.end_time / parameters.time_step)),
+        law(laws.normal), was_closed(n_points, 0), has_friction(model.n_rows() > n_points)
   {
     results.impulse.assign(n_points, 0.);
     last_force.assign(n_points, 0.);
@@ -64,11 +64,11 @@ namespace vibrocontact
     else
     {
       stepper = std::make_unique<RoadStepper>(parameters, solver, model, n_points, last_step, laws,
-                                              road.sliding_speed());
+                                              road.sliding_speed(), road.rolling_speed());
       if (has_friction)
-        check_road_friction(stepper->propagator->compliance());
+        check_road_friction(stepper->compliance);
       for (unsigned int i = 0; i < n_points; ++i)
-        stiffness.push_back(1 / (stepper->propagator->compliance()(i, i) + yields));
+        stiffness.push_back(1 / (stepper->compliance(i, i) + yields));
       results.has_residual = n_points > 1 || stepper->is_common;
       last_height.resize(n_points);
       road.heights(0, last_height.data());
@@ -104,11 +104,12 @@ namespace vibrocontact
     throw InputError(text.str());
   }
 
-  unsigned int ModalConvolution::steps_of_a_block() const
+  void ModalConvolution::advance_block()
   {
     constexpr double most_steps = 4096, most_pieces = 3e4;
-    return events ? std::clamp(most_pieces * events->longest_piece() / time_step, 1., most_steps)
-                  : most_steps;
+    advance(events ? std::clamp(most_pieces * events->longest_piece() / time_step, 1., most_steps)
+                   : most_steps,
+            recorder);
   }
 
   bool ModalConvolution::advance(const unsigned int n_steps, const Observer &observe)
@@ -175,7 +176,8 @@ namespace vibrocontact
         lines.tangential_displacement = tangential_displacements.data() + first * n_points;
         lines.tangential_force = tangential_forces.data() + first_force * n_points;
       }
-      observe(lines);
+      if (observe)
+        observe(lines);
     };
     if (force_interpolation(parameters.force_shape) == ForceInterpolation::impulse)
       // lines 0 ... of this block, the last displacement waits for its force
@@ -319,8 +321,9 @@ namespace vibrocontact
                             }
                           });
         });
-    observe({first, static_cast<unsigned int>(line - first), n_points, time_step, displacements.data(),
-             forces.data(), heights.data()});
+    if (observe)
+      observe({first, static_cast<unsigned int>(line - first), n_points, time_step, displacements.data(),
+               forces.data(), heights.data()});
     const auto append = [](std::vector<ContactEvent> &to, const std::vector<ContactEvent> &from)
     { to.insert(to.end(), from.begin() + to.size(), from.end()); };
     append(results.impacts, events->impacts);
@@ -383,5 +386,18 @@ namespace vibrocontact
       r.work = events->work();
     }
     exchange_second_march(file);
+  }
+
+  Marks ModalConvolution::marks() const
+  {
+    std::vector<double> poles;
+    for (const std::complex<double> &pole : model.poles)
+      poles.insert(poles.end(), {pole.real(), pole.imag()});
+    return {{"rows", {double(model.n_rows())}}, {"poles", poles}};
+  }
+
+  MarchCheckpoint road_checkpoint(const std::string &folder)
+  {
+    return {folder + "/modal_convolution.h5", "Modal convolution", 5};
   }
 } // namespace vibrocontact

@@ -75,37 +75,21 @@ namespace vibrocontact
   void write_point_tables(const std::string &histories, const unsigned int n_points, const bool friction,
                           const std::string &folder)
   {
-    Hdf5Reader file(histories + ".h5");
-    const std::vector<double> time = file.numbers("time_s");
     std::vector<std::string>
-        names = quantities(friction),
-        notes = {"displacement of body 1 > 0 away from the road, tread compression included; force > 0 is "
+        columns = quantities(friction),
+        notes = {"", // which point
+                 "displacement of body 1 > 0 away from the road, tread compression included; force > 0 is "
                  "compression",
                  "road: its height under the point, loading and indentation included, less the shape of "
                  "body 1; they touch where the displacement is the same"};
+    columns.insert(columns.begin(), "time_s");
     if (friction)
       notes.push_back("tangential: along the road, > 0 forward; force on body 1");
     for (unsigned int i = 0; i < n_points; ++i)
     {
-      std::vector<std::string> head = {"time_s"},
-                               lines = {"Contact point " + std::to_string(i) + " of a modal convolution"};
-      std::vector<std::vector<double>> values;
-      for (const std::string &name : names)
-      {
-        head.push_back(name);
-        values.push_back(file.numbers(point_name(i) + name));
-      }
-      lines.insert(lines.end(), notes.begin(), notes.end());
-      Table table(head, lines);
-      std::vector<Table::Cell> line(head.size());
-      for (std::size_t k = 0; k < time.size(); ++k)
-      {
-        line[0].emplace<double>(time[k]);
-        for (std::size_t j = 0; j < values.size(); ++j)
-          line[j + 1].emplace<double>(values[j][k]);
-        table.add_row(line);
-      }
-      table.write(folder + "/contact_point_" + std::to_string(i) + ".csv");
+      notes[0] = "Contact point " + std::to_string(i) + " of a modal convolution";
+      write_rows_as_table(histories, columns, point_name(i), notes,
+                          folder + "/contact_point_" + std::to_string(i) + ".csv");
     }
   }
 

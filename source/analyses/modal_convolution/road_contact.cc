@@ -2,17 +2,21 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/numerics/least_squares.h>
 
+#include <algorithm>
+
 namespace vibrocontact
 {
   ContactProblem road_contact_problem(const DenseMatrix &matrix, const unsigned int n_points,
-                                      const RoadLaws &laws, const double time_step)
+                                      const RoadLaws &laws, const double time_step, const double speed)
   {
-    const unsigned int n = n_points, n_rows = matrix.m();
-    AssertThrow(n_rows == n || n_rows == 2 * n, dealii::ExcDimensionMismatch(n_rows, 2 * n));
-    DenseMatrix rows = matrix;
-    for (unsigned int i = n; i < n_rows; ++i)
-      for (unsigned int j = 0; j < n_rows; ++j)
-        rows(i, j) /= time_step;
+    const unsigned int n = n_points, n_rows = std::min<unsigned int>(matrix.m(), 2 * n);
+    const bool flows = matrix.m() == 3 * n;
+    AssertThrow(flows || matrix.m() == n_rows, dealii::ExcDimensionMismatch(matrix.m(), 2 * n));
+    DenseMatrix rows(n_rows, n_rows);
+    for (unsigned int j = 0; j < n_rows; ++j)
+      for (unsigned int i = 0; i < n_rows; ++i)
+        rows(i, j) =
+            i < n ? matrix(i, j) : matrix(i, j) / time_step - (flows ? speed * matrix(n + i, j) : 0.);
     ContactProblem problem;
     problem.title = "contact with the road";
     problem.A = std::make_shared<DenseContactOperator>(std::move(rows), n_rows / n);

@@ -129,7 +129,7 @@ namespace vibrocontact
     {
       const unsigned long wanted = std::lround(compared.steps / steps_ratio);
       while (second->results.steps < wanted)
-        second->advance(wanted - second->results.steps, [](const ModalConvolutionLines &) {});
+        second->advance(wanted - second->results.steps);
       compare_second_march();
     }
     catch (const ConvergenceError &error)
@@ -191,10 +191,8 @@ namespace vibrocontact
     file("compared/square_integral", compared.square_integral);
     if (has_friction)
       file("compared/tangential_impulse", compared.tangential_impulse);
-    file("errors/seconds", results.errors.seconds);
-    file("errors/failure", results.errors.failure);
-    if (file.reading() && results.errors.failure.empty())
-      compare_second_march();
+    results.errors.exchange(file);
+    file("errors/worst_point", results.errors.worst_point);
   }
 
   void ModalConvolution::check_steps_of_the_road(const unsigned int n_steps) const

@@ -15,13 +15,39 @@ namespace vibrocontact
 {
   namespace
   {
-    DenseMatrix normal_block(const DenseMatrix &matrix, const unsigned int n_points)
+    DenseMatrix first_block(const DenseMatrix &matrix, const unsigned int size)
     {
-      DenseMatrix block(n_points, n_points);
-      for (unsigned int i = 0; i < n_points; ++i)
-        for (unsigned int j = 0; j < n_points; ++j)
+      DenseMatrix block(size, size);
+      for (unsigned int i = 0; i < size; ++i)
+        for (unsigned int j = 0; j < size; ++j)
           block(i, j) = matrix(i, j);
       return block;
+    }
+
+    /// The gradients along the road of a body that rolls, as further rows, which no force acts on.
+    BodyInContact with_gradient_rows(const BodyInContact &model)
+    {
+      if (model.gradient.m() == 0)
+        return model;
+      const unsigned int n_rows = model.n_rows(), n = n_rows / 2, p = model.n_poles();
+      BodyInContact result = model;
+      result.gradient.reinit(0, 0);
+      result.residual_gradient.reinit(0, 0);
+      result.residual_load.clear();
+      result.right.reinit(n_rows + n, p);
+      result.left.reinit(n_rows + n, p);
+      result.residual.reinit(n_rows + n, n_rows + n);
+      for (unsigned int i = 0; i < n_rows + n; ++i)
+      {
+        for (unsigned int k = 0; k < p; ++k)
+        {
+          result.right(i, k) = i < n_rows ? model.right(i, k) : model.gradient(i - n, k);
+          result.left(i, k) = i < n_rows ? model.left(i, k) : 0.;
+        }
+        for (unsigned int j = 0; j < n_rows && model.residual.m() > 0; ++j)
+          result.residual(i, j) = i < n_rows ? model.residual(i, j) : model.residual_gradient(i - n, j);
+      }
+      return result;
     }
 
     std::string title(const double time_step)
@@ -101,19 +127,22 @@ namespace vibrocontact
   RoadStepper::RoadStepper(const ModalConvolutionParameters &parameters,
                            const ContactSolverParameters &solver_parameters, const BodyInContact &model,
                            const unsigned int n_points, const unsigned long n_steps, const RoadLaws &laws,
-                           const double sliding_speed)
-      : propagator(make_propagator(parameters, model, n_steps)),
+                           const double sliding_speed, const double speed)
+      : propagator(make_propagator(parameters, with_gradient_rows(model), n_steps)),
+        compliance(first_block(propagator->compliance(), model.n_rows())),
         is_common(parameters.contact_solver == "common" || model.n_rows() > n_points ||
                   !laws.normal->is_rigid()),
         n(n_points), step(parameters.time_step), sliding_speed(sliding_speed),
-        problem(road_contact_problem(propagator->compliance(), n_points, laws, parameters.time_step)),
+        speed(model.gradient.m() > 0 ? speed : 0.),
+        problem(road_contact_problem(propagator->compliance(), n_points, laws, parameters.time_step,
+                                     this->speed)),
         is_linear(force_interpolation(parameters.force_shape) == ForceInterpolation::linear),
         residual_flexibility(model.residual)
   {
     problem.title = title(step);
     ContactSolverParameters own = solver_parameters;
     if (is_common)
-      check_unique_forces(normal_block(propagator->compliance(), n), "in '" + problem.title + "'");
+      check_unique_forces(first_block(compliance, n), "in '" + problem.title + "'");
     else
       own.method = "active set";
     solver = create_contact_solver(own);
@@ -142,7 +171,8 @@ namespace vibrocontact
     ContactSolution solution;
     const double *const free = propagator->free_displacement();
     double *const b = problem.b.data();
-    const bool has_friction = tangential_forces != nullptr;
+    const bool has_friction = tangential_forces != nullptr, rolls = this->speed != 0;
+    std::vector<double> all_forces(propagator->n_rows(), 0.);
     std::vector<double> forces_before(has_friction ? 2 * n : 0);
     for (unsigned int i = 0; has_friction && i < n; ++i)
     {
@@ -157,7 +187,8 @@ namespace vibrocontact
       for (unsigned int i = 0; i < n; ++i)
         b[i] = free[i] - heights[i];
       for (unsigned int i = 0; has_friction && i < n; ++i)
-        b[n + i] = (free[n + i] - before[i]) / step + sliding_speed;
+        b[n + i] =
+            (free[n + i] - before[i]) / step + sliding_speed - (rolls ? this->speed * free[2 * n + i] : 0.);
       solve_with_friction_of_speed(problem, *solver, solution, speed);
       if (!solution.converged)
         throw ConvergenceError("The contact of a step did not converge, relative residual " +
@@ -173,7 +204,10 @@ namespace vibrocontact
       {
         const double slip = y[n + i];
         tangential_forces[i] = R[n + i];
-        tangential_displacements[i] = before[i] + step * (slip - sliding_speed);
+        double flow = rolls ? free[2 * n + i] : 0.;
+        for (unsigned int j = 0; rolls && j < 2 * n; ++j)
+          flow += propagator->compliance()(2 * n + i, j) * R[j];
+        tangential_displacements[i] = before[i] + step * (slip - sliding_speed + this->speed * flow);
         // of linear forces the mean
         const double force =
             is_linear ? 0.5 * (tangential_forces[i] + (tangential_forces - n)[i]) : tangential_forces[i];
@@ -186,7 +220,8 @@ namespace vibrocontact
         tangential_displacements += n;
         tangential_forces += n;
       }
-      propagator->advance(R);
+      std::copy(R, R + solution.R.size(), all_forces.begin());
+      propagator->advance(all_forces.data());
       iterations += solution.iterations;
       residual = std::max(residual, solution.residual);
     }

@@ -2,23 +2,20 @@
 #include <vibrocontact/analyses/modal_convolution/modal_convolution_output.h>
 #include <vibrocontact/analyses/modal_convolution/run_method_comparison.h>
 #include <vibrocontact/analyses/modal_convolution/run_modal_convolution.h>
-#include <vibrocontact/base/checkpoint_schedule.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/run_communicator.h>
-#include <vibrocontact/base/version.h>
+#include <vibrocontact/marching/run_march.h>
+#include <vibrocontact/output/verdict.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/road_body.h>
 #include <vibrocontact/run/say_residual_damping.h>
 #include <vibrocontact/run/swept_runs.h>
-#include <vibrocontact/run/verdict.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <memory>
 #include <optional>
 #include <sstream>
 
@@ -28,83 +25,6 @@ namespace vibrocontact
   {
     constexpr unsigned int most_point_tables = 10;
     constexpr unsigned long most_table_lines = 1000000, most_spectrum_lines = 20000000;
-    constexpr int checkpoint_format = 4;
-
-    std::string checkpoint_name(const std::string &folder)
-    {
-      return folder + "/modal_convolution.h5";
-    }
-
-    /// What tells bodies apart: the rows and the poles.
-    std::vector<double> marks(const BodyInContact &model)
-    {
-      std::vector<double> result = {double(model.n_rows())};
-      for (const auto &pole : model.poles)
-        result.insert(result.end(), {pole.real(), pole.imag()});
-      return result;
-    }
-
-    class Checkpoints
-    {
-    public:
-      Checkpoints(const std::string &folder, const BodyInContact &model, ModalConvolution &motion,
-                  std::optional<ModalConvolutionHistory> &history)
-          : folder(folder), model(model), motion(motion), history(history)
-      {
-      }
-
-      /// On rank 0; the others keep nothing.
-      void write()
-      {
-        Hdf5Writer writer(checkpoint_name(folder));
-        writer.write("format", checkpoint_format);
-        writer.write("marks", marks(model));
-        CheckpointFile file(writer);
-        motion.exchange(file);
-        if (history)
-          history->exchange(file);
-        writer.finish(true);
-      }
-
-      /// On every rank.
-      bool read()
-      {
-        if (!std::filesystem::exists(checkpoint_name(folder)))
-          return false;
-        std::unique_ptr<Hdf5Reader> reader;
-        bool same = false;
-        read_whole(checkpoint_name(folder),
-                   [&]
-                   {
-                     // sizes and places are used as they are read
-                     Hdf5Reader::check_seal(checkpoint_name(folder));
-                     reader = std::make_unique<Hdf5Reader>(checkpoint_name(folder));
-                     same = reader->integer("format") == checkpoint_format &&
-                            reader->numbers("marks") == marks(model);
-                   });
-        if (!same)
-          throw InputError("The checkpoint \"" + checkpoint_name(folder) +
-                           "\" belongs to another body or program: run the file without --resume.");
-        read_whole(checkpoint_name(folder),
-                   [&]
-                   {
-                     CheckpointFile file(*reader);
-                     motion.exchange(file);
-                     if (history)
-                       history->exchange(file);
-                   });
-        if (motion.result().steps > motion.n_steps())
-          throw InputError("Modal convolution/End time is before what the run to be resumed has reached, " +
-                           std::to_string(motion.result().time) + " s: give a later one.");
-        return true;
-      }
-
-    private:
-      const std::string folder;
-      const BodyInContact &model;
-      ModalConvolution &motion;
-      std::optional<ModalConvolutionHistory> &history;
-    };
 
     void print(const ModalConvolutionParameters &parameters, const ModalConvolutionResult &result)
     {
@@ -163,62 +83,17 @@ namespace vibrocontact
     const std::string histories =
         parameters.scene.runs("transient") ? "modal_convolution_histories" : "histories";
     std::optional<ModalConvolutionHistory> history;
+    Recorders recorders;
     if (first)
-      history.emplace(own, n_points, folder + "/" + histories);
-    Checkpoints checkpoints(folder, poles, motion, history);
-    bool found = false;
-    if (resume)
-      on_all_ranks([&] { found = checkpoints.read(); });
-    if (found)
-      run_log().value("resumed at", motion.result().time, "s");
-
-    CheckpointSchedule schedule(own.checkpoint_interval);
-    Progress progress("modal convolution", motion.n_steps() - motion.result().steps);
-    std::exception_ptr failure;
-    const auto observe = [&](const ModalConvolutionLines &lines)
     {
-      if (!history || failure)
-        return;
-      try
-      {
-        history->add(lines);
-      }
-      catch (...)
-      {
-        failure = std::current_exception();
-      }
-    };
-    std::string message;
-    bool more = motion.n_steps() > motion.result().steps;
-    while (more)
-    {
-      const unsigned long before = motion.result().steps;
-      try
-      {
-        more = motion.advance(motion.steps_of_a_block(), observe);
-      }
-      catch (const ConvergenceError &error)
-      {
-        // the same on every rank
-        message = error.what();
-        break;
-      }
-      on_first_rank(
-          [&]
-          {
-            if (failure)
-              std::rethrow_exception(failure);
-          });
-      progress.advance(motion.result().steps - before);
-      const bool due = schedule.is_due();
-      if (due || !more)
-        on_first_rank([&] { checkpoints.write(); });
-      if (schedule.stopped_by() != 0 && more)
-      {
-        results.stopped_by = schedule.stopped_by();
-        break;
-      }
+      recorders.push_back(&history.emplace(own, n_points, folder + "/" + histories));
+      motion.recorder = [&](const ModalConvolutionLines &lines) { history->add(lines); };
     }
+    const MarchCheckpoint checkpoint = road_checkpoint(folder);
+    if (resume)
+      resume_march(motion, checkpoint, recorders);
+    const bool is_whole =
+        run_march("modal convolution", motion, checkpoint, own.checkpoint_interval, recorders, results);
     const ModalConvolutionResult &result = motion.result();
     nlohmann::ordered_json &json = results.analyses["modal_convolution"];
     json = modal_convolution_json(own, result);
@@ -235,7 +110,6 @@ namespace vibrocontact
     on_first_rank(
         [&]
         {
-          history->finish(message.empty() && results.stopped_by == 0);
           const double lines = result.time / std::max(own.time_step, own.history_interval);
           if (n_points <= most_point_tables && lines <= most_table_lines)
             write_point_tables(folder + "/" + histories, n_points, own.friction, folder);
@@ -247,16 +121,8 @@ namespace vibrocontact
           }
         });
     print(own, result);
-    judge_road_march(own, motion, body.is_passive, message.empty() && results.stopped_by == 0, json, results);
-    if (!message.empty())
-    {
-      std::ostringstream text;
-      text << "The modal convolution ended at " << result.time << " s: " << message;
-      refuse("modal convolution", text.str(), results);
-    }
-    if (results.stopped_by != 0)
-      run_log().warning("Interrupted; a checkpoint is written, --resume continues.");
-    else if (parameters.comparison.any() && message.empty())
+    judge_road_march(own, motion, body.is_passive, is_whole, json, results);
+    if (parameters.comparison.any() && is_whole && results.stopped_by == 0)
       json["method_comparison"] = run_method_comparison(parameters, bodies, measured, folder);
   }
 
@@ -278,13 +144,6 @@ namespace vibrocontact
       entries.add_if(friction, "Modal convolution/Friction is true", section, "Sliding speed");
     }
 
-    /// Whether its contact points may have a tread or residual flexibility.
-    bool gives_way(const BodyParameters &body)
-    {
-      return body.type == "ring" ? body.ring.tread_stiffness > 0 || body.ring.residual
-                                 : body.type != "oscillator";
-    }
-
     void modal_convolution_read(EntriesRead &entries, const Parameters &parameters)
     {
       const ModalConvolutionParameters &own = parameters.modal_convolution;
@@ -293,11 +152,14 @@ namespace vibrocontact
       BodyUse use = moving_in_contact();
       use.tangential = own.friction;
       add_body(entries, parameters, 0, use);
-      if (bodies[0].is_meshed() && bodies[0].type != "ring")
+      if (!bodies[0].is_green())
         add_contact_grid(entries, parameters);
       entries.add("Rolling", "Normal force");
       add_road(entries, "Road", parameters.road, bodies[0].rolls(), own.friction,
                !parameters.rolling.normal_force.empty());
+      entries.add_if(own.friction && bodies[0].rolls(),
+                     "Modal convolution/Friction is true and " + bodies[0].name + "/Ring/Rolling too",
+                     "Contact", "Creep scheme");
 
       const bool steps = !own.is_event_located();
       entries.add(
@@ -311,7 +173,7 @@ namespace vibrocontact
                      section, "Contact solver");
       entries.add_if(own.is_convolution(), section + "/Method is a convolution", section, "Memory");
       entries.add_if(own.takes_theta(), section + "/Method is theta method", section, "Theta");
-      entries.add_if(stands_under_loads(bodies[0]), "body 1 stands under a load", section, "Initial state");
+      entries.add_if(bodies[0].has_load(), "body 1 stands under a load", section, "Initial state");
       entries.add_if(!own.is_event_located(), section + "/Method is no event located", "Contact",
                      "Normal law");
       add_normal_law(entries, parameters.contact(), parameters.contact().normal_law, "Contact/Normal law");
@@ -333,7 +195,7 @@ namespace vibrocontact
         entries.add(of_body, "Rows");
         if (further->second.rows.empty())
           continue;
-        entries.add_if(gives_way(bodies[k]), "its points are not rigid", of_body, "Force shape");
+        entries.add_if(bodies[k].own->may_yield(), "its points are not rigid", of_body, "Force shape");
         add_body(entries, parameters, k, use);
         add_road(entries, of_body + "/Road", further->second.road, bodies[k].rolls(), own.friction);
       }

@@ -1,7 +1,6 @@
 #include <vibrocontact/analyses/periodic/make_forced_body.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/point_reduction.h>
-#include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/fe/dense_system.h>
 #include <vibrocontact/fe/nearest_dof.h>
 #include <vibrocontact/reduction/all_modes.h>
@@ -101,10 +100,8 @@ namespace vibrocontact
       body.relaxation = damping.stiffness_damping;
       body.force_row = n;
       body.gap.assign(n / rows_per_point, 0.);
-      const BodyParameters &described = parameters.scene.bodies[number];
-      if (described.type == "ring")
-        for (unsigned int i = 0; i < n; ++i)
-          body.residual(i, i) += tread_compliance(described.ring, i % rows_per_point > 0);
+      for (unsigned int i = 0; i < n; ++i)
+        body.residual(i, i) += parameters.scene.bodies[number].own->tread_compliance(i % rows_per_point > 0);
       return body;
     }
 

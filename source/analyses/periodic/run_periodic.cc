@@ -210,7 +210,7 @@ namespace vibrocontact
                            "Quadrature points, Reference, Output samples");
       entries.add_if(
           !on_grid || own.stop_axis().first != 2 || !own.force_point.empty() ||
-              parameters.contact().friction > 0 || stands_under_loads(body),
+              parameters.contact().friction > 0 || body.has_load(),
           "there are Contact points, a Force point, friction or a load, which tell one side from the other",
           section, "Stop direction");
       entries.add(section + "/Comparison", "Numbers");

@@ -47,9 +47,10 @@ namespace vibrocontact
     }
     const ContactPair pair = contact_pair(bodies, sections, contacts);
     const auto compliance = std::make_shared<const DenseMatrix>(static_compliance(pair));
+    const auto gradient = std::make_shared<const DenseMatrix>(static_gradient(pair));
     scene.interface = static_interface(pair);
     scene.operator_at = [=](const double speed)
-    { return rolling_operator(contacts, *compliance, scheme, speed); };
+    { return rolling_operator(contacts, *compliance, scheme, speed, *gradient); };
     return scene;
   }
 } // namespace vibrocontact

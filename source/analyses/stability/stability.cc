@@ -119,7 +119,10 @@ namespace vibrocontact
     const CreepScheme &scheme = find_creep_scheme(contact.first().creep_scheme);
     std::vector<StabilityResult> results;
     const auto operator_at = [&](const double speed)
-    { return rolling_operator(pair.interface.contacts, static_compliance(pair), scheme, speed); };
+    {
+      return rolling_operator(pair.interface.contacts, static_compliance(pair), scheme, speed,
+                              static_gradient(pair));
+    };
     // the preload is no part of the linearisation
     std::shared_ptr<const ContactPair> suspended;
     if (rolling.hub == "suspended")

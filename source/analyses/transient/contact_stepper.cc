@@ -360,7 +360,7 @@ namespace vibrocontact
     solution.y += problem.b;
     problem.move(solution.y, problem.approach);
     solution.approach = problem.approach;
-    solution.response_known = true;
+    solution.response_known = !A.has_gradient();
   }
 
   void ContactStepper::solve_with_modal_slip_in_friction(const DynamicState &state, ContactSolver &solver)

@@ -1,5 +1,4 @@
 #include <vibrocontact/analyses/transient/check_transient.h>
-#include <vibrocontact/analyses/transient/checkpoint.h>
 #include <vibrocontact/analyses/transient/drive.h>
 #include <vibrocontact/analyses/transient/judge_transient.h>
 #include <vibrocontact/analyses/transient/make_mode_recorder.h>
@@ -10,23 +9,22 @@
 #include <vibrocontact/analyses/transient/transient_hub.h>
 #include <vibrocontact/analyses/transient/transient_output.h>
 #include <vibrocontact/analyses/transient/transient_probes.h>
-#include <vibrocontact/base/checkpoint_schedule.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
+#include <vibrocontact/marching/run_march.h>
+#include <vibrocontact/output/verdict.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/say_residual_damping.h>
 #include <vibrocontact/run/swept_runs.h>
 #include <vibrocontact/run/unreduced_pair.h>
-#include <vibrocontact/run/verdict.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -84,7 +82,7 @@ namespace vibrocontact
     /// What follows the run, on rank 0.
     struct RunRecorders
     {
-      Recorders all;
+      std::vector<std::unique_ptr<StateRecorder>> all;
       /// the one that knows when sticking changed, and the one of the modes, null: there is none
       const SignalRecorder *signals = nullptr;
       const ModeRecorder *modes = nullptr;
@@ -97,7 +95,7 @@ namespace vibrocontact
       const ContactPair &pair = *hub.pair;
       const SignalParameters &signals = parameters.signals;
       RunRecorders result;
-      Recorders &recorders = result.all;
+      auto &recorders = result.all;
       auto first = std::make_unique<SignalRecorder>(probes, folder);
       result.signals = first.get();
       recorders.push_back(std::move(first));
@@ -176,32 +174,6 @@ namespace vibrocontact
            << " s reactions that are linear in the step ring: take a smaller one or the theta method.";
       doubt(text.str(), results);
     }
-
-    /// The state to begin with and the sums up to it: the checkpoint's, or the initial state, recorded.
-    void begin(const Parameters &parameters, const ContactPair &held, const HubMotion &hub,
-               const std::string &folder, const bool resume, const Recorders &recorders, DynamicState &state,
-               TransientResult &before, CoarseRun *const coarse)
-    {
-      bool found = false;
-      if (resume)
-        on_all_ranks([&] { found = read_checkpoint(folder, *hub.pair, state, before, recorders, coarse); });
-      if (found)
-      {
-        run_log().value("resumed at", before.time, "s");
-        return;
-      }
-      if (resume)
-        run_log().line("No checkpoint of the transient: it starts from its beginning.");
-      state = initial_state(parameters.transient, parameters.contacts, parameters.contact_solver, held, hub);
-      if (coarse)
-        coarse->state = state;
-      on_first_rank(
-          [&]
-          {
-            for (const auto &recorder : recorders)
-              recorder->add(state);
-          });
-    }
   } // namespace
 
   void run_transient(const Parameters &parameters, const MeshedBodies &bodies,
@@ -239,9 +211,11 @@ namespace vibrocontact
     }
     std::optional<Companion> companion;
     if (own.error_estimate)
-      companion = Companion{
-          hub.driven(drive_function(with_doubled_step(own), constants, parameters.placed_contacts())), {}};
-    CoarseRun *const coarse = companion ? &companion->run : nullptr;
+      companion = {
+          hub.driven(drive_function(with_doubled_step(own), constants, parameters.placed_contacts())),
+          {},
+          {},
+          {}};
     warn_of_ringing(parameters, pair, results);
     warn_of_spectrum(parameters, results);
 
@@ -249,71 +223,28 @@ namespace vibrocontact
     RunRecorders run_recorders;
     on_first_rank([&]
                   { run_recorders = make_recorders(parameters, *held, hub, law, probes, folder, further); });
-    const Recorders &recorders = run_recorders.all;
-    DynamicState state;
-    TransientResult before;
-    begin(parameters, *held, hub, folder, resume, recorders, state, before, coarse);
-
-    Progress progress("transient", own.end_time - before.time);
-    CheckpointSchedule schedule(own.checkpoint_interval);
-    const auto write = [&](DynamicState now, TransientResult sums)
-    { on_first_rank([&] { write_checkpoint(folder, pair, now, sums, recorders, coarse); }); };
-    double shown = before.time;
-    // a recorder that cannot write is heard of where all ranks meet
-    std::exception_ptr failure;
-    const auto meet = [&]
+    Recorders recorders;
+    for (const auto &recorder : run_recorders.all)
+      recorders.push_back(recorder.get());
+    const TransientMarch::Observer record = [&](const DynamicState &now, const TransientResult &)
     {
-      on_first_rank(
-          [&]
-          {
-            if (failure)
-              std::rethrow_exception(failure);
-          });
+      for (const auto &recorder : run_recorders.all)
+        recorder->add(now);
+      return true;
     };
-    const auto observe = [&](const DynamicState &now, const TransientResult &sums)
+    TransientMarch march(own, parameters.contacts, parameters.contact_solver, pair, drive, record,
+                         companion ? &*companion : nullptr);
+    const MarchCheckpoint checkpoint = transient_checkpoint(folder);
+    if (!resume || !resume_march(march, checkpoint, recorders))
     {
-      try
-      {
-        for (const auto &recorder : recorders)
-          recorder->add(now);
-      }
-      catch (...)
-      {
-        failure = std::current_exception();
-      }
-      if (sums.steps % steps_between_fresh_starts != 0)
-        return true;
-      meet();
-      progress.advance(now.time - shown,
-                       [&]
-                       {
-                         std::ostringstream text;
-                         text.precision(3);
-                         text << "t = " << now.time << " s, " << sums.seconds / sums.time
-                              << " times real time, " << double(sums.iterations) / sums.steps
-                              << " iterations per step";
-                         return text.str();
-                       });
-      shown = now.time;
-      if (schedule.is_due())
-        write(now, sums);
-      return schedule.stopped_by() == 0;
-    };
-    const TransientResult result = transient(own, parameters.contacts, parameters.contact_solver, pair, drive,
-                                             state, observe, before, companion ? &*companion : nullptr);
-    meet();
-    const bool at_the_end = result.converged && schedule.stopped_by() == 0;
-    if (at_the_end)
-      write(state, result);
-    on_first_rank(
-        [&]
-        {
-          for (const auto &recorder : recorders)
-            recorder->finish(at_the_end);
-        });
-    if (at_the_end)
-      schedule.is_due(); // a signal in the last steps stops what would follow
-    results.stopped_by = schedule.stopped_by();
+      march.state = initial_state(own, parameters.contacts, parameters.contact_solver, *held, hub);
+      if (companion)
+        companion->state = march.state;
+      on_first_rank([&] { record(march.state, march.sums); });
+    }
+    run_march("transient", march, checkpoint, own.checkpoint_interval, recorders, results);
+    const TransientResult &result = march.sums;
+    const DynamicState &state = march.state;
     results.analyses["transient"] = transient_json(result, state, pair.interface.contacts);
     results.analyses["transient"]["friction"] = parameters.largest_friction();
     results.analyses["transient"]["hub"] = applied_hub;
@@ -332,19 +263,10 @@ namespace vibrocontact
           evaluate_signals(parameters.signals, run_recorders, probes, pair.interface.contacts, folder,
                            results.analyses["transient"]);
         });
-    if (results.stopped_by != 0)
-      run_log().warning("Interrupted; a checkpoint is written, --resume continues.");
-    if (!result.converged)
-    {
-      std::ostringstream text;
-      text << "The transient ended at " << result.time << " s: " << result.message
-           << (result.message.back() == '.' ? "" : ".");
-      refuse("transient", text.str(), results);
-    }
     print(result);
     say_residual_damping(parameters, *prepared, pair, dominant_frequencies(results.analyses["transient"]),
                          "transient", results);
-    judge_transient(result, coarse, results.stopped_by != 0, results);
+    judge_transient(result, companion ? &companion->errors : nullptr, results.stopped_by != 0, results);
   }
 
   namespace
@@ -407,7 +329,7 @@ namespace vibrocontact
                      "the run starts from an equilibrium, with contact points without mass",
                      section + "/Signals", "Mode amplitudes");
       const bool has_wheel = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
-                                         [](const BodyParameters &body) { return body.is_wheel(); });
+                                         [](const BodyParameters &body) { return body.own->is_wheel(); });
       entries.add_if(!signals.probes.empty() && (trimmed(signals.probes) != "rim" || has_wheel) &&
                          own.end_time > least_sound,
                      "there are Transient/Signals/Probes (a rim is that of a wheel) for more than 5 ms",

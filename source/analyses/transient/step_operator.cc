@@ -73,6 +73,42 @@ namespace vibrocontact
       return result;
     }
 
+    /// Numbers of their own for the gradients of the poles, behind those of the shapes: what moves through them is no
+    /// displacement of the points, and no force feeds it.
+    void add_gradients(const BodyInContact &poles, StepMatrices &matrices)
+    {
+      std::vector<unsigned int> along;
+      for (unsigned int i = 0; i < poles.gradient.m(); ++i)
+        for (unsigned int k = 0; k < poles.n_poles(); ++k)
+          if (poles.gradient(i, k) != 0.)
+          {
+            along.push_back(i);
+            break;
+          }
+      const unsigned int rank = matrices.shapes.rank(), n = rank + along.size();
+      const auto extended = [n](const auto &matrix, const bool by_columns)
+      {
+        auto result = matrix;
+        result.reinit(by_columns ? matrix.m() : n, by_columns ? n : matrix.n());
+        for (unsigned int j = 0; j < matrix.n(); ++j)
+          for (unsigned int i = 0; i < matrix.m(); ++i)
+            result(i, j) = matrix(i, j);
+        return result;
+      };
+      matrices.shapes.basis = extended(matrices.shapes.basis, true);
+      matrices.shapes.amplitudes = extended(matrices.shapes.amplitudes, false);
+      matrices.left = extended(matrices.left, false);
+      matrices.right = extended(matrices.right, false);
+      matrices.by_displacement = extended(matrices.by_displacement, true);
+      matrices.by_velocity = extended(matrices.by_velocity, true);
+      for (unsigned int j = 0; j < along.size(); ++j)
+      {
+        matrices.by_displacement(along[j], rank + j) = matrices.speed;
+        for (unsigned int k = 0; k < poles.n_poles(); ++k)
+          matrices.right(rank + j, k) = poles.gradient(along[j], k);
+      }
+    }
+
     // into += left middle right^T
     void add_product(const DenseMatrix &left, const DenseMatrix &middle, const DenseMatrix &right,
                      DenseMatrix &into)
@@ -117,6 +153,15 @@ namespace vibrocontact
       if (modal_trace.n() > 0)
         shapes.basis.Tmmult(shapes.amplitudes, modal_trace);
     }
+    result.by_displacement = result.by_velocity = shapes.basis;
+    convert_to_slip_rows(contacts, scheme, speed, result.by_displacement);
+    for (unsigned int k = 0; k < shapes.rank(); ++k)
+      std::fill_n(&result.by_velocity(0, k), n, 0.);
+    if (poles.gradient.m() > 0)
+    {
+      add_gradients(poles, result);
+      result.residual_gradient = poles.residual_gradient;
+    }
     const HubDamper damper(hub, steps);
     result.displacement_gain = gain(shapes.amplitudes, steps, 0, damper);
     result.velocity_gain = gain(shapes.amplitudes, steps, 1, damper);
@@ -136,16 +181,14 @@ namespace vibrocontact
           result.velocity_gain(i, j) += (residue * (poles.poles[k] * pole_steps.now[k] + 1.)).real();
         }
       }
-    result.by_displacement = result.by_velocity = shapes.basis;
-    convert_to_slip_rows(contacts, scheme, speed, result.by_displacement);
-    for (unsigned int k = 0; k < shapes.rank(); ++k)
-      std::fill_n(&result.by_velocity(0, k), n, 0.);
 
     DenseMatrix &A = result.response;
     convert_to_slip_rows(contacts, scheme, speed, A);
     for (unsigned int j = 0; j < 3 * n; ++j)
       for (unsigned int i = n; i < 3 * n; ++i)
         A(i, j) += residual_flexibility(i, j) / h;
+    if (result.residual_gradient.m() > 0)
+      A.add(speed, result.residual_gradient);
     add_product(result.by_displacement, result.displacement_gain, shapes.basis, A);
     add_product(result.by_velocity, result.velocity_gain, shapes.basis, A);
     return result;
@@ -226,6 +269,17 @@ namespace vibrocontact
           for (unsigned int i = 0; i < rows.size(); ++i)
             to[i] = from[rows[i]];
         }
+      if (has_gradient())
+      {
+        gradient_columns.reinit(3 * m, 3 * n_sources);
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int j = 0; j < n_sources; ++j)
+            for (unsigned int d = 0; d < 3; ++d)
+              for (unsigned int i = 0; i < m; ++i)
+                gradient_columns(contact_row(m, d, i), contact_row(n_sources, c, j)) =
+                    matrices.speed * matrices.residual_gradient(contact_row(n, d, nearby[i]),
+                                                                contact_row(n, c, nearby[sources[j]]));
+      }
       forces.reinit(3 * n_sources);
       sources_before = sources;
     }
@@ -240,6 +294,12 @@ namespace vibrocontact
     multiply(matrices.displacement_gain, c_normal, displacement);
     multiply(matrices.velocity_gain, c_normal, velocity);
     respond(displacement, velocity, y);
+    if (!has_gradient())
+      return;
+    along_path.reinit(3 * m);
+    gradient_columns.vmult(along_path, forces);
+    for (unsigned int i = 0; i < 3 * m; ++i)
+      y[i] += along_path[i];
   }
 
   void StepOperator::respond(const DenseVector &d, const DenseVector &v, DenseVector &y) const

@@ -11,7 +11,6 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <sstream>
 
 namespace vibrocontact
@@ -55,9 +54,10 @@ namespace vibrocontact
   {
     const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
     const CreepScheme &scheme = find_creep_scheme(contact.first().creep_scheme);
-    ContactProblem problem = rolling_problem(
-        rolling_operator(pair.interface.contacts, static_compliance(pair), scheme, drive.creepage.speed),
-        static_interface(pair), scheme, drive.creepage, contact);
+    ContactProblem problem =
+        rolling_problem(rolling_operator(pair.interface.contacts, static_compliance(pair), scheme,
+                                         drive.creepage.speed, static_gradient(pair)),
+                        static_interface(pair), scheme, drive.creepage, contact);
     problem.title = "equilibrium from which the transient starts";
     problem.normal_force = drive.normal_force;
     problem.approach = drive.approach;
@@ -135,124 +135,124 @@ namespace vibrocontact
     return state;
   }
 
+  /// A run step by step, with its sums.
+  class TransientMarch::Steps
+  {
+  public:
+    Steps(const TransientParameters &parameters, const ContactSections &contact,
+          const ContactSolverParameters &solver, const ContactPair &pair, const DriveFunction &drive,
+          DynamicState &state, TransientResult &result)
+        : pair(pair), contact(contact), law(normal_law_of_points(contact, pair.interface.contacts)),
+          scheme(find_creep_scheme(contact.first().creep_scheme)), drive(drive), state(state), result(result),
+          forces(forces_of(state)), now(drive(state.time)),
+          step_levels(parameters, contact, solver, pair, now.creepage.speed), next(state),
+          // never beyond the end, where tables may stop
+          last(std::floor(parameters.end_time / step_levels.shortest() + 1e-6))
+    {
+      result.contacts.resize(pair.interface.contacts.all.size());
+      if (result.steps > 0)
+        return;
+      result.energy.initial = result.energy.stored = result.energy.available =
+          stored_energy(pair, law, state);
+      result.level = step_levels.n_levels() - 1;
+    }
+
+    bool is_over() const { return step_levels.tick(state) >= last; }
+    void start_afresh() { step_levels.start_afresh(); }
+
+    /// result.converged = false, and the state as it was, if it does not converge
+    void step()
+    {
+      try
+      {
+        step_levels.advance(state, drive, last, next, then, result);
+        check_contact_in_grid(pair.interface.contacts, contact, then.creepage.speed, next.contact.status);
+      }
+      // what was computed so far is kept, whoever gives up
+      catch (const InputError &error)
+      {
+        result.converged = false;
+        result.message = error.what();
+      }
+      catch (const ConvergenceError &error)
+      {
+        result.converged = false;
+        result.message = error.what();
+      }
+      if (!result.converged)
+        return;
+      ++result.steps;
+      result.time = next.time;
+      const double h = next.time - state.time;
+      const Forces then_forces = forces_of(next);
+      add(result, h, forces.on_body, then_forces.on_body);
+      const PlacedContacts &contacts = pair.interface.contacts;
+      unsigned int first = 0;
+      for (unsigned int k = 0; k < contacts.all.size(); ++k)
+      {
+        ForceSums &sums = result.contacts[k];
+        const auto local = [&](const Forces &all) -> std::array<double, 3> {
+          return {{all.of_contacts[k][1], all.of_contacts[k][2], all.of_contacts[k][0]}};
+        };
+        add(sums, h, local(forces), local(then_forces));
+        for (const unsigned int end = first + contacts.all[k].grid.n_points(); first < end; ++first)
+          sums.smallest_gap = std::min(sums.smallest_gap, next.contact.y[first]);
+        result.smallest_gap = std::min(result.smallest_gap, sums.smallest_gap);
+      }
+      forces = then_forces;
+      add_step(result.energy, pair, law, scheme, state, now, next, then);
+      state = next;
+      now = then;
+    }
+
+  private:
+    /// Resultants at an instant [N]: of each contact (normal, x, y), and on body 1 along x, y, z.
+    struct Forces
+    {
+      std::vector<std::array<double, 3>> of_contacts;
+      std::array<double, 3> on_body;
+    };
+
+    Forces forces_of(const DynamicState &at) const
+    {
+      const PlacedContacts &contacts = pair.interface.contacts;
+      Forces forces;
+      forces.of_contacts = contacts.resultants(at.R);
+      forces.on_body = contacts.force_on(0, forces.of_contacts);
+      return forces;
+    }
+
+    /// Two tangential components, then the normal one.
+    static void add(ForceSums &sums, const double h, const std::array<double, 3> &before,
+                    const std::array<double, 3> &after)
+    {
+      const auto tangential_square = [](const std::array<double, 3> &force)
+      { return force[0] * force[0] + force[1] * force[1]; };
+      sums.tangential_square += h * (tangential_square(before) + tangential_square(after)) / 2;
+      sums.impulse += h * (before[2] + after[2]) / 2;
+      sums.force_square += h * (before[2] * before[2] + after[2] * after[2]) / 2;
+    }
+
+    const ContactPair &pair;
+    const ContactSections &contact;
+    const PointLaws<NormalLaw> law;
+    const CreepScheme &scheme;
+    const DriveFunction &drive;
+    DynamicState &state;
+    TransientResult &result;
+    Forces forces;
+    Drive now, then;
+    StepLevels step_levels;
+    DynamicState next;
+    const long long last;
+  };
+
   namespace
   {
     double seconds_since(const std::chrono::steady_clock::time_point &begin)
     {
       return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     }
-
-    /// A run step by step, with its sums.
-    class March
-    {
-    public:
-      March(const TransientParameters &parameters, const ContactSections &contact,
-            const ContactSolverParameters &solver, const ContactPair &pair, const DriveFunction &drive,
-            DynamicState &state, TransientResult &result)
-          : pair(pair), contact(contact), law(normal_law_of_points(contact, pair.interface.contacts)),
-            scheme(find_creep_scheme(contact.first().creep_scheme)), drive(drive), state(state),
-            result(result), forces(forces_of(state)), now(drive(state.time)),
-            step_levels(parameters, contact, solver, pair, now.creepage.speed), next(state),
-            // never beyond the end, where tables may stop
-            last(std::floor(parameters.end_time / step_levels.shortest() + 1e-6))
-      {
-        result.contacts.resize(pair.interface.contacts.all.size());
-        if (result.steps > 0)
-          return;
-        result.energy.initial = result.energy.stored = result.energy.available =
-            stored_energy(pair, law, state);
-        result.level = step_levels.n_levels() - 1;
-      }
-
-      bool is_over() const { return step_levels.tick(state) >= last; }
-      void start_afresh() { step_levels.start_afresh(); }
-
-      /// result.converged = false, and the state as it was, if it does not converge
-      void step()
-      {
-        try
-        {
-          step_levels.advance(state, drive, last, next, then, result);
-          check_contact_in_grid(pair.interface.contacts, contact, then.creepage.speed, next.contact.status);
-        }
-        // what was computed so far is kept, whoever gives up
-        catch (const InputError &error)
-        {
-          result.converged = false;
-          result.message = error.what();
-        }
-        catch (const ConvergenceError &error)
-        {
-          result.converged = false;
-          result.message = error.what();
-        }
-        if (!result.converged)
-          return;
-        ++result.steps;
-        result.time = next.time;
-        const double h = next.time - state.time;
-        const Forces then_forces = forces_of(next);
-        add(result, h, forces.on_body, then_forces.on_body);
-        const PlacedContacts &contacts = pair.interface.contacts;
-        unsigned int first = 0;
-        for (unsigned int k = 0; k < contacts.all.size(); ++k)
-        {
-          ForceSums &sums = result.contacts[k];
-          const auto local = [&](const Forces &all) -> std::array<double, 3> {
-            return {{all.of_contacts[k][1], all.of_contacts[k][2], all.of_contacts[k][0]}};
-          };
-          add(sums, h, local(forces), local(then_forces));
-          for (const unsigned int end = first + contacts.all[k].grid.n_points(); first < end; ++first)
-            sums.smallest_gap = std::min(sums.smallest_gap, next.contact.y[first]);
-          result.smallest_gap = std::min(result.smallest_gap, sums.smallest_gap);
-        }
-        forces = then_forces;
-        add_step(result.energy, pair, law, scheme, state, now, next, then);
-        state = next;
-        now = then;
-      }
-
-    private:
-      /// Resultants at an instant [N]: of each contact (normal, x, y), and on body 1 along x, y, z.
-      struct Forces
-      {
-        std::vector<std::array<double, 3>> of_contacts;
-        std::array<double, 3> on_body;
-      };
-
-      Forces forces_of(const DynamicState &at) const
-      {
-        const PlacedContacts &contacts = pair.interface.contacts;
-        Forces forces;
-        forces.of_contacts = contacts.resultants(at.R);
-        forces.on_body = contacts.force_on(0, forces.of_contacts);
-        return forces;
-      }
-
-      /// Two tangential components, then the normal one.
-      static void add(ForceSums &sums, const double h, const std::array<double, 3> &before,
-                      const std::array<double, 3> &after)
-      {
-        const auto tangential_square = [](const std::array<double, 3> &force)
-        { return force[0] * force[0] + force[1] * force[1]; };
-        sums.tangential_square += h * (tangential_square(before) + tangential_square(after)) / 2;
-        sums.impulse += h * (before[2] + after[2]) / 2;
-        sums.force_square += h * (before[2] * before[2] + after[2] * after[2]) / 2;
-      }
-
-      const ContactPair &pair;
-      const ContactSections &contact;
-      const PointLaws<NormalLaw> law;
-      const CreepScheme &scheme;
-      const DriveFunction &drive;
-      DynamicState &state;
-      TransientResult &result;
-      Forces forces;
-      Drive now, then;
-      StepLevels step_levels;
-      DynamicState next;
-      const long long last;
-    };
 
     /// What the time scheme took from the modes or gave them, as a relative error of velocities and forces: half of its
     /// share in the energy that there was [-]. A scheme that damps as it steps is seen here where two steps agree by far
@@ -295,30 +295,6 @@ namespace vibrocontact
       errors.rms_force =
           std::max(rms_force, least_of_mean * std::sqrt(errors.rms_square / errors.averaged_time));
     }
-
-    /// The coarse run up to the time of the other, and what both differ by when they are at the same time.
-    /// @param divisor of doubled_step_error(), for schemes of a known order
-    void follow(March &march, CoarseRun &coarse, const TransientResult &other, const double divisor,
-                const double end_time)
-    {
-      const auto begin = std::chrono::steady_clock::now();
-      while (coarse.sums.converged && !march.is_over() && coarse.state.time < other.time * (1 - 1e-12))
-        march.step();
-      coarse.sums.seconds += seconds_since(begin);
-      if (std::abs(coarse.sums.time - other.time) > 1e-12 * other.time)
-        return;
-      const double energy = energy_error(other.energy);
-      const double rms_force =
-          std::max(energy, doubled_step_error(other.rms_force(), coarse.sums.rms_force()) / divisor);
-      const double impulse = std::max({energy, least_of_rms * rms_force,
-                                       doubled_step_error(other.impulse, coarse.sums.impulse) / divisor});
-      add(coarse.errors, other.time, impulse, rms_force, end_time);
-      constexpr double least_part = 1e-3;
-      coarse.errors.rms_tangential =
-          doubled_step_error_of(other.rms_tangential(), coarse.sums.rms_tangential(),
-                                std::max(other.rms_tangential(), least_part * other.rms_force())) /
-          divisor;
-    }
   } // namespace
 
   double TransientResult::rms_force() const
@@ -339,50 +315,106 @@ namespace vibrocontact
     return parameters;
   }
 
+  TransientMarch::TransientMarch(const TransientParameters &parameters, const ContactSections &contact,
+                                 const ContactSolverParameters &solver, const ContactPair &pair,
+                                 const DriveFunction &drive, const Observer &observe,
+                                 Companion *const companion)
+      : parameters(parameters), doubled(with_doubled_step(parameters)), contact(contact), solver(solver),
+        pair(pair), drive(drive), observe(observe), companion(companion)
+  {
+  }
+
+  TransientMarch::~TransientMarch() = default;
+
+  void TransientMarch::prepare()
+  {
+    if (steps)
+      return;
+    steps = std::make_unique<Steps>(parameters, contact, solver, pair, drive, state, sums);
+    if (companion)
+      coarse = std::make_unique<Steps>(doubled, contact, solver, pair, companion->drive, companion->state,
+                                       companion->sums);
+  }
+
+  bool TransientMarch::is_over()
+  {
+    prepare();
+    return !goes_on || steps->is_over();
+  }
+
+  void TransientMarch::follow()
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    Companion &run = *companion;
+    while (run.sums.converged && !coarse->is_over() && run.state.time < sums.time * (1 - 1e-12))
+      coarse->step();
+    run.errors.failure = run.sums.message;
+    run.errors.seconds += seconds_since(begin);
+    if (std::abs(run.sums.time - sums.time) > 1e-12 * sums.time)
+      return;
+    // of two steps of a second order scheme a third is the error, of any a part of 1 / sqrt(3)
+    const double divisor = is_second_order(parameters, contact) ? std::sqrt(3.) : 1;
+    const double energy = energy_error(sums.energy);
+    const double rms_force =
+        std::max(energy, doubled_step_error(sums.rms_force(), run.sums.rms_force()) / divisor);
+    const double impulse = std::max(
+        {energy, least_of_rms * rms_force, doubled_step_error(sums.impulse, run.sums.impulse) / divisor});
+    add(run.errors, sums.time, impulse, rms_force, parameters.end_time);
+    constexpr double least_part = 1e-3;
+    run.errors.rms_tangential =
+        doubled_step_error_of(sums.rms_tangential(), run.sums.rms_tangential(),
+                              std::max(sums.rms_tangential(), least_part * sums.rms_force())) /
+        divisor;
+  }
+
+  void TransientMarch::advance_block()
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    const double before = sums.seconds;
+    prepare();
+    const double estimate_before = companion ? companion->errors.seconds : 0;
+    steps->start_afresh();
+    if (coarse)
+      coarse->start_afresh();
+    do
+    {
+      steps->step();
+      if (sums.converged && coarse && companion->errors.failure.empty())
+        follow();
+      goes_on = sums.converged && observe(state, sums);
+    } while (!is_over() && sums.steps % steps_between_fresh_starts != 0);
+    sums.seconds =
+        before + seconds_since(begin) - (companion ? companion->errors.seconds - estimate_before : 0.);
+    if (!sums.converged)
+      throw ConvergenceError(sums.message);
+  }
+
+  std::string TransientMarch::pace() const
+  {
+    std::ostringstream text;
+    text.precision(3);
+    text << "t = " << state.time << " s, " << sums.seconds / sums.time << " times real time, "
+         << double(sums.iterations) / sums.steps << " iterations per step";
+    return text.str();
+  }
+
   TransientResult transient(const TransientParameters &parameters, const ContactSections &contact,
                             const ContactSolverParameters &solver, const ContactPair &pair,
                             const DriveFunction &drive, DynamicState &state,
-                            const std::function<bool(const DynamicState &, const TransientResult &)> &observe,
-                            const TransientResult &before, Companion *const companion)
+                            const TransientMarch::Observer &observe, Companion *const companion)
   {
-    const auto begin = std::chrono::steady_clock::now();
-    TransientResult result = before;
-    March march(parameters, contact, solver, pair, drive, state, result);
-    const TransientParameters doubled = with_doubled_step(parameters);
-    // of two steps of a second order scheme a third is the error, of any a part of 1 / sqrt(3)
-    const double divisor = is_second_order(parameters, contact) ? std::sqrt(3.) : 1;
-    std::optional<March> coarse;
-    double estimate_before = 0;
-    if (companion)
+    TransientMarch march(parameters, contact, solver, pair, drive, observe, companion);
+    march.state = state;
+    try
     {
-      coarse.emplace(doubled, contact, solver, pair, companion->drive, companion->run.state,
-                     companion->run.sums);
-      estimate_before = companion->run.sums.seconds;
+      while (!march.is_over())
+        march.advance_block();
     }
-    const auto count_seconds = [&]
+    catch (const ConvergenceError &)
     {
-      result.seconds = before.seconds + seconds_since(begin) -
-                       (companion ? companion->run.sums.seconds - estimate_before : 0.);
-    };
-    while (!march.is_over())
-    {
-      if (result.steps % steps_between_fresh_starts == 0)
-      {
-        march.start_afresh();
-        if (coarse)
-          coarse->start_afresh();
-      }
-      march.step();
-      if (!result.converged)
-        break;
-      if (coarse)
-        follow(*coarse, companion->run, result, divisor, parameters.end_time);
-      if (result.steps % steps_between_fresh_starts == 0)
-        count_seconds();
-      if (!observe(state, result))
-        break;
+      // the sums say so
     }
-    count_seconds();
-    return result;
+    state = march.state;
+    return march.sums;
   }
 } // namespace vibrocontact

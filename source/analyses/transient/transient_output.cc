@@ -1,6 +1,5 @@
 #include <vibrocontact/analyses/transient/transient_output.h>
 #include <vibrocontact/base/hdf5_file.h>
-#include <vibrocontact/base/table.h>
 #include <vibrocontact/output/answer_parts.h>
 
 #include <algorithm>
@@ -76,22 +75,11 @@ namespace vibrocontact
   void write_history_table(const std::vector<Probe> &probes, const PlacedContacts &contacts,
                            const std::string &folder)
   {
-    const std::vector<std::string> names = history_columns(probes, contacts);
-    Hdf5Reader file(folder + "/histories.h5");
-    std::vector<std::vector<double>> columns;
-    for (const std::string &name : names)
-      columns.push_back(file.numbers(name));
-    Table table(names, {"Histories of a transient, a line per output instant",
-                        "normal force > 0 compression; tangential forces act on body 1; probes: along their "
-                        "direction, against the held boundary"});
-    for (std::size_t i = 0; i < columns[0].size(); ++i)
-    {
-      std::vector<Table::Cell> row;
-      for (const std::vector<double> &column : columns)
-        row.emplace_back(column[i]);
-      table.add_row(row);
-    }
-    table.write(folder + "/histories.csv");
+    write_rows_as_table(folder + "/histories", history_columns(probes, contacts), "",
+                        {"Histories of a transient, a line per output instant",
+                         "normal force > 0 compression; tangential forces act on body 1; probes: along their "
+                         "direction, against the held boundary"},
+                        folder + "/histories.csv");
   }
 
   nlohmann::ordered_json contact_states_json(const std::string &folder, const double begin)

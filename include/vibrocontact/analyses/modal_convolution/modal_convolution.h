@@ -3,6 +3,7 @@
 #include <vibrocontact/analyses/modal_convolution/modal_convolution_parameters.h>
 #include <vibrocontact/analyses/modal_convolution/road_contact.h>
 #include <vibrocontact/contact/contact_solver.h>
+#include <vibrocontact/marching/march_checkpoint.h>
 #include <vibrocontact/propagators/event_located.h>
 #include <vibrocontact/propagators/propagator.h>
 #include <vibrocontact/propagators/work_account.h>
@@ -16,20 +17,11 @@
 
 namespace vibrocontact
 {
-  /// What a second march tells about the error of a run (numerics/doubled_step.h).
-  struct RoadMarchErrors
+  /// Of all points together, with friction the larger of both components of the impulse, relative to both together.
+  struct RoadMarchErrors : MarchErrors
   {
-    /// until which they are known, 0: not at all [s]
-    double time = 0;
-    /// of the impulse of all points together (with friction the larger of both components, relative to both together), of the
-    /// rms of their normal force, relative [-]
-    double impulse = 0, rms_force = 0;
     /// the largest error of one point's impulse over the largest of them [-]
     double worst_point = 0;
-    /// processor time of the second march [s]
-    double seconds = 0;
-    /// why it ended early, if it did
-    std::string failure;
   };
 
   /// What a run has been through.
@@ -88,29 +80,36 @@ namespace vibrocontact
   /// of every step (propagators/propagator.h, contact/contact_solver.h), or from event to event
   /// (propagators/event_located.h). With friction (two rows of the model per point of the road) by the common solvers
   /// (analyses/modal_convolution/road_contact.h).
-  class ModalConvolution
+  class ModalConvolution : public March
   {
   public:
     using Observer = std::function<void(const ModalConvolutionLines &)>;
 
     /// @param laws of the contact; friction only of a model with tangential rows
-    /// @throws InputError if the body cannot be in contact in this way. They are referred to.
+    /// @throws InputError if the body cannot be in contact in this way. Parameters, model and road are referred to.
     ModalConvolution(const ModalConvolutionParameters &parameters, const ContactSolverParameters &solver,
                      const BodyInContact &model, const Road &road, const RoadLaws &laws = {});
-    ~ModalConvolution();
+    ~ModalConvolution() override;
 
     /// The next steps, at most n_steps; false: the end is reached. Blocks count from the beginning, so that a resumed
     /// run has the same.
     /// @throws ConvergenceError
-    bool advance(unsigned int n_steps, const Observer &observe);
+    bool advance(unsigned int n_steps, const Observer &observe = {});
+
+    double time() const override { return results.time; }
+    double end_time() const override { return last_step * time_step; }
+    bool is_over() override { return results.steps >= last_step; }
+    /// What takes a tenth of a second, or one step, shown to `recorder`.
+    void advance_block() override;
+    void exchange(CheckpointFile &file) override;
+    Marks marks() const override;
 
     const ModalConvolutionResult &result() const { return results; }
     unsigned long n_steps() const { return last_step; }
-    /// What advance() may do between two looks at the clock: a tenth of a second, or one step.
-    unsigned int steps_of_a_block() const;
     /// What the second march is; empty without one.
     std::string second_march() const;
-    void exchange(CheckpointFile &file);
+    /// follows the blocks; none: nobody does
+    Observer recorder;
 
   private:
     /// Sums that are compared with those of the second march.
@@ -141,6 +140,7 @@ namespace vibrocontact
     void add_up(unsigned int n_steps);
 
     const ModalConvolutionParameters &parameters;
+    const BodyInContact &model;
     const Road &road;
     const unsigned int n_points;
     const double time_step;
@@ -171,4 +171,7 @@ namespace vibrocontact
     std::vector<double> last_tangential_displacement, last_tangential_force, tangential_displacements,
         tangential_forces;
   };
+
+  /// In the output folder, modal_convolution.h5.
+  MarchCheckpoint road_checkpoint(const std::string &folder);
 } // namespace vibrocontact

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/analyses/modal_convolution/modal_convolution.h>
 #include <vibrocontact/base/row_file.h>
+#include <vibrocontact/marching/recorder.h>
 
 #include <nlohmann/json.hpp>
 
@@ -13,15 +14,15 @@ namespace vibrocontact
   /// Histories of a modal convolution: histories.h5 (beside a transient modal_convolution_histories.h5) with one array per column, `time_s`, then per contact point
   /// `point_<i>_displacement_m`, `point_<i>_force_N`, `point_<i>_road_m`, with friction also `point_<i>_tangential_displacement_m`,
   /// `point_<i>_tangential_force_N`. A line every history interval.
-  class ModalConvolutionHistory
+  class ModalConvolutionHistory : public Recorder
   {
   public:
     /// @param file without its .h5
     ModalConvolutionHistory(const ModalConvolutionParameters &parameters, unsigned int n_points,
                             const std::string &file);
     void add(const ModalConvolutionLines &lines);
-    void exchange(CheckpointFile &file);
-    void finish(bool at_the_end) { rows.finish(at_the_end); }
+    void exchange(CheckpointFile &file) override;
+    void finish(bool at_the_end) override { rows.finish(at_the_end); }
 
   private:
     /// every how many steps there is a line

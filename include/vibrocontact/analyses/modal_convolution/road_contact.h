@@ -30,17 +30,19 @@ namespace vibrocontact
   /// force interpolations (doc/theory.md, "Corrections to the tyre paper"). With impulses capture and release are of second order; where
   /// slip changes its sign at once the instant is known to a step, amplitudes and energy to second order.
   ///
-  /// What slip is not: contact points stand still over the road while the material of a rolling body flows through
-  /// them. Its slip has the transport besides, with the ring's coordinate and Omega = -V / R
+  /// Contact points stand still over the road while the material of a rolling body flows through them. Its slip has the
+  /// transport besides, with the ring's coordinate and Omega = -V / R
   ///
   ///   slip = W + dv/dt + Omega (dv/dtheta + w)    (sliding, rate in place, hoop strain times rolling speed)
   ///
-  /// and with a tread Omega d/dtheta of its deformation, which enters undeformed in front. Of that W + dv/dt alone is
-  /// here: right for bodies that do not roll, and refused for rolling ones. The slope of the road does not turn forces.
+  /// and with a tread Omega d/dtheta of its deformation, which enters undeformed in front. It is the V-fold gradient of
+  /// BodyInContact, at the end of the step. The slope of the road does not turn forces.
   ///
-  /// @param matrix M; n_points rows (no friction) or 2 n_points, as many as the problem has; b is left zero.
+  /// @param matrix M; n_points rows (no friction), 2 n_points, or 3 n_points with the gradients of a body that rolls; the
+  /// problem has n_points or 2 n_points; b is left zero.
+  /// @param speed V, of a body that rolls with friction [m/s]
   ContactProblem road_contact_problem(const DenseMatrix &matrix, unsigned int n_points, const RoadLaws &laws,
-                                      double time_step);
+                                      double time_step, double speed = 0);
 
   /// @param compliance M
   /// @throws InputError if the tangential motion of the points has no compliance

@@ -13,10 +13,12 @@ namespace vibrocontact
   class RoadStepper
   {
   public:
+    /// @param speed that a body with gradients rolls at [m/s]
     /// @throws InputError if the body cannot be in contact in this way, or Contact/Solver/Method does not take its problem
     RoadStepper(const ModalConvolutionParameters &parameters,
                 const ContactSolverParameters &solver_parameters, const BodyInContact &model,
-                unsigned int n_points, unsigned long n_steps, const RoadLaws &laws, double sliding_speed);
+                unsigned int n_points, unsigned long n_steps, const RoadLaws &laws, double sliding_speed,
+                double speed);
 
     /// Without friction. @param heights, displacements, forces n_points per step
     void run(unsigned int n_steps, const double *heights, double *displacements, double *forces);
@@ -25,7 +27,10 @@ namespace vibrocontact
     void run_steps(unsigned int n_steps, const double *heights, double *displacements, double *forces,
                    double *tangential_displacements, double *tangential_forces);
 
+    /// of the body's rows and, of one that rolls with friction, of its gradients along the road behind them
     std::unique_ptr<Propagator> propagator;
+    /// of the body's rows alone
+    const DenseMatrix compliance;
     std::unique_ptr<ContactSolver> solver;
     /// whether that of Contact/Solver/Method finds the forces: friction, a law that yields, or asked for; if not, the active set
     const bool is_common;
@@ -37,7 +42,8 @@ namespace vibrocontact
                                   const std::vector<double> &forces_before) const;
 
     const unsigned int n;
-    const double step, sliding_speed;
+    /// the last 0 of a body without gradients
+    const double step, sliding_speed, speed;
     ContactProblem problem;
     const bool is_linear;
     /// S, what answers to a force at once

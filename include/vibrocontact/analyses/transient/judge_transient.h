@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient/coarse_run.h>
+#include <vibrocontact/analyses/transient/transient_result.h>
 #include <vibrocontact/output/results.h>
 
 namespace vibrocontact
@@ -9,8 +9,8 @@ namespace vibrocontact
   /// impulse and of the rms normal force (keys estimated_error, estimated_error_rms_force, error_estimate of
   /// analyses.transient) and what the energy account leaves open. Beyond 20 % of error or 5 % of the energy
   /// that there was the transient is a failure, its numbers are kept.
-  /// @param coarse null: errors were not estimated
+  /// @param estimated null: errors were not estimated
   /// @param interrupted by a signal: what is not whole is no failure
-  void judge_transient(const TransientResult &result, const CoarseRun *coarse, bool interrupted,
+  void judge_transient(const TransientResult &result, const StepErrors *estimated, bool interrupted,
                        Results &results);
 } // namespace vibrocontact

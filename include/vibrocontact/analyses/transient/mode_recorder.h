@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/transient/mode_projection.h>
-#include <vibrocontact/analyses/transient/recorder.h>
+#include <vibrocontact/analyses/transient/state_recorder.h>
 
 #include <nlohmann/json.hpp>
 
@@ -12,7 +12,7 @@ namespace vibrocontact
 {
   /// The amplitudes of the modes of the contact over time, mode_amplitudes.csv: 1,024 to 2,048 lines whatever
   /// the length of the run (when there are more, every second one goes and the interval doubles).
-  class ModeRecorder : public Recorder
+  class ModeRecorder : public StateRecorder
   {
   public:
     ModeRecorder(ModeProjection projection, std::string folder);

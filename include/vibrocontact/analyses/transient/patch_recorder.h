@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient/recorder.h>
+#include <vibrocontact/analyses/transient/state_recorder.h>
 #include <vibrocontact/contact/placed_contacts.h>
 
 #include <string>
@@ -11,7 +11,7 @@ namespace vibrocontact
   /// Frames of the contact patches in time: fields/patch_<k>.vtu (of several contacts patch_<name>_<k>.vtu) with
   /// patch.pvd on top, the points in contact
   /// only (see contact_patch_columns()).
-  class PatchRecorder : public Recorder
+  class PatchRecorder : public StateRecorder
   {
   public:
     /// @param begin time of the first frame, @param interval distance of the frames [s]

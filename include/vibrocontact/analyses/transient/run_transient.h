@@ -12,7 +12,7 @@ namespace vibrocontact
   /// reduced first if they are not cached. Every rank steps (the reduced problem is small and gives the same
   /// numbers on all), rank 0 writes. Collective.
   ///
-  /// Checkpoints (analyses/transient/checkpoint.h) are written every Transient/Checkpoint interval, when SIGTERM or SIGINT
+  /// Checkpoints (marching/march_checkpoint.h) are written every Transient/Checkpoint interval, when SIGTERM or SIGINT
   /// comes, which stops the run (Results::stopped_by), and at the end, from where a later End time may
   /// continue.
   /// @param recorders beside the shipped ones

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <vibrocontact/analyses/transient/probes.h>
-#include <vibrocontact/analyses/transient/recorder.h>
 #include <vibrocontact/analyses/transient/signal_output.h>
+#include <vibrocontact/analyses/transient/state_recorder.h>
 #include <vibrocontact/base/row_file.h>
 
 #include <string>
@@ -12,7 +12,7 @@ namespace vibrocontact
 {
   /// The velocity of every probe at every step, signals.h5: what spectra, growth rates and sounds need. Also
   /// notices when sticking begins.
-  class SignalRecorder : public Recorder
+  class SignalRecorder : public StateRecorder
   {
   public:
     SignalRecorder(const std::vector<Probe> &probes, const std::string &folder);

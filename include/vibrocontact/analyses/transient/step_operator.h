@@ -22,8 +22,11 @@ namespace vibrocontact
     double step = 0, speed = 0;
     /// W~ [m/N] and the operator A of ContactStepper; 3 n square
     DenseMatrix residual_flexibility, response;
+    /// what d/dx of W~ is beyond the differences between points; 3 n square [1/N] or empty
+    DenseMatrix residual_gradient;
     PatchShapes shapes;
-    /// gap and slip by displacements of the shapes (their normal rows, V d/dx of their tangential rows), and
+    /// With gradients of the poles there are as many numbers behind those of the shapes, with columns of zeros in the basis.
+    /// Gap and slip by displacements of the shapes (their normal rows, V d/dx of their tangential rows), and
     /// by velocities (tangential rows); 3 n x rank
     DenseMatrix by_displacement, by_velocity;
     /// right and left shapes of the poles in terms of the shapes; rank x n_poles
@@ -66,6 +69,8 @@ namespace vibrocontact
     const std::vector<unsigned int> &residual_rows() const { return rows; }
     /// size of y
     unsigned int n_rows() const { return 3 * nearby.size() + rows.size(); }
+    /// Whether d/dx of W~ is more than differences of the residual displacements in y.
+    bool has_gradient() const { return matrices.residual_gradient.m() > 0; }
     /// Rows of y for displacements and velocities of the shapes and the residual displacements that y already
     /// has behind them.
     void respond(const DenseVector &displacement, const DenseVector &velocity, DenseVector &y) const;
@@ -87,7 +92,7 @@ namespace vibrocontact
     DenseMatrix basis, by_motion;
     /// columns of W~ of the sources of the last product, and their forces
     mutable std::vector<unsigned int> sources_before;
-    mutable DenseMatrix residual_columns;
-    mutable DenseVector forces, residual, c_normal, c_tangential, displacement, velocity, motion;
+    mutable DenseMatrix residual_columns, gradient_columns;
+    mutable DenseVector forces, residual, along_path, c_normal, c_tangential, displacement, velocity, motion;
   };
 } // namespace vibrocontact

@@ -1,12 +1,14 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient/coarse_run.h>
+#include <vibrocontact/analyses/transient/contact_stepper.h>
 #include <vibrocontact/analyses/transient/drive.h>
 #include <vibrocontact/analyses/transient/transient_parameters.h>
 #include <vibrocontact/analyses/transient/transient_result.h>
 #include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
+#include <vibrocontact/marching/march_checkpoint.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,23 +34,76 @@ namespace vibrocontact
                              const ContactSolverParameters &solver, const ContactPair &pair,
                              const Drive &drive);
 
-  /// The run with twice the step that is marched beside another one.
+  /// The same run again with twice the step, beside the first one: what both differ by tells the error of the
+  /// first (numerics/doubled_step.h).
   struct Companion
   {
     /// as the other's, for with_doubled_step(parameters)
     DriveFunction drive;
-    /// at the beginning of a run: the state that it begins with
-    CoarseRun run;
+    /// to begin with, that of the other
+    DynamicState state;
+    TransientResult sums;
+    StepErrors errors;
   };
 
-  /// Steps from `state` to the end time (Lai et al. 2018, section 5). A step whose contact does not converge
-  /// ends the run, with converged = false and the states so far.
-  /// @param observe called after every step; false: stop
-  /// @param before sums of the run that led to `state`, if it is continued
-  /// @param companion follows the run and learns its errors; null: they are not estimated
+  /// Parameters of the run with twice the step; of adapted steps all lengths are doubled, and the tolerance
+  /// follows the error of a step, which is of third order.
+  TransientParameters with_doubled_step(TransientParameters parameters);
+
+  /// Steps to the end time (Lai et al. 2018, section 5), steps_between_fresh_starts of them in a block.
+  ///
+  /// A checkpoint holds the state that the next step starts from, the sums so far and the same of the run with twice the
+  /// step, if there is one. What a solver keeps from step to step (factorisations) is not in it.
+  class TransientMarch : public March
+  {
+  public:
+    /// Called after every step; false: the march is over.
+    using Observer = std::function<bool(const DynamicState &, const TransientResult &)>;
+
+    /// @param pair is referred to
+    /// @param companion follows the run and learns its errors; null: they are not estimated
+    TransientMarch(const TransientParameters &parameters, const ContactSections &contact,
+                   const ContactSolverParameters &solver, const ContactPair &pair, const DriveFunction &drive,
+                   const Observer &observe, Companion *companion = nullptr);
+    ~TransientMarch() override;
+
+    double time() const override { return state.time; }
+    double end_time() const override { return parameters.end_time; }
+    bool is_over() override;
+    /// @throws ConvergenceError after a step whose contact does not converge, with sums.converged = false
+    void advance_block() override;
+    void exchange(CheckpointFile &file) override;
+    Marks marks() const override;
+    std::string pace() const override;
+
+    /// to begin with, that at time zero
+    DynamicState state;
+    TransientResult sums;
+
+  private:
+    class Steps;
+    void prepare();
+    /// The coarse run up to the time of this one, and what both differ by when they are at the same time.
+    void follow();
+
+    const TransientParameters parameters, doubled;
+    const ContactSections contact;
+    const ContactSolverParameters solver;
+    const ContactPair &pair;
+    const DriveFunction drive;
+    const Observer observe;
+    Companion *const companion;
+    std::unique_ptr<Steps> steps, coarse;
+    bool goes_on = true;
+  };
+
+  /// In the output folder, checkpoint.h5.
+  MarchCheckpoint transient_checkpoint(const std::string &folder);
+
+  /// The whole march from `state` on, without checkpoints. A step whose contact does not converge ends it, with
+  /// converged = false and the states so far.
   TransientResult transient(const TransientParameters &parameters, const ContactSections &contact,
                             const ContactSolverParameters &solver, const ContactPair &pair,
                             const DriveFunction &drive, DynamicState &state,
-                            const std::function<bool(const DynamicState &, const TransientResult &)> &observe,
-                            const TransientResult &before = {}, Companion *companion = nullptr);
+                            const TransientMarch::Observer &observe, Companion *companion = nullptr);
 } // namespace vibrocontact

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/transient/probes.h>
-#include <vibrocontact/analyses/transient/recorder.h>
+#include <vibrocontact/analyses/transient/state_recorder.h>
 #include <vibrocontact/analyses/transient/transient_result.h>
 #include <vibrocontact/base/row_file.h>
 
@@ -15,7 +15,7 @@ namespace vibrocontact
   /// Histories of the resultants on body 1 and of the probes (`<probe>_displacement_m`,
   /// `<probe>_velocity_m_s`), of several contacts also their own (`<contact>_normal_force_N`, ...), a line per output
   /// instant: histories.h5 with one array per column.
-  class TransientHistory : public Recorder
+  class TransientHistory : public StateRecorder
   {
   public:
     /// @param interval distance of the lines [s], 0: every state

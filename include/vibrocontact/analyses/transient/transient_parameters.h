@@ -19,7 +19,7 @@ namespace vibrocontact
     /// error per step over the size of the vibration, at which the step is halved, see StepLevels; 0: all
     /// steps are equal; otherwise between this and the time step [s]
     double error_tolerance = 0, shortest_step = 0;
-    /// march with twice the step beside the run, see CoarseRun
+    /// march with twice the step beside the run, see Companion
     bool error_estimate = true;
     /// "theta method" or "exact propagator"; theta
     std::string integrator = "theta method";

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <vibrocontact/analyses/transient/energy_account.h>
+#include <vibrocontact/marching/march.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -45,16 +45,11 @@ namespace vibrocontact
   /// (doubled_step_error()), a third of it for schemes of second order. No less than half of the energy share that the time
   /// scheme took, than half of its own root mean square over the last quarter of the run (runs in vibration pass each other,
   /// and agree there by chance), and of the impulse than a fifth of the error of the rms force.
-  struct StepErrors
+  struct StepErrors : MarchErrors
   {
-    /// until when both runs were compared [s]; 0: not at all
-    double time = 0;
-    /// of the normal impulse and of the rms normal force until then
-    double impulse = 0, rms_force = 0;
     /// of the rms tangential resultant until then; of less than a thousandth of the normal force, of that [-]
     double rms_tangential = 0;
     /// integrals over the last quarter so far: of 1 and of the squares of what both runs tell [s]
     double averaged_time = 0, impulse_square = 0, rms_square = 0;
-    double largest() const { return std::max({impulse, rms_force, rms_tangential}); }
   };
 } // namespace vibrocontact

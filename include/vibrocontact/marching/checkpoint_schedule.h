@@ -3,8 +3,6 @@
 #include <vibrocontact/base/stop_signal.h>
 
 #include <chrono>
-#include <functional>
-#include <string>
 
 namespace vibrocontact
 {
@@ -27,10 +25,4 @@ namespace vibrocontact
     int signal = 0;
     std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
   };
-
-  /// How a sentence about a checkpoint of no use ends.
-  constexpr auto run_without_resume = ": run the file without --resume.";
-
-  /// Whatever `read` stumbles over in the checkpoint of this name becomes one sentence; RowsLost says its own.
-  void read_whole(const std::string &name, const std::function<void()> &read);
 } // namespace vibrocontact

@@ -1,5 +1,5 @@
+#include <vibrocontact/base/entries_read.h>
 #include <vibrocontact/base/parameter_text.h>
-#include <vibrocontact/run/entry_list.h>
 
 #include <algorithm>
 

@@ -1,7 +1,5 @@
-#include <vibrocontact/base/checkpoint_schedule.h>
-#include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/base/row_file.h>
 #include <vibrocontact/base/run_communicator.h>
+#include <vibrocontact/marching/checkpoint_schedule.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -19,21 +17,5 @@ namespace vibrocontact
     if (due)
       last = now;
     return due;
-  }
-
-  void read_whole(const std::string &name, const std::function<void()> &read)
-  {
-    try
-    {
-      read();
-    }
-    catch (const RowsLost &)
-    {
-      throw;
-    }
-    catch (const std::exception &)
-    {
-      throw InputError("The checkpoint \"" + name + "\" is damaged or incomplete" + run_without_resume);
-    }
   }
 } // namespace vibrocontact

@@ -1,5 +1,5 @@
 #include <vibrocontact/base/log.h>
-#include <vibrocontact/run/verdict.h>
+#include <vibrocontact/output/verdict.h>
 
 namespace vibrocontact
 {

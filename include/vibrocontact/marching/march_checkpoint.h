@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vibrocontact/marching/march.h>
+#include <vibrocontact/marching/recorder.h>
+
+#include <memory>
+#include <string>
+
+namespace vibrocontact
+{
+  /// The checkpoint of a march in the output folder: its state and sums, what its recorders need, marks of its bodies, by
+  /// which a resumed run sees that it has the same ones, and a sum over all bytes. Numbers are kept bit for bit; the file
+  /// appears whole or not at all, so that a run killed while writing leaves the one before.
+  class MarchCheckpoint
+  {
+  public:
+    /// @param section of the march's entries, for messages
+    /// @param format changes whenever what is exchanged or what it means does
+    MarchCheckpoint(const std::string &file_name, const std::string &section, int format);
+
+    /// To be called by rank 0. @throws OutputError
+    void write(March &march, const Recorders &recorders) const;
+    /// On every rank; recorders on rank 0. @return false: there is no checkpoint
+    /// @throws InputError if it is damaged, of another version, of other bodies or beyond the end of the march
+    bool read(March &march, const Recorders &recorders) const;
+    /// @throws InputError if there is a checkpoint beyond the end time [s], or one that read() would refuse for itself
+    void check_end_time(double end_time) const;
+
+  private:
+    /// null: there is none
+    std::unique_ptr<Hdf5Reader> opened() const;
+
+    const std::string name, section;
+    const int format;
+  };
+} // namespace vibrocontact

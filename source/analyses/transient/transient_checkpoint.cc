@@ -1,0 +1,153 @@
+#include <vibrocontact/analyses/transient/transient.h>
+
+#include <cmath>
+#include <complex>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    void exchange_complex(CheckpointFile &file, std::vector<std::complex<double>> &values,
+                          const std::string &name)
+    {
+      std::vector<double> parts[2];
+      for (const std::complex<double> &value : values)
+      {
+        parts[0].push_back(value.real());
+        parts[1].push_back(value.imag());
+      }
+      file(name + "/real", parts[0]);
+      file(name + "/imaginary", parts[1]);
+      values.resize(parts[0].size());
+      for (std::size_t k = 0; k < values.size(); ++k)
+        values[k] = {parts[0][k], parts[1].at(k)};
+    }
+
+    void exchange_state(CheckpointFile &file, DynamicState &state)
+    {
+      file("state/time", state.time);
+      file("state/q", state.q);
+      file("state/v", state.v);
+      file("state/R", state.R);
+      file("state/residual_displacement", state.residual_displacement);
+      file("state/force_change", state.force_change);
+      file("state/residual_change", state.residual_change);
+      file("state/modal_force", state.modal_force);
+      exchange_complex(file, state.z, "state/poles");
+      exchange_complex(file, state.pole_force, "state/pole_force");
+      file("state/hub_acceleration", state.hub_acceleration);
+      file("state/force", state.force);
+      file("state/friction_power", state.friction_power);
+      file("state/creepage_power", state.creepage_power);
+      file("state/transport_power", state.transport_power);
+      file("state/roughness", state.roughness);
+      file("state/watched", state.nearby);
+      file("state/travel", state.moved_since_search);
+      file("state/steps_since_look", state.steps_since_search);
+      ContactSolution &contact = state.contact;
+      file("contact/R", contact.R);
+      file("contact/y", contact.y);
+      file("contact/status", contact.status);
+      file("contact/approach", contact.approach);
+      file("contact/converged", contact.converged);
+      file("contact/residual", contact.residual);
+    }
+
+    void exchange_forces(CheckpointFile file, ForceSums &sums)
+    {
+      file("impulse", sums.impulse);
+      file("force_square", sums.force_square);
+      file("tangential_square", sums.tangential_square);
+      file("smallest_gap", sums.smallest_gap);
+    }
+
+    void exchange_sums(CheckpointFile &file, TransientResult &result)
+    {
+      file("result/steps", result.steps);
+      file("result/iterations", result.iterations);
+      file("result/factorisations", result.factorisations);
+      file("result/fallbacks", result.fallbacks);
+      file("result/rejected", result.rejected);
+      file("result/above_tolerance", result.above_tolerance);
+      file("result/rung", result.level);
+      file("result/time", result.time);
+      file("result/seconds", result.seconds);
+      exchange_forces(file.group("result"), result);
+      for (std::size_t k = 0; k < result.contacts.size(); ++k)
+        exchange_forces(file.group("result/contact_" + std::to_string(k)), result.contacts[k]);
+      EnergyAccount &energy = result.energy;
+      file("energy/initial", energy.initial);
+      file("energy/stored", energy.stored);
+      file("energy/available", energy.available);
+      file("energy/creepage", energy.creepage);
+      file("energy/transport", energy.transport);
+      file("energy/hub", energy.hub);
+      file("energy/loads", energy.loads);
+      file("energy/friction", energy.friction);
+      file("energy/damping", energy.damping);
+      file("energy/numerical_modes", energy.numerical_modes);
+      file("energy/numerical_upwind", energy.numerical_upwind);
+      file("energy/numerical_rate", energy.numerical_rate);
+    }
+
+    void exchange_companion(CheckpointFile file, Companion &coarse)
+    {
+      exchange_state(file, coarse.state);
+      exchange_sums(file, coarse.sums);
+      StepErrors &errors = coarse.errors;
+      errors.exchange(file);
+      file("errors/rms_tangential", errors.rms_tangential);
+      file("errors/averaged_time", errors.averaged_time);
+      file("errors/impulse_square", errors.impulse_square);
+      file("errors/rms_square", errors.rms_square);
+    }
+
+    double weight(const unsigned int row)
+    {
+      return std::cos(1. + row);
+    }
+
+    /// Column by column, or row by row of a symmetric matrix.
+    std::vector<double> weighted_sums(const DenseMatrix &matrix)
+    {
+      std::vector<double> sums(matrix.n());
+      for (unsigned int j = 0; j < matrix.n(); ++j)
+        for (unsigned int i = 0; i < matrix.m(); ++i)
+          sums[j] += weight(i) * matrix(i, j);
+      return sums;
+    }
+
+    std::vector<double> pole_parts(const BodyInContact &body)
+    {
+      std::vector<double> parts;
+      for (const std::complex<double> &pole : body.poles)
+        parts.insert(parts.end(), {pole.real(), pole.imag()});
+      return parts;
+    }
+  } // namespace
+
+  MarchCheckpoint transient_checkpoint(const std::string &folder)
+  {
+    return {folder + "/checkpoint.h5", "Transient", 11};
+  }
+
+  Marks TransientMarch::marks() const
+  {
+    return {{"frequencies", pair.omega},       {"damping ratios", pair.damping_ratio},
+            {"loads", pair.modal_load},        {"mode shapes", weighted_sums(pair.modal_trace)},
+            {"poles", pole_parts(pair.poles)}, {"flexibility", weighted_sums(pair.residual_flexibility)},
+            {"gap", pair.interface.gap}};
+  }
+
+  void TransientMarch::exchange(CheckpointFile &file)
+  {
+    // what is written and what is read hold the sums of every contact
+    sums.contacts.resize(pair.interface.contacts.all.size());
+    exchange_state(file, state);
+    exchange_sums(file, sums);
+    if (!companion)
+      return;
+    companion->sums.contacts.resize(sums.contacts.size());
+    exchange_companion(file.group("coarse"), *companion);
+  }
+} // namespace vibrocontact
