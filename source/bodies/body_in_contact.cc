@@ -174,6 +174,7 @@ namespace vibrocontact
   {
     if (body.n_modes() == 0)
       return body;
+    Assert(body.gradient.m() == 0, dealii::ExcNotImplemented());
     const std::vector<PoleOfMode> own = poles_of_modes(body);
     const unsigned int n = body.n_rows(), n_own = own.size(), n_poles = n_own + body.n_poles();
     BodyInContact result;

@@ -9,7 +9,7 @@ namespace vibrocontact
 {
   HalfSpaceMaterial half_space_material(const BodyParameters &body)
   {
-    if (body.own->is_rigid())
+    if (body.description->is_rigid())
       return {std::numeric_limits<double>::infinity(), 0.};
     return {body.material.young_modulus, body.material.poisson_ratio};
   }
@@ -115,7 +115,7 @@ namespace vibrocontact
                          k = own.rows.empty() ? 0 : contacts.contact_of(own.rows[0] % n);
       if (body.reduced && !(body.parameters->is_solid() && sections.all[k].half_space_flexibility()))
         return body.reduced->residual_flexibility;
-      if (body.parameters->own->is_rigid() || own.rows.empty())
+      if (body.parameters->description->is_rigid() || own.rows.empty())
         return DenseMatrix(own.rows.size());
       const HalfSpaceMaterial half_space = half_space_material(*body.parameters),
                               rigid = {std::numeric_limits<double>::infinity(), 0.};
@@ -191,10 +191,10 @@ namespace vibrocontact
         const bool meshed = bodies[b].reduced != nullptr;
         interface.gap[own.rows[i]] +=
             own.sign[i] * (meshed ? bodies[b].reduced->surface_height[i]
-                                  : surface_height(*bodies[b].parameters->own, contact,
+                                  : surface_height(*bodies[b].parameters->description, contact,
                                                    own.rows[i] - contacts.first_point(k), own.sign[i]));
         if (contact.grid.traction != TractionShape::constant && !meshed &&
-            bodies[b].parameters->own->lies_on_half_space())
+            bodies[b].parameters->description->lies_on_half_space())
           throw InputError(
               sections.all[k].section +
               "/Quadrature is consistent, but a half-space knows tractions that are constant on each "

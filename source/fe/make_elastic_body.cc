@@ -21,7 +21,7 @@ namespace vibrocontact
       model.material = model.zones.at(0);
     const std::optional<ContactGrid> covered =
         places.empty() ? std::nullopt : std::make_optional(covering_grid(places));
-    const SolidBody *const solid = parameters.own->solid();
+    const SolidBody *const solid = parameters.description->solid();
     AssertThrow(solid, dealii::ExcMessage("Body " + parameters.name + " is no solid."));
     BodyMesh<3> mesh = solid->make_mesh(
         {parameters.name, lateral_position, places, covered ? &*covered : nullptr, materials, communicator});

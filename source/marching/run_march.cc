@@ -9,14 +9,15 @@
 
 namespace vibrocontact
 {
-  bool resume_march(March &march, const MarchCheckpoint &checkpoint, const Recorders &recorders)
+  bool resume_march(const std::string &name, March &march, const MarchCheckpoint &checkpoint,
+                    const Recorders &recorders)
   {
     bool found = false;
     on_all_ranks([&] { found = checkpoint.read(march, recorders); });
     if (found)
       run_log().value("resumed at", march.time(), "s");
     else
-      run_log().line("There is no checkpoint: it starts from its beginning.");
+      run_log().line("There is no checkpoint: the " + name + " starts from its beginning.");
     return found;
   }
 

@@ -31,7 +31,7 @@ namespace vibrocontact
     for (const DrawnBody &body : bodies)
     {
       nlohmann::ordered_json one = {{"name", body.parameters->name}, {"type", body.parameters->type}};
-      one.update(body.parameters->own->sizes());
+      one.update(body.parameters->description->sizes());
       if (body.solid)
       {
         const std::string set = "scene_" + body.parameters->name;

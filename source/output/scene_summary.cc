@@ -50,9 +50,9 @@ namespace vibrocontact
     };
     for (const auto &[group, material] : parameters.materials)
       print_material(material, " of " + group);
-    if (parameters.own->has_material() && parameters.materials.empty())
+    if (parameters.description->has_material() && parameters.materials.empty())
       print_material(parameters.material, "");
-    parameters.own->print(log);
+    parameters.description->print(log);
     if (!body)
       return;
     const double n_dofs = body->dof_handler.n_dofs();

@@ -29,9 +29,9 @@ namespace vibrocontact
     {
       for (const BodyParameters &body : parameters.scene.bodies)
       {
-        if (!body.own->is_wheel() || !parameters.modes.at(body.name).any())
+        if (!body.description->is_wheel() || !parameters.modes.at(body.name).any())
           continue;
-        const SectionOutline outline = *body.own->wheel_section();
+        const SectionOutline outline = *body.description->wheel_section();
         double least = 1e300, most = 0;
         for (const SectionOutline::Row &row : outline.rows)
           for (const double radius : {row.start[1], row.end[1]})
@@ -55,7 +55,8 @@ namespace vibrocontact
       const IdentificationParameters &own = parameters.identification;
       bool transformed = false;
       for (const BodyParameters &body : parameters.scene.bodies)
-        transformed = transformed || (body.own->measured() && body.own->measured()->inverse_transform);
+        transformed =
+            transformed || (body.description->measured() && body.description->measured()->inverse_transform);
       const std::vector<std::string> methods = own.method_list();
       const bool by_lsce =
           std::any_of(methods.begin(), methods.end(),
@@ -71,9 +72,9 @@ namespace vibrocontact
 
     bool has_poles_at_hand(const BodyParameters &body)
     {
-      if (const IdentifiedParameters *const measured = body.own->measured())
+      if (const IdentifiedParameters *const measured = body.description->measured())
         return !measured->takes_data() || measured->inverse_transform;
-      return body.own->at_points() != nullptr;
+      return body.description->at_points() != nullptr;
     }
 
     void check_modal_convolution(const Parameters &parameters, const MeshedBodies &bodies,
@@ -84,7 +85,7 @@ namespace vibrocontact
       if (!has_poles_at_hand(body))
       {
         // its points, as high as a flat road
-        std::vector<double> places = body.own->places();
+        std::vector<double> places = body.description->places();
         if (places.empty())
         {
           const ContactGrid grid = parameters.contact_grid();

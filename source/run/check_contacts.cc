@@ -36,12 +36,12 @@ namespace vibrocontact
       if (own.empty())
         throw InputError("Body " + body.name +
                          " is in no contact of the list Contacts: join it, or leave it out of Bodies.");
-      const ContactPlaces places = body.own->contact_places();
+      const ContactPlaces places = body.description->contact_places();
       if (places == ContactPlaces::anywhere)
         return;
       const std::string several =
           body.name + ", of type " + body.type + ", is in " + std::to_string(own.size()) + " contacts, ";
-      if (own.size() > 1 && body.own->lies_on_half_space())
+      if (own.size() > 1 && body.description->lies_on_half_space())
         throw InputError(several +
                          "but half-spaces couple within one grid only: put their points on one grid.");
       if (own.size() > 1 && places != ContactPlaces::along_axis)
@@ -161,7 +161,7 @@ namespace vibrocontact
       for (const BodyParameters *const one : joined)
       {
         const BodyParameters &body = *one;
-        if (contact.half_space_flexibility() && !body.own->may_stand_for_half_space())
+        if (contact.half_space_flexibility() && !body.description->may_stand_for_half_space())
           throw InputError(entry + ", but the surface of the " + body.type + " " + body.name +
                            " is no half-space: set it to finite elements.");
         if (contact.half_space_flexibility() && body.materials.size() > 1)
@@ -179,12 +179,12 @@ namespace vibrocontact
     void check_half_space_contact(const std::vector<const BodyParameters *> &bodies,
                                   const ContactParameters &contact)
     {
-      if (bodies[0]->own->lies_below())
+      if (bodies[0]->description->lies_below())
         throw InputError(bodies[0]->name + " is a " + bodies[0]->type +
                          ", which lies below the contact, but is body 1, above; "
                          "list it second in Bodies.");
       for (const BodyParameters *const body : bodies)
-        if (contact.quadrature == "consistent" && body->own->lies_on_half_space())
+        if (contact.quadrature == "consistent" && body->description->lies_on_half_space())
           throw InputError(
               contact.section + "/Quadrature is consistent, but the half-space under the contact of " +
               body->name + " knows tractions that are constant on each cell only: set it to lumped.");
@@ -193,11 +193,11 @@ namespace vibrocontact
     /// Two bodies without a mesh touch in a point (in a line along a strip), and one of them gives way.
     void check_touch(const BodyParameters &body_1, const BodyParameters &body_2, const bool strip)
     {
-      if (body_2.own->touches_downwards_only())
+      if (body_2.description->touches_downwards_only())
         throw InputError("The " + body_2.type + " " + body_2.name +
                          " touches what lies below it, but is body 2, below: list it first in Bodies" +
-                         body_2.own->way_to_look_up() + ".");
-      const auto own_1 = body_1.own->contact_points(1), own_2 = body_2.own->contact_points(1);
+                         body_2.description->way_to_look_up() + ".");
+      const auto own_1 = body_1.description->contact_points(1), own_2 = body_2.description->contact_points(1);
       if (own_1 && own_2 && own_1->n_points() != own_2->n_points())
         throw InputError("The bodies " + body_1.name + " and " + body_2.name + " bring " +
                          std::to_string(own_1->n_points()) + " and " + std::to_string(own_2->n_points()) +
@@ -209,11 +209,11 @@ namespace vibrocontact
                            " and " + number_text(own_2->x(i)) + " m; give both the same.");
       if (body_1.vibrates() || body_2.vibrates())
         return;
-      if (body_1.own->is_rigid() && body_2.own->is_rigid())
+      if (body_1.description->is_rigid() && body_2.description->is_rigid())
         throw InputError("The bodies " + body_1.name + " and " + body_2.name +
                          " are both rigid: make one of them a half-space or a meshed body.");
-      const auto [x_1, y_1] = body_1.own->curvatures();
-      const auto [x_2, y_2] = body_2.own->curvatures();
+      const auto [x_1, y_1] = body_1.description->curvatures();
+      const auto [x_2, y_2] = body_2.description->curvatures();
       const double x = x_1 + x_2, y = y_1 + y_2;
       if (!(x > 0) || (!(y > 0) && !strip))
         throw InputError(
@@ -232,13 +232,14 @@ namespace vibrocontact
     void check_layer(const Scene &scene, const RollingParameters &rolling)
     {
       for (const BodyParameters &body : scene.bodies)
-        if (body.own->stays_in_place())
+        if (body.description->stays_in_place())
         {
-          if (&body != &scene.bodies[0] || scene.bodies.size() < 2 || !scene.bodies[1].own->is_rigid())
+          if (&body != &scene.bodies[0] || scene.bodies.size() < 2 ||
+              !scene.bodies[1].description->is_rigid())
             throw InputError(
                 "The layer " + body.name +
                 " slides on a rigid plane: list it first in Bodies and a body of type rigid second.");
-          if (scene.bodies[1].own->curvatures() != std::make_pair(0., 0.))
+          if (scene.bodies[1].description->curvatures() != std::make_pair(0., 0.))
             throw InputError(scene.bodies[1].name + "/Rigid has a curvature, but a layer slides on a plane: "
                                                     "leave its radii out.");
           if (rolls_or_slides(scene) && rolling.creepage.speed != 0)

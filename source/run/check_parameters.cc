@@ -26,7 +26,7 @@ namespace vibrocontact
       const std::string free = ", so that the body is free to fall under the contact force; ";
       for (const BodyParameters &body : scene.bodies)
       {
-        const auto [empty, advice] = body.own->missing_support(body.name);
+        const auto [empty, advice] = body.description->missing_support(body.name);
         if (!empty.empty())
           throw InputError(empty + free + advice);
       }
@@ -47,17 +47,17 @@ namespace vibrocontact
       if (body.rolls() && speed == 0)
         throw InputError(body.name +
                          "/Ring/Rolling is true, but Rolling/Speed is 0: give the speed that it turns with.");
-      const IdentifiedParameters *const measured = body.own->measured();
+      const IdentifiedParameters *const measured = body.description->measured();
       if (!measured)
         return;
       if (measured->inverse_transform)
         throw InputError(body.name +
                          "/Identified/Inverse transform is true, whose Green's functions repeat themselves; "
                          "other analyses than modal convolution need poles: leave it out.");
-      if (largest_friction(parameters) > 0)
+      if (largest_friction_of_cases(parameters) > 0)
         throw InputError(
-            "Contact/Friction coefficient is " + number_text(largest_friction(parameters)) + ", but " +
-            body.name +
+            "Contact/Friction coefficient is " + number_text(largest_friction_of_cases(parameters)) +
+            ", but " + body.name +
             " is of type identified, whose data say nothing about motion along the contact: set it "
             "to 0.");
       if (!measured->is_even() && speed > 0)
@@ -108,7 +108,7 @@ namespace vibrocontact
         return;
       }
       const std::string entry = "Modal convolution/Friction is true, but ";
-      if (body.own->measured())
+      if (body.description->measured())
         throw InputError(entry + body.name +
                          " is of type identified, whose data say nothing about motion along "
                          "the road: set it to false.");
@@ -224,14 +224,14 @@ namespace vibrocontact
                          "meets a stop below or above it: set it to -z or +z.");
       if (number == 0 && periodic.model != "reduced")
         throw InputError("Periodic/Model is finite elements" + moves + "has none: set it to reduced.");
-      if (friction && (by_poles || !body.own->is_driven_along_stop()))
+      if (friction && (by_poles || !body.description->is_driven_along_stop()))
         throw InputError(
             "Contact/Friction coefficient is " + number_text(parameters.contact().friction) + moves +
             (rolls ? "rolls: the slip of material that flows through the contact points is not known here"
              : by_poles ? "has no data about motion along the stop"
                         : "does not move along the stop, as nothing drives it there") +
             "; set it to 0.");
-      if (body.own->measured() && body.own->measured()->inverse_transform)
+      if (body.description->measured() && body.description->measured()->inverse_transform)
         throw InputError(
             body.name + "/Identified/Inverse transform is true, whose Green's functions repeat themselves; a "
                         "periodic motion needs poles: leave it out.");
@@ -249,8 +249,9 @@ namespace vibrocontact
       { return body.is_meshed() ? parameters.modes.at(body.name).stiffness_damping : 0.; };
       const auto has_rest = [&](const BodyParameters &body)
       {
-        return body.is_meshed() ? parameters.periodic.model == "reduced" || body.own->has_massless_points()
-                                : !body.own->has_rigid_points();
+        return body.is_meshed()
+                   ? parameters.periodic.model == "reduced" || body.description->has_massless_points()
+                   : !body.description->has_rigid_points();
       };
       const BodyParameters &first = parameters.scene.bodies[0], &second = parameters.scene.bodies[1];
       if (has_rest(first) && has_rest(second) && relaxation(first) != relaxation(second))
@@ -272,20 +273,20 @@ namespace vibrocontact
                          std::to_string(number + 1) +
                          " one with elements, an oscillator, a ring or an identified body" +
                          (number > 0 ? ", or a rigid stop." : "."));
-      if (number > 0 && body.own->touches_downwards_only())
+      if (number > 0 && body.description->touches_downwards_only())
         throw InputError("Analyses lists periodic, but body 2, " + of_type +
                          ", which stands on what is below it: list it first in Bodies" +
-                         body.own->way_to_look_up() + ".");
+                         body.description->way_to_look_up() + ".");
       if (!body.is_meshed())
         check_periodic_points(parameters, number);
-      if (body.own->lies_on_half_space())
+      if (body.description->lies_on_half_space())
         throw InputError("Analyses lists periodic, but " + of_type +
                          ", whose contact points lie on a half-space that periodic motion does not know: "
                          "make it a rail.");
-      const std::string example = body.own->example_of_points();
+      const std::string example = body.description->example_of_points();
       if (!example.empty() && parameters.periodic.contact_points_on(number).empty())
         throw InputError("Periodic/Contact points is empty, but " + of_type +
-                         ", which is touched at places of its tip: give them, for instance "
+                         ", whose points of contact have to be named: give them, for instance "
                          "Contact points = " +
                          example);
     }
@@ -397,15 +398,21 @@ namespace vibrocontact
       for (unsigned int k = 0; k < n_vibrating(); ++k)
       {
         check_vibrating_body(*this, k);
-        has_massless_node = has_massless_node || scene.bodies[k].own->has_massless_points();
+        has_massless_node = has_massless_node || scene.bodies[k].description->has_massless_points();
       }
       if (n_vibrating() > 1)
         check_relaxations(*this);
       const bool tells_stability = periodic.continuation.tells_stability();
       if (tells_stability && contact().friction > 0 && !rigid)
-        throw InputError("Periodic/Continuation/Stability knows no friction beside a law over the gap: set "
-                         "Periodic/Law to "
-                         "signorini, Stability to none or Contact/Friction coefficient to 0.");
+        throw InputError(
+            "Periodic/Continuation/Stability is not computed for friction with a law that yields: set "
+            "Periodic/Law to signorini, Stability to none or Contact/Friction coefficient to 0.");
+      for (unsigned int k = 0; k < n_vibrating() && tells_stability && contact().friction > 0; ++k)
+        if (scene.bodies[k].is_meshed() && modes.at(scene.bodies[k].name).stiffness_damping > 0)
+          throw InputError(
+              scene.bodies[k].name +
+              "/Modes/Stiffness damping is given, but Periodic/Continuation/Stability is not "
+              "computed for friction at points whose flexibility relaxes: leave one of them out.");
       if (tells_stability && rigid && periodic.model == "finite elements" && !has_massless_node)
         throw InputError(
             "Periodic/Continuation/Stability with the rigid law needs a contact node without mass: set " +
@@ -424,10 +431,11 @@ namespace vibrocontact
       const ContactParameters &one = contacts.all[k];
       for (const unsigned int b : {bodies_of_contact(k).first, bodies_of_contact(k).second})
         if ((scene.runs("transient") || scene.runs("periodic")) && one.friction > 0 &&
-            b < scene.bodies.size() && scene.bodies[b].own->moves_along_z_only() &&
+            b < scene.bodies.size() && scene.bodies[b].description->moves_along_z_only() &&
             (b == 0 || scene.runs("periodic") || !one.name.empty()))
-          throw InputError(scene.bodies[b].name + " is a bar, which moves in one direction only: set " +
-                           one.section + "/Friction coefficient to 0.");
+          throw InputError(scene.bodies[b].name + " is a " + scene.bodies[b].type +
+                           ", which moves in one direction only: set " + one.section +
+                           "/Friction coefficient to 0.");
     }
     if (has_dynamics() || scene.runs("periodic"))
       for (const BodyParameters &body : scene.bodies)
@@ -451,7 +459,7 @@ namespace vibrocontact
           "Static friction ratio of 1) or leave the count out.");
     for (const auto &[section, model] : unreduced_models(*this))
       for (const BodyParameters &body : scene.bodies)
-        if (body.own->lies_on_half_space() || body.is_green())
+        if (body.description->lies_on_half_space() || body.is_green())
           throw InputError(section + "/Model is " + model + ", but " + body.name +
                            (body.is_green() ? " is of type " : " is a ") + body.type +
                            (body.is_green() ? ", which is known between its contact points alone"

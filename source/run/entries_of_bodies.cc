@@ -28,7 +28,7 @@ namespace vibrocontact
 
     void add_material(EntriesRead &entries, const BodyParameters &body, const BodyUse &use)
     {
-      if (body.own->has_groups())
+      if (body.description->has_groups())
         entries.add(body.name, "Materials");
       std::vector<std::string> sections;
       for (const auto &group : body.materials)
@@ -38,7 +38,8 @@ namespace vibrocontact
       for (const std::string &section : sections)
       {
         entries.add(section, "Young modulus");
-        entries.add_if(!body.own->moves_along_z_only(), "the body is no bar", section, "Poisson ratio");
+        entries.add_if(!body.description->moves_along_z_only(), "the body does not move along z alone",
+                       section, "Poisson ratio");
         // of several materials each has to name its density
         entries.add_if(!body.materials.empty() || (body.is_meshed() && (use.motion || use.heavy)),
                        "the body moves or has a Gravity", section, "Density");
@@ -51,7 +52,7 @@ namespace vibrocontact
     {
       const std::string section = body.name + "/Modes", moves = "the analysis moves the body by its modes";
       entries.add_if(use.motion, moves, section, "Upper frequency, Count");
-      const bool kept = use.motion && modes.any(), wheel = body.own->is_wheel();
+      const bool kept = use.motion && modes.any(), wheel = body.description->is_wheel();
       entries.add_if(kept && wheel, moves + " and it is a wheel", section, "Rim radius");
       entries.add_if(kept && wheel && use.loss, moves + " and it is a wheel", section,
                      "Damping ratio 0 nodal diameters, Damping ratio 1 nodal diameter, "
@@ -93,11 +94,11 @@ namespace vibrocontact
     use.heavy = use.loads && body.loads.gravity != 0;
     use.in_a_point = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
                                  [](const BodyParameters &other) { return other.is_point(); });
-    if (body.own->has_material())
+    if (body.description->has_material())
       add_material(entries, body, use);
     if (body.is_meshed())
       add_modes(entries, body, parameters.modes.at(body.name), use);
-    if (body.is_solid() || body.own->takes_gravity())
+    if (body.is_solid() || body.description->takes_gravity())
       entries.add_if(use.loads, "loads matter to the analysis", body.name + "/Loads", "Gravity");
     if (body.is_solid())
     {
@@ -109,9 +110,10 @@ namespace vibrocontact
                      "loads matter to the analysis and there is a Traction boundary", body.name + "/Loads",
                      "Traction");
     }
-    if (!body.own->add_entries(entries, section, use))
-      add_all_entries(entries, section, *body.own);
-    if (const IdentifiedParameters *const measured = body.own->measured())
+    // of a fresh one: to declare entries sets what they are bound to
+    if (!body.description->add_entries(entries, section, use))
+      add_all_entries(entries, section, *body.body_type().make());
+    if (const IdentifiedParameters *const measured = body.description->measured())
       add_identification(entries, parameters.identification, section, *measured, use);
   }
 } // namespace vibrocontact

@@ -10,8 +10,8 @@ namespace vibrocontact
     bool moves_with_the_lateral_position(const Parameters &parameters)
     {
       for (const BodyParameters &body : parameters.scene.bodies)
-        if (body.own->is_wheel() ||
-            (&body == &parameters.scene.bodies[0] && body.own->follows_lateral_position()))
+        if (body.description->is_wheel() ||
+            (&body == &parameters.scene.bodies[0] && body.description->follows_lateral_position()))
           return true;
       return parameters.lateral_sweep() != nullptr;
     }
@@ -68,10 +68,12 @@ namespace vibrocontact
           bodies.push_back(&body);
       const bool own = std::none_of(bodies.begin(), bodies.end(),
                                     [](const BodyParameters *const body)
-                                    { return body->own->contact_points(1).has_value(); }),
+                                    { return body->description->contact_points(1).has_value(); }),
                  cells = std::none_of(bodies.begin(), bodies.end(),
-                                      [](const BodyParameters *const body)
-                                      { return body->own->contact_points(1) && !body->own->takes_cell(); });
+                                      [](const BodyParameters *const body) {
+                                        return body->description->contact_points(1) &&
+                                               !body->description->takes_cell();
+                                      });
       const std::string whose = "no body (bar, layer, ring, oscillator) brings its own contact points";
       entries.add_if(cells, "no body (bar, layer, ring) brings its own cells", section, "Grid spacing");
       entries.add_if(own, whose, section, "Half length, Strip length, Offset x, Quadrature");
@@ -173,12 +175,12 @@ namespace vibrocontact
   void add_partners(EntriesRead &entries, const Parameters &parameters, const BodyUse &use)
   {
     BodyUse own = use;
-    own.tangential = largest_friction(parameters) > 0;
+    own.tangential = largest_friction_of_cases(parameters) > 0;
     for (unsigned int k = 0; k < parameters.scene.bodies.size(); ++k)
       add_body(entries, parameters, k, own);
   }
 
-  double largest_friction(const Parameters &parameters)
+  double largest_friction_of_cases(const Parameters &parameters)
   {
     const std::vector<double> &swept = parameters.rolling.sweep.friction;
     return swept.empty() ? parameters.largest_friction() : *std::max_element(swept.begin(), swept.end());

@@ -28,8 +28,8 @@ namespace vibrocontact
     std::optional<FlatFace> faces[2];
     for (unsigned int k = 0; k < 2; ++k)
     {
-      faces[k] =
-          bodies[k]->own->flat_face(bodies[k] == &scene.bodies[0] ? contacts.first().lateral_position : 0.);
+      faces[k] = bodies[k]->description->flat_face(
+          bodies[k] == &scene.bodies[0] ? contacts.first().lateral_position : 0.);
       if (!faces[k])
         continue;
       const auto &origin = frames[k].origin;
@@ -40,7 +40,7 @@ namespace vibrocontact
     const auto is_flat = [&](const unsigned int k)
     {
       const BodyParameters &body = *bodies[k];
-      return faces[k] || (!body.vibrates() && body.own->curvatures() == std::make_pair(0., 0.));
+      return faces[k] || (!body.vibrates() && body.description->curvatures() == std::make_pair(0., 0.));
     };
     const ContactGrid grid = contact_grid(contact_number);
     const std::string of = contact.name.empty() ? "" : " of " + contact.name;

@@ -67,10 +67,10 @@ namespace vibrocontact
   IdentifiedPoles identified_poles(const Parameters &parameters, const std::optional<MeasuredData> &measured,
                                    const BodyParameters &body, const double contact_step)
   {
-    if (body.own->measured()->inverse_transform)
+    if (body.description->measured()->inverse_transform)
       throw InputError(body.name +
                        "/Identified/Inverse transform is true, which knows no poles: leave it out.");
-    if (!body.own->measured()->poles_file.empty())
+    if (!body.description->measured()->poles_file.empty())
     {
       const PoleFile file = pole_file(body);
       return {file.names.labels, goes_both_ways(file.names),
@@ -120,10 +120,9 @@ namespace vibrocontact
   BodyInContact identified_body(const Parameters &parameters, const std::optional<MeasuredData> &measured,
                                 const BodyParameters &body, const double contact_step)
   {
-    const double tread =
-        body.own->measured()->tread_stiffness > 0 ? 1 / body.own->measured()->tread_stiffness : 0;
+    const double tread = body.description->tread_compliance(false);
     BodyInContact model =
-        body.own->measured()->inverse_transform
+        body.description->measured()->inverse_transform
             ? transformed_body(parameters, measured.value().data, body)
             : identified_poles(parameters, measured, body, tread > 0 ? 0 : contact_step).poles;
     for (unsigned int i = 0; i < model.n_rows(); ++i)

@@ -7,7 +7,7 @@ namespace vibrocontact
 {
   PoleFile pole_file(const BodyParameters &body)
   {
-    const std::string &file = body.own->measured()->poles_file;
+    const std::string &file = body.description->measured()->poles_file;
     return read_poles(read_csv(file, read_file_on_all_ranks(file, "poles file")));
   }
 
@@ -17,13 +17,15 @@ namespace vibrocontact
     void check_positions(const BodyParameters &body, const bool in_contact, const unsigned int n_points,
                          const std::string &file)
     {
-      if (in_contact && body.own->measured()->positions.empty() && n_points > 1)
+      if (in_contact && body.description->measured()->positions.empty() && n_points > 1)
         throw InputError(body.name + "/Identified/Positions is not set, but the data \"" + file + "\" have " +
                          std::to_string(n_points) + " points: say where each lies along the road.");
-      if (!body.own->measured()->positions.empty() && body.own->measured()->positions.size() != n_points)
+      if (!body.description->measured()->positions.empty() &&
+          body.description->measured()->positions.size() != n_points)
         throw InputError(body.name + "/Identified/Positions gives " +
-                         std::to_string(body.own->measured()->positions.size()) + " places, but the data \"" +
-                         file + "\" have " + std::to_string(n_points) + " points; give one for each.");
+                         std::to_string(body.description->measured()->positions.size()) +
+                         " places, but the data \"" + file + "\" have " + std::to_string(n_points) +
+                         " points; give one for each.");
     }
 
     /// @throws InputError for data that create energy, unless they are to be taken so
@@ -42,9 +44,9 @@ namespace vibrocontact
     const bool in_contact = scene.any_analysis(&AnalysisType::has_contact) ||
                             scene.runs("modal convolution") || scene.runs("periodic");
     for (const BodyParameters &body : parameters.scene.bodies)
-      if (body.own->measured() && !body.own->measured()->takes_data())
+      if (body.description->measured() && !body.description->measured()->takes_data())
         check_positions(body, in_contact, pole_file(body).names.labels.size(),
-                        body.own->measured()->poles_file);
+                        body.description->measured()->poles_file);
     if (!parameters.has_identification())
       return {};
     const IdentificationParameters &own = parameters.identification;
@@ -53,7 +55,7 @@ namespace vibrocontact
                                         own.data_rules());
     measured.judgement = judge(own, measured.data);
     for (const BodyParameters &body : parameters.scene.bodies)
-      if (body.own->measured() && body.own->measured()->takes_data())
+      if (body.description->measured() && body.description->measured()->takes_data())
         check_positions(body, in_contact, measured.data.labels.size(), own.data_file);
     return measured;
   }

@@ -59,7 +59,7 @@ namespace vibrocontact
   {
     if (modes.rim_radius > 0)
       return modes.rim_radius;
-    return WheelFrame().rim_radius * body.own->size_over_section();
+    return WheelFrame().rim_radius * body.description->size_over_section();
   }
 
   namespace
@@ -93,10 +93,10 @@ namespace vibrocontact
   std::unique_ptr<SecondOrderSystem> MeshedBody::assemble()
   {
     const ContactGrid *const pointer = places.empty() ? nullptr : &places.front().grid;
-    if (const ElementBody *const elements = parameters.own->elements())
+    if (const ElementBody *const elements = parameters.description->elements())
     {
       auto system = elements->assemble(parameters, above, pointer, communicator);
-      if (pointer && parameters.own->lies_on_half_space())
+      if (pointer && parameters.description->lies_on_half_space())
         system->local_compliance =
             half_space_compliance(*pointer, HalfSpacePair({std::numeric_limits<double>::infinity(), 0.},
                                                           half_space_material(parameters)));
@@ -151,8 +151,9 @@ namespace vibrocontact
       return;
     const std::string &name = parameters.name, is = above ? "body 1, above" : "body 2, below",
                       direction = faces_up ? "up" : "down";
-    throw InputError(parameters.own->contact_surface(name) + " points " + direction + ", but " + name +
-                     " is " + is + " the plane of contact: " + parameters.own->way_to_turn(name, above) +
+    throw InputError(parameters.description->contact_surface(name) + " points " + direction + ", but " +
+                     name + " is " + is +
+                     " the plane of contact: " + parameters.description->way_to_turn(name, above) +
                      " or list the bodies the other way round.");
   }
 

@@ -101,8 +101,9 @@ namespace vibrocontact
   {
     return scene.runs("identification") ||
            std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                       [](const BodyParameters &body)
-                       { return body.own->measured() && body.own->measured()->takes_data(); });
+                       [](const BodyParameters &body) {
+                         return body.description->measured() && body.description->measured()->takes_data();
+                       });
   }
 
   std::pair<unsigned int, unsigned int> Parameters::bodies_of_contact(const unsigned int k) const
@@ -125,7 +126,7 @@ namespace vibrocontact
     {
       if (!contacts.all[k].name.empty() && b != above && b != below)
         continue;
-      if (const auto own = scene.bodies[b].own->contact_points(contacts.all[k].spacing))
+      if (const auto own = scene.bodies[b].description->contact_points(contacts.all[k].spacing))
         return *own;
     }
     return contacts.all[k].grid();

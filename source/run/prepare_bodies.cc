@@ -20,8 +20,9 @@ namespace vibrocontact
     /// The lateral position that matters to body k: that of the contact on body 1, a wheel's in any place.
     double lateral_position(const Parameters &parameters, const unsigned int k)
     {
-      return k == 0 || parameters.scene.bodies[k].own->is_wheel() ? parameters.contact().lateral_position
-                                                                  : 0.;
+      return k == 0 || parameters.scene.bodies[k].description->is_wheel()
+                 ? parameters.contact().lateral_position
+                 : 0.;
     }
   } // namespace
 
@@ -123,7 +124,7 @@ namespace vibrocontact
       {
         const bool with_modes = wants_modes(parameters, *body);
         // a mesh that is to be written has to be made
-        const bool wanted = all || body->parameters.own->writes_mesh();
+        const bool wanted = all || body->parameters.description->writes_mesh();
         const bool cached = body->reduction.is_cached(parameters.has_contact(), with_modes);
         if (cached && !wanted)
           continue;

@@ -12,7 +12,7 @@ namespace vibrocontact
     if (!body.is_green())
       return meshed ? std::optional<ContactRows>({std::move(*meshed)}) : std::nullopt;
     RoadUse use;
-    use.friction = largest_friction(parameters) > 0;
+    use.friction = largest_friction_of_cases(parameters) > 0;
     use.speed = parameters.rolling.creepage.speed;
     use.contact_step = parameters.scene.runs("transient") ? parameters.transient.time_step : 0;
     const RoadBody on_road = road_body(parameters, meshed ? &*meshed : nullptr, measured, number, use);

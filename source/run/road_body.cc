@@ -52,16 +52,16 @@ namespace vibrocontact
   {
     const BodyParameters &body = parameters.scene.bodies[number];
     RoadBody result;
-    result.tread = body.own->tread_compliance(false);
-    result.places = body.own->places();
-    result.shapes = body.own->heights();
-    if (body.own->measured())
+    result.tread = body.description->tread_compliance(false);
+    result.places = body.description->places();
+    result.shapes = body.description->heights();
+    if (body.description->measured())
     {
       result.body = identified_body(parameters, measured, body, use.contact_step);
       result.is_passive = !parameters.identification.rolling && is_reciprocal(result.body);
       return result;
     }
-    if (const PointBody *const points = body.own->at_points())
+    if (const PointBody *const points = body.description->at_points())
     {
       const std::vector<double> upstream = find_creep_scheme(parameters.contact().creep_scheme).coefficients;
       result.body =
@@ -69,7 +69,7 @@ namespace vibrocontact
       result.is_passive = !body.rolls();
       return result;
     }
-    result.body = body.own->on_road(*reduced, use.friction);
+    result.body = body.description->on_road(*reduced, use.friction);
     for (unsigned int i = 0; i < reduced->grid.n_points() && !body.is_green(); ++i)
     {
       // the contact travels towards -x

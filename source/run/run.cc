@@ -184,7 +184,7 @@ namespace vibrocontact
       run_log().line("Entries that options have put out of use: " + quoted_list(out_of_use, "and") + ".");
     if (command_line.check)
       for (BodyParameters &body : parameters.scene.bodies)
-        body.own->write_no_mesh();
+        body.description->write_no_mesh();
 
     const std::string folder = parameters.output.folder(command_line.output, command_line.file);
     const DeclaredParameters used = declared_parameters(prm).without(out_of_use);

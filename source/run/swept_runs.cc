@@ -4,10 +4,10 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/table.h>
 #include <vibrocontact/output/answer_parts.h>
+#include <vibrocontact/output/verdict.h>
 #include <vibrocontact/run/check_before_run.h>
 #include <vibrocontact/run/run_sweep.h>
 #include <vibrocontact/run/swept_runs.h>
-#include <vibrocontact/output/verdict.h>
 
 #include <deal.II/base/utilities.h>
 

@@ -64,7 +64,7 @@ namespace vibrocontact
                                  const std::shared_ptr<const BodyTypes> &types)
       : name(name), type(type), types(types)
   {
-    own = body_type().make();
+    description = body_type().make();
   }
 
   const BodyType &BodyParameters::body_type() const
@@ -88,7 +88,7 @@ namespace vibrocontact
       group.declare_parameters(prm);
       prm.leave_subsection();
     };
-    if (own->has_groups())
+    if (description->has_groups())
     {
       materials_entry.clear();
       for (const auto &group : materials)
@@ -99,7 +99,7 @@ namespace vibrocontact
                         "entries. Empty: one material for the whole body. Units: none.",
                         dealii::Patterns::Anything());
     }
-    if (own->has_material() && materials.empty())
+    if (description->has_material() && materials.empty())
       declare("Material", material);
     if (!materials.empty())
     {
@@ -108,10 +108,10 @@ namespace vibrocontact
         declare(group, own);
       prm.leave_subsection();
     }
-    declare(body_type().section, *own);
+    declare(body_type().section, *description);
     if (is_solid())
       declare("Loads", loads);
-    if (own->takes_gravity())
+    if (description->takes_gravity())
     {
       prm.enter_subsection("Loads");
       loads.declare_gravity(prm);
@@ -123,16 +123,16 @@ namespace vibrocontact
   {
     for (const auto &[group, own] : materials)
       own.check(section + "/Material/" + group);
-    if (own->has_material() && materials.empty())
+    if (description->has_material() && materials.empty())
       material.check(section + "/Material");
-    own->check(section + "/" + body_type().section);
+    description->check(section + "/" + body_type().section);
     if (is_solid())
       loads.check(section + "/Loads");
   }
 
   double BodyParameters::material_loss_factor() const
   {
-    double loss = own->has_material() && materials.empty() ? material.loss_factor : 0;
+    double loss = description->has_material() && materials.empty() ? material.loss_factor : 0;
     for (const auto &group : materials)
       loss = std::max(loss, group.second.loss_factor);
     return loss;
@@ -140,15 +140,15 @@ namespace vibrocontact
 
   std::optional<double> BodyParameters::axle_height(const double lateral_position) const
   {
-    if (!own->is_wheel())
+    if (!description->is_wheel())
       return {};
-    return tread_radius(*own->wheel_section(), lateral_position);
+    return tread_radius(*description->wheel_section(), lateral_position);
   }
 
   std::optional<std::pair<double, double>> BodyParameters::contact_limits() const
   {
-    if (!own->is_wheel())
+    if (!description->is_wheel())
       return {};
-    return tread_limits(*own->wheel_section());
+    return tread_limits(*description->wheel_section());
   }
 } // namespace vibrocontact

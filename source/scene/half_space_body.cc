@@ -38,7 +38,7 @@ namespace vibrocontact
   bool HalfSpaceParameters::add_entries(EntriesRead &entries, const std::string &section,
                                         const BodyUse &use) const
   {
-    entries.add_if(use.contact && !use.in_a_point, "its surface is in contact, and not in one point of a bar",
+    entries.add_if(use.contact && !use.in_a_point, "its surface is in contact, and not in a point alone",
                    section, "Radius x, Radius y");
     return true;
   }

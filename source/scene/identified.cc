@@ -94,8 +94,8 @@ namespace vibrocontact
     return positions.empty() ? std::vector<double>{0.} : positions;
   }
 
-  double IdentifiedParameters::tread_compliance(bool) const
+  double IdentifiedParameters::tread_compliance(const bool tangential) const
   {
-    return tread_stiffness > 0 ? 1 / tread_stiffness : 0;
+    return !tangential && tread_stiffness > 0 ? 1 / tread_stiffness : 0;
   }
 } // namespace vibrocontact

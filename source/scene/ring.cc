@@ -62,8 +62,9 @@ namespace vibrocontact
                       Integer(1, 2000));
     prm.add_parameter(
         "Contact spacing", spacing,
-        "Distance of contact points along the mean circle; the default is pi/100 of the default "
-        "radius. Units: m.",
+        "Distance of contact points along the mean circle; of one point of a rolling ring with friction the "
+        "distance that its material is differenced over. The default is pi/100 of the default radius. Units: "
+        "m.",
         Double(1e-9, 1e3));
     prm.add_parameter("Tread stiffness", tread_stiffness,
                       "Radial stiffness of the tread under each contact point; 0: rigid. Units: N/m.",

@@ -137,8 +137,8 @@ namespace vibrocontact
         throw InputError(file.where(name, "Type") + ": there is no type of body \"" + type + "\"; " +
                          name_suggestion(type, types));
       BodyParameters body(name, type, body_types);
-      body.own->read_ahead(file, name + "/" + body.body_type().section);
-      if (body.own->has_groups())
+      body.description->read_ahead(file, name + "/" + body.body_type().section);
+      if (body.description->has_groups())
         read_materials(file, body);
       scene.bodies.push_back(body);
     }

@@ -183,7 +183,7 @@ namespace
   {
     const auto &own =
         dynamic_cast<const WaveSpeedParameters &>(*on.parameters.scene.own_parameters.at("wave speed"));
-    const auto *const body = dynamic_cast<const Rod *>(on.parameters.scene.bodies[0].own.get());
+    const auto *const body = dynamic_cast<const Rod *>(on.parameters.scene.bodies[0].description.get());
     if (!body)
       throw InputError("Analyses lists wave speed, but " + on.parameters.scene.bodies[0].name +
                        " is no rod: make it one.");

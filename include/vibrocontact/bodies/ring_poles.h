@@ -75,5 +75,4 @@ namespace vibrocontact
   /// The same ring at rest by its real modes: of each order n > 0 both branches, twice, a quarter of a wave apart.
   /// @throws InputError if a motion is rigid
   BodyInContact ring_modes(const RingParameters &ring, const std::vector<RingRow> &rows);
-
 } // namespace vibrocontact

@@ -135,7 +135,7 @@ namespace vibrocontact
   /// y = A R of any two bodies in steady rolling: compliance is the sum of both bodies' contact compliances,
   /// 3 n square [m/N]. A_n = (P_c K^-1 P_c^T)_n, A_t = V d/dx (P_c K^-1 P_c^T)_t (doc/theory.md, "One contact
   /// problem for every analysis").
-  /// @param gradient what d/dx is beyond the differences between points (static_gradient()); 3 n square [1/N] or empty
+  /// @param gradient what d/dx is beyond the differences between points (of material that flows through a body known by poles); 3 n square [1/N] or empty
   std::shared_ptr<const ContactOperator> rolling_operator(const PlacedContacts &contacts,
                                                           DenseMatrix compliance, const CreepScheme &scheme,
                                                           double speed,

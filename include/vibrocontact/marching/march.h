@@ -42,7 +42,7 @@ namespace vibrocontact
     double time = 0;
     /// of the normal impulse and of the rms normal force until then, relative [-]
     double impulse = 0, rms_force = 0;
-    /// what the second march took [s]
+    /// what the second march took [s]: wall time of a transient, processor time of a modal convolution
     double seconds = 0;
     /// why it ended early, if it did
     std::string failure;

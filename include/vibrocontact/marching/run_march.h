@@ -7,9 +7,11 @@
 
 namespace vibrocontact
 {
-  /// Says where the march goes on. Collective. @return false: at its beginning, there is no checkpoint
+  /// Says where the march goes on. Collective. @param name of the analysis
+  /// @return false: at its beginning, there is no checkpoint
   /// @throws InputError, see MarchCheckpoint::read()
-  bool resume_march(March &march, const MarchCheckpoint &checkpoint, const Recorders &recorders);
+  bool resume_march(const std::string &name, March &march, const MarchCheckpoint &checkpoint,
+                    const Recorders &recorders);
 
   /// The march from where it is to its end, to a signal or until a step does not converge. Every rank steps, rank 0
   /// writes. A checkpoint is written between two blocks every `interval` of wall time [s] (0: never), at a signal and at

@@ -34,7 +34,7 @@ namespace vibrocontact
   void add_rolling_cases(EntriesRead &entries, const RollingParameters &rolling,
                          const ContactSections &contacts);
   /// Of all cases of a sweep [-].
-  double largest_friction(const Parameters &parameters);
+  double largest_friction_of_cases(const Parameters &parameters);
   /// What becomes of the hub of body 1 once the load has found its place.
   void add_hub(EntriesRead &entries, const Parameters &parameters);
 } // namespace vibrocontact

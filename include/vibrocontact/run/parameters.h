@@ -74,7 +74,7 @@ namespace vibrocontact
     /// How many bodies a periodic motion moves: body 1, and body 2 unless it is a rigid stop.
     unsigned int n_vibrating() const
     {
-      return scene.bodies.size() > 1 && !scene.bodies[1].own->is_rigid() ? 2 : 1;
+      return scene.bodies.size() > 1 && !scene.bodies[1].description->is_rigid() ? 2 : 1;
     }
     /// Whether the bodies move.
     bool has_dynamics() const { return scene.any_analysis(&AnalysisType::has_dynamics); }
@@ -100,7 +100,7 @@ namespace vibrocontact
     /// RollingParameters::hub as it applies to the bodies of this scene.
     std::string hub() const { return has_hub() ? rolling.hub : "none"; }
     /// body 1 is no half-space
-    bool has_hub() const { return scene.bodies[0].vibrates() || scene.bodies[0].own->is_rigid(); }
+    bool has_hub() const { return scene.bodies[0].vibrates() || scene.bodies[0].description->is_rigid(); }
     /// Whether data are identified: by the analysis, or for a body.
     bool has_identification() const;
     /// The normal law of the stop of periodic motion.

@@ -31,7 +31,7 @@ namespace vibrocontact
 
   /// `subsection <name of the body>`: its type, and one nested subsection per group of entries. Only the
   /// groups that this type uses are declared, so that entries without effect are refused. What its type says of it is asked
-  /// of `own`.
+  /// of `description`.
   struct BodyParameters
   {
     std::string name;
@@ -42,7 +42,7 @@ namespace vibrocontact
     std::vector<std::pair<std::string, ElasticMaterial>> materials;
     LoadParameters loads;
     /// the section of its type; copies share it
-    std::shared_ptr<BodyDescription> own;
+    std::shared_ptr<BodyDescription> description;
     /// that the type is one of; never null
     std::shared_ptr<const BodyTypes> types = std::make_shared<const BodyTypes>(body_types());
 
@@ -53,29 +53,29 @@ namespace vibrocontact
         const std::shared_ptr<const BodyTypes> &types = std::make_shared<const BodyTypes>(body_types()));
     const BodyType &body_type() const;
     /// an analytic ring is not
-    bool is_meshed() const { return is_solid() || own->elements(); }
-    bool is_solid() const { return own->solid() != nullptr; }
+    bool is_meshed() const { return is_solid() || description->elements(); }
+    bool is_solid() const { return description->solid() != nullptr; }
     /// an analytic ring whose Green's functions are those of rolling
-    bool rolls() const { return own->rolls(); }
+    bool rolls() const { return description->rolls(); }
     /// known between its own contact points alone, by modes or by Green's functions
-    bool is_green() const { return own->has_own_points(); }
+    bool is_green() const { return description->has_own_points(); }
     /// of these, what has poles and no real modes
-    bool is_known_by_poles() const { return own->measured() || rolls(); }
+    bool is_known_by_poles() const { return description->measured() || rolls(); }
     /// has modes or poles, in which it moves
     bool vibrates() const { return is_meshed() || is_green(); }
     /// Whether its material or its supports take energy.
-    bool has_loss() const { return material_loss_factor() > 0 || own->has_loss(); }
+    bool has_loss() const { return material_loss_factor() > 0 || description->has_loss(); }
     /// of the material, of several the one that loses most; 0 if it has none [-]
     double material_loss_factor() const;
     /// stands under gravity or a traction
     bool has_load() const
     {
-      return own->has_weight() || loads.gravity != 0 || !loads.traction_boundary.empty();
+      return description->has_weight() || loads.gravity != 0 || !loads.traction_boundary.empty();
     }
     /// can come into contact in one point only
     bool is_point() const
     {
-      const auto points = own->contact_points(1);
+      const auto points = description->contact_points(1);
       return points && points->n_points() == 1;
     }
 
@@ -97,7 +97,7 @@ namespace vibrocontact
   BodyParameters body_of(const std::string &name, const std::string &type, const Description &description)
   {
     BodyParameters body(name, type);
-    body.own = std::make_shared<Description>(description);
+    body.description = std::make_shared<Description>(description);
     return body;
   }
 } // namespace vibrocontact

@@ -83,7 +83,7 @@ namespace vibrocontact
 
     // How it moves.
     /// known between its own contact points alone, by modes or by poles
-    virtual bool has_own_points() const { return false; }
+    virtual bool has_own_points() const { return at_points() || measured(); }
     /// turns with the speed of rolling, so that its material flows through its contact points
     virtual bool rolls() const { return false; }
     /// all of its flexibility has mass: a force moves its contact points by their inertia alone
@@ -116,7 +116,7 @@ namespace vibrocontact
     /// own contact points on a road: place, forward; height of the undeformed surface [m]; empty: those of its grid
     virtual std::vector<double> places() const { return {}; }
     virtual std::vector<double> heights() const { return {}; }
-    /// of the tread under a contact point, radially or along the road; elements do not have it [m/N]
+    /// of the tread under a contact point, radially or along the road; not contained in what elements() assembles [m/N]
     virtual double tread_compliance(bool) const { return 0; }
     virtual ContactPlaces contact_places() const { return ContactPlaces::own; }
     /// its contact points look down: it is the body above
@@ -184,9 +184,12 @@ namespace vibrocontact
     virtual std::unique_ptr<SecondOrderSystem> assemble(const BodyParameters &body, bool above,
                                                         const ContactGrid *grid,
                                                         MPI_Comm communicator) const = 0;
-    /// Moves the contact of an assembled body away from its usual place, where contacts may lie along its axis.
-    /// @param z height [m]
-    virtual void move_contact(SecondOrderSystem &, double) const {}
+    /// Moves the contact of an assembled body away from its usual place, where contacts may lie along its axis
+    /// (ContactPlaces::along_axis). @param z height [m]
+    virtual void move_contact(SecondOrderSystem &, double) const
+    {
+      AssertThrow(false, dealii::ExcMessage("This body does not say how its contact moves along its axis."));
+    }
   };
 
   /// A body of hexahedra.

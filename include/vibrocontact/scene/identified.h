@@ -34,7 +34,6 @@ namespace vibrocontact
     std::optional<ContactGrid> contact_points(double cell) const override;
     const IdentifiedParameters *measured() const override { return this; }
     bool has_material() const override { return false; }
-    bool has_own_points() const override { return true; }
     bool has_rigid_points() const override { return tread_stiffness == 0; }
     bool takes_cell() const override { return true; }
     std::vector<double> places() const override;

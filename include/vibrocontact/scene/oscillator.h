@@ -30,7 +30,6 @@ namespace vibrocontact
                                  const std::vector<double> &upstream = {}) const override;
     std::vector<std::string> row_names(bool with_friction) const override;
     bool has_material() const override { return false; }
-    bool has_own_points() const override { return true; }
     bool has_rigid_points() const override { return true; }
     bool may_yield() const override { return false; }
     bool is_driven_along_stop() const override { return false; }

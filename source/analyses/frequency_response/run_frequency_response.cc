@@ -51,7 +51,7 @@ namespace vibrocontact
         else
         {
           const std::vector<TraceRow> surface =
-              own.own->surface_rows(own.name, point.x, point.y, parameters.load_length);
+              own.description->surface_rows(own.name, point.x, point.y, parameters.load_length);
           if (surface.empty())
             throw InputError("Frequency response/Points: " + own.name + " has no surface for the point " +
                              point.name + "; give it as name: x, y, z, direction.");
@@ -350,7 +350,7 @@ namespace vibrocontact
         else if (body.is_green())
         {
           green = true;
-          const PointBody *const points = body.own->at_points();
+          const PointBody *const points = body.description->at_points();
           const bool in_orders = points && points->orders();
           ring = ring || in_orders;
           rolls = rolls || body.rolls();

@@ -33,7 +33,7 @@ namespace vibrocontact
       GreenBody result;
       std::vector<std::string> &labels = result.names.labels;
       bool both_ways = false;
-      if (body.own->measured())
+      if (body.description->measured())
       {
         IdentifiedPoles identified =
             identified_poles(parameters, measured, body, parameters.identification.contact_step);
@@ -43,7 +43,7 @@ namespace vibrocontact
       }
       else
       {
-        const PointBody &points = *body.own->at_points();
+        const PointBody &points = *body.description->at_points();
         const bool tangential = points.orders() && parameters.frequency_response.tangential;
         labels = points.row_names(tangential);
         both_ways = body.rolls();
@@ -206,7 +206,7 @@ namespace vibrocontact
     const std::vector<double> frequency = asked.frequencies();
     const FrequencyData modal =
         evaluated(body, frequency, [&](const double omega) { return receptance(body.poles, omega); });
-    const PointBody *const points = own.own->at_points();
+    const PointBody *const points = own.description->at_points();
     const std::optional<PointBody::Orders> orders = points ? points->orders() : std::nullopt;
     const auto sum = [&](const unsigned int highest, const bool residual)
     {

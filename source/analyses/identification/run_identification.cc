@@ -4,11 +4,11 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/output/verdict.h>
 #include <vibrocontact/receptances/frequency_csv.h>
 #include <vibrocontact/receptances/uff58.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/identified_body.h>
-#include <vibrocontact/output/verdict.h>
 
 #include <algorithm>
 

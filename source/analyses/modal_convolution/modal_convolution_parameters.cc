@@ -45,8 +45,7 @@ namespace vibrocontact
                       Selection("active set|common"));
     prm.add_parameter("Friction", friction,
                       "Whether the contact points rub along the road, by Contact/Friction law, with "
-                      "Road/Sliding speed; for "
-                      "bodies that do not roll. Units: none.",
+                      "Road/Sliding speed. Units: none.",
                       Bool());
     prm.add_parameter("History interval", history_interval,
                       "Distance of the lines of the histories, 0: every step. Units: s.", Double(0, 1e9));

@@ -133,9 +133,9 @@ namespace vibrocontact
         is_common(parameters.contact_solver == "common" || model.n_rows() > n_points ||
                   !laws.normal->is_rigid()),
         n(n_points), step(parameters.time_step), sliding_speed(sliding_speed),
-        speed(model.gradient.m() > 0 ? speed : 0.),
+        rolling_speed(model.gradient.m() > 0 ? speed : 0.),
         problem(road_contact_problem(propagator->compliance(), n_points, laws, parameters.time_step,
-                                     this->speed)),
+                                     rolling_speed)),
         is_linear(force_interpolation(parameters.force_shape) == ForceInterpolation::linear),
         residual_flexibility(model.residual)
   {
@@ -171,7 +171,7 @@ namespace vibrocontact
     ContactSolution solution;
     const double *const free = propagator->free_displacement();
     double *const b = problem.b.data();
-    const bool has_friction = tangential_forces != nullptr, rolls = this->speed != 0;
+    const bool has_friction = tangential_forces != nullptr, rolls = rolling_speed != 0;
     std::vector<double> all_forces(propagator->n_rows(), 0.);
     std::vector<double> forces_before(has_friction ? 2 * n : 0);
     for (unsigned int i = 0; has_friction && i < n; ++i)
@@ -179,7 +179,7 @@ namespace vibrocontact
       forces_before[i] = (forces - n)[i];
       forces_before[n + i] = (tangential_forces - n)[i];
     }
-    const std::function<std::vector<double>(const ContactSolution &)> speed =
+    const std::function<std::vector<double>(const ContactSolution &)> slip_speed =
         [&](const ContactSolution &found) { return law_speed(found, forces_before); };
     for (unsigned int k = 0; k < n_steps; ++k, heights += n, displacements += n, forces += n)
     {
@@ -188,8 +188,8 @@ namespace vibrocontact
         b[i] = free[i] - heights[i];
       for (unsigned int i = 0; has_friction && i < n; ++i)
         b[n + i] =
-            (free[n + i] - before[i]) / step + sliding_speed - (rolls ? this->speed * free[2 * n + i] : 0.);
-      solve_with_friction_of_speed(problem, *solver, solution, speed);
+            (free[n + i] - before[i]) / step + sliding_speed - (rolls ? rolling_speed * free[2 * n + i] : 0.);
+      solve_with_friction_of_speed(problem, *solver, solution, slip_speed);
       if (!solution.converged)
         throw ConvergenceError("The contact of a step did not converge, relative residual " +
                                std::to_string(solution.residual) + ".");
@@ -207,7 +207,7 @@ namespace vibrocontact
         double flow = rolls ? free[2 * n + i] : 0.;
         for (unsigned int j = 0; rolls && j < 2 * n; ++j)
           flow += propagator->compliance()(2 * n + i, j) * R[j];
-        tangential_displacements[i] = before[i] + step * (slip - sliding_speed + this->speed * flow);
+        tangential_displacements[i] = before[i] + step * (slip - sliding_speed + rolling_speed * flow);
         // of linear forces the mean
         const double force =
             is_linear ? 0.5 * (tangential_forces[i] + (tangential_forces - n)[i]) : tangential_forces[i];

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <sstream>
 
 namespace vibrocontact
 {
@@ -91,7 +90,7 @@ namespace vibrocontact
     }
     const MarchCheckpoint checkpoint = road_checkpoint(folder);
     if (resume)
-      resume_march(motion, checkpoint, recorders);
+      resume_march("modal convolution", motion, checkpoint, recorders);
     const bool is_whole =
         run_march("modal convolution", motion, checkpoint, own.checkpoint_interval, recorders, results);
     const ModalConvolutionResult &result = motion.result();
@@ -195,7 +194,8 @@ namespace vibrocontact
         entries.add(of_body, "Rows");
         if (further->second.rows.empty())
           continue;
-        entries.add_if(bodies[k].own->may_yield(), "its points are not rigid", of_body, "Force shape");
+        entries.add_if(bodies[k].description->may_yield(), "its points are not rigid", of_body,
+                       "Force shape");
         add_body(entries, parameters, k, use);
         add_road(entries, of_body + "/Road", further->second.road, bodies[k].rolls(), own.friction);
       }

@@ -212,8 +212,9 @@ namespace vibrocontact
       for (unsigned int m = 0; m < n; ++m)
         mobility += body.trace(i, m) * body.trace(i, m);
       if (mobility * dt * dt > S(i, i))
-        throw InputError("The modes move a contact point by more than its residual flexibility between two "
-                         "samples of the period: give more samples or fewer modes.");
+        throw ConvergenceError(
+            "The modes move a contact point by more than its residual flexibility between two "
+            "samples of the period: give more samples or fewer modes.");
     }
     DenseMatrix X(n_states, n_states), w(rows, n_states), p(rows, n_states);
     for (unsigned int i = 0; i < n_states; ++i)

@@ -101,7 +101,8 @@ namespace vibrocontact
       body.force_row = n;
       body.gap.assign(n / rows_per_point, 0.);
       for (unsigned int i = 0; i < n; ++i)
-        body.residual(i, i) += parameters.scene.bodies[number].own->tread_compliance(i % rows_per_point > 0);
+        body.residual(i, i) +=
+            parameters.scene.bodies[number].description->tread_compliance(i % rows_per_point > 0);
       return body;
     }
 

@@ -230,11 +230,13 @@ namespace vibrocontact
                      "Location tolerance, Stability, Pairs");
       entries.add_if(wanted && !branch.parsed_pairs().empty(), "there are Periodic/Continuation/Pairs",
                      continuation, "Numbers");
-      entries.add_if(tells && !(parameters.contact().friction > 0),
+      const bool by_samples = tells && parameters.contact().friction > 0;
+      entries.add_if(tells && !by_samples,
                      "Periodic/Continuation/Stability is not none and there is no friction", continuation,
                      "Mode limit");
-      entries.add_if(tells && branch.stability == "hill", "Periodic/Continuation/Stability is hill",
-                     continuation, "Hill harmonics");
+      entries.add_if(tells && !by_samples && branch.stability == "hill",
+                     "Periodic/Continuation/Stability is hill and there is no friction", continuation,
+                     "Hill harmonics");
     }
 
     PreparedRun prepare_periodic(const AnalysisRun &on)

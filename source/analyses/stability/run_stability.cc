@@ -135,7 +135,7 @@ namespace vibrocontact
       const bool paper = parameters.stability.linearisation == "paper",
                  rolls = parameters.rolling.creepage.speed > 0,
                  plane = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
-                                     [](const BodyParameters &body) { return body.own->is_plane(); });
+                                     [](const BodyParameters &body) { return body.description->is_plane(); });
       const std::string by_paper = "Stability/Linearisation is paper", rolling = "Rolling/Speed is above 0",
                         across = "the bodies move across the slip";
       entries.add(section, "Model, Second count");

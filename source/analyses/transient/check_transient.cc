@@ -55,7 +55,7 @@ namespace vibrocontact
       if (parameters.transient.model != "finite elements")
         return false;
       for (const BodyParameters &body : parameters.scene.bodies)
-        if (body.is_meshed() && !body.own->has_massless_points())
+        if (body.is_meshed() && !body.description->has_massless_points())
           return true;
       return false;
     }
@@ -68,10 +68,10 @@ namespace vibrocontact
       {
         const auto [above, below] = parameters.bodies_of_contact(k);
         const auto yields = [](const BodyParameters &body)
-        { return !body.own->has_rigid_points() && !body.own->is_rigid(); };
+        { return !body.description->has_rigid_points() && !body.description->is_rigid(); };
         if (!parameters.contacts.all[k].law()->is_rigid() || yields(bodies[above]) || yields(bodies[below]))
           continue;
-        return &bodies[bodies[above].own->has_rigid_points() ? above : below];
+        return &bodies[bodies[above].description->has_rigid_points() ? above : below];
       }
       return nullptr;
     }

@@ -360,6 +360,7 @@ namespace vibrocontact
     solution.y += problem.b;
     problem.move(solution.y, problem.approach);
     solution.approach = problem.approach;
+    // what the gradient of the residual adds to the slip is not in y, which has displacements alone
     solution.response_known = !A.has_gradient();
   }
 

@@ -235,7 +235,7 @@ namespace vibrocontact
     TransientMarch march(own, parameters.contacts, parameters.contact_solver, pair, drive, record,
                          companion ? &*companion : nullptr);
     const MarchCheckpoint checkpoint = transient_checkpoint(folder);
-    if (!resume || !resume_march(march, checkpoint, recorders))
+    if (!resume || !resume_march("transient", march, checkpoint, recorders))
     {
       march.state = initial_state(own, parameters.contacts, parameters.contact_solver, *held, hub);
       if (companion)
@@ -298,7 +298,7 @@ namespace vibrocontact
       const bool loaded = is_driven("Normal force") || is_driven("Hub displacement");
       entries.add_if(!loaded, "section Transient drives no load", "Rolling",
                      "Normal force, Hub displacement");
-      const bool rubs = largest_friction(parameters) > 0;
+      const bool rubs = largest_friction_of_cases(parameters) > 0;
       entries.add("Rolling", "Speed");
       entries.add_if(rubs, "there is friction", "Rolling", "Sliding velocity x, Sliding velocity y");
 
@@ -328,8 +328,9 @@ namespace vibrocontact
       entries.add_if(own.initial_state == "quasi-static" && !contact_points_have_mass(parameters),
                      "the run starts from an equilibrium, with contact points without mass",
                      section + "/Signals", "Mode amplitudes");
-      const bool has_wheel = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
-                                         [](const BodyParameters &body) { return body.own->is_wheel(); });
+      const bool has_wheel =
+          std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
+                      [](const BodyParameters &body) { return body.description->is_wheel(); });
       entries.add_if(!signals.probes.empty() && (trimmed(signals.probes) != "rim" || has_wheel) &&
                          own.end_time > least_sound,
                      "there are Transient/Signals/Probes (a rim is that of a wheel) for more than 5 ms",

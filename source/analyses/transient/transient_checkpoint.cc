@@ -41,9 +41,9 @@ namespace vibrocontact
       file("state/creepage_power", state.creepage_power);
       file("state/transport_power", state.transport_power);
       file("state/roughness", state.roughness);
-      file("state/watched", state.nearby);
-      file("state/travel", state.moved_since_search);
-      file("state/steps_since_look", state.steps_since_search);
+      file("state/nearby", state.nearby);
+      file("state/moved_since_search", state.moved_since_search);
+      file("state/steps_since_search", state.steps_since_search);
       ContactSolution &contact = state.contact;
       file("contact/R", contact.R);
       file("contact/y", contact.y);
@@ -69,7 +69,7 @@ namespace vibrocontact
       file("result/fallbacks", result.fallbacks);
       file("result/rejected", result.rejected);
       file("result/above_tolerance", result.above_tolerance);
-      file("result/rung", result.level);
+      file("result/level", result.level);
       file("result/time", result.time);
       file("result/seconds", result.seconds);
       exchange_forces(file.group("result"), result);

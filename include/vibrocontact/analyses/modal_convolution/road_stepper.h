@@ -43,7 +43,7 @@ namespace vibrocontact
 
     const unsigned int n;
     /// the last 0 of a body without gradients
-    const double step, sliding_speed, speed;
+    const double step, sliding_speed, rolling_speed;
     ContactProblem problem;
     const bool is_linear;
     /// S, what answers to a force at once

@@ -49,7 +49,7 @@ namespace vibrocontact
 
   /// The same with friction. State: modes, and where the points were at the sample before, which is what friction
   /// remembers. All modes move: a static answer beside S makes friction unstable that is not.
-  /// @throws InputError if the samples are too few for the fastest motion in contact
+  /// @throws ConvergenceError if the samples are too few for the fastest motion in contact
   std::vector<std::complex<double>> slip_multipliers(const ForcedBody &body, const SlipTangent &contact);
 
   /// One multiplier by Hill's method: contact forces e^(lambda t) sum_(|k| <= n_harmonics) f_k e^(2 pi j k f t), condensed

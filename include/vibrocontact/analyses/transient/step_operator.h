@@ -24,8 +24,8 @@ namespace vibrocontact
     DenseMatrix residual_flexibility, response;
     /// what d/dx of W~ is beyond the differences between points; 3 n square [1/N] or empty
     DenseMatrix residual_gradient;
+    /// where poles have gradients, behind these one number per row that has one; its column of the basis is zero
     PatchShapes shapes;
-    /// With gradients of the poles there are as many numbers behind those of the shapes, with columns of zeros in the basis.
     /// Gap and slip by displacements of the shapes (their normal rows, V d/dx of their tangential rows), and
     /// by velocities (tangential rows); 3 n x rank
     DenseMatrix by_displacement, by_velocity;
