@@ -89,13 +89,13 @@ namespace vibrocontact
     return reader;
   }
 
-  void MarchCheckpoint::check_end_time(const double end_time) const
+  void MarchCheckpoint::check_end_time(const double end_time, const double slack) const
   {
     const auto reader = opened();
     double reached = 0;
     if (reader)
       read_whole(name, [&] { reached = reader->number("time"); });
-    if (reached <= end_time * (1 + 1e-12))
+    if (reached <= end_time * (1 + 1e-12) + slack)
       return;
     std::ostringstream text;
     text << section << "/End time = " << end_time << " s is before what the run to be resumed has reached, "

@@ -84,7 +84,7 @@ namespace vibrocontact
           check_same(folder, content(folder, "used.prm"), used);
           transient_checkpoint(folder).check_end_time(parameters.transient.end_time);
           // the march ends at the step nearest to End time, up to half a step behind it
-          road_checkpoint(folder).check_end_time(road.end_time + road.time_step / 2);
+          road_checkpoint(folder).check_end_time(road.end_time, road.time_step / 2);
           results = results_of_text(content(folder, "results.json"));
           check_files(folder, results.input_files, used);
         });

@@ -23,8 +23,9 @@ namespace vibrocontact
     /// On every rank; recorders on rank 0. @return false: there is no checkpoint
     /// @throws InputError if it is damaged, of another version, of other bodies or beyond the end of the march
     bool read(March &march, const Recorders &recorders) const;
+    /// @param slack how far beyond it the last step may end [s]
     /// @throws InputError if there is a checkpoint beyond the end time [s], or one that read() would refuse for itself
-    void check_end_time(double end_time) const;
+    void check_end_time(double end_time, double slack = 0) const;
 
   private:
     /// null: there is none

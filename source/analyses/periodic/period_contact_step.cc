@@ -1,5 +1,5 @@
 // PeriodMap in contact: its steps, the force in them, and the variation of both.
-#include <vibrocontact/analyses/periodic/period_map_step.h>
+#include <vibrocontact/analyses/periodic/period_map.h>
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
 

@@ -1,5 +1,5 @@
 // PeriodMap between touch and release: where these lie, and how far the stop leads.
-#include <vibrocontact/analyses/periodic/period_map_step.h>
+#include <vibrocontact/analyses/periodic/period_map.h>
 
 #include <boost/math/tools/roots.hpp>
 

@@ -1,4 +1,4 @@
-#include <vibrocontact/analyses/periodic/period_map_step.h>
+#include <vibrocontact/analyses/periodic/period_map.h>
 #include <vibrocontact/base/exceptions.h>
 
 #include <algorithm>
@@ -10,8 +10,6 @@ namespace vibrocontact
   {
     using Complex = std::complex<double>;
   } // namespace
-
-  PeriodMap::~PeriodMap() = default;
 
   PeriodMap::PeriodMap(const ForcedBody &body, std::shared_ptr<const NormalLaw> law,
                        const HarmonicForce &force, const unsigned int n_steps, const unsigned int n_nodes,

@@ -1,5 +1,5 @@
 // PeriodMap told at places of an orbit.
-#include <vibrocontact/analyses/periodic/period_map_step.h>
+#include <vibrocontact/analyses/periodic/period_map.h>
 
 #include <algorithm>
 #include <cmath>

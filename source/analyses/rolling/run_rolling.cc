@@ -66,8 +66,8 @@ namespace vibrocontact
       else if (result.contact_points < coarse_below)
       {
         text << "Case " << k << ": only " << result.contact_points
-             << " points touch, too few for the numbers to mean much; refine Contact/Grid spacing or raise "
-                "the load.";
+             << (result.contact_points == 1 ? " point touches" : " points touch")
+             << ", too few for the numbers to mean much; give finer contact points or a larger load.";
         one["warning"] = text.str();
       }
       if (!text.str().empty())

@@ -63,7 +63,6 @@ namespace vibrocontact
     /// or if the stop is rigid and the body has no residual (contact node with mass)
     PeriodMap(const ForcedBody &body, std::shared_ptr<const NormalLaw> law, const HarmonicForce &force,
               unsigned int n_steps, unsigned int n_nodes = 8, double accuracy = 1e-9);
-    ~PeriodMap();
 
     unsigned int n_states() const { return 2 * n + (relaxed ? 1 : 0); }
     double period() const { return T; }
@@ -90,7 +89,19 @@ namespace vibrocontact
     double norm(const std::vector<double> &x) const;
 
   private:
-    struct Step;
+    /// Answers over a contact step of one length.
+    struct Step
+    {
+      double length;
+      /// at the Gauss points
+      std::vector<ForceAnswer> nodes;
+      ForceAnswer end;
+      /// drive at the Gauss points by state, s x n_states [1]; by force, s square [m/N]; for linear laws the forces by
+      /// the drive
+      DenseMatrix by_state, by_force, inverse;
+      /// state at the end by force (subtracted), n_states x s
+      DenseMatrix state_by_force;
+    };
     using State = std::vector<double>;
 
     std::unique_ptr<Step> make_step(double length) const;
