@@ -1,4 +1,5 @@
 #include <vibrocontact/numerics/continuation.h>
+#include <vibrocontact/numerics/newton_method.h>
 
 #include <deal.II/lac/lapack_templates.h>
 
@@ -93,6 +94,8 @@ namespace vibrocontact
       Curve run(const CurvePoint &start);
 
     private:
+      class OnPlane;
+
       /// where Newton's method on R = 0, row (y - from) = length ends, beginning at `guess`
       std::optional<CurvePoint> corrected(const Vector &guess, const Vector &row, const Vector &from,
                                           double length);
@@ -139,40 +142,69 @@ namespace vibrocontact
       Vector by_p, residual;
     };
 
+    /// R = 0 on the plane row (y - from) = length; y: unknowns and parameter, scaled.
+    class Tracer::OnPlane : public NewtonEquations
+    {
+    public:
+      OnPlane(Tracer &tracer, const Vector &row, const Vector &from, const double length)
+          : tracer(tracer), row(row), from(from), length(length)
+      {
+      }
+
+      double evaluate(const Vector &y) override
+      {
+        const ContinuationSettings &s = tracer.s;
+        point = tracer.unpacked(y);
+        tracer.equations.evaluate(point.x, point.p, tracer.residual, &tracer.by_x, &tracer.by_p);
+        ahead = length;
+        for (std::size_t i = 0; i < y.size(); ++i)
+          ahead -= row[i] * (y[i] - from[i]);
+        return std::sqrt(dot(tracer.residual, tracer.residual)) / s.residual_scale;
+      }
+
+      bool is_solution(const Vector &, const double size) override
+      {
+        return size <= tracer.s.tolerance && std::abs(ahead) <= 1e-12 + 1e-6 * std::abs(length);
+      }
+
+      bool find_step(bool, Vector &step) override
+      {
+        if (!tracer.bordered.factorise(tracer.by_x, tracer.by_p, row, tracer.s))
+          return false;
+        step = tracer.residual;
+        for (double &value : step)
+          value /= -tracer.s.residual_scale;
+        step.push_back(ahead);
+        tracer.bordered.solve(step);
+        return true;
+      }
+
+      CurvePoint point;
+
+    private:
+      Tracer &tracer;
+      const Vector &row, &from;
+      const double length;
+      /// to the plane
+      double ahead = 0;
+    };
+
     std::optional<CurvePoint> Tracer::corrected(const Vector &guess, const Vector &row, const Vector &from,
                                                 const double length)
     {
+      OnPlane equations_on_plane(*this, row, from, length);
+      NewtonSettings settings;
+      settings.max_iterations = s.max_newton;
+      settings.shortest_length = 1;
+      settings.doublings = 2;
       Vector y = guess;
-      double last = 1e300;
-      unsigned int rises = 0;
-      for (unsigned int iteration = 0; iteration <= s.max_newton; ++iteration)
-      {
-        CurvePoint point = unpacked(y);
-        equations.evaluate(point.x, point.p, residual, &by_x, &by_p);
-        const double size = std::sqrt(dot(residual, residual)) / s.residual_scale;
-        if (!std::isfinite(size) || (size > 2 * last && ++rises > 1))
-          return {};
-        last = size;
-        double plane = length;
-        for (std::size_t i = 0; i < y.size(); ++i)
-          plane -= row[i] * (y[i] - from[i]);
-        if (size <= s.tolerance && std::abs(plane) <= 1e-12 + 1e-6 * std::abs(length))
-        {
-          point.iterations = iteration;
-          point.piece = equations.piece();
-          return point;
-        }
-        if (!bordered.factorise(by_x, by_p, row, s))
-          return {};
-        Vector step = residual;
-        for (double &value : step)
-          value /= -s.residual_scale;
-        step.push_back(plane);
-        bordered.solve(step);
-        for (std::size_t i = 0; i < y.size(); ++i)
-          y[i] += step[i];
-      }
-      return {};
+      const NewtonResult result = solve_by_newton(equations_on_plane, settings, y);
+      if (!result.converged)
+        return {};
+      CurvePoint point = equations_on_plane.point;
+      point.iterations = result.iterations;
+      point.piece = equations.piece();
+      return point;
     }
 
     bool Tracer::set_tangent(CurvePoint &point, const Vector &reference)

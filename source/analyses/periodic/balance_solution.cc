@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/periodic/balance.h>
 #include <vibrocontact/base/dense_operations.h>
+#include <vibrocontact/numerics/newton_method.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,7 @@ namespace vibrocontact
 {
   namespace
   {
-    constexpr double shortest_line_step = 1. / 512, shortest_gap_step = 1e-3, gentler_projection = 1. / 3;
+    constexpr double shortest_gap_step = 1e-3, gentler_projection = 1. / 3;
     constexpr unsigned int n_gentler = 2;
     /// unknowns from which on a factorisation costs several evaluations
     constexpr unsigned int costly_factorisation = 200;
@@ -43,52 +44,56 @@ namespace vibrocontact
     }
   } // namespace
 
-  /// Semi-smooth Newton: c -= length J^-1 R with the first length 1, 1/2, ... that lowers |R| (Armijo's rule). J is
-  /// singular at folds.
-  bool PeriodicBalance::newton(std::vector<double> &c, PeriodicSolution &solution)
+  /// Semi-smooth: J on the side of the law's branch in force. J is singular at folds.
+  class PeriodicBalance::Equations : public NewtonEquations
   {
-    std::vector<double> residual, step, trial(c.size());
-    DenseMatrix factors;
-    // factors serve further steps while each with them reduces the residual by ten
-    bool are_fresh = true;
-    evaluate(c, residual, nullptr, nullptr);
-    for (unsigned int iteration = 0; iteration < settings.max_iterations; ++iteration)
+  public:
+    explicit Equations(PeriodicBalance &balance) : balance(balance) {}
+
+    double evaluate(const std::vector<double> &c) override
     {
-      const double size = euclidean_norm(residual);
-      solution.residual = size / force_scale(c);
-      if (!std::isfinite(size))
-        return false;
-      if (solution.residual <= settings.tolerance)
-        return true;
-      ++solution.iterations;
-      if (are_fresh)
+      balance.evaluate(c, residual, nullptr, nullptr);
+      return euclidean_norm(residual);
+    }
+
+    bool is_solution(const std::vector<double> &c, const double size) override
+    {
+      relative = size / balance.force_scale(c);
+      return relative <= balance.settings.tolerance;
+    }
+
+    bool find_step(const bool renew, std::vector<double> &step) override
+    {
+      if (renew)
       {
-        assemble(factors);
+        balance.assemble(factors);
         if (!factorise(factors))
           return false;
       }
-      if (!solve_dense(factors, residual, step))
-        return false;
-      bool falls = false;
-      double next = size;
-      for (double length = 1; !falls && length >= (are_fresh ? shortest_line_step : 1.); length /= 2)
-      {
-        for (unsigned int k = 0; k < c.size(); ++k)
-          trial[k] = c[k] - length * step[k];
-        evaluate(trial, residual, nullptr, nullptr);
-        next = euclidean_norm(residual);
-        falls = next <= (1 - 1e-4 * length) * size;
-      }
-      if (!falls && are_fresh)
-        return false;
-      are_fresh = !falls || next > 0.1 * size || c.size() < costly_factorisation;
-      if (falls)
-        c = trial;
-      else
-        // old factors led nowhere: the law at c again, for new ones
-        evaluate(c, residual, nullptr, nullptr);
+      for (double &value : residual)
+        value = -value;
+      return solve_dense(factors, residual, step);
     }
-    return false;
+
+    /// residual of the last c that was kept; 1 before
+    double relative = 1;
+
+  private:
+    PeriodicBalance &balance;
+    std::vector<double> residual;
+    DenseMatrix factors;
+  };
+
+  bool PeriodicBalance::newton(std::vector<double> &c, PeriodicSolution &solution)
+  {
+    Equations equations(*this);
+    NewtonSettings newton;
+    newton.max_iterations = settings.max_iterations;
+    newton.keeps_factors = c.size() >= costly_factorisation;
+    const NewtonResult result = solve_by_newton(equations, newton, c);
+    solution.iterations += result.iterations;
+    solution.residual = equations.relative;
+    return result.converged;
   }
 
   PeriodicSolution PeriodicBalance::solve(const std::vector<double> &start)

@@ -1,10 +1,12 @@
 #include <vibrocontact/analyses/periodic/shooting.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/newton_method.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace vibrocontact
@@ -94,41 +96,41 @@ namespace vibrocontact
     }
   } // namespace
 
-  ShootingSolution shoot(std::shared_ptr<const PeriodMap> map, const double phase,
-                         const std::vector<double> &start, const double tolerance,
-                         const unsigned int max_iterations)
+  namespace
   {
-    const Clock::time_point begin = Clock::now();
-    const unsigned int m = map->n_states();
-    ShootingSolution solution;
-    solution.phase = phase;
-    std::vector<double> x = start, best, step(m, 0.);
-    double error = 1e300, factor = 1;
-    DenseMatrix monodromy;
-    const double least = map->norm(map->steady(phase)) * 1e-12;
-    for (unsigned int iteration = 0;; ++iteration)
+    /// P(x) - x = 0, relative to the state.
+    class ShootingEquations : public NewtonEquations
     {
-      Orbit orbit;
-      const std::vector<double> defect = difference(map->advance(x, phase, 1, &monodromy, &orbit), x);
-      const double now = map->norm(defect) / std::max({map->norm(x), least, 1e-300});
-      solution.iterations = iteration;
-      if (now < error)
+    public:
+      ShootingEquations(const PeriodMap &map, const double phase, const double tolerance)
+          : map(map), phase(phase), tolerance(tolerance), least(map.norm(map.steady(phase)) * 1e-12)
       {
-        const bool stagnates = now > 0.1 * error && now < tolerance;
-        best = x;
-        error = now;
-        solution.orbit = std::move(orbit);
-        solution.monodromy = monodromy;
-        if (error < 1e-14 || stagnates)
-          break;
-        DenseMatrix A(m, m);
-        DenseVector change(m);
-        for (unsigned int j = 0; j < m; ++j)
-        {
-          change[j] = defect[j];
-          for (unsigned int i = 0; i < m; ++i)
-            A(i, j) = (i == j) - monodromy(i, j);
-        }
+      }
+
+      double evaluate(const std::vector<double> &x) override
+      {
+        orbit = Orbit();
+        defect = difference(map.advance(x, phase, 1, &monodromy, &orbit), x);
+        return map.norm(defect) / std::max({map.norm(x), least, 1e-300});
+      }
+
+      /// As far as rounding lets it fall.
+      bool is_solution(const std::vector<double> &, const double size) override
+      {
+        const bool stagnates = size > 0.1 * last && size < tolerance;
+        last = size;
+        kept_orbit = std::move(orbit);
+        kept_monodromy = monodromy;
+        return size < 1e-14 || stagnates;
+      }
+
+      bool find_step(bool, std::vector<double> &step) override
+      {
+        DenseMatrix A = kept_monodromy;
+        A *= -1;
+        for (unsigned int k = 0; k < A.m(); ++k)
+          A(k, k) += 1;
+        DenseVector change(defect.begin(), defect.end());
         try
         {
           A.compute_lu_factorization();
@@ -136,35 +138,53 @@ namespace vibrocontact
         }
         catch (const dealii::ExceptionBase &)
         {
-          break;
+          return false;
         }
         step.assign(change.begin(), change.end());
-        factor = 1;
+        return true;
       }
-      else
-      {
-        if (error < tolerance)
-          break;
-        factor *= 0.5;
-        if (factor < 1. / 256)
-          break;
-      }
-      if (iteration == max_iterations)
-        break;
-      for (unsigned int k = 0; k < m; ++k)
-        x[k] = best[k] + factor * step[k];
-    }
-    if (!(error < tolerance))
+
+      /// of the last state that was kept
+      Orbit kept_orbit;
+      DenseMatrix kept_monodromy;
+
+    private:
+      const PeriodMap &map;
+      const double phase, tolerance, least;
+      double last = std::numeric_limits<double>::infinity();
+      Orbit orbit;
+      DenseMatrix monodromy;
+      std::vector<double> defect;
+    };
+  } // namespace
+
+  ShootingSolution shoot(std::shared_ptr<const PeriodMap> map, const double phase,
+                         const std::vector<double> &start, const double tolerance,
+                         const unsigned int max_iterations)
+  {
+    const Clock::time_point begin = Clock::now();
+    ShootingSolution solution;
+    solution.phase = phase;
+    solution.state = start;
+    ShootingEquations equations(*map, phase, tolerance);
+    NewtonSettings newton;
+    newton.max_iterations = max_iterations;
+    newton.shortest_length = 1. / 256;
+    newton.decrease = 0;
+    const NewtonResult found = solve_by_newton(equations, newton, solution.state);
+    solution.iterations = found.iterations;
+    solution.periodicity = found.size;
+    solution.orbit = std::move(equations.kept_orbit);
+    solution.monodromy = equations.kept_monodromy;
+    if (!(found.size < tolerance))
     {
       std::ostringstream text;
       text << "Shooting at " << 1 / map->period() << " Hz did not find a periodic motion: after "
-           << solution.iterations << " iterations the state still changes by " << error
+           << solution.iterations << " iterations the state still changes by " << found.size
            << " of itself over a period.";
       throw ConvergenceError(text.str());
     }
     solution.map = map;
-    solution.state = best;
-    solution.periodicity = error;
     solution.impulse = solution.orbit.impulse;
     solution.contacts = contact_intervals(solution.orbit, map->period());
     double squares = 0;

@@ -165,6 +165,7 @@ namespace vibrocontact
     std::vector<double> motion_slope(const std::vector<double> &c, SceneParameter parameter) const;
     CondensedBody condensed_at(const HarmonicForce &at) const;
     bool find(std::vector<double> &c, PeriodicSolution &solution);
+    class Equations;
     bool newton(std::vector<double> &c, PeriodicSolution &solution);
     bool refine_fewer_functions(std::vector<double> &c, PeriodicSolution &solution);
     std::vector<double> linear_excess() const;

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+namespace vibrocontact
+{
+  /// Equations F(x) = 0 as Newton's method sees them. They keep what belongs to the last x that was evaluated, so that
+  /// matrices, factors and work vectors are their own; a large system solves for its step by a Krylov method there.
+  class NewtonEquations
+  {
+  public:
+    virtual ~NewtonEquations() = default;
+    /// F at x. @return its size, in the measure in which it is to fall
+    virtual double evaluate(const std::vector<double> &x) = 0;
+    /// Whether x will do. Asked of every x that is kept, right after evaluate(). @param size of F there
+    virtual bool is_solution(const std::vector<double> &x, double size) = 0;
+    /// The step -J^-1 F at the last x that was evaluated. @param renew J belongs to this x; false: factors of an earlier
+    /// one may serve @return false: there is no step
+    virtual bool find_step(bool renew, std::vector<double> &step) = 0;
+  };
+
+  struct NewtonSettings
+  {
+    unsigned int max_iterations = 40;
+    /// 1, 1/2, ... down to this; 1: whole steps alone
+    double shortest_length = 1. / 512;
+    /// what |F| has to lose, relative to the length of the step (Armijo's rule)
+    double decrease = 1e-4;
+    /// Nonzero: every whole step is taken, until |F| has more than doubled so often.
+    unsigned int doublings = 0;
+    /// old factors serve while each step with them lowers |F| by ten
+    bool keeps_factors = false;
+  };
+
+  struct NewtonResult
+  {
+    bool converged = false;
+    /// steps that were found
+    unsigned int iterations = 0;
+    /// of F at x
+    double size = 0;
+  };
+
+  /// x += length step with the first length 1, 1/2, ... at which |F| falls, until is_solution(). On return x is the last that
+  /// was kept; without convergence the equations may have evaluated others after it.
+  NewtonResult solve_by_newton(NewtonEquations &equations, const NewtonSettings &settings,
+                               std::vector<double> &x);
+} // namespace vibrocontact
