@@ -149,15 +149,22 @@ namespace vibrocontact
       }
       if (error <= accuracy)
         return true;
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        linearise(problem, judge, R);
-        for (unsigned int row = i; row < n_rows; row += n)
-          R[row] -= defect[row];
-      }
-      error = linearise(problem, judge, R);
+      error = project(problem, judge, R);
     }
     return false;
+  }
+
+  /// One point after the other goes to its projection.
+  double FewPointsSolver::project(const ContactProblem &problem, const ContactResidual &judge,
+                                  double *const R)
+  {
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      linearise(problem, judge, R);
+      for (unsigned int row = i; row < n_rows; row += n)
+        R[row] -= defect[row];
+    }
+    return linearise(problem, judge, R);
   }
 
   void FewPointsSolver::solve(const ContactProblem &problem, ContactSolution &state)
@@ -176,7 +183,7 @@ namespace vibrocontact
     state.response_known = false;
     const ContactResidual judge(problem);
     double error = 0;
-    state.converged = find(problem, judge, state, error);
+    bool is_found = find(problem, judge, state, error);
     const auto respond = [&]
     {
       if (problem.b.size() > n_rows)
@@ -190,11 +197,16 @@ namespace vibrocontact
       state.residual = judge.evaluate(state.R, state.y, projected, state.status);
     };
     respond();
-    while (state.converged && state.residual > tolerance && take_step(problem, judge, state.R.data(), error))
+    while (is_found && state.residual > tolerance)
     {
+      is_found = take_step(problem, judge, state.R.data(), error);
+      // forces that are left by rounding go where they belong
+      if (!is_found)
+        error = project(problem, judge, state.R.data());
       ++state.iterations;
       respond();
     }
+    state.converged = state.residual <= tolerance;
   }
 
   bool FewPointsSolver::sensitivity(double *const rates)

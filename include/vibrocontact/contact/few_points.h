@@ -16,8 +16,8 @@ namespace vibrocontact
   /// each point with rho of its own, 1 / A_nn and 1 / max(A_xx, A_yy). Where Newton's steps do not lower the defect the
   /// points are projected one after the other.
   ///
-  /// It has converged where the largest defect of a projection is below 1e-11 of the largest force, or of that which would
-  /// close the widest gap; steps go on while ContactResidual is above the tolerance and the defect falls.
+  /// Steps go on until the largest defect of a projection is below 1e-11 of the largest force, or of that which would
+  /// close the widest gap, and ContactResidual, which judges as it does of all solvers, below the tolerance.
   class FewPointsSolver : public ContactSolver
   {
   public:
@@ -34,6 +34,7 @@ namespace vibrocontact
   private:
     double linearise(const ContactProblem &problem, const ContactResidual &judge, const double *R);
     bool take_step(const ContactProblem &problem, const ContactResidual &judge, double *R, double &error);
+    double project(const ContactProblem &problem, const ContactResidual &judge, double *R);
     bool find(const ContactProblem &problem, const ContactResidual &judge, ContactSolution &state,
               double &error);
 
