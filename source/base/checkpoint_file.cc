@@ -28,6 +28,23 @@ namespace vibrocontact
       text = reader->text(prefix + name);
   }
 
+  void CheckpointFile::operator()(const std::string &name, std::vector<std::complex<double>> &values)
+  {
+    std::vector<double> real, imaginary;
+    for (const std::complex<double> &value : values)
+    {
+      real.push_back(value.real());
+      imaginary.push_back(value.imag());
+    }
+    (*this)(name + "/real", real);
+    (*this)(name + "/imaginary", imaginary);
+    AssertThrow(real.size() == imaginary.size() && (values.empty() || values.size() == real.size()),
+                dealii::ExcMessage("The checkpoint's lists " + prefix + name + " are damaged."));
+    values.resize(real.size());
+    for (std::size_t k = 0; k < values.size(); ++k)
+      values[k] = {real[k], imaginary[k]};
+  }
+
   void CheckpointFile::exchange(const std::string &name, std::vector<int> &values)
   {
     if (writer)

@@ -237,6 +237,14 @@ namespace vibrocontact
     return result;
   }
 
+  std::vector<Complex> static_weights(const BodyInContact &body)
+  {
+    std::vector<Complex> weights;
+    for (const Complex &pole : body.poles)
+      weights.push_back(-1. / pole);
+    return weights;
+  }
+
   ComplexMatrix receptance(const BodyInContact &body, const double omega)
   {
     std::vector<Complex> direct, mirrored;

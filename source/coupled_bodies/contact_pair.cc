@@ -284,14 +284,10 @@ namespace vibrocontact
     add_modal_compliance(result, pair.modal_trace, pair.omega, label.substr(0, label.find(':')));
     if (pair.n_poles() == 0)
       return result;
-    std::vector<std::complex<double>> weights;
     for (unsigned int k = 0; k < pair.n_poles(); ++k)
-    {
       if (is_rigid_motion(pair.poles.poles[k]))
         throw InputError("Nothing holds " + pair.poles.labels[k] + ": a static analysis cannot load it.");
-      weights.push_back(-1. / pair.poles.poles[k]);
-    }
-    result.add(1., sum_over_poles(pair.poles, weights));
+    result.add(1., sum_over_poles(pair.poles, static_weights(pair.poles)));
     return result;
   }
 
@@ -301,10 +297,7 @@ namespace vibrocontact
       return DenseMatrix();
     BodyInContact along = pair.poles;
     along.right = pair.poles.gradient;
-    std::vector<std::complex<double>> weights;
-    for (const std::complex<double> &pole : pair.poles.poles)
-      weights.push_back(-1. / pole);
-    DenseMatrix result = sum_over_poles(along, weights);
+    DenseMatrix result = sum_over_poles(along, static_weights(along));
     result.add(1., pair.poles.residual_gradient);
     return result;
   }

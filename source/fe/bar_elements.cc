@@ -174,9 +174,9 @@ namespace vibrocontact
     return assemble_bar(*this, body.material, body.name, above, grid, communicator, body.loads.gravity);
   }
 
-  void BarParameters::move_contact(SecondOrderSystem &system, const double z) const
+  void BarParameters::move_contact(const SecondOrderSystem &system, ContactTrace &trace, const double z) const
   {
-    system.trace.rows[0] = nearest_dof(system, {0., 0., z}, 2,
-                                       "The contact of " + system.body + " at z = " + number_text(z) + " m");
+    trace.rows[0] = nearest_dof(system, {0., 0., z}, 2,
+                                "The contact of " + system.body + " at z = " + number_text(z) + " m");
   }
 } // namespace vibrocontact

@@ -298,16 +298,7 @@ namespace vibrocontact
 
   void EventLocated::exchange(CheckpointFile &file)
   {
-    std::vector<double> real, imaginary;
-    for (const Complex &value : z)
-    {
-      real.push_back(value.real());
-      imaginary.push_back(value.imag());
-    }
-    file("events/real", real);
-    file("events/imaginary", imaginary);
-    for (unsigned int k = 0; k < n_poles; ++k)
-      z[k] = {real.at(k), imaginary.at(k)};
+    file("events", z);
     file("events/time", now);
     file("events/height_scale", height_scale);
     file("events/rate_scale", rate_scale);

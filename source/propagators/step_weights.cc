@@ -191,17 +191,8 @@ namespace vibrocontact
 
   void FreeMotion::exchange(CheckpointFile &file, const std::string &name)
   {
-    std::vector<double> real, imaginary;
-    for (const Complex &z : moving)
-    {
-      real.push_back(z.real());
-      imaginary.push_back(z.imag());
-    }
-    file(name + "/real", real);
-    file(name + "/imaginary", imaginary);
+    file(name, moving);
     fall.exchange(file, name + "/fall");
-    for (unsigned int k = 0; k < moving.size(); ++k)
-      moving[k] = {real.at(k), imaginary.at(k)};
   }
 
   std::vector<std::vector<double>> step_kernel(const BodyInContact &model, const double time_step,

@@ -153,16 +153,7 @@ namespace vibrocontact
 
   void SteppedModalWork::exchange(CheckpointFile &file)
   {
-    std::vector<double> real, imaginary;
-    for (const Complex &value : z)
-    {
-      real.push_back(value.real());
-      imaginary.push_back(value.imag());
-    }
-    file("modal_work/real", real);
-    file("modal_work/imaginary", imaginary);
-    for (unsigned int k = 0; k < z.size(); ++k)
-      z[k] = {real.at(k), imaginary.at(k)};
+    file("modal_work", z);
     file("modal_work/last", last);
     file("modal_work/work", work);
   }

@@ -114,7 +114,7 @@ namespace vibrocontact
       const std::size_t begin = wanted.find(number_begin);
       const auto modes = parameters.modes.find(wanted.substr(0, begin));
       if (begin == std::string::npos || modes == parameters.modes.end() || modes->second.count == 0 ||
-          parameters.transient.model != "reduced")
+          !parameters.transient.is_reduced())
         return;
       // a pair is not split
       const unsigned int most = modes->second.count + 1,
@@ -180,7 +180,7 @@ namespace vibrocontact
                        "acceleration does to it: give a roughness or a Normal force.");
     check_drive(transient, rolling_cases(parameters.rolling, parameters.contacts).front(),
                 parameters.placed_contacts());
-    if (transient.model != "reduced")
+    if (!transient.is_reduced())
       return; // its modes are others
     for (const auto &body : bodies)
       if (body && body->parameters.name == transient.perturbed_body() &&

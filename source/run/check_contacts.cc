@@ -252,9 +252,9 @@ namespace vibrocontact
   std::map<std::string, std::string> unreduced_models(const Parameters &parameters)
   {
     std::map<std::string, std::string> models;
-    if (parameters.scene.runs("stability") && parameters.stability.model != "reduced")
+    if (parameters.scene.runs("stability") && !parameters.stability.is_reduced())
       models["Stability"] = parameters.stability.model;
-    if (parameters.scene.runs("transient") && parameters.transient.model != "reduced")
+    if (parameters.scene.runs("transient") && !parameters.transient.is_reduced())
       models["Transient"] = parameters.transient.model;
     return models;
   }

@@ -148,7 +148,7 @@ namespace vibrocontact
               " is 0, so that nothing keeps the hub at its place: give the stiffness of the primary "
               "suspension along " +
               "xyz"[d] + ".");
-      if (parameters.scene.runs("stability") && parameters.stability.model != "reduced")
+      if (parameters.scene.runs("stability") && !parameters.stability.is_reduced())
         throw InputError("Stability/Model is " + parameters.stability.model +
                          ", which knows no suspended hub: set it to reduced, or Rolling/Hub to held.");
       if (parameters.scene.runs("stability") && parameters.stability.second_count)
@@ -222,7 +222,7 @@ namespace vibrocontact
       if (periodic.stop_axis().first != 2)
         throw InputError("Periodic/Stop direction is " + periodic.stop_direction + moves +
                          "meets a stop below or above it: set it to -z or +z.");
-      if (number == 0 && periodic.model != "reduced")
+      if (number == 0 && !periodic.is_reduced())
         throw InputError("Periodic/Model is finite elements" + moves + "has none: set it to reduced.");
       if (friction && (by_poles || !body.description->is_driven_along_stop()))
         throw InputError(
@@ -249,9 +249,8 @@ namespace vibrocontact
       { return body.is_meshed() ? parameters.modes.at(body.name).stiffness_damping : 0.; };
       const auto has_rest = [&](const BodyParameters &body)
       {
-        return body.is_meshed()
-                   ? parameters.periodic.model == "reduced" || body.description->has_massless_points()
-                   : !body.description->has_rigid_points();
+        return body.is_meshed() ? parameters.periodic.is_reduced() || body.description->has_massless_points()
+                                : !body.description->has_rigid_points();
       };
       const BodyParameters &first = parameters.scene.bodies[0], &second = parameters.scene.bodies[1];
       if (has_rest(first) && has_rest(second) && relaxation(first) != relaxation(second))
@@ -413,7 +412,7 @@ namespace vibrocontact
               scene.bodies[k].name +
               "/Modes/Stiffness damping is given, but Periodic/Continuation/Stability is not "
               "computed for friction at points whose flexibility relaxes: leave one of them out.");
-      if (tells_stability && rigid && periodic.model == "finite elements" && !has_massless_node)
+      if (tells_stability && rigid && !periodic.is_reduced() && !has_massless_node)
         throw InputError(
             "Periodic/Continuation/Stability with the rigid law needs a contact node without mass: set " +
             scene.bodies[0].name +
@@ -421,7 +420,7 @@ namespace vibrocontact
       if (periodic.reference && contact().friction > 0)
         throw InputError(
             "Periodic/Reference knows no friction: set Contact/Friction coefficient to 0 or leave it out.");
-      if (periodic.reference && rigid && periodic.model == "finite elements" && !has_massless_node)
+      if (periodic.reference && rigid && !periodic.is_reduced() && !has_massless_node)
         throw InputError("Periodic/Reference with the rigid law needs a contact node without mass: set " +
                          scene.bodies[0].name +
                          "/Bar/Massless contact node to true or Periodic/Law to penalty.");

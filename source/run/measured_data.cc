@@ -17,13 +17,12 @@ namespace vibrocontact
     void check_positions(const BodyParameters &body, const bool in_contact, const unsigned int n_points,
                          const std::string &file)
     {
-      if (in_contact && body.description->measured()->positions.empty() && n_points > 1)
+      const std::vector<double> &places = body.description->measured()->positions;
+      if (in_contact && places.empty() && n_points > 1)
         throw InputError(body.name + "/Identified/Positions is not set, but the data \"" + file + "\" have " +
                          std::to_string(n_points) + " points: say where each lies along the road.");
-      if (!body.description->measured()->positions.empty() &&
-          body.description->measured()->positions.size() != n_points)
-        throw InputError(body.name + "/Identified/Positions gives " +
-                         std::to_string(body.description->measured()->positions.size()) +
+      if (!places.empty() && places.size() != n_points)
+        throw InputError(body.name + "/Identified/Positions gives " + std::to_string(places.size()) +
                          " places, but the data \"" + file + "\" have " + std::to_string(n_points) +
                          " points; give one for each.");
     }
@@ -43,10 +42,12 @@ namespace vibrocontact
     const Scene &scene = parameters.scene;
     const bool in_contact = scene.any_analysis(&AnalysisType::has_contact) ||
                             scene.runs("modal convolution") || scene.runs("periodic");
-    for (const BodyParameters &body : parameters.scene.bodies)
-      if (body.description->measured() && !body.description->measured()->takes_data())
-        check_positions(body, in_contact, pole_file(body).names.labels.size(),
-                        body.description->measured()->poles_file);
+    for (const BodyParameters &body : scene.bodies)
+    {
+      const IdentifiedParameters *const own = body.description->measured();
+      if (own && !own->takes_data())
+        check_positions(body, in_contact, pole_file(body).names.labels.size(), own->poles_file);
+    }
     if (!parameters.has_identification())
       return {};
     const IdentificationParameters &own = parameters.identification;
@@ -54,7 +55,7 @@ namespace vibrocontact
     measured.data = read_frequency_data(own.data_file, read_file_on_all_ranks(own.data_file, "data file"),
                                         own.data_rules());
     measured.judgement = judge(own, measured.data);
-    for (const BodyParameters &body : parameters.scene.bodies)
+    for (const BodyParameters &body : scene.bodies)
       if (body.description->measured() && body.description->measured()->takes_data())
         check_positions(body, in_contact, measured.data.labels.size(), own.data_file);
     return measured;

@@ -131,16 +131,14 @@ namespace vibrocontact
     trace = joined(traces);
   }
 
-  ContactTrace MeshedBody::contacts_of(const ElementBody &elements, SecondOrderSystem &system) const
+  ContactTrace MeshedBody::contacts_of(const ElementBody &elements, const SecondOrderSystem &system) const
   {
-    const ContactTrace usual = system.trace;
     std::vector<ContactTrace> traces;
     for (const ContactPlace &place : places)
     {
-      system.trace = usual;
-      if (place.frame.origin[2] != 0)
-        elements.move_contact(system, place.frame.origin[2]);
       traces.push_back(system.trace);
+      if (place.frame.origin[2] != 0)
+        elements.move_contact(system, traces.back(), place.frame.origin[2]);
     }
     return joined(traces);
   }

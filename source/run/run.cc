@@ -197,7 +197,7 @@ namespace vibrocontact
       bodies = meshed_bodies(parameters, declared_parameters(prm));
       check_transient_files(parameters, bodies);
       check_meshes(parameters, bodies, command_line.check);
-      if (parameters.scene.runs("transient") && parameters.transient.model == "finite elements")
+      if (parameters.scene.runs("transient") && !parameters.transient.is_reduced())
         check_unreduced_size(bodies);
       measured = measured_data(parameters);
       check_before_run(parameters, bodies, measured);

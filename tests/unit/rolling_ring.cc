@@ -25,15 +25,12 @@ namespace
   /// What constant forces do to it, and to its gradient.
   DenseMatrix at_rest(BodyInContact body, const bool gradient)
   {
-    std::vector<Complex> weights;
-    for (const Complex &pole : body.poles)
-      weights.push_back(-1. / pole);
     if (gradient)
     {
       body.right = body.gradient;
       body.residual = body.residual_gradient;
     }
-    DenseMatrix result = sum_over_poles(body, weights);
+    DenseMatrix result = sum_over_poles(body, static_weights(body));
     result.add(1., body.residual);
     return result;
   }

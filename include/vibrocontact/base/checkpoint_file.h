@@ -3,6 +3,7 @@
 #include <vibrocontact/base/dense.h>
 #include <vibrocontact/base/hdf5_file.h>
 
+#include <complex>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -35,6 +36,8 @@ namespace vibrocontact
     void operator()(const std::string &name, std::vector<double> &values);
     void operator()(const std::string &name, DenseVector &values);
     void operator()(const std::string &name, std::string &text);
+    /// as NAME/real and NAME/imaginary. A list that has a size keeps it. @throws ExcMessage if the file has another
+    void operator()(const std::string &name, std::vector<std::complex<double>> &values);
 
     /// numbers, counts (below 2^53) and flags
     template <typename T>

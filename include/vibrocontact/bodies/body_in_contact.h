@@ -96,6 +96,8 @@ namespace vibrocontact
   /// 2 Re sum_k weight_k right_k left_k^T, n_rows square: what every quantity of g at real times is, of a body by poles.
   /// @param weights n_poles
   DenseMatrix sum_over_poles(const BodyInContact &body, const std::vector<std::complex<double>> &weights);
+  /// Those of what constant forces do, -1 / lambda; rigid motions have none.
+  std::vector<std::complex<double>> static_weights(const BodyInContact &body);
   /// G(omega), n_rows square [m/N]; @param omega [rad/s]
   ComplexMatrix receptance(const BodyInContact &body, double omega);
   /// g(t) without its residual, n_rows square [m/(N s)], of a body by poles; @param t [s] >= 0

@@ -49,8 +49,8 @@ namespace vibrocontact
     std::optional<ContactTrace> trace;
 
     std::unique_ptr<SecondOrderSystem> assemble();
-    /// Traces of all places; moves that of the system.
-    ContactTrace contacts_of(const ElementBody &elements, SecondOrderSystem &system) const;
+    /// Traces of all places.
+    ContactTrace contacts_of(const ElementBody &elements, const SecondOrderSystem &system) const;
     void check_side(bool above, bool faces_up) const;
 
   public:

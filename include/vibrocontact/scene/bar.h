@@ -38,7 +38,7 @@ namespace vibrocontact
     std::unique_ptr<SecondOrderSystem> assemble(const BodyParameters &body, bool above,
                                                 const ContactGrid *grid,
                                                 MPI_Comm communicator) const override;
-    void move_contact(SecondOrderSystem &system, double z) const override;
+    void move_contact(const SecondOrderSystem &system, ContactTrace &trace, double z) const override;
     bool takes_gravity() const override { return true; }
     bool has_massless_points() const override { return massless_contact_node; }
     bool moves_along_z_only() const override { return true; }

@@ -31,6 +31,7 @@ namespace vibrocontact
   class PointBody;
   class SolidBody;
   struct BodyInContact;
+  struct ContactTrace;
   struct BodyParameters;
   struct IdentifiedParameters;
   struct ReducedBody;
@@ -184,9 +185,9 @@ namespace vibrocontact
     virtual std::unique_ptr<SecondOrderSystem> assemble(const BodyParameters &body, bool above,
                                                         const ContactGrid *grid,
                                                         MPI_Comm communicator) const = 0;
-    /// Moves the contact of an assembled body away from its usual place, where contacts may lie along its axis
-    /// (ContactPlaces::along_axis). @param z height [m]
-    virtual void move_contact(SecondOrderSystem &, double) const
+    /// Moves the contact of the assembled body away from its usual place, where contacts may lie along its axis
+    /// (ContactPlaces::along_axis). @param trace in its usual place @param z height [m]
+    virtual void move_contact(const SecondOrderSystem &, ContactTrace &, double) const
     {
       AssertThrow(false, dealii::ExcMessage("This body does not say how its contact moves along its axis."));
     }

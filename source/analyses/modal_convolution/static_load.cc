@@ -13,15 +13,10 @@ namespace vibrocontact
                              const double force, const RoadLaws &laws)
   {
     const unsigned int n = shapes.size();
-    std::vector<std::complex<double>> weights;
-    for (const auto &pole : model.poles)
-    {
-      if (is_rigid_motion(pole))
-        throw InputError(
-            "Rolling/Normal force is given, but the body is free, nothing presses it: hold it, or "
-            "give Road/Indentation (negative above the road) in its place.");
-      weights.push_back(-1. / pole);
-    }
+    if (std::any_of(model.poles.begin(), model.poles.end(), is_rigid_motion))
+      throw InputError("Rolling/Normal force is given, but the body is free, nothing presses it: hold it, or "
+                       "give Road/Indentation (negative above the road) in its place.");
+    const std::vector<std::complex<double>> weights = static_weights(model);
     const DenseMatrix whole = sum_over_poles(model, weights);
     DenseMatrix compliance(n, n);
     std::vector<double> unloaded(n, 0.);

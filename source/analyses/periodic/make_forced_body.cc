@@ -85,7 +85,7 @@ namespace vibrocontact
 
       Modes modes = reduction.shapes();
       std::vector<double> damping_ratio = reduction.modal().damping_ratio;
-      if (periodic.model == "finite elements")
+      if (!periodic.is_reduced())
       {
         if (n_moving_dofs(system) > most_dense_dofs)
           throw InputError("Periodic/Model is finite elements, but " + system.body + " has " +

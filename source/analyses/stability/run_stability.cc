@@ -62,7 +62,7 @@ namespace vibrocontact
                    const RollingEquilibrium &about)
         { return inertial_roots(*inertial, scheme, about, options); };
       };
-      if (stability.model == "reduced")
+      if (stability.is_reduced())
         return {};
       if (stability.model == "attachment inertia")
         return dense(with_inertia(parameters, bodies, prepared));
@@ -116,7 +116,7 @@ namespace vibrocontact
     on_first_rank([&] { stability_table(outcome).write(folder + "/stability.csv"); });
     results.analyses["stability"] = stability_json(outcome);
     add_contacts(outcome, pair.interface.contacts, results.analyses["stability"]);
-    if (parameters.stability.model == "reduced")
+    if (parameters.stability.is_reduced())
       say_residual_damping(parameters, *prepared, pair, frequencies_that_matter(all.front()), "stability",
                            results);
     if (parameters.output.fields)

@@ -49,7 +49,7 @@ namespace vibrocontact
 
   void StabilityParameters::check() const
   {
-    if (model != "reduced" && second_count)
+    if (!is_reduced() && second_count)
       throw InputError("Stability/Model is " + model +
                        ", but Second count is that of the reduced model: set it to reduced or leave it out.");
     if (second_count && linearisation != "consistent")

@@ -52,7 +52,7 @@ namespace vibrocontact
 
     bool elements_have_mass(const Parameters &parameters)
     {
-      if (parameters.transient.model != "finite elements")
+      if (parameters.transient.is_reduced())
         return false;
       for (const BodyParameters &body : parameters.scene.bodies)
         if (body.is_meshed() && !body.description->has_massless_points())

@@ -55,7 +55,7 @@ namespace vibrocontact
                                std::unique_ptr<const PreparedPair> &prepared)
     {
       UnreducedPair unreduced;
-      if (parameters.transient.model == "finite elements")
+      if (!parameters.transient.is_reduced())
         unreduced = prepare_unreduced_pair(parameters, bodies);
       probes = transient_probes(parameters, bodies, unreduced.surfaces);
       prepared = unreduced.prepared ? std::move(unreduced.prepared)

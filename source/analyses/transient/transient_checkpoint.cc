@@ -7,22 +7,6 @@ namespace vibrocontact
 {
   namespace
   {
-    void exchange_complex(CheckpointFile &file, std::vector<std::complex<double>> &values,
-                          const std::string &name)
-    {
-      std::vector<double> parts[2];
-      for (const std::complex<double> &value : values)
-      {
-        parts[0].push_back(value.real());
-        parts[1].push_back(value.imag());
-      }
-      file(name + "/real", parts[0]);
-      file(name + "/imaginary", parts[1]);
-      values.resize(parts[0].size());
-      for (std::size_t k = 0; k < values.size(); ++k)
-        values[k] = {parts[0][k], parts[1].at(k)};
-    }
-
     void exchange_state(CheckpointFile &file, DynamicState &state)
     {
       file("state/time", state.time);
@@ -33,8 +17,8 @@ namespace vibrocontact
       file("state/force_change", state.force_change);
       file("state/residual_change", state.residual_change);
       file("state/modal_force", state.modal_force);
-      exchange_complex(file, state.z, "state/poles");
-      exchange_complex(file, state.pole_force, "state/pole_force");
+      file("state/poles", state.z);
+      file("state/pole_force", state.pole_force);
       file("state/hub_acceleration", state.hub_acceleration);
       file("state/force", state.force);
       file("state/friction_power", state.friction_power);

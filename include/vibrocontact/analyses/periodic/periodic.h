@@ -35,6 +35,7 @@ namespace vibrocontact
     std::string stop_direction = "-z";
     /// what moves: "reduced", "finite elements": all their modes
     std::string model = "reduced";
+    bool is_reduced() const { return model == "reduced"; }
     unsigned int n_samples = 4096, quadrature_points = 0;
     /// whether the distance to the reference in time is computed
     bool reference = false;

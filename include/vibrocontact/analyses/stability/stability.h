@@ -20,6 +20,7 @@ namespace vibrocontact
     /// what moves: "reduced" (modes, and residual flexibility without inertia), "attachment inertia" (modes,
     /// and residual attachment modes), "finite elements"
     std::string model = "reduced";
+    bool is_reduced() const { return model == "reduced"; }
     /// "consistent": all of the step's equations linearised; "paper": K_c and C_b of Lai et al. 2018, Eqs
     /// 19-22
     std::string linearisation = "consistent";

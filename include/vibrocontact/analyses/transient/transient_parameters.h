@@ -14,6 +14,7 @@ namespace vibrocontact
     /// what moves: "reduced" (modes, and residual flexibility without inertia), "finite elements" (all their
     /// modes: contact points with mass, see with_all_modes())
     std::string model = "reduced";
+    bool is_reduced() const { return model == "reduced"; }
     /// h, end of the run [s]
     double time_step = 1e-6, end_time = 1e-2;
     /// error per step over the size of the vibration, at which the step is halved, see StepLevels; 0: all
