@@ -28,44 +28,43 @@ namespace vibrocontact
     }
 
     /// The poles of one body behind those of the others, in its rows of the contacts.
-    void add_poles(const BodyInContact &own, const std::string &name, const PlacedContacts::Rows &rows,
-                   const unsigned int n_rows, BodyInContact &all)
+    void add_poles(const ReducedBody &own, const PlacedContacts::Rows &rows, ContactPair &pair)
     {
-      const unsigned int first = all.n_poles(), n = first + own.n_poles();
-      if (own.gradient.m() > 0 || all.gradient.m() > 0)
+      const unsigned int first = pair.n_poles(), n = first + own.n_poles(), n_rows = 3 * pair.n_points();
+      const auto widen = [&](ComplexMatrix &shapes)
       {
-        const ComplexMatrix before = all.gradient;
-        all.gradient.reinit(n_rows, n);
+        const ComplexMatrix before = shapes;
+        shapes.reinit(n_rows, n);
         for (unsigned int k = 0; k < before.n(); ++k)
           for (unsigned int i = 0; i < n_rows; ++i)
-            all.gradient(i, k) = before(i, k);
-        if (all.residual_gradient.m() == 0)
-          all.residual_gradient.reinit(n_rows, n_rows);
-      }
-      for (ComplexMatrix *const shapes : {&all.right, &all.left})
+            shapes(i, k) = before(i, k);
+      };
+      widen(pair.right);
+      widen(pair.left);
+      if (own.gradient.m() > 0 || pair.gradient.m() > 0)
       {
-        const ComplexMatrix &from = shapes == &all.right ? own.right : own.left, before = *shapes;
-        shapes->reinit(n_rows, n);
-        for (unsigned int k = 0; k < n; ++k)
-          for (unsigned int i = 0; i < (k < first ? n_rows : rows.rows.size()); ++i)
-            if (k < first)
-              (*shapes)(i, k) = before(i, k);
-            else
-              (*shapes)(rows.rows[i], k) = rows.sign[i] * from(i, k - first);
+        widen(pair.gradient);
+        if (pair.residual_gradient.m() == 0)
+          pair.residual_gradient.reinit(n_rows, n_rows);
       }
       for (unsigned int k = 0; k < own.n_poles(); ++k)
       {
-        all.poles.push_back(own.poles[k]);
-        all.pole_load.push_back(own.pole_load[k]);
-        all.labels.push_back(name + ":" + own.labels[k]);
+        for (unsigned int i = 0; i < rows.rows.size(); ++i)
+        {
+          pair.right(rows.rows[i], first + k) = rows.sign[i] * own.right(i, k);
+          pair.left(rows.rows[i], first + k) = rows.sign[i] * own.left(i, k);
+        }
+        pair.poles.push_back(own.poles[k]);
+        pair.pole_load.push_back(own.pole_load[k]);
       }
     }
 
     /// Gradients of the poles added last and of their body's W~, in place of the differences between points.
     void add_gradients(const BodyInContact &own, const DenseMatrix &W, const PlacedContacts::Rows &rows,
-                       const CreepScheme &scheme, const PlacedContacts &contacts, BodyInContact &all)
+                       const CreepScheme &scheme, ContactPair &pair)
     {
-      const unsigned int n = contacts.n_points(), p = own.n_poles(), first = all.n_poles() - p,
+      const PlacedContacts &contacts = pair.interface.contacts;
+      const unsigned int n = contacts.n_points(), p = own.n_poles(), first = pair.n_poles() - p,
                          n_own = rows.rows.size();
       DenseMatrix differences(3 * n, 2 * p + n_own);
       for (unsigned int i = 0; i < n_own; ++i)
@@ -86,10 +85,10 @@ namespace vibrocontact
           continue;
         const double along = rows.sign[i] * contacts.all[contacts.contact_of(row % n)].share_of_speed();
         for (unsigned int k = 0; k < p; ++k)
-          all.gradient(row, first + k) =
+          pair.gradient(row, first + k) =
               along * own.gradient(i, k) - std::complex<double>(differences(row, k), differences(row, p + k));
         for (unsigned int j = 0; j < n_own; ++j)
-          all.residual_gradient(row, rows.rows[j]) +=
+          pair.residual_gradient(row, rows.rows[j]) +=
               along * rows.sign[j] * own.residual_gradient(i, j) - differences(row, 2 * p + j);
       }
     }
@@ -98,13 +97,13 @@ namespace vibrocontact
     void add_load_jump(const ReducedBody &body, const PlacedContacts::Rows &own, const unsigned int n_rows,
                        DenseVector &jump)
     {
-      if (std::all_of(body.residual_load_response.begin(), body.residual_load_response.end(),
+      if (std::all_of(body.residual_load.begin(), body.residual_load.end(),
                       [](const double value) { return value == 0; }))
         return;
       if (jump.size() == 0)
         jump.reinit(n_rows);
       for (unsigned int i = 0; i < own.rows.size(); ++i)
-        jump[own.rows[i]] += own.sign[i] * body.residual_load_response[i];
+        jump[own.rows[i]] += own.sign[i] * body.residual_load[i];
     }
 
     /// Of a body's own rows. A half-space, or what one stands for, has one contact.
@@ -114,7 +113,7 @@ namespace vibrocontact
       const unsigned int n = contacts.n_points(),
                          k = own.rows.empty() ? 0 : contacts.contact_of(own.rows[0] % n);
       if (body.reduced && !(body.parameters->is_solid() && sections.all[k].half_space_flexibility()))
-        return body.reduced->residual_flexibility;
+        return body.reduced->residual;
       if (body.parameters->description->is_rigid() || own.rows.empty())
         return DenseMatrix(own.rows.size());
       const HalfSpaceMaterial half_space = half_space_material(*body.parameters),
@@ -146,11 +145,11 @@ namespace vibrocontact
       const unsigned int n = pair.n_points(), m = pair.n_modes();
       const auto gives_way = [&](const unsigned int row)
       {
-        bool moves = pair.residual_flexibility(row, row) != 0;
+        bool moves = pair.residual(row, row) != 0;
         for (unsigned int k = 0; k < m && !moves; ++k)
-          moves = pair.modal_trace(row, k) != 0;
+          moves = pair.trace(row, k) != 0;
         for (unsigned int k = 0; k < pair.n_poles() && !moves; ++k)
-          moves = pair.poles.right(row, k) != 0.;
+          moves = pair.right(row, k) != 0.;
         return moves;
       };
       constexpr double beyond_all_modes = 1e3;
@@ -159,16 +158,16 @@ namespace vibrocontact
       {
         if (gives_way(2 * n + i) || !gives_way(n + i))
           continue;
-        const double residual = pair.residual_flexibility(n + i, n + i);
+        const double residual = pair.residual(n + i, n + i);
         double modal = 0, inertial = 0;
         for (unsigned int k = 0; k < m; ++k)
         {
-          modal += std::pow(pair.modal_trace(n + i, k) / pair.omega[k], 2);
-          inertial += std::pow(pair.modal_trace(n + i, k) / (beyond_all_modes * fastest), 2);
+          modal += std::pow(pair.trace(n + i, k) / pair.omega[k], 2);
+          inertial += std::pow(pair.trace(n + i, k) / (beyond_all_modes * fastest), 2);
         }
         // round-off is all that remains of the residual when all modes are kept
         const double along_x = residual > 1e-9 * modal ? residual + modal : inertial;
-        pair.residual_flexibility(2 * n + i, 2 * n + i) = along_x;
+        pair.residual(2 * n + i, 2 * n + i) = along_x;
       }
     }
   } // namespace
@@ -211,11 +210,12 @@ namespace vibrocontact
     ContactPair pair;
     pair.interface = contact_interface(bodies, sections, contacts);
     const unsigned int n = contacts.n_points();
-    pair.residual_flexibility.reinit(3 * n, 3 * n);
+    pair.residual.reinit(3 * n, 3 * n);
     unsigned int n_modes = 0, first = 0;
+    std::vector<std::string> labels_of_poles;
     for (const ContactBody &body : bodies)
       n_modes += body.reduced ? body.reduced->omega.size() : 0;
-    pair.modal_trace.reinit(3 * n, n_modes);
+    pair.trace.reinit(3 * n, n_modes);
     pair.participation.reinit(n_modes, 3);
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
@@ -224,10 +224,10 @@ namespace vibrocontact
       const DenseMatrix W = residual_flexibility(bodies[b], own, sections, contacts);
       for (unsigned int j = 0; j < n_own; ++j)
         for (unsigned int i = 0; i < n_own; ++i)
-          pair.residual_flexibility(own.rows[i], own.rows[j]) += own.sign[i] * own.sign[j] * W(i, j);
+          pair.residual(own.rows[i], own.rows[j]) += own.sign[i] * own.sign[j] * W(i, j);
       if (b == 0)
         for (unsigned int i = 0; i < 3 * n; ++i)
-          pair.force_residual.push_back(n_own > 0 ? pair.residual_flexibility(i, own.rows[0]) : 0.);
+          pair.force_residual.push_back(n_own > 0 ? pair.residual(i, own.rows[0]) : 0.);
       if (!bodies[b].reduced)
         continue;
       const ReducedBody &reduced = *bodies[b].reduced;
@@ -239,24 +239,26 @@ namespace vibrocontact
         pair.body.push_back(b + 1);
         pair.modal_load.push_back(reduced.modal_load[k]);
         for (unsigned int i = 0; i < n_own; ++i)
-          pair.modal_trace(own.rows[i], first + k) = own.sign[i] * reduced.modal_trace(i, k);
+          pair.trace(own.rows[i], first + k) = own.sign[i] * reduced.trace(i, k);
         for (unsigned int d = 0; d < 3 && reduced.participation.m() > 0; ++d)
           pair.participation(first + k, d) = reduced.participation(k, d);
       }
       first += reduced.omega.size();
-      if (bodies[b].poles && bodies[b].poles->n_poles() > 0)
+      if (reduced.n_poles() > 0)
       {
-        add_poles(*bodies[b].poles, reduced.name, own, 3 * n, pair.poles);
+        add_poles(reduced, own, pair);
         pair.body_of_pole.resize(pair.n_poles(), b + 1);
-        if (bodies[b].poles->gradient.m() > 0)
-          add_gradients(*bodies[b].poles, W, own, find_creep_scheme(sections.first().creep_scheme), contacts,
-                        pair.poles);
+        if (reduced.gradient.m() > 0)
+          add_gradients(reduced, W, own, find_creep_scheme(sections.first().creep_scheme), pair);
+        for (unsigned int k = 0; k < reduced.n_poles(); ++k)
+          labels_of_poles.push_back(reduced.name + ":" + reduced.labels[reduced.n_modes() + k]);
       }
       add_load_jump(reduced, own, 3 * n, pair.interface.load_jump);
     }
-    uncouple(sections, contacts, pair.residual_flexibility);
-    if (pair.poles.residual_gradient.m() > 0)
-      uncouple(sections, contacts, pair.poles.residual_gradient);
+    pair.labels.insert(pair.labels.end(), labels_of_poles.begin(), labels_of_poles.end());
+    uncouple(sections, contacts, pair.residual);
+    if (pair.residual_gradient.m() > 0)
+      uncouple(sections, contacts, pair.residual_gradient);
     hold_across(pair);
     return pair;
   }
@@ -264,41 +266,35 @@ namespace vibrocontact
   std::vector<double> ContactPair::frequencies() const
   {
     std::vector<double> result = omega;
-    for (const std::complex<double> &pole : poles.poles)
+    for (const std::complex<double> &pole : poles)
       result.push_back(std::abs(pole));
-    return result;
-  }
-
-  std::vector<std::string> ContactPair::names() const
-  {
-    std::vector<std::string> result = labels;
-    result.insert(result.end(), poles.labels.begin(), poles.labels.end());
     return result;
   }
 
   DenseMatrix static_compliance(const ContactPair &pair)
   {
-    DenseMatrix result = pair.residual_flexibility;
+    DenseMatrix result = pair.residual;
     const auto rigid = std::find(pair.omega.begin(), pair.omega.end(), 0.);
     const std::string label = rigid == pair.omega.end() ? "" : pair.labels[rigid - pair.omega.begin()];
-    add_modal_compliance(result, pair.modal_trace, pair.omega, label.substr(0, label.find(':')));
+    add_modal_compliance(result, pair.trace, pair.omega, label.substr(0, label.find(':')));
     if (pair.n_poles() == 0)
       return result;
     for (unsigned int k = 0; k < pair.n_poles(); ++k)
-      if (is_rigid_motion(pair.poles.poles[k]))
-        throw InputError("Nothing holds " + pair.poles.labels[k] + ": a static analysis cannot load it.");
-    result.add(1., sum_over_poles(pair.poles, static_weights(pair.poles)));
+      if (is_rigid_motion(pair.poles[k]))
+        throw InputError("Nothing holds " + pair.labels[pair.n_modes() + k] +
+                         ": a static analysis cannot load it.");
+    result.add(1., sum_over_poles(pair, static_weights(pair)));
     return result;
   }
 
   DenseMatrix static_gradient(const ContactPair &pair)
   {
-    if (pair.poles.gradient.m() == 0)
+    if (pair.gradient.m() == 0)
       return DenseMatrix();
-    BodyInContact along = pair.poles;
-    along.right = pair.poles.gradient;
+    BodyInContact along = pair;
+    along.right = pair.gradient;
     DenseMatrix result = sum_over_poles(along, static_weights(along));
-    result.add(1., pair.poles.residual_gradient);
+    result.add(1., pair.residual_gradient);
     return result;
   }
 
@@ -313,17 +309,17 @@ namespace vibrocontact
       if (jump.size() == 0)
         jump.reinit(3 * pair.n_points());
       for (unsigned int i = 0; i < jump.size(); ++i)
-        jump[i] += pair.modal_trace(i, k) * pair.modal_load[k] / (pair.omega[k] * pair.omega[k]);
+        jump[i] += pair.trace(i, k) * pair.modal_load[k] / (pair.omega[k] * pair.omega[k]);
     }
     for (unsigned int k = 0; k < pair.n_poles(); ++k)
     {
-      const std::complex<double> rest = rest_of_state(pair.poles, k);
+      const std::complex<double> rest = rest_of_state(pair, k);
       if (rest == 0.)
         continue;
       if (jump.size() == 0)
         jump.reinit(3 * pair.n_points());
       for (unsigned int i = 0; i < jump.size(); ++i)
-        jump[i] += 2 * (pair.poles.right(i, k) * rest).real();
+        jump[i] += 2 * (pair.right(i, k) * rest).real();
     }
     return interface;
   }

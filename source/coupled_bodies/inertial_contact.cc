@@ -79,7 +79,7 @@ namespace vibrocontact
       result.damping(k, k) = 2 * pair.damping_ratio[k] * pair.omega[k];
       result.stiffness(k, k) = pair.omega[k] * pair.omega[k];
     }
-    result.trace = pair.modal_trace;
+    result.trace = pair.trace;
     return result;
   }
 

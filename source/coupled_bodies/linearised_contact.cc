@@ -93,7 +93,7 @@ namespace vibrocontact
         motion.transition(m + k, k) = -pair.omega[k] * pair.omega[k];
         motion.transition(m + k, m + k) = -2 * pair.damping_ratio[k] * pair.omega[k];
         for (unsigned int i = 0; i < n_rows; ++i)
-          motion.displacement(i, k) = motion.rate(i, m + k) = motion.input(k, i) = pair.modal_trace(i, k);
+          motion.displacement(i, k) = motion.rate(i, m + k) = motion.input(k, i) = pair.trace(i, k);
       }
       for (unsigned int d = 0; pair.hub && d < 3; ++d)
         for (unsigned int j = 0; j < pair.hub->shapes.n(); ++j)
@@ -103,30 +103,30 @@ namespace vibrocontact
       for (unsigned int k = 0; k < p; ++k)
       {
         const unsigned int re = 2 * m + k, im = re + p;
-        const std::complex<double> &pole = pair.poles.poles[k];
+        const std::complex<double> &pole = pair.poles[k];
         motion.transition(re, re) = motion.transition(im, im) = pole.real();
         motion.transition(im, re) = pole.imag();
         motion.transition(re, im) = -pole.imag();
         for (unsigned int i = 0; i < n_rows; ++i)
         {
-          const std::complex<double> right = 2. * pair.poles.right(i, k), moving = right * pole;
+          const std::complex<double> right = 2. * pair.right(i, k), moving = right * pole;
           motion.displacement(i, re) = right.real();
           motion.displacement(i, im) = -right.imag();
           motion.rate(i, re) = moving.real();
           motion.rate(i, im) = -moving.imag();
-          motion.input(re - m, i) = pair.poles.left(i, k).real();
-          motion.input(im - m, i) = pair.poles.left(i, k).imag();
+          motion.input(re - m, i) = pair.left(i, k).real();
+          motion.input(im - m, i) = pair.left(i, k).imag();
         }
       }
       if (p > 0)
-        motion.rate_at_once = sum_over_poles(pair.poles, std::vector<std::complex<double>>(p, 1.));
+        motion.rate_at_once = sum_over_poles(pair, std::vector<std::complex<double>>(p, 1.));
       return motion;
     }
 
     /// What V d/dx of poles and W~ is beyond the differences between points.
     void add_gradients(const ContactPair &pair, const double speed, DenseMatrix &by_x, DenseMatrix &by_R)
     {
-      const ComplexMatrix &gradient = pair.poles.gradient;
+      const ComplexMatrix &gradient = pair.gradient;
       for (unsigned int k = 0; k < gradient.n(); ++k)
         for (unsigned int i = 0; i < gradient.m(); ++i)
         {
@@ -134,7 +134,7 @@ namespace vibrocontact
           by_x(i, 2 * pair.n_modes() + pair.n_poles() + k) -= 2 * speed * gradient(i, k).imag();
         }
       if (gradient.m() > 0)
-        by_R.add(speed, pair.poles.residual_gradient);
+        by_R.add(speed, pair.residual_gradient);
     }
 
     /// As of a mode of unit mass: free of how right and left shape share their size.
@@ -152,7 +152,7 @@ namespace vibrocontact
 
   DenseMatrix compliance_of_contact(const ContactPair &pair, const RollingEquilibrium &equilibrium)
   {
-    DenseMatrix W = pair.residual_flexibility;
+    DenseMatrix W = pair.residual;
     for (unsigned int i = 0; i < equilibrium.normal_compliance.size(); ++i)
       W(i, i) += equilibrium.normal_compliance[i];
     return W;
@@ -374,7 +374,6 @@ namespace vibrocontact
   {
     const Eigenvalues lambda = eigenvalues(std::move(linearised));
     const std::vector<double> omega = pair.frequencies();
-    const std::vector<std::string> names = pair.names();
     std::vector<StabilityRoot> roots;
     for (unsigned int k = 0; k < lambda.values.size(); ++k)
     {
@@ -387,10 +386,10 @@ namespace vibrocontact
       {
         const unsigned int re = 2 * pair.n_modes() + i;
         const std::complex<double> a = lambda.component(re, k), b = lambda.component(re + pair.n_poles(), k);
-        amplitudes.push_back(std::polar(
-            size_of_pole(pair.poles, i) * std::sqrt(2 * (std::norm(a) + std::norm(b))), std::arg(a)));
+        amplitudes.push_back(
+            std::polar(size_of_pole(pair, i) * std::sqrt(2 * (std::norm(a) + std::norm(b))), std::arg(a)));
       }
-      roots.push_back(named_root(lambda.values[k], std::move(amplitudes), omega, names));
+      roots.push_back(named_root(lambda.values[k], std::move(amplitudes), omega, pair.labels));
     }
     sort_roots(roots);
     return roots;

@@ -18,13 +18,13 @@ namespace vibrocontact
       for (const LossyBody &lossy : bodies)
       {
         const ReducedBody &body = *lossy.body;
-        const double W = body.residual_flexibility(lossy.row, lossy.row),
+        const double W = body.residual(lossy.row, lossy.row),
                      loss = lossy.stiffness_damping * omega + lossy.loss_factor;
         change += W * (1. - 1. / Complex(1, loss));
         receptance += W;
         for (unsigned int k = 0; k < body.omega.size(); ++k)
         {
-          const double psi = body.modal_trace(lossy.row, k), w = body.omega[k];
+          const double psi = body.trace(lossy.row, k), w = body.omega[k];
           receptance += psi * psi / Complex(w * w - omega * omega, 2 * body.damping_ratio[k] * w * omega);
         }
       }

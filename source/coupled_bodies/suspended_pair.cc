@@ -132,15 +132,15 @@ namespace vibrocontact
     for (unsigned int i = 0; i < 3 * n; ++i)
     {
       for (unsigned int k = 0; k < n_1; ++k)
-        coordinates(i, k) = held.modal_trace(i, k);
+        coordinates(i, k) = held.trace(i, k);
       for (unsigned int d = 0; d < 3; ++d)
         coordinates(i, n_1 + d) = translation(i, d);
     }
-    pair.modal_trace.reinit(3 * n, n_modes + 3);
-    add_block(pair.modal_trace, product(coordinates, X), 0, 0);
+    pair.trace.reinit(3 * n, n_modes + 3);
+    add_block(pair.trace, product(coordinates, X), 0, 0);
     for (unsigned int k = n_1; k < n_modes; ++k)
       for (unsigned int i = 0; i < 3 * n; ++i)
-        pair.modal_trace(i, k + 3) = held.modal_trace(i, k);
+        pair.trace(i, k + 3) = held.trace(i, k);
     pair.participation.reinit(n_modes + 3, 3);
     const auto insert = [&](auto &list, const auto &value) { list.insert(list.begin() + n_1, 3, value); };
     insert(pair.omega, 0.);

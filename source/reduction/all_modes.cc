@@ -121,7 +121,7 @@ namespace vibrocontact
   {
     const unsigned int n_kept = body.omega.size(), n = all.omega.size();
     const ModalReduction modal = modal_reduction(system, all);
-    body.modal_trace = modal.trace;
+    body.trace = modal.trace;
     body.modal_load = modal.load;
     body.participation = modal.participation;
     for (unsigned int k = n_kept; k < n; ++k)
@@ -132,17 +132,17 @@ namespace vibrocontact
     }
     if (n == n_moving_dofs(system))
     {
-      body.residual_flexibility = 0;
-      std::fill(body.residual_load_response.begin(), body.residual_load_response.end(), 0.);
+      body.residual = 0;
+      std::fill(body.residual_load.begin(), body.residual_load.end(), 0.);
     }
     else // massless dofs have no mode: what the modes found leave of the flexibility is theirs
       for (unsigned int k = n_kept; k < n; ++k)
-        for (unsigned int j = 0; j < body.modal_trace.m(); ++j)
+        for (unsigned int j = 0; j < body.trace.m(); ++j)
         {
-          const double answer = body.modal_trace(j, k) / (body.omega[k] * body.omega[k]);
-          body.residual_load_response[j] -= answer * body.modal_load[k];
-          for (unsigned int i = 0; i < body.modal_trace.m(); ++i)
-            body.residual_flexibility(i, j) -= body.modal_trace(i, k) * answer;
+          const double answer = body.trace(j, k) / (body.omega[k] * body.omega[k]);
+          body.residual_load[j] -= answer * body.modal_load[k];
+          for (unsigned int i = 0; i < body.trace.m(); ++i)
+            body.residual(i, j) -= body.trace(i, k) * answer;
         }
     return body;
   }

@@ -71,7 +71,7 @@ namespace vibrocontact
 
   ReducedBody with_attachment_inertia(ReducedBody body, const DenseMatrix &mass)
   {
-    const DenseMatrix &W = body.residual_flexibility;
+    const DenseMatrix &W = body.residual;
     const unsigned int n = W.m(), m = body.omega.size(), first = body.n_rigid_modes;
     DenseMatrix M = mass;
     double largest = 0;
@@ -79,13 +79,13 @@ namespace vibrocontact
     {
       double diagonal = W(i, i);
       for (unsigned int k = first; k < m; ++k)
-        diagonal += std::pow(body.modal_trace(i, k) / body.omega[k], 2);
+        diagonal += std::pow(body.trace(i, k) / body.omega[k], 2);
       largest = std::max(largest, diagonal);
     }
     for (unsigned int k = first; k < m; ++k)
       for (unsigned int j = 0; j < n; ++j)
         for (unsigned int i = 0; i < n; ++i)
-          M(i, j) -= body.modal_trace(i, k) * body.modal_trace(j, k) / std::pow(body.omega[k], 4);
+          M(i, j) -= body.trace(i, k) * body.trace(j, k) / std::pow(body.omega[k], 4);
 
     // W~ = V L V^T on its range; then L^-1/2 V^T M_r V L^-1/2 z = nu^-2 z and W~ X = V L^1/2 z nu
     const Spectrum flexible = spectrum(W);
@@ -112,7 +112,7 @@ namespace vibrocontact
     for (unsigned int k = 0; k < m; ++k)
     {
       for (unsigned int i = 0; i < n; ++i)
-        trace(i, k) = body.modal_trace(i, k);
+        trace(i, k) = body.trace(i, k);
       for (unsigned int d = 0; d < 3 && body.participation.m() > 0; ++d)
         participation(k, d) = body.participation(k, d);
     }
@@ -135,17 +135,17 @@ namespace vibrocontact
           trace(i, m + k) += V(i, l) * flexible.values[kept[l]] * residual.vectors[j][l] * nu;
           x += V(i, l) * residual.vectors[j][l] * nu;
         }
-        load += x * body.residual_load_response[i];
+        load += x * body.residual_load[i];
       }
       body.omega.push_back(nu);
       body.damping_ratio.push_back(m > 0 ? body.damping_ratio[m - 1] : 0.);
       body.labels.push_back(residual_label + std::to_string(k + 1));
       body.modal_load.push_back(load);
     }
-    body.modal_trace = trace;
+    body.trace = trace;
     body.participation = participation;
-    body.residual_flexibility.reinit(n);
-    std::fill(body.residual_load_response.begin(), body.residual_load_response.end(), 0.);
+    body.residual.reinit(n);
+    std::fill(body.residual_load.begin(), body.residual_load.end(), 0.);
     return body;
   }
 } // namespace vibrocontact

@@ -149,15 +149,15 @@ namespace vibrocontact
     body.n_rigid_modes = n_rigid;
     body.lifting = statics.lifting;
     body.surface_height = statics.surface_height;
-    body.residual_load_response = statics.load_response;
-    body.residual_flexibility = statics.compliance;
+    body.residual_load = statics.load_response;
+    body.residual = statics.compliance;
     if (modal == nullptr)
     {
       body.omega.assign(n_rigid, 0.);
       body.damping_ratio.assign(n_rigid, 0.);
       for (unsigned int i = 0; i < n_rigid; ++i)
         body.labels.push_back("rigid " + std::to_string(i + 1));
-      body.modal_trace = statics.rigid_trace;
+      body.trace = statics.rigid_trace;
       body.modal_load = statics.rigid_load;
       return body;
     }
@@ -166,7 +166,7 @@ namespace vibrocontact
     body.omega = modal->omega;
     body.damping_ratio = modal->damping_ratio;
     body.labels = modal->labels;
-    body.modal_trace = modal->trace;
+    body.trace = modal->trace;
     body.modal_load = modal->load;
     body.participation = modal->participation;
     const unsigned int n_modes = modal->omega.size();
@@ -178,8 +178,7 @@ namespace vibrocontact
       for (unsigned int i = 0; i < n; ++i)
       {
         scaled(i, k - n_rigid) = modal->trace(i, k) / modal->omega[k];
-        body.residual_load_response[i] -=
-            modal->trace(i, k) * modal->load[k] / (modal->omega[k] * modal->omega[k]);
+        body.residual_load[i] -= modal->trace(i, k) * modal->load[k] / (modal->omega[k] * modal->omega[k]);
       }
     scaled.mTmult(product, scaled);
     double largest = 0;
@@ -187,12 +186,12 @@ namespace vibrocontact
       for (unsigned int i = 0; i <= j; ++i)
       {
         const double value = statics.compliance(i, j) - (product(i, j) + product(j, i)) / 2;
-        body.residual_flexibility(i, j) = body.residual_flexibility(j, i) = value;
+        body.residual(i, j) = body.residual(j, i) = value;
         if (i == j)
           largest = std::max(largest, statics.compliance(i, i));
       }
 
-    DenseMatrix shifted = body.residual_flexibility;
+    DenseMatrix shifted = body.residual;
     for (unsigned int i = 0; i < n; ++i)
       shifted(i, i) += 1e-8 * largest;
     if (!factorise_cholesky(shifted))

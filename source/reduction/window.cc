@@ -72,18 +72,18 @@ namespace vibrocontact
     part.labels = body.labels;
     part.modal_load = body.modal_load;
     part.participation = body.participation;
-    part.modal_trace.reinit(3 * n, body.modal_trace.n());
-    for (unsigned int k = 0; k < body.modal_trace.n(); ++k)
+    part.trace.reinit(3 * n, body.trace.n());
+    for (unsigned int k = 0; k < body.trace.n(); ++k)
       for (unsigned int r = 0; r < 3 * n; ++r)
-        part.modal_trace(r, k) = body.modal_trace(rows[r], k);
-    part.residual_flexibility.reinit(3 * n, 3 * n);
+        part.trace(r, k) = body.trace(rows[r], k);
+    part.residual.reinit(3 * n, 3 * n);
     for (unsigned int s = 0; s < 3 * n; ++s)
       for (unsigned int r = 0; r < 3 * n; ++r)
-        part.residual_flexibility(r, s) = body.residual_flexibility(rows[r], rows[s]);
+        part.residual(r, s) = body.residual(rows[r], rows[s]);
     for (const unsigned int r : rows)
     {
       part.lifting.push_back(body.lifting[r]);
-      part.residual_load_response.push_back(body.residual_load_response[r]);
+      part.residual_load.push_back(body.residual_load[r]);
     }
     for (unsigned int i = 0; i < n; ++i)
       part.surface_height.push_back(body.surface_height[rows[i]] - height);

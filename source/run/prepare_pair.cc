@@ -4,13 +4,13 @@
 
 namespace vibrocontact
 {
-  std::optional<ContactRows> body_of_contact(const Parameters &parameters, std::optional<ReducedBody> meshed,
+  std::optional<ReducedBody> body_of_contact(const Parameters &parameters, std::optional<ReducedBody> meshed,
                                              const std::optional<MeasuredData> &measured,
                                              const unsigned int number)
   {
     const BodyParameters &body = parameters.scene.bodies[number];
     if (!body.is_green())
-      return meshed ? std::optional<ContactRows>({std::move(*meshed)}) : std::nullopt;
+      return meshed;
     RoadUse use;
     use.friction = largest_friction_of_cases(parameters) > 0;
     use.speed = parameters.rolling.creepage.speed;
@@ -29,7 +29,6 @@ namespace vibrocontact
   {
     auto pair = std::make_unique<PreparedPair>();
     pair->reduced.resize(bodies.size());
-    pair->poles.resize(bodies.size());
     for (unsigned int k = 0; k < bodies.size(); ++k)
     {
       std::optional<ReducedBody> meshed;
@@ -38,13 +37,10 @@ namespace vibrocontact
         meshed = bodies[k]->reduction.reduced(with_modes);
         scale_damping(*meshed, parameters.modes.at(parameters.scene.bodies[k].name));
       }
-      std::optional<ContactRows> body = body_of_contact(parameters, std::move(meshed), measured, k);
-      pair->bodies.push_back({&parameters.scene.bodies[k], body ? &pair->reduced[k] : nullptr,
-                              body ? &pair->poles[k] : nullptr});
-      if (!body)
-        continue;
-      pair->reduced[k] = std::move(body->reduced);
-      pair->poles[k] = std::move(body->poles);
+      std::optional<ReducedBody> body = body_of_contact(parameters, std::move(meshed), measured, k);
+      pair->bodies.push_back({&parameters.scene.bodies[k], body ? &pair->reduced[k] : nullptr});
+      if (body)
+        pair->reduced[k] = std::move(*body);
     }
     return pair;
   }

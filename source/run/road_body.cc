@@ -74,7 +74,7 @@ namespace vibrocontact
     {
       // the contact travels towards -x
       result.places.push_back(-reduced->grid.x(i));
-      result.shapes.push_back(reduced->surface_height[i]);
+      result.shapes.push_back(reduced->surface_height[i] + reduced->residual_load[i]);
     }
     result.is_passive = !falls(result.body);
     return result;

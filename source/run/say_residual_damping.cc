@@ -81,7 +81,7 @@ namespace vibrocontact
   {
     const PlacedContacts &contacts = pair.interface.contacts;
     const unsigned int middle = contacts.all.front().grid.n_points() / 2;
-    double further = pair.residual_flexibility(middle, middle);
+    double further = pair.residual(middle, middle);
     std::vector<BodyAtPoint> reduced;
     for (unsigned int b = 0; b < prepared.bodies.size(); ++b)
     {
@@ -92,7 +92,7 @@ namespace vibrocontact
         continue;
       const unsigned int row = own - rows.begin();
       reduced.push_back({b, body, row});
-      further -= body->residual_flexibility(row, row);
+      further -= body->residual(row, row);
     }
     say(parameters, reduced, further, frequencies, key, results);
   }

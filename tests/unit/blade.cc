@@ -3,13 +3,13 @@
 #include "time_stepping.h"
 
 #include <vibrocontact/analyses/periodic/periodic_motion.h>
-#include <vibrocontact/bodies/point_reduction.h>
 #include <vibrocontact/contact/laws/normal_laws.h>
 #include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/fe/nearest_dof.h>
 #include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/modes.h>
+#include <vibrocontact/reduction/point_reduction.h>
 #include <vibrocontact/scene/blade.h>
 
 #include <deal.II/base/numbers.h>

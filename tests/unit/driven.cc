@@ -46,7 +46,7 @@ namespace
                            {
                              double tip = 0;
                              for (unsigned int k = 0; k < pair.n_modes(); ++k)
-                               tip += pair.modal_trace(0, k) * s.q[k];
+                               tip += pair.trace(0, k) * s.q[k];
                              run.time.push_back(s.time);
                              run.force.push_back(s.R[0]);
                              run.tip.push_back(tip);
@@ -77,7 +77,7 @@ TEST(Driven, OscillatorOnAMovingHub)
   const double w = pair.omega[0], W = 2, A = -0.01;
   for (unsigned int i = 0; i < r.time.size(); i += 500)
     EXPECT_NEAR(r.tip[i] / 0.01,
-                pair.modal_trace(0, 0) * pair.participation(0, 2) * A * W * W / (w * w - W * W) *
+                pair.trace(0, 0) * pair.participation(0, 2) * A * W * W / (w * w - W * W) *
                     (std::cos(W * r.time[i]) - std::cos(w * r.time[i])) / 0.01,
                 1e-4);
   EXPECT_LT(std::abs(r.result.energy.imbalance()), 1e-12);
@@ -114,8 +114,8 @@ TEST(Driven, RoughnessUnderAnOscillator)
   const Motion r = run(p, pair, constants(V, 0.05));
   // compliance C = W~ + Psi^2 / (w^2 - W^2 + 2 i zeta w W); N = N0 + Im(h e^{i W t} / C)
   const std::complex<double> C =
-      0.1 + std::pow(pair.modal_trace(0, 0), 2) / std::complex<double>(w * w - W * W, 2 * zeta * w * W);
-  const double N0 = 0.05 / (0.1 + std::pow(pair.modal_trace(0, 0) / w, 2));
+      0.1 + std::pow(pair.trace(0, 0), 2) / std::complex<double>(w * w - W * W, 2 * zeta * w * W);
+  const double N0 = 0.05 / (0.1 + std::pow(pair.trace(0, 0) / w, 2));
   EXPECT_NEAR(r.force.front() / N0, 1, 0.1);
   for (unsigned int i = r.time.size() - 4000; i < r.time.size(); i += 250)
     EXPECT_NEAR((r.force[i] - N0) / h, (std::exp(std::complex<double>(0, W * r.time[i])) / C).imag(), 2e-3);
@@ -184,13 +184,13 @@ namespace
     for (unsigned int k = 0; k < n_modes; ++k)
     {
       pair.omega[k] = k * pi * 30 / 10;
-      pair.modal_trace(0, k) = std::sqrt((k == 0 ? 1 : 2) / 10.);
+      pair.trace(0, k) = std::sqrt((k == 0 ? 1 : 2) / 10.);
       pair.participation(k, 2) = k == 0 ? std::sqrt(10.) : 0;
       if (k > 0)
-        residual -= std::pow(pair.modal_trace(0, k) / pair.omega[k], 2);
+        residual -= std::pow(pair.trace(0, k) / pair.omega[k], 2);
     }
     for (unsigned int i = 0; i < 3; ++i)
-      pair.residual_flexibility(i, i) = residual;
+      pair.residual(i, i) = residual;
     return pair;
   }
 } // namespace

@@ -27,7 +27,7 @@ namespace vibrocontact
       grid.spacing_x = grid.spacing_y = 1e-3;
       pair.interface.gap.assign(n_points, 1.);
       pair.interface.gap[middle] = 0;
-      pair.modal_trace.reinit(3 * n_points, 2);
+      pair.trace.reinit(3 * n_points, 2);
       pair.participation.reinit(2, 3);
       const double angle = 0.5 * std::atan2(2 * c, a - b), cosine = std::cos(angle), sine = std::sin(angle);
       const double lambda[2] = {a * cosine * cosine + 2 * c * sine * cosine + b * sine * sine,
@@ -39,12 +39,12 @@ namespace vibrocontact
         pair.labels.push_back("mass:" + std::to_string(k));
         pair.body.push_back(1);
         pair.modal_load.push_back(0);
-        pair.modal_trace(middle, k) = k == 0 ? cosine : -sine;
-        pair.modal_trace(lateral, k) = k == 0 ? sine : cosine;
+        pair.trace(middle, k) = k == 0 ? cosine : -sine;
+        pair.trace(lateral, k) = k == 0 ? sine : cosine;
       }
-      pair.residual_flexibility.reinit(3 * n_points, 3 * n_points);
+      pair.residual.reinit(3 * n_points, 3 * n_points);
       for (unsigned int i = 0; i < 3 * n_points; ++i)
-        pair.residual_flexibility(i, i) = 5e-8;
+        pair.residual(i, i) = 5e-8;
       return pair;
     }
 

@@ -29,8 +29,8 @@ namespace
     for (unsigned int i = 0; i < n; ++i)
       pair.interface.gap.push_back((grid.x(i) * grid.x(i) + grid.y(i) * grid.y(i)) / 0.6);
     const HalfSpaceMaterial steel{206e9, 0.3};
-    pair.residual_flexibility = half_space_compliance(grid, HalfSpacePair(steel, steel));
-    pair.modal_trace.reinit(3 * n, 3);
+    pair.residual = half_space_compliance(grid, HalfSpacePair(steel, steel));
+    pair.trace.reinit(3 * n, 3);
     pair.participation.reinit(3, 3);
     const double frequencies[] = {400, 600, 1000}, shape = 1 / std::sqrt(20.);
     const double directions[3][3] = {{0, 0, 1}, {1, 0, 0}, {0.6, 0, 0.8}};
@@ -44,7 +44,7 @@ namespace
       pair.participation(k, 2) = directions[k][0] / shape;
       for (unsigned int c = 0; c < 3; ++c)
         for (unsigned int i = 0; i < n; ++i)
-          pair.modal_trace(c * n + i, k) = directions[k][c] * shape;
+          pair.trace(c * n + i, k) = directions[k][c] * shape;
     }
     return pair;
   }
@@ -72,9 +72,9 @@ namespace
     {
       double gap = pair.interface.gap[i] - state.contact.approach;
       for (unsigned int k = 0; k < pair.n_modes(); ++k)
-        gap += pair.modal_trace(i, k) * state.q[k];
+        gap += pair.trace(i, k) * state.q[k];
       for (unsigned int j = 0; j < state.R.size(); ++j)
-        gap += pair.residual_flexibility(i, j) * state.R[j];
+        gap += pair.residual(i, j) * state.R[j];
       deepest = std::max(deepest, -gap);
     }
     return deepest;

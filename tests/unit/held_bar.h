@@ -14,7 +14,7 @@ inline vibrocontact::ContactPair held_bar(const unsigned int n_modes, const doub
   grid.n_x = grid.n_y = 1;
   grid.spacing_x = grid.spacing_y = 1;
   pair.interface.gap = {0.};
-  pair.modal_trace.reinit(3, n_modes);
+  pair.trace.reinit(3, n_modes);
   pair.participation.reinit(n_modes, 3);
   for (unsigned int k = 0; k < n_modes; ++k)
   {
@@ -24,11 +24,11 @@ inline vibrocontact::ContactPair held_bar(const unsigned int n_modes, const doub
     pair.labels.push_back("bar:" + std::to_string(k));
     pair.body.push_back(1);
     pair.modal_load.push_back(0);
-    pair.modal_trace(0, k) = std::sqrt(2.) * (k % 2 == 0 ? 1 : -1);
+    pair.trace(0, k) = std::sqrt(2.) * (k % 2 == 0 ? 1 : -1);
     pair.participation(k, 2) = std::sqrt(2.) / omega;
   }
-  pair.residual_flexibility.reinit(3, 3);
+  pair.residual.reinit(3, 3);
   for (unsigned int i = 0; i < 3; ++i)
-    pair.residual_flexibility(i, i) = residual;
+    pair.residual(i, i) = residual;
   return pair;
 }

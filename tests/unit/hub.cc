@@ -101,11 +101,11 @@ TEST(Hub, RigidWheelOnItsSpringHasTheRootOfAnOscillator)
   pair.interface.contacts.only().n_x = pair.interface.contacts.only().n_y = 1;
   pair.interface.contacts.only().spacing_x = pair.interface.contacts.only().spacing_y = 1e-3;
   pair.interface.gap = {0.};
-  pair.residual_flexibility.reinit(3, 3);
-  pair.modal_trace.reinit(3, 0);
+  pair.residual.reinit(3, 3);
+  pair.trace.reinit(3, 0);
   const double w = 1e-9, m = 600, k = 2e8, c = 3e5;
   for (unsigned int i = 0; i < 3; ++i)
-    pair.residual_flexibility(i, i) = w;
+    pair.residual(i, i) = w;
   const ContactPair wheel = suspended_pair(pair, suspension(m, k, c), {0, 0, 0});
   const std::vector<StabilityRoot> roots = roots_of(wheel, sliding(1, 0.3, 5e4, 0.5));
   const double decay = c / (2 * m), frequency = std::sqrt((k + 1 / w) / m - decay * decay) / (2 * pi);
@@ -147,11 +147,11 @@ TEST(Hub, LoadThatJumpsOnASuspendedWheelMovesItAsItsClosedForm)
   pair->interface.contacts.only().n_x = pair->interface.contacts.only().n_y = 1;
   pair->interface.contacts.only().spacing_x = pair->interface.contacts.only().spacing_y = 1e-3;
   pair->interface.gap = {0.};
-  pair->residual_flexibility.reinit(3, 3);
-  pair->modal_trace.reinit(3, 0);
+  pair->residual.reinit(3, 3);
+  pair->trace.reinit(3, 0);
   const double w = 1e-9, m = 600, k = 2e8, c = 3e5, N = 5e4, step = 1e4, h = 2e-6;
   for (unsigned int i = 0; i < 3; ++i)
-    pair->residual_flexibility(i, i) = w;
+    pair->residual(i, i) = w;
   RollingParameters rolling;
   rolling.suspension = suspension(m, k, c);
   ContactParameters contact;

@@ -68,9 +68,9 @@ namespace
     body.damping_ratio = pair.damping_ratio;
     body.labels = pair.labels;
     body.modal_load = pair.modal_load;
-    body.modal_trace = pair.modal_trace;
-    body.residual_flexibility = pair.residual_flexibility;
-    body.residual_load_response.assign(rows, 0.);
+    body.trace = pair.trace;
+    body.residual = pair.residual;
+    body.residual_load.assign(rows, 0.);
     DenseMatrix mass(rows);
     for (unsigned int k = 0; k < s.n_dofs; ++k)
       for (unsigned int i = 0; i < rows; ++i)
@@ -81,12 +81,12 @@ namespace
     result.omega = body.omega;
     result.damping_ratio = body.damping_ratio;
     result.labels = body.labels;
-    result.modal_trace = body.modal_trace;
-    result.residual_flexibility = body.residual_flexibility;
+    result.trace = body.trace;
+    result.residual = body.residual;
     // the static response has not changed
-    DenseMatrix statics = pair.residual_flexibility, again(rows);
-    add_modal_compliance(statics, pair.modal_trace, pair.omega, "body");
-    add_modal_compliance(again, result.modal_trace, result.omega, "body");
+    DenseMatrix statics = pair.residual, again(rows);
+    add_modal_compliance(statics, pair.trace, pair.omega, "body");
+    add_modal_compliance(again, result.trace, result.omega, "body");
     again.add(-1., statics);
     EXPECT_LT(again.linfty_norm(), 1e-9 * statics.linfty_norm());
     return result;
@@ -232,12 +232,12 @@ namespace
     pair.labels = {"mass:along x"};
     pair.body = {1};
     pair.modal_load = {0};
-    pair.modal_trace.reinit(3, 1);
-    pair.modal_trace(1, 0) = 1 / std::sqrt(2.);
+    pair.trace.reinit(3, 1);
+    pair.trace(1, 0) = 1 / std::sqrt(2.);
     pair.participation.reinit(1, 3);
-    pair.residual_flexibility.reinit(3);
+    pair.residual.reinit(3);
     for (unsigned int c = 0; c < 3; ++c)
-      pair.residual_flexibility(c, c) = 1e-9;
+      pair.residual(c, c) = 1e-9;
     return pair;
   }
 } // namespace
@@ -249,10 +249,10 @@ TEST(YieldingContact, FrequencyOfAMassOnAPenalty)
   const double omega = 2 * pi * 50, mass = 2, force = 100, a = 300, alpha = 2e4;
   ContactPair pair = sliding_mass(omega, 0);
   pair.labels = {"mass:along z"};
-  pair.modal_trace(1, 0) = 0;
-  pair.modal_trace(0, 0) = 1 / std::sqrt(mass);
+  pair.trace(1, 0) = 0;
+  pair.trace(0, 0) = 1 / std::sqrt(mass);
   const double residual = 2e-8;
-  pair.residual_flexibility(0, 0) = residual;
+  pair.residual(0, 0) = residual;
   ContactParameters contact;
   contact.friction = 0;
   RollingParameters rolling;

@@ -46,13 +46,13 @@ namespace
     DynamicState state = run.start;
     state.time = 0;
     for (unsigned int k = 0; k < 2; ++k)
-      state.v[k] += pair.modal_trace(lateral, k) * push;
+      state.v[k] += pair.trace(lateral, k) * push;
     run.velocity.begin = run.velocity.step = step;
     run.result = transient(parameters, contact, solver, pair, drive, state,
                            [&](const DynamicState &now, const TransientResult &)
                            {
-                             run.velocity.values.push_back(pair.modal_trace(lateral, 0) * now.v[0] +
-                                                           pair.modal_trace(lateral, 1) * now.v[1]);
+                             run.velocity.values.push_back(pair.trace(lateral, 0) * now.v[0] +
+                                                           pair.trace(lateral, 1) * now.v[1]);
                              run.stick += now.contact.status[middle] == ContactStatus::stick;
                              run.open += now.contact.status[middle] == ContactStatus::open;
                              return true;

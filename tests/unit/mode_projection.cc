@@ -32,7 +32,7 @@ namespace
          ModeProjection(pair, creep_schemes().front(), equilibrium, state, 6).amplitudes(state))
       EXPECT_EQ(amplitude, 0);
     for (unsigned int k = 0; k < 2; ++k)
-      state.v[k] += pair.modal_trace(Flutter::lateral, k) * push;
+      state.v[k] += pair.trace(Flutter::lateral, k) * push;
     recorder.add(state);
     transient(parameters, contact, {}, pair, Flutter::drive, state,
               [&](const DynamicState &now, const TransientResult &)

@@ -39,12 +39,12 @@ namespace
     pair.body.assign(n, 1);
     pair.modal_load.assign(n, 0.);
     pair.participation.reinit(n, 3);
-    pair.modal_trace.reinit(3, n);
+    pair.trace.reinit(3, n);
     for (unsigned int k = 0; k < n; ++k)
-      pair.modal_trace(0, k) = body.trace(0, k);
-    pair.residual_flexibility.reinit(3, 3);
+      pair.trace(0, k) = body.trace(0, k);
+    pair.residual.reinit(3, 3);
     for (unsigned int i = 0; i < 3; ++i)
-      pair.residual_flexibility(i, i) = body.residual(0, 0);
+      pair.residual(i, i) = body.residual(0, 0);
     pair.force_residual = {body.residual_force(0), 0., 0.};
     return pair;
   }

@@ -51,8 +51,8 @@ namespace vibrocontact
     grid.spacing_x = grid.spacing_y = 1e-3;
     pair.interface.gap.assign(s.n_points, 0.);
     const unsigned int rows = 3 * s.n_points;
-    pair.modal_trace.reinit(rows, n_modes);
-    pair.residual_flexibility.reinit(rows, rows);
+    pair.trace.reinit(rows, n_modes);
+    pair.residual.reinit(rows, rows);
     for (unsigned int k = 0; k < s.n_dofs; ++k)
     {
       if (k < n_modes)
@@ -63,12 +63,12 @@ namespace vibrocontact
         pair.body.push_back(1);
         pair.modal_load.push_back(0);
         for (unsigned int i = 0; i < rows; ++i)
-          pair.modal_trace(i, k) = s.modes[k][i];
+          pair.trace(i, k) = s.modes[k][i];
       }
       else
         for (unsigned int i = 0; i < rows; ++i)
           for (unsigned int j = 0; j < rows; ++j)
-            pair.residual_flexibility(i, j) += s.modes[k][i] * s.modes[k][j] / (s.omega[k] * s.omega[k]);
+            pair.residual(i, j) += s.modes[k][i] * s.modes[k][j] / (s.omega[k] * s.omega[k]);
     }
     return pair;
   }

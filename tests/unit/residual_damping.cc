@@ -16,23 +16,23 @@ namespace
   {
     ReducedBody body;
     body.grid.n_x = body.grid.n_y = 1;
-    body.modal_trace.reinit(3, n);
-    body.residual_flexibility.reinit(3, 3);
-    body.residual_flexibility(0, 0) = 1; // of the whole bar
+    body.trace.reinit(3, n);
+    body.residual.reinit(3, 3);
+    body.residual(0, 0) = 1; // of the whole bar
     for (unsigned int k = 0; k < n; ++k)
     {
       const double omega = (k + 0.5) * M_PI;
       body.omega.push_back(omega);
       body.damping_ratio.push_back(beta * omega / 2);
-      body.modal_trace(0, k) = std::sqrt(2.);
-      body.residual_flexibility(0, 0) -= 2 / (omega * omega);
+      body.trace(0, k) = std::sqrt(2.);
+      body.residual(0, 0) -= 2 / (omega * omega);
     }
     return body;
   }
 
   std::complex<double> receptance(const ReducedBody &body, const double omega)
   {
-    std::complex<double> sum = body.residual_flexibility(0, 0);
+    std::complex<double> sum = body.residual(0, 0);
     for (unsigned int k = 0; k < body.omega.size(); ++k)
       sum += 2. / std::complex<double>(body.omega[k] * body.omega[k] - omega * omega,
                                        2 * body.damping_ratio[k] * body.omega[k] * omega);
@@ -62,7 +62,7 @@ TEST(ResidualDamping, AgainstAllModes)
 TEST(ResidualDamping, LossFactorAndFurtherCompliance)
 {
   const ReducedBody body = held_bar(3, 0);
-  const double W = body.residual_flexibility(0, 0);
+  const double W = body.residual(0, 0);
   // static: H = 1 + further; W (1 - 1 / (1 + i eta))
   const DroppedDamping dropped = dropped_residual_damping({{&body, 0, 0, 0.1}}, 1, {0.});
   EXPECT_NEAR(dropped.change, W * 0.1 / std::sqrt(1.01) / 2, 1e-12);

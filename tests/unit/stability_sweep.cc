@@ -81,18 +81,18 @@ TEST(Window, HasTheRowsOfItsPlaceInTheBand)
   EXPECT_NEAR(body.grid.y_first, -10e-3, 1e-15);
   const unsigned int n = body.grid.n_points();
   body.omega = {1., 2.};
-  body.modal_trace.reinit(3 * n, 2);
-  body.residual_flexibility.reinit(3 * n, 3 * n);
+  body.trace.reinit(3 * n, 2);
+  body.residual.reinit(3 * n, 3 * n);
   // each number says where it stands
   const auto place = [&](const unsigned int row)
   { return 1e4 * (row / n) + 1e3 * body.grid.x(row % n) + 1e5 * body.grid.y(row % n); };
   for (unsigned int r = 0; r < 3 * n; ++r)
   {
-    body.modal_trace(r, 1) = place(r);
+    body.trace(r, 1) = place(r);
     for (unsigned int s = 0; s < 3 * n; ++s)
-      body.residual_flexibility(r, s) = place(r) + 1e7 * place(s);
+      body.residual(r, s) = place(r) + 1e7 * place(s);
     body.lifting.push_back(place(r));
-    body.residual_load_response.push_back(place(r));
+    body.residual_load.push_back(place(r));
     if (r < n)
       body.surface_height.push_back(place(r));
   }
@@ -102,10 +102,10 @@ TEST(Window, HasTheRowsOfItsPlaceInTheBand)
   for (unsigned int r = 0; r < 3 * m; ++r)
   {
     const double here = 1e4 * (r / m) + 1e3 * grid.x(r % m) + 1e5 * (grid.y(r % m) + lateral);
-    EXPECT_NEAR(part.modal_trace(r, 1), here, 1e-8);
+    EXPECT_NEAR(part.trace(r, 1), here, 1e-8);
     EXPECT_NEAR(part.lifting[r], here, 1e-8);
     for (unsigned int s = 0; s < 3 * m; ++s)
-      EXPECT_NEAR(part.residual_flexibility(r, s),
+      EXPECT_NEAR(part.residual(r, s),
                   here + 1e7 * (1e4 * (s / m) + 1e3 * grid.x(s % m) + 1e5 * (grid.y(s % m) + lateral)), 1e-1);
     if (r < m)
       EXPECT_NEAR(part.surface_height[r], here - height, 1e-8);

@@ -171,7 +171,7 @@ TEST(StepErrors, StickSlip)
   scene.start = [&](DynamicState &state, const unsigned int k, double)
   {
     for (unsigned int i = 0; i < 2; ++i)
-      state.v[i] += scene.pair.modal_trace(Flutter::lateral, i) * 0.2 * (1 + 0.1 * k);
+      state.v[i] += scene.pair.trace(Flutter::lateral, i) * 0.2 * (1 + 0.1 * k);
   };
   scene.steps = {1.28e-4, 6.4e-5, 3.2e-5, 1.6e-5, 8e-6};
   scene.fine = 1e-6;
@@ -191,9 +191,9 @@ namespace
     grid.n_x = grid.n_y = 1;
     grid.spacing_x = grid.spacing_y = 1;
     pair.interface.gap = {0.};
-    pair.modal_trace.reinit(3, 3);
+    pair.trace.reinit(3, 3);
     pair.participation.reinit(3, 3);
-    pair.residual_flexibility.reinit(3, 3);
+    pair.residual.reinit(3, 3);
     for (unsigned int k = 0; k < 3; ++k)
     {
       pair.omega.push_back((k + 0.5) * pi);
@@ -201,9 +201,9 @@ namespace
       pair.labels.push_back("bar:" + std::to_string(k));
       pair.body.push_back(1);
       pair.modal_load.push_back(0);
-      pair.modal_trace(0, k) = std::sqrt(2.) * (k % 2 == 0 ? 1 : -1);
+      pair.trace(0, k) = std::sqrt(2.) * (k % 2 == 0 ? 1 : -1);
       pair.participation(k, 2) = std::sqrt(2.) / pair.omega[k];
-      pair.residual_flexibility(k, k) = 0.1;
+      pair.residual(k, k) = 0.1;
     }
     scene.parameters.end_time = 9.6;
     scene.parameters.roughness.expression = height + "*sin(2*pi*s/4)";

@@ -21,7 +21,7 @@ namespace
     grid.spacing_x = grid.spacing_y = std::sqrt(section);
     pair.interface.gap = {0.};
     const double pi = dealii::numbers::PI, mass = density * section * length;
-    pair.modal_trace.reinit(3, n_modes);
+    pair.trace.reinit(3, n_modes);
     pair.participation.reinit(n_modes, 3);
     double residual = length / (3 * young * section);
     for (unsigned int k = 0; k < n_modes; ++k)
@@ -30,15 +30,15 @@ namespace
       pair.damping_ratio.push_back(0);
       pair.labels.push_back("bar:" + std::to_string(k));
       pair.body.push_back(1);
-      pair.modal_trace(0, k) = std::sqrt((k == 0 ? 1 : 2) / mass);
+      pair.trace(0, k) = std::sqrt((k == 0 ? 1 : 2) / mass);
       pair.modal_load.push_back(0);
       pair.participation(k, 2) = k == 0 ? std::sqrt(mass) : 0;
       if (k > 0)
-        residual -= std::pow(pair.modal_trace(0, k) / pair.omega[k], 2);
+        residual -= std::pow(pair.trace(0, k) / pair.omega[k], 2);
     }
-    pair.residual_flexibility.reinit(3, 3);
+    pair.residual.reinit(3, 3);
     for (unsigned int i = 0; i < 3; ++i)
-      pair.residual_flexibility(i, i) = residual;
+      pair.residual(i, i) = residual;
     return pair;
   }
 

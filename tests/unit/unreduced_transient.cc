@@ -84,8 +84,7 @@ TEST(UnreducedTransientMpi, StepIsThatOfTheElements)
         steps.push_back(theta_step(scene->all.omega[k], scene->all.damping_ratio[k], theta, h,
                                    ReactionWeighting::end_of_step));
       const StepMatrices matrices =
-          step_matrices(scene->all.interface.contacts.only(), scheme, scene->all.modal_trace,
-                        scene->all.residual_flexibility, steps, h, speed);
+          step_matrices(scene->all.interface.contacts.only(), scheme, scene->all, steps, h, speed);
       // gaps and slips have their own units; across the plane nothing moves
       double worst = 0;
       for (unsigned int row = 0; row < 2; ++row)

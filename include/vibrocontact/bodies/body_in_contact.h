@@ -63,6 +63,7 @@ namespace vibrocontact
 
     unsigned int n_modes() const { return omega.size(); }
     unsigned int n_poles() const { return poles.size(); }
+    std::vector<std::string> labels_of_modes() const { return {labels.begin(), labels.begin() + n_modes()}; }
     unsigned int n_rows() const
     {
       return n_modes() > 0 ? trace.m() : n_poles() > 0 ? right.m() : residual.m();

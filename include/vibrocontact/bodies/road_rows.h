@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/bodies/body_in_contact.h>
-#include <vibrocontact/reduction/reduced_body.h>
+#include <vibrocontact/bodies/reduced_body.h>
 
 namespace vibrocontact
 {
@@ -9,18 +9,10 @@ namespace vibrocontact
   /// @param forward sign of the body's x along the road: the contact's x points backwards, a ring's forward
   BodyInContact road_rows(const ReducedBody &body, bool with_friction, double forward);
 
-  /// A body with the rows of its contact.
-  struct ContactRows
-  {
-    ReducedBody reduced;
-    /// what it moves by poles beside its modes: poles, shapes, gradients and loads alone
-    BodyInContact poles = BodyInContact();
-  };
-
   /// The other way round: a body on a road with the rows of a contact. Its x points backwards, as in all rolling contacts;
   /// what the body has no rows for, across the road and along it without friction, does not give way. A hub that moves down
   /// takes all points with it.
   /// @param heights of the undeformed surface at the points, from the last to the first [m]; n
-  ContactRows contact_rows(const BodyInContact &body, const std::string &name, const ContactGrid &grid,
+  ReducedBody contact_rows(const BodyInContact &body, const std::string &name, const ContactGrid &grid,
                            const std::vector<double> &heights);
 } // namespace vibrocontact

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <vibrocontact/bodies/body_in_contact.h>
+#include <vibrocontact/bodies/reduced_body.h>
 #include <vibrocontact/contact/half_space.h>
 #include <vibrocontact/contact/interface.h>
 #include <vibrocontact/coupled_bodies/hub.h>
-#include <vibrocontact/reduction/reduced_body.h>
 #include <vibrocontact/scene/body.h>
 
 #include <memory>
@@ -13,8 +13,8 @@
 
 namespace vibrocontact
 {
-  /// Reduced bodies as their contacts see them: the jump of the contact displacements (first body of each contact minus
-  /// the second) and the modes of all,
+  /// The bodies of a scene as one, whose rows are the jump of the contact displacements (first body of each contact minus
+  /// the second; 3 n rows) and whose states are those of all,
   ///
   ///   du = Psi q + 2 Re right z + W~ R + load_jump,      q'' + 2 zeta w q' + w^2 q = Psi^T R + load
   ///                                                       z' = lambda z + left^T R + load
@@ -23,29 +23,18 @@ namespace vibrocontact
   /// force_response. The opposite force on the second body and its share of the jump are in the sign of its
   /// rows of Psi, so that nothing after this distinguishes the bodies (Lai et al. 2018, Eqs 8-14). A body in several
   /// contacts couples them: by its modes, and by its blocks of W~ between their points.
-  struct ContactPair
+  ///
+  /// trace Psi; residual W~: the residual flexibilities of all bodies (or what Contact/Local flexibility puts in their
+  /// place), the whole compliance of half-spaces, nothing of rigid bodies. Modes and poles of body 1 first, labels as
+  /// body:label. Gradients are those of the bodies that bring some, less the differences between points that V d/dx is
+  /// otherwise.
+  struct ContactPair : BodyInContact
   {
     ContactInterface interface;
-    /// angular frequencies [rad/s], damping ratios [-], names as body:label; bodies (counted from 1 in the order of
-    /// Bodies); modes of body 1 first
-    std::vector<double> omega, damping_ratio;
-    std::vector<std::string> labels;
-    std::vector<unsigned int> body;
-    /// Psi: the traces of first bodies, less those of second ones; 3 n x n_modes [1/sqrt(kg)]
-    DenseMatrix modal_trace;
-    /// modal loads [N/sqrt(kg)]; n_modes
-    std::vector<double> modal_load;
-    /// phi^T M e of unit translations of the mode's body along x, y, z; n_modes x 3 [sqrt(kg)]
-    DenseMatrix participation;
+    /// of each mode and of each pole its body, counted from 1 in the order of Bodies
+    std::vector<unsigned int> body, body_of_pole;
     /// residual displacements of the contacts per force on body 1 at its first contact point along the normal [m/N]; 3 n, empty: none
     std::vector<double> force_residual;
-    /// W~ of all bodies: residual flexibilities (or what Contact/Local flexibility puts in their place), the
-    /// whole compliance of half-spaces, nothing of rigid bodies; 3 n square [m/N]
-    DenseMatrix residual_flexibility;
-    /// what bodies move by poles beside their modes, all rows with the signs of Psi; of each pole its body (from 1). Its
-    /// gradients are those of the bodies that bring some, less the differences between points that V d/dx is otherwise
-    BodyInContact poles;
-    std::vector<unsigned int> body_of_pole;
     /// null: the hub of body 1 moves as the approach does
     std::shared_ptr<const SuspendedHub> hub;
 
@@ -61,12 +50,12 @@ namespace vibrocontact
     /// of a mode [1/sqrt(kg)] and of a row of the contact's residual displacements [m/N] per given force on body 1
     double force_participation(const unsigned int mode) const
     {
-      return body[mode] == 1 ? modal_trace(0, mode) : 0.;
+      return body[mode] == 1 ? trace(0, mode) : 0.;
     }
     /// Of a pole, as force_participation() of a mode.
     std::complex<double> force_into_pole(const unsigned int pole) const
     {
-      return body_of_pole[pole] == 1 ? poles.left(0, pole) : 0.;
+      return body_of_pole[pole] == 1 ? left(0, pole) : 0.;
     }
     double force_response(const unsigned int row) const
     {
@@ -74,11 +63,8 @@ namespace vibrocontact
     }
 
     unsigned int n_points() const { return interface.contacts.n_points(); }
-    unsigned int n_modes() const { return omega.size(); }
-    unsigned int n_poles() const { return poles.n_poles(); }
-    /// Frequencies [rad/s] and names of the modes, then of the poles: what the shapes of roots are amplitudes of.
+    /// Frequencies [rad/s] of the modes, then of the poles: what the shapes of roots are amplitudes of.
     std::vector<double> frequencies() const;
-    std::vector<std::string> names() const;
   };
 
   /// One body of the scene as the contact needs it: half-spaces and rigid bodies by their parameters, any
@@ -88,8 +74,6 @@ namespace vibrocontact
     const BodyParameters *parameters;
     /// null for half-spaces and rigid bodies
     const ReducedBody *reduced;
-    /// poles and loads on them, in the rows of `reduced`; null: it moves by its modes alone
-    const BodyInContact *poles = nullptr;
   };
 
   /// Elastic constants of a body without mesh, infinite stiffness of a rigid one.

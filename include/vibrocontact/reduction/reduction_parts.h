@@ -1,7 +1,7 @@
 #pragma once
 
+#include <vibrocontact/bodies/reduced_body.h>
 #include <vibrocontact/reduction/modes.h>
-#include <vibrocontact/reduction/reduced_body.h>
 #include <vibrocontact/reduction/wheel_labels.h>
 
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/reduction/reduced_body.h>
+#include <vibrocontact/bodies/reduced_body.h>
 
 namespace vibrocontact
 {

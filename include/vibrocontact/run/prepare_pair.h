@@ -15,7 +15,6 @@ namespace vibrocontact
   struct PreparedPair
   {
     std::vector<ReducedBody> reduced;
-    std::vector<BodyInContact> poles;
     /// in the order of the scene; they refer to the others and to the parameters
     std::vector<ContactBody> bodies;
   };
@@ -23,7 +22,7 @@ namespace vibrocontact
   /// Body `number` of the scene as its contacts see it; nothing for a half-space or a rigid body. What is known between its
   /// own points alone (an oscillator, a ring) becomes what it is on a road, see road_body() and contact_rows().
   /// @param meshed its reduction if it has a mesh, with its damping as section Modes scales it
-  std::optional<ContactRows> body_of_contact(const Parameters &parameters, std::optional<ReducedBody> meshed,
+  std::optional<ReducedBody> body_of_contact(const Parameters &parameters, std::optional<ReducedBody> meshed,
                                              const std::optional<MeasuredData> &measured,
                                              unsigned int number);
 

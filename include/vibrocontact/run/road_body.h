@@ -14,7 +14,8 @@ namespace vibrocontact
   {
     /// rows of all contact points, upward; with friction then those forward
     BodyInContact body;
-    /// of the contact points: place along the road, forward; height of the undeformed surface [m]
+    /// of the contact points: place along the road, forward; height of the surface that its modes and poles have not moved,
+    /// constant loads on the rest included [m]
     std::vector<double> places = {}, shapes = {};
     /// compliance of the tread under each contact point, which the residual has [m/N]
     double tread = 0;

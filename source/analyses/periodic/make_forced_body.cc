@@ -1,10 +1,10 @@
 #include <vibrocontact/analyses/periodic/make_forced_body.h>
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/bodies/point_reduction.h>
 #include <vibrocontact/fe/dense_system.h>
 #include <vibrocontact/fe/nearest_dof.h>
 #include <vibrocontact/reduction/all_modes.h>
 #include <vibrocontact/reduction/compute_modes.h>
+#include <vibrocontact/reduction/point_reduction.h>
 #include <vibrocontact/run/road_body.h>
 
 namespace vibrocontact

@@ -57,7 +57,7 @@ namespace vibrocontact
       };
       ReducedReceptance F;
       split(product(compliance_of_contact(pair, equilibrium), E), F.A_0, F.A_1);
-      const PatchShapes shapes = patch_shapes(pair.modal_trace, shape_tolerance);
+      const PatchShapes shapes = patch_shapes(pair.trace, shape_tolerance);
       F.S = shapes.amplitudes;
       split(shapes.basis, F.L_0, F.L_1);
       F.P.reinit(shapes.rank(), size);

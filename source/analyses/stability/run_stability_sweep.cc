@@ -31,7 +31,7 @@ namespace vibrocontact
     {
       const Parameters &parameters = one.parameters;
       const ContactGrid grid = grid_of_case(one);
-      std::vector<std::optional<ContactRows>> own(2);
+      std::vector<std::optional<ReducedBody>> own(2);
       std::vector<ContactBody> bodies;
       for (unsigned int k = 0; k < 2; ++k)
       {
@@ -52,7 +52,7 @@ namespace vibrocontact
           scale_damping(*meshed, parameters.modes.at(body.name));
         }
         own[k] = body_of_contact(parameters, std::move(meshed), measured, k);
-        bodies.push_back({&body, own[k] ? &own[k]->reduced : nullptr, own[k] ? &own[k]->poles : nullptr});
+        bodies.push_back({&body, own[k] ? &*own[k] : nullptr});
       }
       return contact_pair(bodies[0], bodies[1], parameters.contact(), grid);
     }
@@ -83,7 +83,7 @@ namespace vibrocontact
                                 one.parameters.contact_solver, pair, [](const StabilityResult &) {})
                           .front();
       const ContactPair &moving = solved.result.suspended ? *solved.result.suspended : pair;
-      solved.labels = moving.names();
+      solved.labels = moving.labels;
       solved.omega = moving.frequencies();
       return solved;
     }

@@ -48,9 +48,8 @@ namespace vibrocontact
                                  const ContactSections &contact, const std::vector<ModalStep> &steps,
                                  const double h, const double speed, const StepWeights &pole_steps)
       : pair(pair), scheme(scheme), steps(steps), pole_steps(pole_steps), h(h), speed(speed),
-        damper(pair.hub.get(), steps),
-        matrices(step_matrices(pair.interface.contacts, scheme, pair.modal_trace, pair.residual_flexibility,
-                               steps, h, speed, pair.hub.get(), pair.poles, pole_steps)),
+        damper(pair.hub.get(), steps), matrices(step_matrices(pair.interface.contacts, scheme, pair, steps, h,
+                                                              speed, pair.hub.get(), pole_steps)),
         q(pair.n_modes()), v(pair.n_modes()), z(pair.n_poles())
   {
     Creepage none;
@@ -73,20 +72,20 @@ namespace vibrocontact
   void complete(const ContactPair &pair, const DenseVector &rigid_slip, DynamicState &state)
   {
     const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
-    residual_displacement(pair.residual_flexibility, state.R, state.residual_displacement);
+    residual_displacement(pair.residual, state.R, state.residual_displacement);
     state.force_change.reinit(3 * n);
     state.residual_change.reinit(3 * n);
     state.modal_force.reinit(n_modes);
     state.pole_force.assign(pair.n_poles(), 0.);
     for (unsigned int k = 0; k < pair.n_poles(); ++k)
       for (unsigned int i = 0; i < 3 * n; ++i)
-        state.pole_force[k] += pair.poles.left(i, k) * state.R[i];
+        state.pole_force[k] += pair.left(i, k) * state.R[i];
     DenseVector tangential(n_modes), forces(state.R);
     if (n_modes > 0)
     {
-      pair.modal_trace.Tvmult(state.modal_force, forces);
+      pair.trace.Tvmult(state.modal_force, forces);
       std::fill(forces.begin(), forces.begin() + n, 0.);
-      pair.modal_trace.Tvmult(tangential, forces);
+      pair.trace.Tvmult(tangential, forces);
     }
     double rate = 0;
     for (unsigned int k = 0; k < n_modes; ++k)
@@ -102,12 +101,11 @@ namespace vibrocontact
     {
       double mobility = 0;
       for (unsigned int k = 0; k < pair.n_modes(); ++k)
-        mobility += pair.modal_trace(i, k) * pair.modal_trace(i, k);
+        mobility += pair.trace(i, k) * pair.trace(i, k);
       for (unsigned int k = 0; k < pair.n_poles(); ++k)
-        mobility += 2 * (pair.poles.right(i, k) * pair.poles.poles[k] * pair.poles.left(i, k)).real();
+        mobility += 2 * (pair.right(i, k) * pair.poles[k] * pair.left(i, k)).real();
       if (mobility > 0)
-        longest =
-            std::min(longest, 2.7 * std::sqrt(std::max(0., pair.residual_flexibility(i, i)) / mobility));
+        longest = std::min(longest, 2.7 * std::sqrt(std::max(0., pair.residual(i, i)) / mobility));
     }
     return longest;
   }
@@ -143,8 +141,8 @@ namespace vibrocontact
   void ContactStepper::search_proximity(DynamicState &state)
   {
     const unsigned int n = pair.n_points();
-    residual_displacement(pair.residual_flexibility, state.R, state.residual_displacement);
-    residual_displacement(pair.residual_flexibility, state.force_change, state.residual_change);
+    residual_displacement(pair.residual, state.R, state.residual_displacement);
+    residual_displacement(pair.residual, state.force_change, state.residual_change);
     std::copy(state.q.begin(), state.q.end(), q.begin());
     displacement = 0;
     multiply(matrices.shapes.amplitudes, q, displacement);
@@ -221,7 +219,7 @@ namespace vibrocontact
     for (unsigned int c = 0; c < 3; ++c)
       for (unsigned int i = 0; i < m; ++i)
         R[contact_row(n, c, points[i])] = solution.R[contact_row(m, c, i)];
-    residual_displacement(pair.residual_flexibility, R, residual);
+    residual_displacement(pair.residual, R, residual);
     step_operator->modal_numbers(solution.R, c_n, c_t);
     c_n += c_t;
     multiply(matrices.displacement_gain, c_n, displacement);
@@ -288,7 +286,7 @@ namespace vibrocontact
       {
         displacements[i] += 2 * (matrices.right(i, k) * states[k]).real();
         if (velocities)
-          (*velocities)[i] += 2 * (matrices.right(i, k) * (pair.poles.poles[k] * states[k] + feed[k])).real();
+          (*velocities)[i] += 2 * (matrices.right(i, k) * (pair.poles[k] * states[k] + feed[k])).real();
       }
   }
 
@@ -315,7 +313,7 @@ namespace vibrocontact
     std::vector<std::complex<double>> feed(pair.n_poles());
     for (unsigned int k = 0; k < pair.n_poles(); ++k)
     {
-      const std::complex<double> load = pair.poles.pole_load[k], point = pair.force_into_pole(k);
+      const std::complex<double> load = pair.pole_load[k], point = pair.force_into_pole(k);
       feed[k] = load + point * drive.force;
       z[k] = pole_steps.factor[k] * state.z[k] + pole_steps.now[k] * feed[k] +
              pole_steps.later[k] * (load + point * state.force + state.pole_force[k]);

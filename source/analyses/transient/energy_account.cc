@@ -25,7 +25,7 @@ namespace vibrocontact
       {
         double moved = 0;
         for (unsigned int k = 0; k < pair.n_poles(); ++k)
-          moved += 2 * (pair.poles.right(i, k) * state.z[k]).real();
+          moved += 2 * (pair.right(i, k) * state.z[k]).real();
         work += std::abs(state.R[i] * moved);
       }
       return pair.n_poles() > 0 ? std::max(std::abs(taken), rounding * work) : 0;
@@ -97,10 +97,10 @@ namespace vibrocontact
     {
       const std::complex<double> dz = 2. * (after.z[k] - before.z[k]);
       for (unsigned int i = 0; i < 3 * n; ++i)
-        account.damping += (before.R[i] + after.R[i]) / 2 * (pair.poles.right(i, k) * dz).real();
+        account.damping += (before.R[i] + after.R[i]) / 2 * (pair.right(i, k) * dz).real();
       if (mean_force != 0 && pair.body_of_pole[k] == 1)
       {
-        const double taken = mean_force * (pair.poles.right(0, k) * dz).real();
+        const double taken = mean_force * (pair.right(0, k) * dz).real();
         account.loads += taken;
         account.damping += taken;
       }

@@ -20,7 +20,7 @@ namespace vibrocontact
       if (contact_points_have_mass(parameters))
         return "the contact points have mass";
       if (pair.n_poles() > 0)
-        return pair.poles.labels.front() + " is a pole, and no mode";
+        return pair.labels[pair.n_modes()] + " is a pole, and no mode";
       if (2 * pair.n_modes() > most_states)
         return "there are more than " + std::to_string(most_states) + " states";
       return "";
@@ -50,7 +50,7 @@ namespace vibrocontact
         at_rest.perturbed_mode.clear();
         const DynamicState rest =
             initial_state(at_rest, parameters.contacts, parameters.contact_solver, held, hub);
-        const unsigned int perturbed = perturbed_mode(parameters.transient, held.labels);
+        const unsigned int perturbed = perturbed_mode(parameters.transient, held.labels_of_modes());
         return std::make_unique<ModeRecorder>(
             ModeProjection(pair, find_creep_scheme(parameters.contact().creep_scheme),
                            equilibrium_of(rest, parameters.contacts, pair.interface.contacts, hub.drive(0)),

@@ -44,11 +44,11 @@ namespace vibrocontact
       for (unsigned int i = 0; i < size; ++i)
         product += std::conj(lambda.left_component(i, k)) * lambda.component(i, k);
       double velocity = 0;
-      for (unsigned int row = 0; row < pair.modal_trace.m(); ++row)
+      for (unsigned int row = 0; row < pair.trace.m(); ++row)
       {
         std::complex<double> sum = 0;
         for (unsigned int i = 0; i < m; ++i)
-          sum += pair.modal_trace(row, i) * lambda.component(i, k);
+          sum += pair.trace(row, i) * lambda.component(i, k);
         velocity = std::max(velocity, std::abs(lambda.values[k] * sum));
       }
       std::vector<std::complex<double>> weight(size);

@@ -148,7 +148,7 @@ namespace vibrocontact
       ContactPair result = pair;
       for (unsigned int i = 0; i < pair.n_points(); ++i)
         if (!law[i].is_rigid() && law[i].is_linear())
-          result.residual_flexibility(i, i) += law[i].compression(0).compliance;
+          result.residual(i, i) += law[i].compression(0).compliance;
       return result;
     }
 

@@ -38,8 +38,8 @@ namespace vibrocontact
       const ForceInterpolation interpolation =
           parameters.reaction == "end of step" ? ForceInterpolation::constant : ForceInterpolation::linear;
       return parameters.integrator == "exact propagator"
-                 ? step_weights(pair.poles, h, interpolation)
-                 : theta_weights(pair.poles, h, interpolation, parameters.theta);
+                 ? step_weights(pair, h, interpolation)
+                 : theta_weights(pair, h, interpolation, parameters.theta);
     }
   } // namespace
 
@@ -53,7 +53,7 @@ namespace vibrocontact
                        "it to 0 and give the Time step.");
     if (n_levels() > 1 && pair.n_poles() > 0)
       throw InputError("Entry Transient/Error tolerance judges the motion of modes, but " +
-                       pair.poles.labels.front() + " is a pole: set it to 0 and give the Time step.");
+                       pair.labels[pair.n_modes()] + " is a pole: set it to 0 and give the Time step.");
     shortest_step = std::ldexp(parameters.time_step, 1 - static_cast<int>(n_levels()));
   }
 

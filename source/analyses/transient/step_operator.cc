@@ -36,19 +36,19 @@ namespace vibrocontact
     }
 
     /// The columns of both shapes of the poles behind those of the modes, as large as the largest of these.
-    DenseMatrix with_poles(const DenseMatrix &modal_trace, const BodyInContact &poles)
+    DenseMatrix all_shapes(const BodyInContact &body)
     {
-      const unsigned int n = poles.right.m(), m = modal_trace.n();
-      if (poles.n_poles() == 0)
-        return modal_trace;
-      DenseMatrix result(n, m + 4 * poles.n_poles());
+      const unsigned int n = body.n_rows(), m = body.n_modes();
+      if (body.n_poles() == 0)
+        return body.trace;
+      DenseMatrix result(n, m + 4 * body.n_poles());
       double largest = 0;
       for (unsigned int k = 0; k < m; ++k)
         for (unsigned int i = 0; i < n; ++i)
-          largest = std::max(largest, std::abs(result(i, k) = modal_trace(i, k)));
+          largest = std::max(largest, std::abs(result(i, k) = body.trace(i, k)));
       unsigned int column = m;
-      for (const ComplexMatrix *const shapes : {&poles.right, &poles.left})
-        for (unsigned int k = 0; k < poles.n_poles(); ++k, column += 2)
+      for (const ComplexMatrix *const shapes : {&body.right, &body.left})
+        for (unsigned int k = 0; k < body.n_poles(); ++k, column += 2)
         {
           double own = 0;
           for (unsigned int i = 0; i < n; ++i)
@@ -75,12 +75,12 @@ namespace vibrocontact
 
     /// Numbers of their own for the gradients of the poles, behind those of the shapes: what moves through them is no
     /// displacement of the points, and no force feeds it.
-    void add_gradients(const BodyInContact &poles, StepMatrices &matrices)
+    void add_gradients(const BodyInContact &body, StepMatrices &matrices)
     {
       std::vector<unsigned int> along;
-      for (unsigned int i = 0; i < poles.gradient.m(); ++i)
-        for (unsigned int k = 0; k < poles.n_poles(); ++k)
-          if (poles.gradient(i, k) != 0.)
+      for (unsigned int i = 0; i < body.gradient.m(); ++i)
+        for (unsigned int k = 0; k < body.n_poles(); ++k)
+          if (body.gradient(i, k) != 0.)
           {
             along.push_back(i);
             break;
@@ -104,8 +104,8 @@ namespace vibrocontact
       for (unsigned int j = 0; j < along.size(); ++j)
       {
         matrices.by_displacement(along[j], rank + j) = matrices.speed;
-        for (unsigned int k = 0; k < poles.n_poles(); ++k)
-          matrices.right(rank + j, k) = poles.gradient(along[j], k);
+        for (unsigned int k = 0; k < body.n_poles(); ++k)
+          matrices.right(rank + j, k) = body.gradient(along[j], k);
       }
     }
 
@@ -131,10 +131,8 @@ namespace vibrocontact
   } // namespace
 
   StepMatrices step_matrices(const PlacedContacts &contacts, const CreepScheme &scheme,
-                             const DenseMatrix &modal_trace, const DenseMatrix &residual_flexibility,
-                             const std::vector<ModalStep> &steps, const double h, const double speed,
-                             const SuspendedHub *const hub, const BodyInContact &poles,
-                             const StepWeights &pole_steps)
+                             const BodyInContact &body, const std::vector<ModalStep> &steps, const double h,
+                             const double speed, const SuspendedHub *const hub, const StepWeights &pole_steps)
   {
     const unsigned int n = contacts.n_points();
     StepMatrices result;
@@ -142,35 +140,35 @@ namespace vibrocontact
     result.scheme = scheme;
     result.step = h;
     result.speed = speed;
-    result.residual_flexibility = result.response = residual_flexibility;
-    result.shapes = patch_shapes(with_poles(modal_trace, poles), patch_shape_tolerance);
+    result.residual_flexibility = result.response = body.residual;
+    result.shapes = patch_shapes(all_shapes(body), patch_shape_tolerance);
     PatchShapes &shapes = result.shapes;
-    if (poles.n_poles() > 0)
+    if (body.n_poles() > 0)
     {
-      result.right = in_terms_of(shapes.basis, poles.right);
-      result.left = in_terms_of(shapes.basis, poles.left);
-      shapes.amplitudes.reinit(shapes.rank(), modal_trace.n());
-      if (modal_trace.n() > 0)
-        shapes.basis.Tmmult(shapes.amplitudes, modal_trace);
+      result.right = in_terms_of(shapes.basis, body.right);
+      result.left = in_terms_of(shapes.basis, body.left);
+      shapes.amplitudes.reinit(shapes.rank(), body.n_modes());
+      if (body.n_modes() > 0)
+        shapes.basis.Tmmult(shapes.amplitudes, body.trace);
     }
     result.by_displacement = result.by_velocity = shapes.basis;
     convert_to_slip_rows(contacts, scheme, speed, result.by_displacement);
     for (unsigned int k = 0; k < shapes.rank(); ++k)
       std::fill_n(&result.by_velocity(0, k), n, 0.);
-    if (poles.gradient.m() > 0)
+    if (body.gradient.m() > 0)
     {
-      add_gradients(poles, result);
-      result.residual_gradient = poles.residual_gradient;
+      add_gradients(body, result);
+      result.residual_gradient = body.residual_gradient;
     }
     const HubDamper damper(hub, steps);
     result.displacement_gain = gain(shapes.amplitudes, steps, 0, damper);
     result.velocity_gain = gain(shapes.amplitudes, steps, 1, damper);
-    if (modal_trace.n() == 0)
+    if (body.n_modes() == 0)
     {
       result.displacement_gain.reinit(shapes.rank());
       result.velocity_gain.reinit(shapes.rank());
     }
-    for (unsigned int k = 0; k < poles.n_poles(); ++k)
+    for (unsigned int k = 0; k < body.n_poles(); ++k)
       for (unsigned int j = 0; j < shapes.rank(); ++j)
       {
         const std::complex<double> to = 2. * result.left(j, k);
@@ -178,7 +176,7 @@ namespace vibrocontact
         {
           const std::complex<double> residue = result.right(i, k) * to;
           result.displacement_gain(i, j) += (residue * pole_steps.now[k]).real();
-          result.velocity_gain(i, j) += (residue * (poles.poles[k] * pole_steps.now[k] + 1.)).real();
+          result.velocity_gain(i, j) += (residue * (body.poles[k] * pole_steps.now[k] + 1.)).real();
         }
       }
 
@@ -186,7 +184,7 @@ namespace vibrocontact
     convert_to_slip_rows(contacts, scheme, speed, A);
     for (unsigned int j = 0; j < 3 * n; ++j)
       for (unsigned int i = n; i < 3 * n; ++i)
-        A(i, j) += residual_flexibility(i, j) / h;
+        A(i, j) += body.residual(i, j) / h;
     if (result.residual_gradient.m() > 0)
       A.add(speed, result.residual_gradient);
     add_product(result.by_displacement, result.displacement_gain, shapes.basis, A);

@@ -35,12 +35,12 @@ namespace vibrocontact
   {
     void perturb(const TransientParameters &parameters, const ContactPair &pair, DynamicState &state)
     {
-      const unsigned int k = perturbed_mode(parameters, pair.labels);
+      const unsigned int k = perturbed_mode(parameters, pair.labels_of_modes());
       if (k == pair.n_modes())
         return;
       double largest = 0;
-      for (unsigned int i = 0; i < pair.modal_trace.m(); ++i)
-        largest = std::max(largest, std::abs(pair.modal_trace(i, k)));
+      for (unsigned int i = 0; i < pair.trace.m(); ++i)
+        largest = std::max(largest, std::abs(pair.trace(i, k)));
       if (!(largest > 0))
         throw InputError("Transient/Perturbed mode: '" + parameters.perturbed_mode +
                          "' does not move the contact; name another mode.");
@@ -67,11 +67,10 @@ namespace vibrocontact
     {
       problem.b[i] += pair.force_response(i) * drive.force;
       for (unsigned int k = 0; k < n_modes; ++k)
-        problem.b[i] += pair.modal_trace(i, k) * pair.force_participation(k) * drive.force /
-                        (pair.omega[k] * pair.omega[k]);
+        problem.b[i] +=
+            pair.trace(i, k) * pair.force_participation(k) * drive.force / (pair.omega[k] * pair.omega[k]);
       for (unsigned int k = 0; k < pair.n_poles(); ++k)
-        problem.b[i] -=
-            2 * (pair.poles.right(i, k) * pair.force_into_pole(k) / pair.poles.poles[k]).real() * drive.force;
+        problem.b[i] -= 2 * (pair.right(i, k) * pair.force_into_pole(k) / pair.poles[k]).real() * drive.force;
     }
     const auto method = create_contact_solver(solver);
     ContactSolution solution;
@@ -115,16 +114,16 @@ namespace vibrocontact
       state.R = state.contact.R;
       DenseVector force(n_modes);
       if (n_modes > 0)
-        pair.modal_trace.Tvmult(force, state.R);
+        pair.trace.Tvmult(force, state.R);
       for (unsigned int k = 0; k < n_modes; ++k)
         state.q[k] = (force[k] + pair.modal_load[k] + pair.force_participation(k) * drive.force) /
                      (pair.omega[k] * pair.omega[k]);
       for (unsigned int k = 0; k < pair.n_poles(); ++k)
       {
-        state.z[k] = pair.poles.pole_load[k] + pair.force_into_pole(k) * drive.force;
+        state.z[k] = pair.pole_load[k] + pair.force_into_pole(k) * drive.force;
         for (unsigned int i = 0; i < 3 * n; ++i)
-          state.z[k] += pair.poles.left(i, k) * state.R[i];
-        state.z[k] /= -pair.poles.poles[k];
+          state.z[k] += pair.left(i, k) * state.R[i];
+        state.z[k] /= -pair.poles[k];
       }
     }
     perturb(transient, pair, state);

@@ -117,9 +117,9 @@ namespace vibrocontact
 
   Marks TransientMarch::marks() const
   {
-    return {{"frequencies", pair.omega},       {"damping ratios", pair.damping_ratio},
-            {"loads", pair.modal_load},        {"mode shapes", weighted_sums(pair.modal_trace)},
-            {"poles", pole_parts(pair.poles)}, {"flexibility", weighted_sums(pair.residual_flexibility)},
+    return {{"frequencies", pair.omega}, {"damping ratios", pair.damping_ratio},
+            {"loads", pair.modal_load},  {"mode shapes", weighted_sums(pair.trace)},
+            {"poles", pole_parts(pair)}, {"flexibility", weighted_sums(pair.residual)},
             {"gap", pair.interface.gap}};
   }
 

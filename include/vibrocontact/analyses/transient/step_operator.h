@@ -36,12 +36,10 @@ namespace vibrocontact
     DenseMatrix displacement_gain, velocity_gain;
   };
 
-  /// @param modal_trace Psi, 3 n x n_modes; @param steps one per mode; @param hub null: held
-  /// @param poles ContactPair::poles, and what they do in the step
+  /// @param steps one per mode; @param hub null: held @param pole_steps what the poles do in the step
   StepMatrices step_matrices(const PlacedContacts &contacts, const CreepScheme &scheme,
-                             const DenseMatrix &modal_trace, const DenseMatrix &residual_flexibility,
-                             const std::vector<ModalStep> &steps, double h, double speed,
-                             const SuspendedHub *hub = nullptr, const BodyInContact &poles = BodyInContact(),
+                             const BodyInContact &body, const std::vector<ModalStep> &steps, double h,
+                             double speed, const SuspendedHub *hub = nullptr,
                              const StepWeights &pole_steps = {});
 
   /// A of a time step on some points of the grid, from the residual displacements w = W~ R there and upstream

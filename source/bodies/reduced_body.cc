@@ -1,5 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/reduction/reduced_body.h>
+#include <vibrocontact/bodies/reduced_body.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,8 +42,8 @@ namespace vibrocontact
 
   DenseMatrix static_compliance(const ReducedBody &body)
   {
-    DenseMatrix result = body.residual_flexibility;
-    add_modal_compliance(result, body.modal_trace, body.omega, body.name);
+    DenseMatrix result = body.residual;
+    add_modal_compliance(result, body.trace, body.omega, body.name);
     return result;
   }
 } // namespace vibrocontact

@@ -1,4 +1,4 @@
-#include <vibrocontact/bodies/point_reduction.h>
+#include <vibrocontact/reduction/point_reduction.h>
 
 #include <algorithm>
 #include <cmath>
