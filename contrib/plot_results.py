@@ -23,7 +23,8 @@ figures/transient_status.png    status of the contact points through a period, a
 figures/mode_growth.png         amplitudes of the modes over time beside the growth of their roots
 figures/transient_<signal>.png  velocity of a probe and its spectrogram, as in Fig. 15
 figures/spectrum_<signal>.png    its amplitudes over frequency, peaks named by roots, modes and harmonics
-figures/modal_convolution_*.png displacements, forces and 1/3-octave bands of the force, as in Figs 2, 3, 6, 7 of Meftah & Duhamel
+figures/<analysis>_bands.png     1/3-octave bands of the contact force of a transient or a modal convolution
+figures/modal_convolution_*.png displacements and forces, as in Figs 2, 3, 6, 7 of Meftah & Duhamel
 figures/method_comparison.png   error against cost of the propagators
 figures/periodic_motion.png     displacement, velocity and contact force over a period, as in Figs 6 to 9 of Jones & Legrand
 figures/periodic_errors.png     their errors over the number of functions and over time, as in Figs 10 and 11
@@ -118,6 +119,10 @@ def main():
     # they need h5py
     from plots.convolution import plot_comparison, plot_modal_convolution
     from plots.transient import known_frequencies, plot_transient
+    from plots.common import plot_bands
+    for analysis in ("transient", "modal_convolution"):
+        if "third_octaves" in analyses.get(analysis, {}):
+            plot_bands(folder, analyses[analysis]["third_octaves"], analysis + "_bands")
     convolution = analyses.get("modal_convolution", {})
     if "transient" in analyses or not convolution:
         plot_transient(folder, analyses.get("transient", {}), results.get("title", ""), known_frequencies(analyses))

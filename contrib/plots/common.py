@@ -44,6 +44,23 @@ def save(figure, folder, name):
     os.replace(part, os.path.join(folder, "figures", name + ".png"))
 
 
+def plot_bands(folder, table, name):
+    """1/3-octave bands of a force."""
+    bands = read_table(os.path.join(folder, table))
+    level = bands["level_dB"]
+    if len(level) < 3:
+        return
+    figure, axis = plt.subplots(figsize=(8, 3.5))
+    bottom = 10 * np.floor(max(level.min(), level.max() - 100) / 10 - 1)
+    axis.bar(range(len(level)), level - bottom, bottom=bottom, color="0.5")
+    axis.set_xticks(range(0, len(level), 3), [f"{f:g}" for f in bands["nominal_Hz"][::3]])
+    axis.set_ylim(bottom, None)
+    axis.set_xlabel("1/3-octave band [Hz]")
+    axis.set_ylabel("contact force [dB re 1 N]")
+    axis.grid(alpha=0.3, axis="y")
+    save(figure, folder, name)
+
+
 def legend_above(axis, handles=None, **style):
     """Outside of the data."""
     axis.legend(handles=handles, loc="lower left", bbox_to_anchor=(0, 1), ncols=4, frameon=False, fontsize=8,

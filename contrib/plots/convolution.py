@@ -4,12 +4,11 @@ import os
 import numpy as np
 import h5py
 
-from plots.common import LONG, plot_line, read_table, save, plt
+from plots.common import LONG, plot_line, save, plt
 
 
 def plot_modal_convolution(folder, histories):
-    """Displacements and forces of up to three contact points, as in Figs 2, 3, 6 and 7 of Meftah & Duhamel (2011), and
-    third-octave bands of the whole force."""
+    """Displacements and forces of up to three contact points, as in Figs 2, 3, 6 and 7 of Meftah & Duhamel (2011)."""
     with h5py.File(os.path.join(folder, histories)) as file:
         time = np.asarray(file["time_s"])
         n_points = sum(1 for name in file if name.endswith("_force_N") and not name.endswith("_tangential_force_N"))
@@ -45,19 +44,6 @@ def plot_modal_convolution(folder, histories):
             top = np.percentile(np.concatenate(list(values.values())), 99.8)
             axes[0, 0].set_ylim(min(0, min(v.min() for v in values.values())), 1.2 * top if top > 0 else None)
         save(figure, folder, f"modal_convolution_{name}")
-    name = os.path.join(folder, "third_octaves.csv")
-    bands = read_table(name) if os.path.exists(name) else {"level_dB": []}
-    if len(bands["level_dB"]) > 2:
-        figure, axis = plt.subplots(figsize=(8, 3.5))
-        level = bands["level_dB"]
-        bottom = 10 * np.floor(max(level.min(), level.max() - 100) / 10 - 1)
-        axis.bar(range(len(level)), level - bottom, bottom=bottom, color="0.5")
-        axis.set_xticks(range(0, len(level), 3), [f"{f:g}" for f in bands["nominal_Hz"][::3]])
-        axis.set_ylim(bottom, None)
-        axis.set_xlabel("1/3-octave band [Hz]")
-        axis.set_ylabel("contact force [dB re 1 N]")
-        axis.grid(alpha=0.3, axis="y")
-        save(figure, folder, "modal_convolution_bands")
 
 
 def least_memory(entries, entry):

@@ -1,6 +1,6 @@
 // Signals with a known answer: spectrum, growth, steadiness, another sampling rate.
 
-#include <vibrocontact/analyses/transient/signal_output.h>
+#include <vibrocontact/marching/signal_output.h>
 #include <vibrocontact/numerics/cycle_measure.h>
 #include <vibrocontact/numerics/growth_fit.h>
 #include <vibrocontact/numerics/spectrum.h>
@@ -114,7 +114,7 @@ TEST(Signals, AnImpactThatIsOverIsNoOscillation)
   signal.name = "normal_force";
   signal.unit = "N";
   signal.signal = force;
-  const auto json = signals_json({signal}, SignalParameters(), force.end(), "");
+  const auto json = signals_json({signal}, SignalWindows(), force.end(), "");
   EXPECT_TRUE(json.at("dominant_frequencies_Hz").empty());
   EXPECT_TRUE(json.at("signals")[0].at("peaks").empty());
   EXPECT_FALSE(json.at("signals")[0].contains("cycle"));

@@ -1,7 +1,6 @@
 #include <vibrocontact/analyses/modal_convolution/modal_convolution_output.h>
 #include <vibrocontact/base/hdf5_file.h>
 #include <vibrocontact/base/table.h>
-#include <vibrocontact/numerics/third_octaves.h>
 #include <vibrocontact/output/answer_parts.h>
 
 #include <algorithm>
@@ -103,37 +102,37 @@ namespace vibrocontact
     table.write(folder + "/impacts.csv");
   }
 
-  void write_third_octaves(const ModalConvolutionParameters &parameters, const ModalConvolutionResult &result,
-                           const std::string &histories, const std::string &folder)
+  std::vector<NamedSignal> recorded_forces(const ModalConvolutionParameters &parameters,
+                                           const ModalConvolutionResult &result, const std::string &histories)
   {
     Hdf5Reader file(histories + ".h5");
     const std::vector<double> time = file.numbers("time_s");
-    Table table({"nominal_Hz", "centre_Hz", "lower_Hz", "upper_Hz", "rms_N", "level_dB"},
-                {"1/3-octave bands (IEC 61260-1, base ten) of the force of all contact points together, mean "
-                 "left out, Hann window over the last three quarters of the run",
-                 "level re 1 N; the squares of contiguous bands add up to that of the whole"});
-    Signal whole;
-    if (time.size() > 1)
+    if (time.size() < 2)
+      return {};
+    const auto sum = [&](const std::string &quantity)
     {
+      Signal whole;
+      whole.begin = time[0];
       whole.step = time[1] - time[0];
       whole.values.assign(time.size(), 0.);
       for (unsigned int i = 0; i < result.impulse.size(); ++i)
       {
-        const std::vector<double> force = file.numbers("point_" + std::to_string(i) + "_force_N");
+        const std::vector<double> force = file.numbers(point_name(i) + quantity);
         std::transform(force.begin(), force.end(), whole.values.begin(), whole.values.begin(), std::plus<>());
       }
-      if (parameters.is_event_located())
-        for (const ContactEvent &event : result.impacts)
-        {
-          const std::size_t line = std::lround((event.time - time[0]) / whole.step);
-          whole.values[std::min(line, time.size() - 1)] += event.impulse / whole.step;
-        }
-      whole.values.erase(whole.values.begin(), whole.values.begin() + whole.size() / 4);
-    }
-    for (const ThirdOctave &band : third_octaves(whole))
-      if (band.rms > 0)
-        table.add_row({band.nominal, band.centre, band.lower, band.upper, band.rms, band.level()});
-    table.write(folder + "/third_octaves.csv");
+      return whole;
+    };
+    std::vector<NamedSignal> forces = {{"normal_force", "N", sum("force_N"), false}};
+    Signal &normal = forces[0].signal;
+    if (parameters.is_event_located())
+      for (const ContactEvent &event : result.impacts)
+      {
+        const std::size_t line = std::lround((event.time - time[0]) / normal.step);
+        normal.values[std::min(line, time.size() - 1)] += event.impulse / normal.step;
+      }
+    if (parameters.friction)
+      forces.push_back({"tangential_force", "N", sum("tangential_force_N"), false});
+    return forces;
   }
 
   nlohmann::ordered_json modal_convolution_json(const ModalConvolutionParameters &parameters,

@@ -56,6 +56,9 @@ namespace vibrocontact
         "Whether a second run in twice the steps (half of the cost of a modal recursion) goes on beside "
         "this one and tells its error; if not, results.json says nothing about it. Units: none.",
         Bool());
+    prm.enter_subsection("Signals");
+    signals.declare_parameters(prm, "the end");
+    prm.leave_subsection();
   }
 
   bool ModalConvolutionParameters::takes_theta() const
@@ -82,6 +85,7 @@ namespace vibrocontact
       throw InputError("Modal convolution/End time is before the first Time step: give a later one.");
     if (end_time / time_step > 1e12)
       throw InputError("Modal convolution/Time step asks for more than 1e12 steps: enlarge it.");
+    signals.check("Modal convolution", end_time);
     if (memory > 0 && memory < time_step)
       throw InputError(
           "Modal convolution/Memory is shorter than Modal convolution/Time step: give the time that "

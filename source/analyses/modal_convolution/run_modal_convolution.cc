@@ -23,7 +23,8 @@ namespace vibrocontact
   namespace
   {
     constexpr unsigned int most_point_tables = 10;
-    constexpr unsigned long most_table_lines = 1000000, most_spectrum_lines = 20000000;
+    constexpr unsigned long most_table_lines = 1000000, most_signal_lines = 1000000,
+                            most_spectrum_lines = 20000000;
 
     void print(const ModalConvolutionParameters &parameters, const ModalConvolutionResult &result)
     {
@@ -75,12 +76,13 @@ namespace vibrocontact
                        parameters.scene.bodies[0].name +
                        " is free, and no force that has moved it may be forgotten: leave the rows out.");
     const Road road(road_parameters, body.places, body.shapes, own.end_time);
+    own.signals.judge("Modal convolution", own.end_time, results);
     ModalConvolution motion(own, parameters.contact_solver, poles, road, road_laws(parameters));
 
     const bool first = dealii::Utilities::MPI::this_mpi_process(run_communicator()) == 0;
-    // a transient beside it has the short name
-    const std::string histories =
-        parameters.scene.runs("transient") ? "modal_convolution_histories" : "histories";
+    // a transient beside it has the short names
+    const std::string prefix = parameters.scene.runs("transient") ? "modal_convolution_" : "",
+                      histories = prefix + "histories";
     std::optional<ModalConvolutionHistory> history;
     Recorders recorders;
     if (first)
@@ -113,11 +115,20 @@ namespace vibrocontact
           if (n_points <= most_point_tables && lines <= most_table_lines)
             write_point_tables(folder + "/" + histories, n_points, own.friction, folder);
           write_impacts(result, folder);
-          if (lines <= most_spectrum_lines)
-          {
-            write_third_octaves(own, result, folder + "/" + histories, folder);
-            json["third_octaves"] = "third_octaves.csv";
-          }
+          if (lines > most_spectrum_lines)
+            return;
+          const std::vector<NamedSignal> forces = recorded_forces(own, result, folder + "/" + histories);
+          if (lines <= most_signal_lines)
+            json.update(signals_json(varying(forces), own.signals, result.time, ""));
+          else
+            run_log().line(
+                "The histories have more than 1,000,000 lines, too many for spectra and growth rates of "
+                "the forces: give a longer Modal convolution/History interval.");
+          if (forces.empty())
+            return;
+          const std::string bands = prefix + "third_octaves.csv";
+          write_third_octaves(forces[0].signal, folder + "/" + bands);
+          json["third_octaves"] = bands;
         });
     print(own, result);
     judge_road_march(own, motion, body.is_passive, is_whole, json, results);
@@ -181,6 +192,7 @@ namespace vibrocontact
                          own.friction || own.contact_solver == "common" || (steps && !rigid),
                          section + "/Contact solver is common");
 
+      entries.add(section + "/Signals", "Spectrum duration, Growth begin, Growth end");
       const std::string comparison = section + "/Comparison";
       entries.add(comparison, "Rows");
       entries.add_if(parameters.comparison.any(), "there are rows of a comparison", comparison,
@@ -215,32 +227,33 @@ namespace vibrocontact
 
   Analysis modal_convolution_analysis()
   {
-    return {{"modal convolution",
-             "a body known by its Green's functions rolls over a road in unilateral contact",
-             1,
-             true,
-             true,
-             "",
-             {},
-             "Modal convolution"},
-            modal_convolution_read,
-            do_modal_convolution,
-            true,
-            {{"modal_convolution",
-              "modal convolution",
-              modal_convolution_answer,
-              {"modal_convolution_histories.h5", "histories.h5", "impacts.csv", "third_octaves.csv",
-               "figures/modal_convolution*.png"}}},
-            swept_runs(prepare_modal_convolution,
-                       {{"impulse_Ns", "/modal_convolution/impulse_Ns/0"},
-                        {"largest_force_N", "/modal_convolution/largest_force_N"},
-                        {"rms_force_N", "/modal_convolution/rms_force_N"},
-                        {"closed_points_mean", "/modal_convolution/closed_points_mean"},
-                        {"n_impacts", "/modal_convolution/n_impacts"},
-                        {"input_J", "/modal_convolution/energy/input_J"},
-                        {"friction_J", "/modal_convolution/energy/friction_J"},
-                        {"estimated_error", "/modal_convolution/estimated_error"},
-                        {"steps", "/modal_convolution/steps"},
-                        {"time_s", "/modal_convolution/time_s"}})};
+    return {
+        {"modal convolution",
+         "a body known by its Green's functions rolls over a road in unilateral contact",
+         1,
+         true,
+         true,
+         "",
+         {},
+         "Modal convolution"},
+        modal_convolution_read,
+        do_modal_convolution,
+        true,
+        {{"modal_convolution",
+          "modal convolution",
+          modal_convolution_answer,
+          {"modal_convolution_histories.h5", "histories.h5", "impacts.csv",
+           "modal_convolution_third_octaves.csv", "third_octaves.csv", "figures/modal_convolution*.png"}}},
+        swept_runs(prepare_modal_convolution,
+                   {{"impulse_Ns", "/modal_convolution/impulse_Ns/0"},
+                    {"largest_force_N", "/modal_convolution/largest_force_N"},
+                    {"rms_force_N", "/modal_convolution/rms_force_N"},
+                    {"closed_points_mean", "/modal_convolution/closed_points_mean"},
+                    {"n_impacts", "/modal_convolution/n_impacts"},
+                    {"input_J", "/modal_convolution/energy/input_J"},
+                    {"friction_J", "/modal_convolution/energy/friction_J"},
+                    {"estimated_error", "/modal_convolution/estimated_error"},
+                    {"steps", "/modal_convolution/steps"},
+                    {"time_s", "/modal_convolution/time_s"}})};
   }
 } // namespace vibrocontact

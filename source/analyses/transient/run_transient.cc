@@ -14,6 +14,7 @@
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
 #include <vibrocontact/marching/run_march.h>
+#include <vibrocontact/marching/sound.h>
 #include <vibrocontact/output/verdict.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/prepare_pair.h>
@@ -68,17 +69,6 @@ namespace vibrocontact
       return pair;
     }
 
-    void warn_of_spectrum(const Parameters &parameters, Results &results)
-    {
-      const double duration = parameters.signals.spectrum_duration, end = parameters.transient.end_time;
-      if (duration <= end)
-        return;
-      std::ostringstream text;
-      text << "Transient/Signals/Spectrum duration is " << duration << " s, longer than the run of " << end
-           << " s, all of which is taken instead.";
-      doubt(text.str(), results);
-    }
-
     /// What follows the run, on rank 0.
     struct RunRecorders
     {
@@ -121,12 +111,20 @@ namespace vibrocontact
                           const std::string &folder, nlohmann::ordered_json &json)
     {
       const double end_of_growth = recorders.signals->change_of_sticking();
-      json.update(signals_json(recorded_signals(probes, folder), parameters, end_of_growth, folder));
+      const std::vector<NamedSignal> recorded = recorded_signals(probes, folder);
+      json.update(signals_json(recorded, parameters.windows, end_of_growth, parameters.sound ? folder : ""));
+      for (const NamedSignal &signal : recorded)
+        if (signal.name == "normal_force")
+        {
+          write_third_octaves(signal.signal, folder + "/third_octaves.csv");
+          json["third_octaves"] = "third_octaves.csv";
+        }
       if (recorders.modes)
       {
         json["mode_amplitudes"] = "mode_amplitudes.csv";
         json["modes"] = recorders.modes->json(
-            parameters.growth_begin, parameters.growth_end > 0 ? parameters.growth_end : end_of_growth);
+            parameters.windows.growth_begin,
+            parameters.windows.growth_end > 0 ? parameters.windows.growth_end : end_of_growth);
       }
       const auto &signals = json["signals"];
       if (!signals.empty())
@@ -217,7 +215,7 @@ namespace vibrocontact
           {},
           {}};
     warn_of_ringing(parameters, pair, results);
-    warn_of_spectrum(parameters, results);
+    parameters.signals.windows.judge("Transient", own.end_time, results);
 
     const PointLaws<NormalLaw> law = normal_law_of_points(parameters.contacts, held->interface.contacts);
     RunRecorders run_recorders;
@@ -360,7 +358,7 @@ namespace vibrocontact
               "transient",
               transient_answer,
               {"histories.h5", "mode_amplitudes.csv", "figures/transient_*.png", "figures/mode_growth.png",
-               "figures/spectrum_*.png", "*.wav"}}},
+               "figures/spectrum_*.png", "third_octaves.csv", "*.wav"}}},
             swept_runs(prepare_transient, {{"impulse_Ns", "/transient/impulse_Ns"},
                                            {"rms_normal_force_N", "/transient/rms_normal_force_N"},
                                            {"last_normal_force_N", "/transient/last/normal_force_N"},

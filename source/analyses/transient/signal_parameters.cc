@@ -26,16 +26,7 @@ namespace vibrocontact
         Double(0, 1e9));
     prm.add_parameter("Patch begin", patch_begin, "Time of the first frame of the patch. Units: s.",
                       Double(0, 1e9));
-    prm.add_parameter("Spectrum duration", spectrum_duration,
-                      "The last part of the run that the spectrum and the measures of the limit cycle take; "
-                      "0: the second half. Units: s.",
-                      Double(0, 1e9));
-    prm.add_parameter("Growth begin", growth_begin, "Begin of the window of the growth rates. Units: s.",
-                      Double(0, 1e9));
-    prm.add_parameter("Growth end", growth_end,
-                      "End of the window of the growth rates; 0: when the number of sticking points first "
-                      "changes, or the end. Units: s.",
-                      Double(0, 1e9));
+    windows.declare_parameters(prm, "when the number of sticking points first changes, or the end");
     prm.add_parameter("Mode amplitudes", n_modes,
                       "So many modes of the contact, linearised about the equilibrium that the run starts "
                       "from, are followed "
@@ -77,15 +68,7 @@ namespace vibrocontact
                                const TransientParameters &transient) const
   {
     check_frames(*this, transient);
-    if (growth_begin >= transient.end_time)
-    {
-      std::ostringstream text;
-      text << "Transient/Signals/Growth begin is " << growth_begin << " s, but Transient/End time is "
-           << transient.end_time << " s: let it be earlier.";
-      throw InputError(text.str());
-    }
-    if (growth_end > 0 && growth_end <= growth_begin)
-      throw InputError("Transient/Signals: Growth end has to be later than Growth begin, or 0.");
+    windows.check("Transient", transient.end_time);
     for (const ProbeRequest &probe : parse_probes(probes))
       if (!probe.name.empty() && std::find(bodies.begin(), bodies.end(), probe.body) == bodies.end())
         throw InputError("Transient/Signals/Probes: probe '" + probe.name + "' is on '" + probe.body +

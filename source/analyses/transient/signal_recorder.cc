@@ -68,24 +68,12 @@ namespace vibrocontact
       }
     }
     Hdf5Reader lines(folder + "/histories.h5");
-    std::vector<std::pair<double, NamedSignal>> forces;
+    std::vector<NamedSignal> forces;
     const std::vector<double> line_times = lines.numbers("time_s");
     for (const std::string name : {"normal_force", "tangential_force_x", "tangential_force_y"})
-    {
-      const std::vector<double> values = lines.numbers(name + "_N");
-      if (values.empty())
-        continue;
-      const double mean = std::accumulate(values.begin(), values.end(), 0.) / values.size();
-      double square = 0;
-      for (const double value : values)
-        square += (value - mean) * (value - mean);
-      forces.push_back({-square, {name, "N", equally_spaced(line_times, values), false}});
-    }
-    std::stable_sort(forces.begin(), forces.end(),
-                     [](const auto &a, const auto &b) { return a.first < b.first; });
-    for (const auto &[order, signal] : forces)
-      if (order < 0)
-        signals.push_back(signal);
+      forces.push_back({name, "N", equally_spaced(line_times, lines.numbers(name + "_N")), false});
+    for (NamedSignal &force : varying(std::move(forces)))
+      signals.push_back(std::move(force));
     return signals;
   }
 } // namespace vibrocontact

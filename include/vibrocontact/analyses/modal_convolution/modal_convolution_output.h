@@ -3,6 +3,7 @@
 #include <vibrocontact/analyses/modal_convolution/modal_convolution.h>
 #include <vibrocontact/base/row_file.h>
 #include <vibrocontact/marching/recorder.h>
+#include <vibrocontact/marching/signal_output.h>
 
 #include <nlohmann/json.hpp>
 
@@ -37,11 +38,11 @@ namespace vibrocontact
   void write_point_tables(const std::string &histories, unsigned int n_points, bool friction,
                           const std::string &folder);
 
-  /// third_octaves.csv of the force of all points together, from the last three quarters of the histories: nominal_Hz,
-  /// centre_Hz, lower_Hz, upper_Hz, rms_N, level_dB (re 1 N); bands without any force are left out. Impulses of the
+  /// Forces of all points together, from the histories: normal_force and, with friction, tangential_force. Impulses of the
   /// event-located motion stand in the nearest line as force over the lines' distance.
-  void write_third_octaves(const ModalConvolutionParameters &parameters, const ModalConvolutionResult &result,
-                           const std::string &histories, const std::string &folder);
+  std::vector<NamedSignal> recorded_forces(const ModalConvolutionParameters &parameters,
+                                           const ModalConvolutionResult &result,
+                                           const std::string &histories);
 
   /// analyses.modal_convolution of results.json; of more events than fit there (10,000) the first.
   nlohmann::ordered_json modal_convolution_json(const ModalConvolutionParameters &parameters,

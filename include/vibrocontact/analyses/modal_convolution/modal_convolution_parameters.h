@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/marching/signal_windows.h>
 #include <vibrocontact/propagators/propagator_types.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -33,6 +34,8 @@ namespace vibrocontact
     double checkpoint_interval = 600;
     /// whether a second march tells the error of the steps
     bool error_estimate = true;
+    /// of the forces of all points together
+    SignalWindows signals;
     /// no entry: of the event-located method, shortened where poles ask for it [s]
     double longest_piece = 1e300;
     /// that `method` chooses from; never null

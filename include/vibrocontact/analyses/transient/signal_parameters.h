@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/transient/transient_parameters.h>
+#include <vibrocontact/marching/signal_windows.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
@@ -21,11 +22,8 @@ namespace vibrocontact
     /// distance of the frames of the contact patch and time of the first [s]; distance 0, or
     /// Output/Fields = false: none
     double patch_interval = 0, patch_begin = 0;
-    /// what the spectrum and the measure of the limit cycle look at: the last ... of the run [s]; 0: half of
-    /// it
-    double spectrum_duration = 0;
-    /// window of the growth rates [s]; end 0: until the number of sticking points changes, or the end
-    double growth_begin = 0, growth_end = 0;
+    /// growth rates end at the latest where the number of sticking points changes
+    SignalWindows windows;
     /// modes of the contact whose amplitudes are followed, those of the largest growth rates; 0: none
     unsigned int n_modes = 6;
     /// a WAV per probe velocity
@@ -36,9 +34,6 @@ namespace vibrocontact
     /// @throws InputError
     void check(const std::vector<std::string> &bodies, const TransientParameters &transient) const;
   };
-
-  /// shorter runs have no sound [s]
-  constexpr double least_sound = 5e-3;
 
   /// A place on a body and a direction in which its motion is recorded.
   struct ProbeRequest

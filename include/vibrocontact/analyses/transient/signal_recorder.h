@@ -1,9 +1,9 @@
 #pragma once
 
 #include <vibrocontact/analyses/transient/probes.h>
-#include <vibrocontact/analyses/transient/signal_output.h>
 #include <vibrocontact/analyses/transient/state_recorder.h>
 #include <vibrocontact/base/row_file.h>
+#include <vibrocontact/marching/signal_output.h>
 
 #include <string>
 #include <vector>

@@ -1,8 +1,10 @@
-#include <vibrocontact/analyses/transient/signal_output.h>
-#include <vibrocontact/analyses/transient/sound.h>
+#include <vibrocontact/base/table.h>
+#include <vibrocontact/marching/signal_output.h>
+#include <vibrocontact/marching/sound.h>
 #include <vibrocontact/numerics/cycle_measure.h>
 #include <vibrocontact/numerics/growth_fit.h>
 #include <vibrocontact/numerics/spectrum.h>
+#include <vibrocontact/numerics/third_octaves.h>
 
 #include <algorithm>
 #include <cmath>
@@ -69,9 +71,8 @@ namespace vibrocontact
     }
   } // namespace
 
-  nlohmann::ordered_json signals_json(const std::vector<NamedSignal> &signals,
-                                      const SignalParameters &parameters, const double end_of_growth,
-                                      const std::string &folder)
+  nlohmann::ordered_json signals_json(const std::vector<NamedSignal> &signals, const SignalWindows &windows,
+                                      const double end_of_growth, const std::string &folder)
   {
     using Json = nlohmann::ordered_json;
     Json result = {{"dominant_frequencies_Hz", Json::array()}, {"signals", Json::array()}};
@@ -79,11 +80,11 @@ namespace vibrocontact
     {
       const Signal &all = one.signal;
       const double duration = all.end() - all.begin;
-      const Signal late = part(
-          all, all.end() - (parameters.spectrum_duration > 0 ? parameters.spectrum_duration : duration / 2),
-          all.end());
-      const Signal early = part(all, parameters.growth_begin,
-                                parameters.growth_end > 0 ? parameters.growth_end : end_of_growth);
+      const Signal late =
+          part(all, all.end() - (windows.spectrum_duration > 0 ? windows.spectrum_duration : duration / 2),
+               all.end());
+      const Signal early =
+          part(all, windows.growth_begin, windows.growth_end > 0 ? windows.growth_end : end_of_growth);
       Json json = {{"name", one.name},
                    {"unit", one.unit},
                    {"spectrum_window_s", {late.begin, late.end()}},
@@ -121,7 +122,7 @@ namespace vibrocontact
                                              {"periods", peak.frequency * (early.end() - early.begin)},
                                              {"periods_needed", least_periods_of_growth}});
       }
-      if (one.audible && parameters.sound && !folder.empty() && duration > least_sound && varies(all))
+      if (one.audible && !folder.empty() && duration > least_sound && varies(all))
       {
         const std::string file = one.name + ".wav";
         json["sound"] = {{"file", file}, {"full_scale_m_s", write_sound(all, folder + "/" + file)}};
@@ -129,5 +130,29 @@ namespace vibrocontact
       result["signals"].push_back(json);
     }
     return result;
+  }
+
+  std::vector<NamedSignal> varying(std::vector<NamedSignal> signals)
+  {
+    const auto is_constant = [](const NamedSignal &one) { return !(rms(one.signal) > 0); };
+    signals.erase(std::remove_if(signals.begin(), signals.end(), is_constant), signals.end());
+    std::stable_sort(signals.begin(), signals.end(),
+                     [](const NamedSignal &a, const NamedSignal &b)
+                     { return rms(a.signal) > rms(b.signal); });
+    return signals;
+  }
+
+  void write_third_octaves(const Signal &force, const std::string &file)
+  {
+    Table table({"nominal_Hz", "centre_Hz", "lower_Hz", "upper_Hz", "rms_N", "level_dB"},
+                {"1/3-octave bands (IEC 61260-1, base ten) of the force of all contact points together, mean "
+                 "left out, Hann window over the last three quarters of the run",
+                 "level re 1 N; the squares of contiguous bands add up to that of the whole"});
+    Signal late = force;
+    late.values.erase(late.values.begin(), late.values.begin() + late.size() / 4);
+    for (const ThirdOctave &band : third_octaves(late))
+      if (band.rms > 0)
+        table.add_row({band.nominal, band.centre, band.lower, band.upper, band.rms, band.level()});
+    table.write(file);
   }
 } // namespace vibrocontact

@@ -1,6 +1,6 @@
-#include <vibrocontact/analyses/transient/sound.h>
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/marching/sound.h>
 
 #include <sndfile.h>
 

@@ -8,6 +8,8 @@ namespace vibrocontact
 {
   /// Sampling rate of all sounds [1/s].
   constexpr unsigned int sound_rate = 48000;
+  /// Shorter runs have no sound [s].
+  constexpr double least_sound = 5e-3;
 
   /// Writes a velocity [m/s] as WAV (one channel, 48 kHz, 24 bits; libsndfile): resampled without folding
   /// (resampled()), faded over 2 ms at both ends, its largest value at 0.9 of full scale. Beside it

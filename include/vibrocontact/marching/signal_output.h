@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient/signal_parameters.h>
+#include <vibrocontact/marching/signal_windows.h>
 #include <vibrocontact/numerics/signal.h>
 
 #include <nlohmann/json.hpp>
@@ -22,7 +22,7 @@ namespace vibrocontact
     bool audible = false;
   };
 
-  /// What is made of the signals of a run: for analyses.transient in results.json
+  /// What is made of the signals of a run: for the object of its analysis in results.json
   ///
   /// - `dominant_frequencies_Hz`: peaks of the first signal's spectrum, the largest first
   /// - `signals[]`: `name`, `unit`, `spectrum_window_s`, `peaks[]` (`frequency_Hz`, `amplitude`; at most ten
@@ -37,7 +37,14 @@ namespace vibrocontact
   /// instead.
   /// @param end_of_growth end of the window of the growth rates if the parameters give none [s]
   /// @param folder of the WAV files, written by the calling rank; empty: none
-  nlohmann::ordered_json signals_json(const std::vector<NamedSignal> &signals,
-                                      const SignalParameters &parameters, double end_of_growth,
-                                      const std::string &folder);
+  nlohmann::ordered_json signals_json(const std::vector<NamedSignal> &signals, const SignalWindows &windows,
+                                      double end_of_growth, const std::string &folder);
+
+  /// The signals that vary, the strongest first.
+  std::vector<NamedSignal> varying(std::vector<NamedSignal> signals);
+
+  /// 1/3-octave bands of the force of all contact points together, from the last three quarters of the run: nominal_Hz,
+  /// centre_Hz, lower_Hz, upper_Hz, rms_N, level_dB (re 1 N); bands without any force are left out.
+  /// @param file with its .csv @throws OutputError
+  void write_third_octaves(const Signal &force, const std::string &file);
 } // namespace vibrocontact
