@@ -1,9 +1,8 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/ring_poles.h>
-#include <vibrocontact/bodies/road_rows.h>
+#include <vibrocontact/numerics/complex_eigenvectors.h>
 
 #include <deal.II/base/tensor.h>
-#include <deal.II/lac/lapack_templates.h>
 
 #include <algorithm>
 #include <array>
@@ -81,40 +80,26 @@ namespace vibrocontact
     {
       const Matrix2 L = stiffness(ring, n, rotation), D = damping(ring, n, rotation);
       const double m = ring.line_density(), s = std::sqrt((L[0][0].real() + L[1][1].real()) / m);
-      std::array<Complex, 16> A{}, X; // by columns
+      ComplexMatrix A(4, 4);
       for (unsigned int a = 0; a < 2; ++a)
       {
-        A[4 * (a + 2) + a] = 1;
+        A(a, a + 2) = 1;
         for (unsigned int b = 0; b < 2; ++b)
         {
-          A[4 * b + a + 2] = -L[a][b] / (m * s * s);
-          A[4 * (b + 2) + a + 2] = -D[a][b] / (m * s);
+          A(a + 2, b) = -L[a][b] / (m * s * s);
+          A(a + 2, b + 2) = -D[a][b] / (m * s);
         }
       }
-      std::array<Complex, 4> mu;
-      std::array<Complex, 64> work;
-      std::array<double, 8> real_work;
-      const dealii::types::blas_int size = 4, one = 1, n_work = work.size();
-      dealii::types::blas_int info = 0;
-      Complex *const none = nullptr;
-      dealii::geev("N", "V", &size, A.data(), &size, mu.data(), none, &one, X.data(), &size, work.data(),
-                   &n_work, real_work.data(), &info);
-      ComplexMatrix inverse(4, 4);
-      for (unsigned int i = 0; i < 16; ++i)
-        inverse(i % 4, i / 4) = X[i];
-      if (info == 0)
-        inverse.invert();
-      else
-        throw ConvergenceError("LAPACK found no poles of the ring in " + std::to_string(n) +
-                               " waves (zgeev: " + std::to_string(info) + ").");
+      const ComplexEigenvectors found =
+          complex_eigenvectors(A, "poles of the ring in " + std::to_string(n) + " waves");
       std::array<Pole, 4> poles;
       for (unsigned int k = 0; k < 4; ++k)
       {
-        poles[k].lambda = s * mu[k];
+        poles[k].lambda = s * found.values[k];
         for (unsigned int c = 0; c < 2; ++c)
         {
-          poles[k].right[c] = X[4 * k + c];
-          poles[k].left[c] = inverse(k, 2 + c) / (m * s);
+          poles[k].right[c] = found.right(c, k);
+          poles[k].left[c] = found.left(k, 2 + c) / (m * s);
         }
         if (!(poles[k].lambda.real() < 1e-10 * s))
           throw InputError("The ring's motion in " + std::to_string(n) + " waves grows at " +
@@ -403,13 +388,5 @@ namespace vibrocontact
           G(i, j) += rest(i, j);
       return G;
     };
-  }
-
-  BodyInContact RingParameters::on_road(const ReducedBody &reduced, const bool with_friction) const
-  {
-    BodyInContact body = road_rows(reduced, with_friction, 1);
-    for (unsigned int i = 0; i < body.n_rows(); ++i)
-      body.residual(i, i) += tread_compliance(i >= n_points);
-    return body;
   }
 } // namespace vibrocontact

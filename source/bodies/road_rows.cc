@@ -62,7 +62,8 @@ namespace vibrocontact
     return result;
   }
 
-  BodyInContact BodyDescription::on_road(const ReducedBody &reduced, const bool with_friction) const
+  BodyInContact BodyDescription::on_road(const ReducedBody &reduced, const bool with_friction, double,
+                                         const std::vector<double> &) const
   {
     return road_rows(reduced, with_friction, -1);
   }

@@ -1,3 +1,4 @@
+#include <vibrocontact/fe/material_flow.h>
 #include <vibrocontact/fe/ring_elements.h>
 #include <vibrocontact/scene/body.h>
 
@@ -128,9 +129,27 @@ namespace vibrocontact
       add(mass, weight * ring.line_density(), v);
     }
 
-    using DofRow = std::vector<std::pair<types::global_dof_index, double>>;
+    /// factor times the antisymmetric part of a b.
+    void add_flow(FullMatrix<double> &matrix, const double factor, const Row &a, const Row &b)
+    {
+      for (unsigned int k = 0; k < n_cell; ++k)
+        for (unsigned int l = 0; l < n_cell; ++l)
+          matrix(k, l) += factor * (a[k] * b[l] - b[k] * a[l]) / 2;
+    }
 
-    DofRow dof_row(const BeamRing &beam, const unsigned int element, const Row &row, const double factor)
+    /// G of an element: of the components v, w, and with the turning of e_theta and e_r, e_theta' = -e_r, e_r' = e_theta.
+    void add_flow(FullMatrix<double> &fixed, FullMatrix<double> &turning, const double factor,
+                  const Fields &at)
+    {
+      for (FullMatrix<double> *const matrix : {&fixed, &turning})
+      {
+        add_flow(*matrix, factor, at.v[0], at.v[1]);
+        add_flow(*matrix, factor, at.w[0], at.w[1]);
+      }
+      add_flow(fixed, 2 * factor, at.v[0], at.w[0]);
+    }
+
+    TraceRow dof_row(const BeamRing &beam, const unsigned int element, const Row &row, const double factor)
     {
       std::map<types::global_dof_index, double> result;
       const auto dofs = beam.dofs(element);
@@ -158,28 +177,33 @@ namespace vibrocontact
       for (const auto row : beam.dofs(e))
         for (const auto column : beam.dofs(e))
           pattern.add(row, column);
-    for (auto *const matrix : {&system->mass, &system->stiffness})
+    const auto flow = ring.rolling ? std::make_shared<MaterialFlow>() : nullptr;
+    std::vector<PETScWrappers::MPI::SparseMatrix *> matrices = {&system->mass, &system->stiffness};
+    if (flow)
+      matrices.insert(matrices.end(), {&flow->fixed, &flow->turning});
+    for (auto *const matrix : matrices)
       matrix->reinit(system->locally_owned, system->locally_owned, pattern, communicator);
 
     const QGauss<1> gauss(4); // exact
-    FullMatrix<double> mass(n_cell), stiffness(n_cell);
     for (unsigned int e = 0; e < beam.n; ++e)
     {
-      mass = stiffness = 0;
+      std::vector<FullMatrix<double>> own(4, FullMatrix<double>(n_cell));
       for (unsigned int q = 0; q < gauss.size(); ++q)
-        add_energies(stiffness, mass, ring, beam.fields(e, gauss.point(q)[0]),
-                     gauss.weight(q) * beam.step * ring.radius);
+      {
+        const Fields at = beam.fields(e, gauss.point(q)[0]);
+        const double length = gauss.weight(q) * beam.step * ring.radius;
+        add_energies(own[1], own[0], ring, at, length);
+        add_flow(own[2], own[3], length * ring.line_density(), at);
+      }
       const auto dofs = beam.dofs(e);
       for (unsigned int a = 0; a < n_cell; ++a)
         if (system->locally_owned.is_element(dofs[a]))
           for (unsigned int b = 0; b < n_cell; ++b)
-          {
-            system->mass.add(dofs[a], dofs[b], mass(a, b));
-            system->stiffness.add(dofs[a], dofs[b], stiffness(a, b));
-          }
+            for (unsigned int k = 0; k < matrices.size(); ++k)
+              matrices[k]->add(dofs[a], dofs[b], own[k](a, b));
     }
-    system->mass.compress(VectorOperation::add);
-    system->stiffness.compress(VectorOperation::add);
+    for (auto *const matrix : matrices)
+      matrix->compress(VectorOperation::add);
     if (ring.damping_ratio > 0)
     {
       system->loss_stiffness.reinit(system->stiffness);
@@ -218,8 +242,17 @@ namespace vibrocontact
         system->trace.rows[contact_row(ring.n_points, 0, i)] = dof_row(beam, element, at.w[0], -1);
         system->trace.rows[contact_row(ring.n_points, 1, i)] = dof_row(beam, element, at.v[0], 1);
         system->trace.surface_height[i] = beam.position(angles[i])[2];
+        if (flow)
+          flow->stretch.push_back(dof_row(beam, element, sum(at.v[1], at.w[0], 1), 1 / ring.radius));
       }
+      if (flow)
+        for (const double angle : ring.angles_beyond())
+        {
+          const auto [element, xi] = beam.find(angle);
+          flow->beyond.push_back(dof_row(beam, element, beam.fields(element, xi).v[0], 1));
+        }
     }
+    system->flow = flow;
     return system;
   }
 

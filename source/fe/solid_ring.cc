@@ -1,5 +1,6 @@
 #include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/elastic_body.h>
+#include <vibrocontact/fe/material_flow.h>
 #include <vibrocontact/fe/ring_elements.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -84,19 +85,46 @@ namespace vibrocontact
         result.faces_up = false;
         result.rows.resize(3 * ring.n_points);
         const std::vector<double> angles = ring.angles();
+        const Sections sections = sections_at(angles);
+        for (unsigned int i = 0; i < angles.size(); ++i)
+        {
+          result.rows[contact_row(ring.n_points, 0, i)] = sections.inward[i];
+          result.rows[contact_row(ring.n_points, 1, i)] = sections.along[i];
+          result.surface_height.push_back(ring.radius * (1 - std::cos(angles[i])));
+        }
+        return result;
+      }
+
+      /// @param pattern of the stiffness @param with_contact whether there are points
+      std::shared_ptr<const MaterialFlow> flow(const PETScWrappers::MPI::SparseMatrix &pattern,
+                                               const bool with_contact) const
+      {
+        auto result = std::make_shared<MaterialFlow>();
+        result->fixed.reinit(pattern);
+        result->turning.reinit(pattern);
+        const unsigned int n = body.element.n_dofs_per_cell();
+        FullMatrix<double> fixed(n, n), turning(n, n);
+        std::vector<types::global_dof_index> dofs(n);
+        FEValues<2> values(body.mapping, body.element, QGauss<2>(ring.degree + 1),
+                           update_values | update_gradients | update_JxW_values | update_quadrature_points);
         for (const Cell &cell : body.dof_handler.active_cell_iterators())
           if (cell->is_locally_owned())
-            for (unsigned int i = 0; i < angles.size(); ++i)
-              if (const auto xi = place(cell, angles[i]))
-                add_rows(result, i, cell, *xi);
-        for (unsigned int i = 0; i < angles.size(); ++i)
-          result.surface_height.push_back(ring.radius * (1 - std::cos(angles[i])));
-        // a point between cells of two ranks has the rows of the lower one
-        const auto all = Utilities::MPI::all_gather(body.communicator(), result.rows);
-        for (unsigned int row = 0; row < result.rows.size(); ++row)
-          for (auto of_rank = all.rbegin(); of_rank != all.rend(); ++of_rank)
-            if (!(*of_rank)[row].empty())
-              result.rows[row] = (*of_rank)[row];
+          {
+            values.reinit(cell);
+            fixed = 0;
+            turning = 0;
+            add_flow(values, fixed, turning);
+            cell->get_dof_indices(dofs);
+            body.constraints.distribute_local_to_global(fixed, dofs, result->fixed);
+            body.constraints.distribute_local_to_global(turning, dofs, result->turning);
+          }
+        result->fixed.compress(VectorOperation::add);
+        result->turning.compress(VectorOperation::add);
+        if (with_contact)
+        {
+          result->stretch = sections_at(ring.angles()).stretch;
+          result->beyond = sections_at(ring.angles_beyond()).along;
+        }
         return result;
       }
 
@@ -143,6 +171,33 @@ namespace vibrocontact
         }
       }
 
+      /// d/dtheta along x and z; theta turns from e_z's opposite, at the bottom, to e_x. What e_theta and e_r turn by is a
+      /// quarter of a turn of the whole vector: e_theta' = -e_r, e_r' = e_theta.
+      void add_flow(const FEValues<2> &values, FullMatrix<double> &fixed, FullMatrix<double> &turning) const
+      {
+        const unsigned int n = fixed.m();
+        std::vector<double> slope(n);
+        for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+        {
+          const Point<2> &at = values.quadrature_point(q);
+          const Tensor<1, 2> radial = outward(at), forward({-radial[1], radial[0]});
+          const double mass = ring.density * ring.width * values.JxW(q), r = (at - centre).norm();
+          for (unsigned int k = 0; k < n; ++k)
+            slope[k] = r * (values.shape_grad(k, q) * forward);
+          for (unsigned int a = 0; a < n; ++a)
+            for (unsigned int b = 0; b < n; ++b)
+            {
+              const unsigned int i = body.element.system_to_component_index(a).first,
+                                 l = body.element.system_to_component_index(b).first;
+              const double Na = values.shape_value(a, q), Nb = values.shape_value(b, q),
+                           moved = i == l ? (Na * slope[b] - slope[a] * Nb) / 2 : 0.,
+                           turned = i == l ? 0. : (i == 0 ? -1 : 1) * Na * Nb;
+              fixed(a, b) += mass * moved;
+              turning(a, b) += mass * (moved - turned);
+            }
+        }
+      }
+
       Tensor<1, 2> outward(const Point<2> &p) const { return (p - centre) / (p - centre).norm(); }
 
       /// The unit direction of a cell that goes around the ring.
@@ -163,37 +218,68 @@ namespace vibrocontact
                                              : std::nullopt;
       }
 
-      /// Mean motion of the section at xi, unless a cell before this one had it.
-      void add_rows(ContactTrace &trace, const unsigned int point, const Cell &cell, const double xi) const
+      /// Of sections, means over the thickness: motion inward, along theta, and (v' + w) / R.
+      struct Sections
       {
-        auto &normal = trace.rows[contact_row(ring.n_points, 0, point)],
-             &along = trace.rows[contact_row(ring.n_points, 1, point)];
-        if (!normal.empty())
+        std::vector<TraceRow> inward, along, stretch;
+      };
+
+      /// A section between cells has the rows of the first one, on the lowest rank. Collective.
+      Sections sections_at(const std::vector<double> &angles) const
+      {
+        Sections result;
+        for (std::vector<TraceRow> *const rows : {&result.inward, &result.along, &result.stretch})
+          rows->resize(angles.size());
+        for (const Cell &cell : body.dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            for (unsigned int i = 0; i < angles.size(); ++i)
+              if (const auto xi = place(cell, angles[i]))
+                add_rows(result, i, cell, *xi);
+        for (std::vector<TraceRow> *const rows : {&result.inward, &result.along, &result.stretch})
+        {
+          const auto all = Utilities::MPI::all_gather(body.communicator(), *rows);
+          for (unsigned int i = 0; i < angles.size(); ++i)
+            for (auto of_rank = all.rbegin(); of_rank != all.rend(); ++of_rank)
+              if (!(*of_rank)[i].empty())
+                (*rows)[i] = (*of_rank)[i];
+        }
+        return result;
+      }
+
+      /// Mean motion of the section at xi, unless a cell before this one had it.
+      void add_rows(Sections &sections, const unsigned int point, const Cell &cell, const double xi) const
+      {
+        if (!sections.inward[point].empty())
           return;
         std::vector<Point<2>> points;
         for (const Point<1> &p : gauss.get_points())
           points.push_back(direction(cell) == 0 ? Point<2>(xi, p[0]) : Point<2>(p[0], xi));
         FEValues<2> values(body.mapping, body.element, Quadrature<2>(points),
-                           update_values | update_quadrature_points);
+                           update_values | update_gradients | update_quadrature_points);
         values.reinit(cell);
         std::vector<types::global_dof_index> dofs(body.element.n_dofs_per_cell());
         cell->get_dof_indices(dofs);
-        std::map<types::global_dof_index, std::array<double, 2>> sums;
+        std::map<types::global_dof_index, std::array<double, 3>> sums;
         for (unsigned int q = 0; q < points.size(); ++q)
         {
-          const Tensor<1, 2> radial = outward(values.quadrature_point(q));
+          const Point<2> &at = values.quadrature_point(q);
+          const Tensor<1, 2> radial = outward(at), forward({-radial[1], radial[0]});
+          const double r = (at - centre).norm();
           for (unsigned int k = 0; k < dofs.size(); ++k)
           {
             const unsigned int c = body.element.system_to_component_index(k).first;
-            const double N = gauss.weight(q) * values.shape_value(k, q);
+            const double N = gauss.weight(q) * values.shape_value(k, q),
+                         slope = gauss.weight(q) * r * (values.shape_grad(k, q) * forward);
             sums[dofs[k]][0] -= N * radial[c];
-            sums[dofs[k]][1] += N * (c == 0 ? -radial[1] : radial[0]);
+            sums[dofs[k]][1] += N * forward[c];
+            sums[dofs[k]][2] += slope * forward[c] / ring.radius;
           }
         }
         for (const auto &[dof, weights] : sums)
         {
-          normal.emplace_back(dof, weights[0]);
-          along.emplace_back(dof, weights[1]);
+          sections.inward[point].emplace_back(dof, weights[0]);
+          sections.along[point].emplace_back(dof, weights[1]);
+          sections.stretch[point].emplace_back(dof, weights[2]);
         }
       }
     };
@@ -226,6 +312,8 @@ namespace vibrocontact
     system->n_rigid_modes = 0;
     if (grid)
       system->trace = solid.trace(*grid);
+    if (ring.rolling)
+      system->flow = solid.flow(system->stiffness, grid != nullptr);
     return system;
   }
 } // namespace vibrocontact

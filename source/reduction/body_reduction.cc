@@ -46,9 +46,23 @@ namespace vibrocontact
     const Log::Part part(heading());
     if (with_statics && !static_part && (static_part = cache.load_static(asked.body, asked.key)))
       run_log().line(asked.body + ": contact compliance found in the cache");
-    if (with_modes && !modal_part && (modal_part = cache.load_modal(asked.body, modes_key())))
-      run_log().line(asked.body + ": modes found in the cache");
+    if (with_modes && !modal_part)
+      load_modes();
     return (!with_statics || static_part) && (!with_modes || modal_part);
+  }
+
+  void BodyReduction::load_modes()
+  {
+    modal_part = cache.load_modal(asked.body, modes_key());
+    if (modal_part && asked.flows)
+    {
+      if (std::optional<FlowReduction> flow = cache.load_flow(asked.body, modes_key()))
+        flow_part = std::make_shared<const FlowReduction>(std::move(*flow));
+      else
+        modal_part.reset();
+    }
+    if (modal_part)
+      run_log().line(asked.body + ": modes found in the cache");
   }
 
   std::string BodyReduction::modes_file() const
@@ -88,17 +102,18 @@ namespace vibrocontact
     cache.save(asked.body, modes_key(), *modal_part);
     surface = vibrocontact::surface_shapes(system().surface, *mode_shapes);
     cache.save(asked.body, modes_key(), *surface);
+    if (asked.flows)
+    {
+      flow_part = std::make_shared<const FlowReduction>(reduce_flow(system(), inverse, *mode_shapes));
+      cache.save(asked.body, modes_key(), *flow_part);
+    }
   }
 
   const ModalReduction &BodyReduction::modal()
   {
     const Log::Part part(heading());
     if (!modal_part)
-    {
-      modal_part = cache.load_modal(asked.body, modes_key());
-      if (modal_part)
-        run_log().line(asked.body + ": modes found in the cache");
-    }
+      load_modes();
     if (!modal_part)
       compute_modes_now();
     return *modal_part;
@@ -137,7 +152,11 @@ namespace vibrocontact
 
   ReducedBody BodyReduction::reduced(const bool with_modes)
   {
-    return combine(statics(), with_modes && asked.modes.any() ? &modal() : nullptr);
+    const bool moves = with_modes && asked.modes.any();
+    ReducedBody body = combine(statics(), moves ? &modal() : nullptr);
+    if (moves)
+      body.flow = flow_part;
+    return body;
   }
 
   DenseMatrix BodyReduction::attachment_mass()

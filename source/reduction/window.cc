@@ -72,6 +72,7 @@ namespace vibrocontact
     part.labels = body.labels;
     part.modal_load = body.modal_load;
     part.participation = body.participation;
+    part.flow = body.flow;
     part.trace.reinit(3 * n, body.trace.n());
     for (unsigned int k = 0; k < body.trace.n(); ++k)
       for (unsigned int r = 0; r < 3 * n; ++r)

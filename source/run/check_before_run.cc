@@ -183,7 +183,7 @@ namespace vibrocontact
     if (!transient.is_reduced())
       return; // its modes are others
     for (const auto &body : bodies)
-      if (body && body->parameters.name == transient.perturbed_body() &&
+      if (body && body->parameters.name == transient.perturbed_body() && !body->parameters.rolls() &&
           body->reduction.is_cached(false, true))
       {
         std::vector<std::string> labels;

@@ -223,7 +223,9 @@ namespace vibrocontact
         throw InputError("Periodic/Stop direction is " + periodic.stop_direction + moves +
                          "meets a stop below or above it: set it to -z or +z.");
       if (number == 0 && !periodic.is_reduced())
-        throw InputError("Periodic/Model is finite elements" + moves + "has none: set it to reduced.");
+        throw InputError("Periodic/Model is finite elements" + moves +
+                         (body.is_meshed() ? "rolls in the modes of its elements" : "has none") +
+                         ": set it to reduced.");
       if (friction && (by_poles || !body.description->is_driven_along_stop()))
         throw InputError(
             "Contact/Friction coefficient is " + number_text(parameters.contact().friction) + moves +
@@ -276,7 +278,7 @@ namespace vibrocontact
         throw InputError("Analyses lists periodic, but body 2, " + of_type +
                          ", which stands on what is below it: list it first in Bodies" +
                          body.description->way_to_look_up() + ".");
-      if (!body.is_meshed())
+      if (!body.is_meshed() || body.rolls())
         check_periodic_points(parameters, number);
       if (body.description->lies_on_half_space())
         throw InputError("Analyses lists periodic, but " + of_type +
@@ -338,8 +340,9 @@ namespace vibrocontact
     if (scene.runs("transient"))
     {
       std::vector<std::string> with_modes;
-      for (const auto &[name, mode] : modes)
-        with_modes.push_back(name);
+      for (const BodyParameters &body : scene.bodies)
+        if (body.is_meshed() && !body.rolls())
+          with_modes.push_back(body.name);
       check_transient(*this);
       if (sweeps.at("transient").any())
         check_sweep_model("Transient", transient.model);
@@ -353,7 +356,8 @@ namespace vibrocontact
       check_sweep(*this);
     if (scene.runs("frequency response"))
       for (const BodyParameters &body : scene.bodies)
-        check_rolling(body, road);
+        if (!body.is_meshed())
+          check_rolling(body, road);
     if (scene.runs("modal convolution"))
     {
       if (!scene.bodies[0].is_green() && !scene.bodies[0].is_meshed())
@@ -436,12 +440,18 @@ namespace vibrocontact
                            ", which moves in one direction only: set " + one.section +
                            "/Friction coefficient to 0.");
     }
-    if (has_dynamics() || scene.runs("periodic"))
-      for (const BodyParameters &body : scene.bodies)
-        if (body.is_meshed() && !modes.at(body.name).any())
+    for (const BodyParameters &body : scene.bodies)
+      if (body.is_meshed() && !modes.at(body.name).any())
+      {
+        if (has_dynamics() || scene.runs("periodic"))
           throw InputError(body.name + "/Modes asks for no modes, but stability, transient, modal "
                                        "convolution and periodic move the body by "
                                        "them; give Upper frequency or Count");
+        if (body.rolls() && has_contact())
+          throw InputError(body.name +
+                           "/Modes asks for no modes, but its material, which rolls, flows through "
+                           "the contact in them; give Upper frequency or Count");
+      }
     if (scene.runs("stability") && std::none_of(scene.bodies.begin(), scene.bodies.end(),
                                                 [](const BodyParameters &body) { return body.vibrates(); }))
       throw InputError("Analyses asks for stability, but no body has modes; leave \"stability\" out");

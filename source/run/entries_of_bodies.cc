@@ -91,6 +91,9 @@ namespace vibrocontact
     const BodyParameters &body = parameters.scene.bodies[number];
     const std::string section = body.name + "/" + body.body_type().section;
     BodyUse use = needed;
+    // its modes are what its material flows in
+    if (use.contact && body.rolls())
+      use.motion = use.loss = use.scaled_damping = true;
     use.heavy = use.loads && body.loads.gravity != 0;
     use.in_a_point = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
                                  [](const BodyParameters &other) { return other.is_point(); });

@@ -73,6 +73,7 @@ namespace vibrocontact
       request.key = key;
       request.modes = modes;
       request.cache_directory = cache_directory;
+      request.flows = parameters.rolls();
       if (const auto height = parameters.axle_height(lateral_position))
         request.wheel = WheelFrame{*height, rim_radius(parameters, modes)};
       return request;

@@ -64,7 +64,7 @@ namespace vibrocontact
       if (body)
       {
         body->reduction.statics();
-        if (with_modes && body->reduction.request().modes.any())
+        if ((with_modes || body->parameters.rolls()) && body->reduction.request().modes.any())
           body->reduction.modal();
       }
   }
@@ -73,7 +73,7 @@ namespace vibrocontact
   {
     bool wants_modes(const Parameters &parameters, const MeshedBody &body)
     {
-      return (parameters.scene.runs("modes") || parameters.needs_modes()) &&
+      return (parameters.scene.runs("modes") || parameters.needs_modes() || body.parameters.rolls()) &&
              body.reduction.request().modes.any();
     }
 

@@ -34,7 +34,7 @@ namespace vibrocontact
       std::optional<ReducedBody> meshed;
       if (bodies[k])
       {
-        meshed = bodies[k]->reduction.reduced(with_modes);
+        meshed = bodies[k]->reduction.reduced(with_modes || parameters.scene.bodies[k].rolls());
         scale_damping(*meshed, parameters.modes.at(parameters.scene.bodies[k].name));
       }
       std::optional<ReducedBody> body = body_of_contact(parameters, std::move(meshed), measured, k);

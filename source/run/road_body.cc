@@ -61,22 +61,23 @@ namespace vibrocontact
       result.is_passive = !parameters.identification.rolling && is_reciprocal(result.body);
       return result;
     }
+    const std::vector<double> upstream =
+        use.friction ? find_creep_scheme(parameters.contact().creep_scheme).coefficients
+                     : std::vector<double>();
     if (const PointBody *const points = body.description->at_points())
     {
-      const std::vector<double> upstream = find_creep_scheme(parameters.contact().creep_scheme).coefficients;
-      result.body =
-          points->between_points(use.friction, use.speed, use.friction ? upstream : std::vector<double>());
+      result.body = points->between_points(use.friction, use.speed, upstream);
       result.is_passive = !body.rolls();
       return result;
     }
-    result.body = body.description->on_road(*reduced, use.friction);
+    result.body = body.description->on_road(*reduced, use.friction, use.speed, upstream);
     for (unsigned int i = 0; i < reduced->grid.n_points() && !body.is_green(); ++i)
     {
       // the contact travels towards -x
       result.places.push_back(-reduced->grid.x(i));
       result.shapes.push_back(reduced->surface_height[i] + reduced->residual_load[i]);
     }
-    result.is_passive = !falls(result.body);
+    result.is_passive = !body.rolls() && !falls(result.body);
     return result;
   }
 

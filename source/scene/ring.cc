@@ -40,8 +40,7 @@ namespace vibrocontact
         Selection("follower|fixed direction"));
     prm.add_parameter("Damping ratio", damping_ratio, "Damping ratio of every motion at rest. Units: none.",
                       Double(0, 0.99));
-    prm.add_parameter("Rolling", rolling,
-                      "Whether the ring turns with the speed of the road; analytic model only. Units: none.",
+    prm.add_parameter("Rolling", rolling, "Whether the ring turns with the speed of the road. Units: none.",
                       Bool());
     prm.add_parameter("Highest order", highest_order,
                       "Circumferential orders with poles of their own, analytic model only. Units: none.",
@@ -84,9 +83,6 @@ namespace vibrocontact
     else if ((n_points - 1) * spacing > dealii::numbers::PI * radius)
       text << section << "/Contact spacing spreads " << n_points << " contact points over "
            << (n_points - 1) * spacing << " m, more than half of the ring: lower it or Contact points.";
-    else if (rolling && is_meshed())
-      text << section << "/Rolling is true, but Model is " << model
-           << ", whose modes are those of a ring at rest: set Model to analytic or Rolling to false.";
     else if (model == "analytic" && residual && residual_order <= highest_order)
       text << section << "/Residual order (" << residual_order << ") must be larger than Highest order ("
            << highest_order << "), or set Residual to false.";
@@ -128,6 +124,16 @@ namespace vibrocontact
     std::vector<double> result(n_points);
     for (unsigned int i = 0; i < n_points; ++i)
       result[i] = (i - 0.5 * (n_points - 1)) * spacing / radius;
+    return result;
+  }
+
+  std::vector<double> RingParameters::angles_beyond() const
+  {
+    const std::vector<double> points = angles();
+    std::vector<double> result;
+    for (const double side : {-1., 1.})
+      for (unsigned int step = 1; step <= n_beyond; ++step)
+        result.push_back((side < 0 ? points.front() : points.back()) + side * step * spacing / radius);
     return result;
   }
 
@@ -201,7 +207,9 @@ namespace vibrocontact
     entries.add_if(use.motion || rolling, "the ring moves", section, "Density");
     entries.add_if(use.loss || rolling, "the ring moves", section, "Damping ratio");
     entries.add_if(pressure != 0, "there is an Inflation pressure", section, "Pressure");
-    entries.add_if(analytic, "Model is analytic", section, "Rolling, Highest order, Residual");
+    entries.add_if(analytic || use.contact, "Model is analytic or the ring is in contact", section,
+                   "Rolling");
+    entries.add_if(analytic, "Model is analytic", section, "Highest order, Residual");
     entries.add_if(analytic && residual, "Model is analytic and Residual is true", section, "Residual order");
     entries.add_if(!analytic, "Model is beam elements or solid elements", section, "Divisions");
     entries.add_if(model == "solid elements", "Model is solid elements", section, "Element degree");

@@ -1,44 +1,23 @@
 #!/usr/bin/env python3
 """ring.py PROGRAM MPIRUN PARAMETER_FILES: a ring in rolling, stability and the transient, at rest and rolling.
 
-Its receptance G(s), order by order, is written down here once more (doc/theory.md, "Ring on an elastic foundation"). Pressed
-down by d on a rigid plane, N = d / (G(0) + S) with S of the orders beyond and the tread; the roots about it are those of
-G(s) + S = 0. In time it goes as modal convolution has it, step by step.
+Its receptance G(s) is summed order by order (tests/ring_order.py). Pressed down by d on a rigid plane, N = d / (G(0) + S)
+with S of the orders beyond and the tread; the roots about it are those of G(s) + S = 0. In time it goes as modal convolution
+has it, step by step.
 """
-import cmath, math, os, sys
+import math, os
 
+from ring_order import R, k_theta, m, order
 from scene import Check, entries, run, section, table
 
-R, h, b, E, rho, k_z, k_theta, p, xi = 0.285, 0.01, 0.16, 1e8, 2280., 1.64e6, 2.19e5, 2e5, 0.05
 highest, last, tread, d = 8, 400, 3e5, 1e-3
-m, B, k, t = rho * h * b, E * b * h**3 / 12 / R**4, E * b * h / R**2, p * b / R
 check = Check()
-
-
-def receptance(n, s, Omega):
-    """Of order n inward, in the frame of the ring."""
-    c = m * Omega**2
-
-    def stiffness(t, c):
-        L = [[(B + k + t + c) * n * n + k_theta, 0], [0, B * n**4 + (t + c) * n * n + k + k_z]]
-        coupling = B * n**3 + (k + t + 2 * c) * n
-        L[0][1], L[1][0] = -1j * coupling, 1j * coupling
-        return L
-
-    rest, L = stiffness(t, 0), stiffness(t, c)
-    root = cmath.sqrt(rest[0][0] * rest[1][1] - rest[0][1] * rest[1][0])
-    factor = 2 * xi * cmath.sqrt(m / (rest[0][0] + rest[1][1] + 2 * root))
-    D = [[factor * (rest[i][j] + (root if i == j else 0)) for j in range(2)] for i in range(2)]
-    D[0][1] += 2 * m * Omega
-    D[1][0] -= 2 * m * Omega
-    Z = [[L[i][j] + s * D[i][j] + (m * s * s if i == j else 0) for j in range(2)] for i in range(2)]
-    return Z[0][0] / (Z[0][0] * Z[1][1] - Z[0][1] * Z[1][0]) / (2 * math.pi * R)
 
 
 def inward(s, Omega):
     """G(s) + S of one point; a force that stands still is seen by order n at n Omega."""
-    moving = sum(receptance(n, s + 1j * n * Omega, Omega) for n in range(-highest, highest + 1))
-    still = 2 * sum(receptance(n, 1j * n * Omega, Omega).real for n in range(highest + 1, last + 1))
+    moving = sum(order(n, s + 1j * n * Omega, Omega)[1][1] for n in range(-highest, highest + 1))
+    still = 2 * sum(order(n, 1j * n * Omega, Omega)[1][1].real for n in range(highest + 1, last + 1))
     return moving + still + 1 / tread
 
 

@@ -2,16 +2,15 @@
 """rolling_ring.py PROGRAM MPIRUN: a rolling ring with friction in rolling, stability, transient and modal convolution.
 
 The tread of a ring that nothing bends is a row of bristles: the brush model. Of one point G(s) and the stretch of the material
-that flows through it are written down here once more, order by order (doc/theory.md, "Friction on a rolling ring"); forces,
+that flows through it are summed order by order (tests/ring_order.py; doc/theory.md, "Friction on a rolling ring"); forces,
 roots and motions follow.
 """
 import cmath, math
 
+from ring_order import R, b, order
 from scene import Check, entries, run, section, table
 
-R, h, b, E, rho, k_z, k_theta, p, xi = 0.285, 0.01, 0.16, 1e8, 2280., 1.64e6, 2.19e5, 2e5, 0.05
 highest, last, spacing = 8, 400, 2e-3
-m, B, k, t = rho * h * b, E * b * h**3 / 12 / R**4, E * b * h / R**2, p * b / R
 check = Check()
 rigid = section("road", "set Type = rigid")
 
@@ -42,27 +41,6 @@ for mu, creep in ((10, 1e-3), (0.1, 1e-3), (0.1, -4e-4), (0.02, 1e-2)):
             deflection = math.copysign(mu * N[i] / tangential, deflection)
         check.near(f"bristle {i}, mu {mu}", row["traction_x_Pa"] * way * b, deflection * tangential, 1e-6, 0.1)
         check.near(f"normal force {i}", row["pressure_Pa"] * way * b, N[i], 1e-6, 1)
-
-
-def order(n, s, Omega):
-    """(v, w) per force on (v, w) of order n, in the frame of the ring."""
-    c = m * Omega**2
-
-    def stiffness(t, c):
-        L = [[(B + k + t + c) * n * n + k_theta, 0], [0, B * n**4 + (t + c) * n * n + k + k_z]]
-        coupling = B * n**3 + (k + t + 2 * c) * n
-        L[0][1], L[1][0] = -1j * coupling, 1j * coupling
-        return L
-
-    rest, L = stiffness(t, 0), stiffness(t, c)
-    root = cmath.sqrt(rest[0][0] * rest[1][1] - rest[0][1] * rest[1][0])
-    factor = 2 * xi * cmath.sqrt(m / (rest[0][0] + rest[1][1] + 2 * root))
-    D = [[factor * (rest[i][j] + (root if i == j else 0)) for j in range(2)] for i in range(2)]
-    D[0][1] += 2 * m * Omega
-    D[1][0] -= 2 * m * Omega
-    Z = [[L[i][j] + s * D[i][j] + (m * s * s if i == j else 0) for j in range(2)] for i in range(2)]
-    det = (Z[0][0] * Z[1][1] - Z[0][1] * Z[1][0]) * (2 * math.pi * R)
-    return [[Z[1][1] / det, -Z[0][1] / det], [-Z[1][0] / det, Z[0][0] / det]]
 
 
 tread = 3e5

@@ -30,6 +30,8 @@ BODIES = {
                         "Layer/Element degree = 1", "Modes/Count = 6"], "rigid", True, "0.0166667, 0, 0"),
     "ring of elements": ("ring", RING + ["Ring/Model = beam elements", "Modes/Upper frequency = 300"], "rigid", True,
                          "0, 0, 0"),
+    "ring of elements, rolling": ("ring", RING + ["Ring/Model = beam elements", "Ring/Rolling = true",
+                                          "Modes/Upper frequency = 300"], "rigid", True, "0, 0, 0"),
     "ring, analytic": ("ring", RING + ["Ring/Model = analytic", "Ring/Highest order = 10"], "rigid", True, None),
     "ring, analytic, rolling": ("ring", RING + ["Ring/Model = analytic", "Ring/Highest order = 10", "Ring/Rolling = true"],
                                 "rigid", True, None),

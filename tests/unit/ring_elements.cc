@@ -238,8 +238,8 @@ TEST(RingElements, BeamGreenFunctions)
   const ModalReduction modal = reduce_modally(*system, flexibility, parameters, {});
   for (const double ratio : modal.damping_ratio)
     EXPECT_NEAR(ratio, 0.05, 1e-10);
-  const BodyInContact elements = by_poles(
-                          ring.on_road(combine(reduce_statically(*system, flexibility), &modal), true)),
+  const BodyInContact elements = by_poles(ring.on_road(
+                          combine(reduce_statically(*system, flexibility), &modal), true, 0, {})),
                       exact = ring_poles(ring, ring_rows(ring, true));
   for (const double f : {0., 100., 400., 1000.})
   {
@@ -325,7 +325,7 @@ TEST(RingElements, SolidGreenFunctions)
   parameters.upper_frequency = 2000;
   const ModalReduction modal = reduce_modally(*system, flexibility, parameters, {});
   const BodyInContact elements =
-      by_poles(ring.on_road(combine(reduce_statically(*system, flexibility), &modal), true));
+      by_poles(ring.on_road(combine(reduce_statically(*system, flexibility), &modal), true, 0, {}));
   std::vector<SolidModes> orders;
   for (unsigned int n = 0; n <= 300; ++n)
     orders.push_back(solid_modes(ring, n));

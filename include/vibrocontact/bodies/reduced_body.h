@@ -3,11 +3,14 @@
 #include <vibrocontact/bodies/body_in_contact.h>
 #include <vibrocontact/scene/contact_grid.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace vibrocontact
 {
+  struct FlowReduction;
+
   /// A body at its contact points, three rows each as contact_row(), in global axes, under forces on it: free-interface
   /// modes plus residual attachment responses (Lai et al. 2018, Eqs 8-14; doc/theory.md, "Meshed bodies and their
   /// reduction"), or what else it is known by.
@@ -31,6 +34,8 @@ namespace vibrocontact
     std::vector<double> lifting;
     /// mean height of the undeformed surface over each cell, relative to the nominal contact point; n [m]
     std::vector<double> surface_height;
+    /// of a body that turns past its contact points, with modes (reduction/flow_reduction.h); null: it does not
+    std::shared_ptr<const FlowReduction> flow = nullptr;
   };
 
   /// Adds Psi diag(w^-2) Psi^T, what modes answer to static forces [m/N]; trace 3 n x n_modes.

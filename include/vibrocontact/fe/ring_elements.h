@@ -8,7 +8,8 @@
 
 namespace vibrocontact
 {
-  /// The ring at rest by finite elements. Trace and frame: the ring's, scene/ring.h (x = R sin theta forward, z
+  /// The ring by finite elements, mass and stiffness of the one at rest; of one that rolls with its flow
+  /// (fe/material_flow.h). Trace and frame: the ring's, scene/ring.h (x = R sin theta forward, z
   /// up from the bottom of the mean circle); normal rows are the motion inward, x rows that along theta, y rows
   /// are empty. Loss of 2 xi K, so that every mode has the damping ratio xi.
   ///
@@ -26,7 +27,7 @@ namespace vibrocontact
   ///
   /// the last term with a follower pressure only. Shear and rotary inertia make it softer than Euler and
   /// Bernoulli's ring. Forces spread evenly through the thickness, whose mean motion is the contact's: a force
-  /// in a point would sink in without limit as elements get smaller.
+  /// in a point would sink in without limit as elements get smaller. So is the stretch of a ring that rolls a mean.
   std::unique_ptr<SecondOrderSystem> assemble_solid_ring(const RingParameters &ring, const std::string &name,
                                                          const ContactGrid *grid, MPI_Comm communicator);
 

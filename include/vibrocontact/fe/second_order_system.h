@@ -9,11 +9,14 @@
 #include <deal.II/lac/petsc_sparse_matrix.h>
 #include <deal.II/lac/petsc_vector.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace vibrocontact
 {
+  struct MaterialFlow;
+
   /// A body after assembly: M U'' + (1 + i eta) K U = F + P_c^T R, without dimension, mesh or element from
   /// here on.
   ///
@@ -52,5 +55,7 @@ namespace vibrocontact
     /// static compliance, 3 n square [m/N]; empty for solids
     DenseMatrix local_compliance;
     SurfaceTrace surface;
+    /// of a body that turns past places that stand still (fe/material_flow.h); null: it does not
+    std::shared_ptr<const MaterialFlow> flow = nullptr;
   };
 } // namespace vibrocontact

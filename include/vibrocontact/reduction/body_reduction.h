@@ -20,6 +20,8 @@ namespace vibrocontact
     ModeParameters modes;
     /// a wheel's modes are labelled and damped by Eq. 23, any other body's by strain energy
     std::optional<WheelFrame> wheel;
+    /// its material turns past its contact points: SecondOrderSystem::flow belongs to its modes
+    bool flows = false;
     /// empty: nothing is kept between runs
     std::string cache_directory;
   };
@@ -64,6 +66,8 @@ namespace vibrocontact
 
   private:
     void compute_modes_now();
+    /// Takes the modes from the cache, with all that belongs to them. Collective.
+    void load_modes();
     std::string heading() const { return "Reduction of " + asked.body; }
     std::string modes_key() const { return asked.key + "\nmodes " + asked.modes.key(); }
 
@@ -75,6 +79,7 @@ namespace vibrocontact
     std::unique_ptr<Flexibility> factorised;
     std::optional<StaticReduction> static_part;
     std::optional<ModalReduction> modal_part;
+    std::shared_ptr<const FlowReduction> flow_part;
     std::unique_ptr<Modes> mode_shapes;
     std::optional<SurfaceShapes> surface;
     std::vector<std::pair<std::string, double>> timings;

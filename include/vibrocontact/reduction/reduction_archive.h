@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/base/hdf5_file.h>
+#include <vibrocontact/reduction/flow_reduction.h>
 #include <vibrocontact/reduction/reduction_parts.h>
 #include <vibrocontact/reduction/response_reduction.h>
 #include <vibrocontact/reduction/surface_shapes.h>
@@ -83,6 +84,16 @@ namespace vibrocontact
     }
 
     template <typename Archive, typename Part>
+    void visit_flow(Archive &archive, Part &part)
+    {
+      archive("fixed", part.fixed);
+      archive("turning", part.turning);
+      archive("stretch", part.stretch);
+      archive("beyond", part.beyond);
+      archive("beyond_compliance_m_N", part.beyond_compliance);
+    }
+
+    template <typename Archive, typename Part>
     void visit_response(Archive &archive, Part &part)
     {
       archive("n_dofs", part.n_dofs);
@@ -112,6 +123,8 @@ namespace vibrocontact
         visit_static(archive, part);
       else if constexpr (std::is_same_v<Kind, SurfaceShapes>)
         visit_shapes(archive, part);
+      else if constexpr (std::is_same_v<Kind, FlowReduction>)
+        visit_flow(archive, part);
       else if constexpr (std::is_same_v<Kind, ResponseReduction>)
         visit_response(archive, part);
       else if constexpr (std::is_same_v<Kind, DirectResponse>)

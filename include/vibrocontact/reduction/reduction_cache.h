@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/reduction/flow_reduction.h>
 #include <vibrocontact/reduction/reduction_parts.h>
 #include <vibrocontact/reduction/response_reduction.h>
 #include <vibrocontact/reduction/surface_shapes.h>
@@ -10,8 +11,8 @@
 namespace vibrocontact
 {
   /// Reductions kept between runs, one HDF5 file each: `<folder>/<body>-static-<hash>.h5`,
-  /// `...-modes-<hash>.h5` and, with the key of the modes, `...-shapes-<hash>.h5`; for the frequency response
-  /// `...-response-<hash>.h5` and `...-direct-<hash>.h5`.
+  /// `...-modes-<hash>.h5` and, with the key of the modes, `...-shapes-<hash>.h5` and `...-flow-<hash>.h5`; for the
+  /// frequency response `...-response-<hash>.h5` and `...-direct-<hash>.h5`.
   ///
   /// The key is everything that determines the contents, as text; the hash is of key and formulation version
   /// and names the file, the whole key stands in it and is compared. A file that is damaged or belongs to
@@ -26,11 +27,13 @@ namespace vibrocontact
     std::optional<StaticReduction> load_static(const std::string &body, const std::string &key) const;
     std::optional<ModalReduction> load_modal(const std::string &body, const std::string &key) const;
     std::optional<SurfaceShapes> load_shapes(const std::string &body, const std::string &key) const;
+    std::optional<FlowReduction> load_flow(const std::string &body, const std::string &key) const;
     std::optional<ResponseReduction> load_response(const std::string &body, const std::string &key) const;
     std::optional<DirectResponse> load_direct(const std::string &body, const std::string &key) const;
     void save(const std::string &key, const StaticReduction &part) const;
     void save(const std::string &body, const std::string &key, const ModalReduction &part) const;
     void save(const std::string &body, const std::string &key, const SurfaceShapes &part) const;
+    void save(const std::string &body, const std::string &key, const FlowReduction &part) const;
     void save(const std::string &body, const std::string &key, const ResponseReduction &part) const;
     void save(const std::string &body, const std::string &key, const DirectResponse &part) const;
 
@@ -38,7 +41,7 @@ namespace vibrocontact
     std::optional<DenseMatrix> load_attachment_mass(const std::string &body, const std::string &key) const;
     void save_attachment_mass(const std::string &body, const std::string &key, const DenseMatrix &mass) const;
 
-    /// File of a part: `kind` is "static", "modes", "shapes", "response", "direct" or "inertia".
+    /// File of a part: `kind` is "static", "modes", "shapes", "flow", "response", "direct" or "inertia".
     std::string file_name(const std::string &body, const std::string &kind, const std::string &key) const;
 
   private:

@@ -55,7 +55,7 @@ namespace vibrocontact
     /// an analytic ring is not
     bool is_meshed() const { return is_solid() || description->elements(); }
     bool is_solid() const { return description->solid() != nullptr; }
-    /// an analytic ring whose Green's functions are those of rolling
+    /// a ring that turns with the speed of rolling
     bool rolls() const { return description->rolls(); }
     /// known between its own contact points alone, by modes or by Green's functions
     bool is_green() const { return description->has_own_points(); }

@@ -170,8 +170,9 @@ namespace vibrocontact
       return {};
     }
     /// The reduced body on a road: rows of all points upward, with friction then those forward. What a tread adds is in
-    /// it. @param with_friction
-    virtual BodyInContact on_road(const ReducedBody &reduced, bool with_friction) const;
+    /// it. @param speed, upstream as PointBody::between_points()
+    virtual BodyInContact on_road(const ReducedBody &reduced, bool with_friction, double speed = 0,
+                                  const std::vector<double> &upstream = {}) const;
   };
 
   /// A body of finite elements that assembles itself, such as a type that a program adds.

@@ -77,10 +77,11 @@ namespace vibrocontact
     std::function<dealii::LAPACKFullMatrix<std::complex<double>>(double)>
     sum_of_orders(unsigned int highest, bool residual, bool with_friction, double speed) const override;
     std::optional<Orders> orders() const override { return Orders{highest_order, residual}; }
-    BodyInContact on_road(const ReducedBody &reduced, bool with_friction) const override;
+    BodyInContact on_road(const ReducedBody &reduced, bool with_friction, double speed,
+                          const std::vector<double> &upstream) const override;
     bool has_material() const override { return false; }
     bool has_own_points() const override { return true; }
-    bool rolls() const override { return rolling && !is_meshed(); }
+    bool rolls() const override { return rolling; }
     bool has_rigid_points() const override { return !is_meshed() && !residual && tread_stiffness == 0; }
     bool may_yield() const override { return tread_stiffness > 0 || residual; }
     bool has_loss() const override { return damping_ratio > 0; }
@@ -99,6 +100,10 @@ namespace vibrocontact
     double tension() const { return pressure * width / radius; }
     /// theta of the contact points, ascending; n_points [rad]
     std::vector<double> angles() const;
+    /// theta of places beyond the contact points, from which material comes: n_beyond in front of the first one, nearest
+    /// first, then as many behind the last [rad]
+    static constexpr unsigned int n_beyond = 2;
+    std::vector<double> angles_beyond() const;
     /// contact points as x = R theta
     ContactGrid grid() const;
 

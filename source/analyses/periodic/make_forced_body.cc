@@ -137,12 +137,17 @@ namespace vibrocontact
                                  const std::optional<MeasuredData> &measured, const unsigned int number,
                                  const unsigned int rows_per_point)
     {
-      if (bodies[number])
+      const BodyParameters &body = parameters.scene.bodies[number];
+      if (bodies[number] && !body.rolls())
         return by_elements(parameters, bodies[number]->reduction, number, rows_per_point);
       const PeriodicParameters &periodic = parameters.periodic;
       const RoadUse use = {rows_per_point > 1, parameters.road.speed,
                            1 / (periodic.frequency * periodic.n_samples)};
-      return by_its_points(periodic, road_body(parameters, bodies, measured, number, use), rows_per_point);
+      ForcedBody points =
+          by_its_points(periodic, road_body(parameters, bodies, measured, number, use), rows_per_point);
+      if (bodies[number])
+        points.relaxation = parameters.modes.at(body.name).stiffness_damping;
+      return points;
     }
 
     /// The motion of body 1 relative to body 2; the exciting force acts on body 1.
@@ -185,7 +190,7 @@ namespace vibrocontact
   void check_forced_points(const Parameters &parameters, const MeshedBodies &bodies)
   {
     for (unsigned int k = 0; k < parameters.n_vibrating(); ++k)
-      if (bodies[k])
+      if (bodies[k] && !parameters.scene.bodies[k].rolls())
         all_rows(parameters, bodies[k]->reduction.system(), k, parameters.contact().friction > 0 ? 3 : 1);
   }
 } // namespace vibrocontact

@@ -71,7 +71,8 @@ namespace vibrocontact
       double largest = 0;
       for (unsigned int k = 0; k < bodies.size(); ++k)
       {
-        if (!bodies[k])
+        // what rolls is known by poles at its contact points
+        if (!bodies[k] || bodies[k]->parameters.rolls())
           continue;
         if (!bodies[k]->reduction.has_surface_shapes())
         {

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <complex>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// A = right diag(values) left with left = right^-1 (zgeev), of a matrix that has as many eigenvectors as columns.
+  struct ComplexEigenvectors
+  {
+    std::vector<std::complex<double>> values;
+    dealii::LAPACKFullMatrix<std::complex<double>> right, left;
+  };
+
+  /// @param of what they are, for the message @throws ConvergenceError
+  ComplexEigenvectors complex_eigenvectors(dealii::LAPACKFullMatrix<std::complex<double>> A,
+                                           const std::string &of);
+} // namespace vibrocontact
