@@ -222,6 +222,19 @@ namespace vibrocontact
     return std::abs(pole) <= 2 * rigid_frequency;
   }
 
+  std::vector<double> pole_marks(const BodyInContact &body)
+  {
+    std::vector<double> marks;
+    for (unsigned int k = 0; k < body.n_poles(); ++k)
+    {
+      Complex shape = 0;
+      for (unsigned int i = 0; i < body.right.m(); ++i)
+        shape += std::cos(1. + i) * body.right(i, k);
+      marks.insert(marks.end(), {body.poles[k].real(), body.poles[k].imag(), shape.real(), shape.imag()});
+    }
+    return marks;
+  }
+
   Complex rest_of_state(const BodyInContact &body, const unsigned int k)
   {
     return body.pole_load.empty() || is_rigid_motion(body.poles[k]) ? 0. : -body.pole_load[k] / body.poles[k];

@@ -39,11 +39,4 @@ namespace vibrocontact
       for (unsigned int i = 0; i < n; ++i)
         compliance(i, j) += (product(i, j) + product(j, i)) / 2;
   }
-
-  DenseMatrix static_compliance(const ReducedBody &body)
-  {
-    DenseMatrix result = body.residual;
-    add_modal_compliance(result, body.trace, body.omega, body.name);
-    return result;
-  }
 } // namespace vibrocontact

@@ -47,8 +47,8 @@ namespace vibrocontact
     result.n_rigid_modes = std::count(body.omega.begin(), body.omega.end(), 0.);
     result.modal_load.resize(m);
     result.pole_load.resize(body.n_poles());
-    while (result.labels.size() < m + body.n_poles())
-      result.labels.push_back("pole " + std::to_string(result.labels.size() - m + 1));
+    for (std::size_t k = result.labels.size(); k < m + body.n_poles(); ++k)
+      result.labels.push_back(k < m ? "mode " + std::to_string(k + 1) : "pole " + std::to_string(k - m + 1));
     turn_participation(result, -1);
     // along an axis that points backwards
     for (unsigned int k = 0; k < result.gradient.n(); ++k)

@@ -202,7 +202,7 @@ namespace vibrocontact
       is_found = take_step(problem, judge, state.R.data(), error);
       // forces that are left by rounding go where they belong
       if (!is_found)
-        error = project(problem, judge, state.R.data());
+        project(problem, judge, state.R.data());
       ++state.iterations;
       respond();
     }

@@ -291,7 +291,9 @@ namespace vibrocontact
   {
     if (pair.gradient.m() == 0)
       return DenseMatrix();
-    BodyInContact along = pair;
+    BodyInContact along;
+    along.poles = pair.poles;
+    along.left = pair.left;
     along.right = pair.gradient;
     DenseMatrix result = sum_over_poles(along, static_weights(along));
     result.add(1., pair.residual_gradient);

@@ -27,6 +27,12 @@ namespace vibrocontact
           const double psi = body.trace(lossy.row, k), w = body.omega[k];
           receptance += psi * psi / Complex(w * w - omega * omega, 2 * body.damping_ratio[k] * w * omega);
         }
+        for (unsigned int k = 0; k < body.n_poles(); ++k)
+        {
+          const Complex residue = body.right(lossy.row, k) * body.left(lossy.row, k);
+          receptance += residue / (Complex(0, omega) - body.poles[k]) +
+                        std::conj(residue) / (Complex(0, omega) - std::conj(body.poles[k]));
+        }
       }
       if (const double share = std::abs(change / receptance); share > worst.change)
         worst = {share, frequency};

@@ -132,7 +132,7 @@ namespace vibrocontact
     return result;
   }
 
-  std::vector<NamedSignal> varying(std::vector<NamedSignal> signals)
+  std::vector<NamedSignal> by_strength(std::vector<NamedSignal> signals)
   {
     const auto is_constant = [](const NamedSignal &one) { return !(rms(one.signal) > 0); };
     signals.erase(std::remove_if(signals.begin(), signals.end(), is_constant), signals.end());

@@ -162,7 +162,7 @@ namespace vibrocontact
         return std::sqrt(dot(tracer.residual, tracer.residual)) / s.residual_scale;
       }
 
-      bool is_solution(const Vector &, const double size) override
+      bool keep(const Vector &, const double size) override
       {
         return size <= tracer.s.tolerance && std::abs(ahead) <= 1e-12 + 1e-6 * std::abs(length);
       }

@@ -14,7 +14,7 @@ namespace vibrocontact
     result.size = equations.evaluate(x);
     while (std::isfinite(result.size))
     {
-      result.converged = equations.is_solution(x, result.size);
+      result.converged = equations.keep(x, result.size);
       if (result.converged || result.iterations == settings.max_iterations)
         return result;
       if (!equations.find_step(are_fresh, step))
@@ -22,7 +22,7 @@ namespace vibrocontact
       ++result.iterations;
       bool falls = false;
       double next = result.size;
-      const double shortest = are_fresh ? settings.shortest_length : 1.;
+      const double shortest = are_fresh && result.size > settings.enough ? settings.shortest_length : 1.;
       for (double length = 1; !falls && length >= shortest; length /= 2)
       {
         for (std::size_t k = 0; k < x.size(); ++k)

@@ -56,7 +56,9 @@ namespace vibrocontact
     modal_part = cache.load_modal(asked.body, modes_key());
     if (modal_part && asked.flows)
     {
-      if (std::optional<FlowReduction> flow = cache.load_flow(asked.body, modes_key()))
+      // double modes differ from one computation to the next: a flow of others does not fit
+      std::optional<FlowReduction> flow = cache.load_flow(asked.body, modes_key());
+      if (flow && flow->omega == modal_part->omega)
         flow_part = std::make_shared<const FlowReduction>(std::move(*flow));
       else
         modal_part.reset();

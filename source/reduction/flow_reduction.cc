@@ -43,6 +43,7 @@ namespace vibrocontact
   {
     const MaterialFlow &flow = *system.flow;
     FlowReduction result;
+    result.omega = modes.omega;
     result.fixed = in_modes(flow.fixed, modes);
     result.turning = in_modes(flow.turning, modes);
     result.stretch = in_modes(flow.stretch, modes);

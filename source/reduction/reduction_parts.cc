@@ -162,6 +162,9 @@ namespace vibrocontact
       return body;
     }
 
+    if (n > 0 && modal->omega.empty())
+      throw InputError("No mode of " + body.name + " lies below " + body.name +
+                       "/Modes/Upper frequency: raise it or give a Count.");
     AssertThrow(modal->trace.m() == n && modal->n_rigid_modes == n_rigid, dealii::ExcInternalError());
     body.omega = modal->omega;
     body.damping_ratio = modal->damping_ratio;

@@ -6,6 +6,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <complex>
 #include <utility>
 
 namespace vibrocontact
@@ -19,13 +20,20 @@ namespace vibrocontact
     std::vector<double> ends_of_the_modes(const std::vector<LossyBody> &bodies)
     {
       double lowest = 0, highest = 0;
+      const auto count = [&](const double omega)
+      {
+        if (!(omega > 0))
+          return;
+        lowest = lowest == 0 ? omega : std::min(lowest, omega);
+        highest = std::max(highest, omega);
+      };
       for (const LossyBody &lossy : bodies)
+      {
         for (const double omega : lossy.body->omega)
-          if (omega > 0)
-          {
-            lowest = lowest == 0 ? omega : std::min(lowest, omega);
-            highest = std::max(highest, omega);
-          }
+          count(omega);
+        for (const std::complex<double> &pole : lossy.body->poles)
+          count(std::abs(pole));
+      }
       return {lowest / (2 * dealii::numbers::PI), highest / (2 * dealii::numbers::PI)};
     }
 

@@ -171,7 +171,9 @@ TEST(BeamRailMpi, trace_has_rank_six_and_modes_leave_a_semi_definite_residual)
   const StaticReduction statics = reduce_statically(*system, flexibility);
   const ModalReduction modal = reduce_modally(*system, flexibility, parameters, {});
   const ReducedBody body = combine(statics, &modal); // throws if W~ is not semi-definite
-  const double whole = static_compliance(body)(0, 0);
+  DenseMatrix compliance = body.residual;
+  add_modal_compliance(compliance, body.trace, body.omega, body.name);
+  const double whole = compliance(0, 0);
   EXPECT_NEAR(whole / statics.compliance(0, 0), 1, 1e-9);
   EXPECT_LT(body.residual(0, 0), 0.1 * whole);
   // every mode loses between the rail's and the pads' share

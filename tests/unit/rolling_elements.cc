@@ -2,7 +2,7 @@
 // that turns with it: poles, receptances, stretch of the material, powers.
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/ring_poles.h>
-#include <vibrocontact/reduction/rolling_modes.h>
+#include <vibrocontact/bodies/rolling_modes.h>
 #include <vibrocontact/contact/creep.h>
 #include <vibrocontact/fe/material_flow.h>
 #include <vibrocontact/fe/ring_elements.h>
@@ -70,15 +70,12 @@ namespace
   /// What constant forces do to it, or to its gradient.
   DenseMatrix at_rest(BodyInContact body, const bool gradient)
   {
-    std::vector<Complex> weights;
-    for (const Complex &pole : body.poles)
-      weights.push_back(-1. / pole);
     if (gradient)
     {
       body.right = body.gradient;
       body.residual = body.residual_gradient;
     }
-    DenseMatrix result = sum_over_poles(body, weights);
+    DenseMatrix result = sum_over_poles(body, static_weights(body));
     result.add(1., body.residual);
     return result;
   }
@@ -364,6 +361,11 @@ TEST(RollingElements, GrowingMotionIsRefused)
   EXPECT_NO_THROW(ring.on_road(body, false, 30, {}));
   EXPECT_THROW(ring_poles(ring, ring_rows(ring, false), ring.rotation(400)), InputError);
   EXPECT_THROW(ring.on_road(body, false, 400, {}), InputError);
+}
+
+TEST(RollingElements, NoModesAreRefused)
+{
+  EXPECT_THROW(reduced(rolling_ring("beam elements", 24), 20), InputError);
 }
 
 // On any number of ranks.

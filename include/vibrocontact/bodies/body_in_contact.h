@@ -2,6 +2,7 @@
 
 #include <vibrocontact/base/dense.h>
 
+#include <algorithm>
 #include <complex>
 #include <string>
 #include <vector>
@@ -63,7 +64,11 @@ namespace vibrocontact
 
     unsigned int n_modes() const { return omega.size(); }
     unsigned int n_poles() const { return poles.size(); }
-    std::vector<std::string> labels_of_modes() const { return {labels.begin(), labels.begin() + n_modes()}; }
+    /// none if there are no labels
+    std::vector<std::string> labels_of_modes() const
+    {
+      return {labels.begin(), labels.begin() + std::min<std::size_t>(n_modes(), labels.size())};
+    }
     unsigned int n_rows() const
     {
       return n_modes() > 0 ? trace.m() : n_poles() > 0 ? right.m() : residual.m();
@@ -97,7 +102,7 @@ namespace vibrocontact
   /// 2 Re sum_k weight_k right_k left_k^T, n_rows square: what every quantity of g at real times is, of a body by poles.
   /// @param weights n_poles
   DenseMatrix sum_over_poles(const BodyInContact &body, const std::vector<std::complex<double>> &weights);
-  /// Those of what constant forces do, -1 / lambda; rigid motions have none.
+  /// Those of what constant forces do, -1 / lambda. @pre no rigid motion
   std::vector<std::complex<double>> static_weights(const BodyInContact &body);
   /// G(omega), n_rows square [m/N]; @param omega [rad/s]
   ComplexMatrix receptance(const BodyInContact &body, double omega);
@@ -109,6 +114,10 @@ namespace vibrocontact
 
   /// Whether a motion is rigid: nothing holds it against constant forces.
   bool is_rigid_motion(const std::complex<double> &pole);
+
+  /// Numbers that change with the poles and with what their amplitudes mean: lambda and weighted sums of the right shapes,
+  /// real and imaginary parts; 4 n_poles. For checkpoints of states.
+  std::vector<double> pole_marks(const BodyInContact &body);
 
   /// Where state k of a body by poles comes to rest under the constant load: -load / lambda; 0 of a rigid motion.
   std::complex<double> rest_of_state(const BodyInContact &body, unsigned int k);

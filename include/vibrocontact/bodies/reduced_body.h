@@ -20,6 +20,7 @@ namespace vibrocontact
   ///
   /// trace Psi, ascending frequencies; residual W~ = P_c K^-1 P_c^T - Psi_e diag(w_e^-2) Psi_e^T over the elastic
   /// modes kept (inertia-relief flexibility in place of K^-1 if the body is free), symmetric positive semi-definite.
+  /// Participation and gradient are along the global x, which points backwards, and y and z.
   /// Half-spaces have no modes; their W~ is never formed (see half_space.h). Replicated on all ranks.
   struct ReducedBody : BodyInContact
   {
@@ -34,7 +35,7 @@ namespace vibrocontact
     std::vector<double> lifting;
     /// mean height of the undeformed surface over each cell, relative to the nominal contact point; n [m]
     std::vector<double> surface_height;
-    /// of a body that turns past its contact points, with modes (reduction/flow_reduction.h); null: it does not
+    /// of a body that turns past its contact points, with modes (bodies/rolling_modes.h); null: it does not
     std::shared_ptr<const FlowReduction> flow = nullptr;
   };
 
@@ -42,8 +43,4 @@ namespace vibrocontact
   /// @throws InputError naming `body` and the directions if a mode is rigid: nothing carries static forces
   void add_modal_compliance(DenseMatrix &compliance, const DenseMatrix &trace,
                             const std::vector<double> &omega, const std::string &body);
-
-  /// P_c K^-1 P_c^T = W~ + Psi diag(w^-2) Psi^T, 3 n square [m/N].
-  /// @throws InputError if the body has rigid modes: it has no static compliance.
-  DenseMatrix static_compliance(const ReducedBody &body);
 } // namespace vibrocontact

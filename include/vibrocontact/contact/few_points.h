@@ -16,8 +16,9 @@ namespace vibrocontact
   /// each point with rho of its own, 1 / A_nn and 1 / max(A_xx, A_yy). Where Newton's steps do not lower the defect the
   /// points are projected one after the other.
   ///
-  /// Steps go on until the largest defect of a projection is below 1e-11 of the largest force, or of that which would
-  /// close the widest gap, and ContactResidual, which judges as it does of all solvers, below the tolerance.
+  /// Steps go on while the largest defect of a projection falls, to 1e-11 of the largest force or of that which would
+  /// close the widest gap; what they leave is projected once. It has converged where ContactResidual, which judges all
+  /// solvers, is below the tolerance.
   class FewPointsSolver : public ContactSolver
   {
   public:

@@ -40,8 +40,8 @@ namespace vibrocontact
   nlohmann::ordered_json signals_json(const std::vector<NamedSignal> &signals, const SignalWindows &windows,
                                       double end_of_growth, const std::string &folder);
 
-  /// The signals that vary, the strongest first.
-  std::vector<NamedSignal> varying(std::vector<NamedSignal> signals);
+  /// The signals that are not constant, the one with the largest rms about its mean first.
+  std::vector<NamedSignal> by_strength(std::vector<NamedSignal> signals);
 
   /// 1/3-octave bands of the force of all contact points together, from the last three quarters of the run: nominal_Hz,
   /// centre_Hz, lower_Hz, upper_Hz, rms_N, level_dB (re 1 N); bands without any force are left out.

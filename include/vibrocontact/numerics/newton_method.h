@@ -4,16 +4,16 @@
 
 namespace vibrocontact
 {
-  /// Equations F(x) = 0 as Newton's method sees them. They keep what belongs to the last x that was evaluated, so that
-  /// matrices, factors and work vectors are their own; a large system solves for its step by a Krylov method there.
+  /// Equations F(x) = 0 as Newton's method sees them. They keep what belongs to the last x that was evaluated: matrices,
+  /// factors and work vectors are theirs, and how the step is found.
   class NewtonEquations
   {
   public:
     virtual ~NewtonEquations() = default;
     /// F at x. @return its size, in the measure in which it is to fall
     virtual double evaluate(const std::vector<double> &x) = 0;
-    /// Whether x will do. Asked of every x that is kept, right after evaluate(). @param size of F there
-    virtual bool is_solution(const std::vector<double> &x, double size) = 0;
+    /// Of every x that is kept, right after evaluate(). @param size of F there @return whether x will do
+    virtual bool keep(const std::vector<double> &x, double size) = 0;
     /// The step -J^-1 F at the last x that was evaluated. @param renew J belongs to this x; false: factors of an earlier
     /// one may serve @return false: there is no step
     virtual bool find_step(bool renew, std::vector<double> &step) = 0;
@@ -30,6 +30,8 @@ namespace vibrocontact
     unsigned int doublings = 0;
     /// old factors serve while each step with them lowers |F| by ten
     bool keeps_factors = false;
+    /// |F| below which no shorter step is tried
+    double enough = 0;
   };
 
   struct NewtonResult
@@ -41,7 +43,7 @@ namespace vibrocontact
     double size = 0;
   };
 
-  /// x += length step with the first length 1, 1/2, ... at which |F| falls, until is_solution(). On return x is the last that
+  /// x += length step with the first length 1, 1/2, ... at which |F| falls, until keep() says that x will do. On return x is the last that
   /// was kept; without convergence the equations may have evaluated others after it.
   NewtonResult solve_by_newton(NewtonEquations &equations, const NewtonSettings &settings,
                                std::vector<double> &x);

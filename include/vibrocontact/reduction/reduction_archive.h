@@ -86,6 +86,7 @@ namespace vibrocontact
     template <typename Archive, typename Part>
     void visit_flow(Archive &archive, Part &part)
     {
+      archive("angular_frequencies_rad_s", part.omega);
       archive("fixed", part.fixed);
       archive("turning", part.turning);
       archive("stretch", part.stretch);

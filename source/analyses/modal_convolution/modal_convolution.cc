@@ -390,14 +390,11 @@ namespace vibrocontact
 
   Marks ModalConvolution::marks() const
   {
-    std::vector<double> poles;
-    for (const std::complex<double> &pole : model.poles)
-      poles.insert(poles.end(), {pole.real(), pole.imag()});
-    return {{"rows", {double(model.n_rows())}}, {"poles", poles}};
+    return {{"rows", {double(model.n_rows())}}, {"poles", pole_marks(model)}};
   }
 
   MarchCheckpoint road_checkpoint(const std::string &folder)
   {
-    return {folder + "/modal_convolution.h5", "Modal convolution", 5};
+    return {folder + "/modal_convolution.h5", "Modal convolution", 6};
   }
 } // namespace vibrocontact

@@ -115,15 +115,17 @@ namespace vibrocontact
           if (n_points <= most_point_tables && lines <= most_table_lines)
             write_point_tables(folder + "/" + histories, n_points, own.friction, folder);
           write_impacts(result, folder);
+          if (lines > most_signal_lines)
+            run_log().line(
+                "The histories have more than 1,000,000 lines, too many for spectra and growth rates of "
+                "the forces" +
+                std::string(lines > most_spectrum_lines ? ", and for 1/3-octave bands" : "") +
+                ": give a longer Modal convolution/History interval.");
           if (lines > most_spectrum_lines)
             return;
           const std::vector<NamedSignal> forces = recorded_forces(own, result, folder + "/" + histories);
           if (lines <= most_signal_lines)
-            json.update(signals_json(varying(forces), own.signals, result.time, ""));
-          else
-            run_log().line(
-                "The histories have more than 1,000,000 lines, too many for spectra and growth rates of "
-                "the forces: give a longer Modal convolution/History interval.");
+            json.update(signals_json(by_strength(forces), own.signals, result.time, ""));
           if (forces.empty())
             return;
           const std::string bands = prefix + "third_octaves.csv";

@@ -53,11 +53,15 @@ namespace vibrocontact
     double evaluate(const std::vector<double> &c) override
     {
       balance.evaluate(c, residual, nullptr, nullptr);
-      return euclidean_norm(residual);
+      const double size = euclidean_norm(residual);
+      if (!is_any_kept)
+        relative = size / balance.force_scale(c);
+      return size;
     }
 
-    bool is_solution(const std::vector<double> &c, const double size) override
+    bool keep(const std::vector<double> &c, const double size) override
     {
+      is_any_kept = true;
       relative = size / balance.force_scale(c);
       return relative <= balance.settings.tolerance;
     }
@@ -75,11 +79,12 @@ namespace vibrocontact
       return solve_dense(factors, residual, step);
     }
 
-    /// residual of the last c that was kept; 1 before
-    double relative = 1;
+    /// residual of the last c that was kept, or of the first one
+    double relative = 0;
 
   private:
     PeriodicBalance &balance;
+    bool is_any_kept = false;
     std::vector<double> residual;
     DenseMatrix factors;
   };

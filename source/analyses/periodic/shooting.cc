@@ -115,7 +115,7 @@ namespace vibrocontact
       }
 
       /// As far as rounding lets it fall.
-      bool is_solution(const std::vector<double> &, const double size) override
+      bool keep(const std::vector<double> &, const double size) override
       {
         const bool stagnates = size > 0.1 * last && size < tolerance;
         last = size;
@@ -171,6 +171,7 @@ namespace vibrocontact
     newton.max_iterations = max_iterations;
     newton.shortest_length = 1. / 256;
     newton.decrease = 0;
+    newton.enough = tolerance;
     const NewtonResult found = solve_by_newton(equations, newton, solution.state);
     solution.iterations = found.iterations;
     solution.periodicity = found.size;

@@ -72,7 +72,8 @@ namespace vibrocontact
     for (const ProbeRequest &probe : parse_probes(probes))
       if (!probe.name.empty() && std::find(bodies.begin(), bodies.end(), probe.body) == bodies.end())
         throw InputError("Transient/Signals/Probes: probe '" + probe.name + "' is on '" + probe.body +
-                         "', which is no body with modes; " + name_suggestion(probe.body, bodies));
+                         "', whose motion away from its contact points is not known; " +
+                         name_suggestion(probe.body, bodies));
   }
 
   std::vector<ProbeRequest> parse_probes(const std::string &text)

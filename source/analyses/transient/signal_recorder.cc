@@ -2,8 +2,6 @@
 #include <vibrocontact/base/hdf5_file.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 namespace vibrocontact
 {
@@ -72,7 +70,7 @@ namespace vibrocontact
     const std::vector<double> line_times = lines.numbers("time_s");
     for (const std::string name : {"normal_force", "tangential_force_x", "tangential_force_y"})
       forces.push_back({name, "N", equally_spaced(line_times, lines.numbers(name + "_N")), false});
-    for (NamedSignal &force : varying(std::move(forces)))
+    for (NamedSignal &force : by_strength(std::move(forces)))
       signals.push_back(std::move(force));
     return signals;
   }

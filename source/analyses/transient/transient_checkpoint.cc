@@ -100,26 +100,18 @@ namespace vibrocontact
           sums[j] += weight(i) * matrix(i, j);
       return sums;
     }
-
-    std::vector<double> pole_parts(const BodyInContact &body)
-    {
-      std::vector<double> parts;
-      for (const std::complex<double> &pole : body.poles)
-        parts.insert(parts.end(), {pole.real(), pole.imag()});
-      return parts;
-    }
   } // namespace
 
   MarchCheckpoint transient_checkpoint(const std::string &folder)
   {
-    return {folder + "/checkpoint.h5", "Transient", 11};
+    return {folder + "/checkpoint.h5", "Transient", 12};
   }
 
   Marks TransientMarch::marks() const
   {
     return {{"frequencies", pair.omega}, {"damping ratios", pair.damping_ratio},
             {"loads", pair.modal_load},  {"mode shapes", weighted_sums(pair.trace)},
-            {"poles", pole_parts(pair)}, {"flexibility", weighted_sums(pair.residual)},
+            {"poles", pole_marks(pair)}, {"flexibility", weighted_sums(pair.residual)},
             {"gap", pair.interface.gap}};
   }
 

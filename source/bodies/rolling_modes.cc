@@ -2,7 +2,7 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/bodies/road_rows.h>
-#include <vibrocontact/reduction/rolling_modes.h>
+#include <vibrocontact/bodies/rolling_modes.h>
 #include <vibrocontact/numerics/complex_eigenvectors.h>
 
 #include <algorithm>
@@ -132,6 +132,32 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    /// Pole k in the amplitude of the first row that moves most, or nearly so.
+    void scale_shapes(BodyInContact &body, const unsigned int k)
+    {
+      const unsigned int n = body.n_rows();
+      double largest = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        largest = std::max(largest, std::abs(body.right(i, k)));
+      if (!(largest > 0))
+        return;
+      unsigned int row = 0;
+      while (std::abs(body.right(row, k)) < (1 - 1e-6) * largest)
+        ++row;
+      const Complex scale = body.right(row, k);
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        body.right(i, k) /= scale;
+        body.left(i, k) *= scale;
+        if (body.gradient.m() > 0)
+          body.gradient(i, k) /= scale;
+      }
+      body.pole_load[k] *= scale;
+    }
+  } // namespace
+
   BodyInContact rolling_modes(const BodyInContact &at_rest, const FlowReduction &flow, const double rotation)
   {
     const unsigned int n = at_rest.n_rows(), n_points = flow.stretch.m();
@@ -166,6 +192,7 @@ namespace vibrocontact
     if (n == 2 * n_points)
       body.gradient.reinit(n, all.size());
     for (unsigned int k = 0; k < all.size(); ++k)
+    {
       for (unsigned int m = 0; m < all[k].modes->size(); ++m)
       {
         const unsigned int mode = (*all[k].modes)[m];
@@ -177,6 +204,8 @@ namespace vibrocontact
         for (unsigned int i = 0; i < n_points && n == 2 * n_points; ++i)
           body.gradient(n_points + i, k) += flow.stretch(i, mode) * all[k].pole.right[m];
       }
+      scale_shapes(body, k);
+    }
     return body;
   }
 
