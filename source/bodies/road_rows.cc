@@ -19,7 +19,7 @@ namespace vibrocontact
 
   BodyInContact road_rows(const ReducedBody &body, const bool with_friction, const double forward)
   {
-    const unsigned int n = body.grid.n_points();
+    const unsigned int n = body.surface_height.size();
     std::vector<SignedRow> rows;
     for (unsigned int i = 0; i < (with_friction ? 2 * n : n); ++i)
       rows.push_back({i, i < n ? 1. : forward});

@@ -64,17 +64,77 @@ namespace vibrocontact
       file.write(path + "/x", std::vector<double>(first, first + index.size()), {single, true});
     }
 
-    /// of the normal law; files of earlier versions give an amplitude and an exponent, of the linear spring k and 1
-    std::vector<double> law_numbers(Hdf5Reader &file, const std::string &file_name,
+    /// The rows of a or l, one on every gap if they are not given.
+    DenseVector rows_of(const DenseVector &given, const unsigned int n)
+    {
+      DenseVector rows(3 * n);
+      for (unsigned int row = 0; row < 3 * n; ++row)
+        rows[row] = given.size() > 0 ? given[row] : row < n ? 1. : 0.;
+      return rows;
+    }
+
+    /// Group of a law: the first of a file, those of further contacts behind it.
+    std::string law_group(const unsigned int number)
+    {
+      return "/vibrocontact/normal_law" + (number == 0 ? "" : "_" + std::to_string(number)) + "/";
+    }
+
+    /// The laws of the points, and where there are several the number of each point's.
+    void write_laws(Hdf5Writer &file, const ContactProblem &problem)
+    {
+      std::vector<const NormalLaw *> laws;
+      std::vector<int> number;
+      for (unsigned int i = 0; i < problem.n_points(); ++i)
+      {
+        const NormalLaw *const own = &problem.normal_law[i];
+        if (laws.empty() || laws.back() != own)
+        {
+          const LawDescription law = own->description();
+          file.write(law_group(laws.size()) + "name", law.name);
+          if (!law.numbers.empty())
+            file.write(law_group(laws.size()) + "numbers", law.numbers);
+          laws.push_back(own);
+        }
+        number.push_back(laws.size() - 1);
+      }
+      if (laws.size() > 1)
+        file.write("/vibrocontact/law_of_point", number, {false, true});
+    }
+
+    /// of a normal law; files of earlier versions give an amplitude and an exponent, of the linear spring k and 1
+    std::vector<double> law_numbers(Hdf5Reader &file, const std::string &file_name, const std::string &law,
                                     const std::vector<NormalLawEntry> &laws)
     {
-      const std::string law = "/vibrocontact/normal_law/";
       if (file.has(law + "numbers"))
         return finite_numbers(file, file_name, law + "numbers", 0);
       if (!file.has(law + "amplitude") || find_normal_law(file.text(law + "name"), laws).parameters.empty())
         return {};
       return {finite_numbers(file, file_name, law + "amplitude", 1).front(),
               finite_numbers(file, file_name, law + "exponent", 1).front()};
+    }
+
+    PointLaws<NormalLaw> read_laws(Hdf5Reader &file, const std::string &file_name, const unsigned int n,
+                                   const std::vector<NormalLawEntry> &laws)
+    {
+      const auto law = [&](const unsigned int number)
+      {
+        const std::string group = law_group(number);
+        return create_normal_law(file.text(group + "name"), law_numbers(file, file_name, group, laws), laws);
+      };
+      if (!file.has("/vibrocontact/law_of_point"))
+        return law(0);
+      std::vector<std::pair<std::shared_ptr<const NormalLaw>, unsigned int>> all;
+      for (const int number : file.integers("/vibrocontact/law_of_point", n))
+      {
+        if (number != int(all.size()) && number + 1 != int(all.size()))
+          throw InputError("The laws of the points in the file '" + file_name +
+                           "' (/vibrocontact/law_of_point) do not follow each other from 0 on; write the "
+                           "contact problem anew.");
+        if (number == int(all.size()))
+          all.emplace_back(law(number), 0);
+        ++all.back().second;
+      }
+      return PointLaws<NormalLaw>::of_contacts(all);
     }
 
     DenseMatrix read_matrix(Hdf5Reader &file, const std::string &file_name, const std::string &path)
@@ -132,10 +192,11 @@ namespace vibrocontact
     for (unsigned int column = 0; column < 3 * n; ++column)
       for (unsigned int row = 0; row < 3 * n; ++row)
         W(theirs(row, n), theirs(column, n)) = A(row, column);
+    const DenseVector usual = rows_of({}, n), by_approach = rows_of(problem.by_approach, n),
+                      to_force = rows_of(problem.to_force, n);
     DenseVector q = problem.b;
     if (!problem.force_given())
-      for (unsigned int i = 0; i < n; ++i)
-        q[i] -= problem.approach;
+      q.add(-problem.approach, by_approach);
 
     const std::string local = "/fclib_local";
     file.write(local + "/spacedim", 3);
@@ -143,8 +204,8 @@ namespace vibrocontact
     if (problem.force_given())
     {
       DenseMatrix V(3 * n, 1), R(1, 1);
-      for (unsigned int i = 0; i < n; ++i)
-        V(3 * i, 0) = -1;
+      for (unsigned int row = 0; row < 3 * n; ++row)
+        V(theirs(row, n), 0) = -by_approach[row];
       write_matrix(file, local + "/V", V, false);
       write_matrix(file, local + "/R", R, false);
       file.write(local + "/vectors/s", problem.normal_force);
@@ -155,11 +216,13 @@ namespace vibrocontact
     file.write(local + "/info/description", options.description);
     file.write(local + "/info/math_info",
                std::string("W is dense and not symmetric; u is the gap [m] and the slip velocity [m/s]"));
-    const LawDescription law = problem.normal_law->description();
     file.write("/vibrocontact/approach", problem.approach);
-    file.write("/vibrocontact/normal_law/name", law.name);
-    if (!law.numbers.empty())
-      file.write("/vibrocontact/normal_law/numbers", law.numbers);
+    if (by_approach != usual || to_force != usual)
+    {
+      file.write("/vibrocontact/by_approach", reordered(by_approach), {false, true});
+      file.write("/vibrocontact/to_force", reordered(to_force), {false, true});
+    }
+    write_laws(file, problem);
     if (!solution.empty())
     {
       file.write("/solution/u", reordered(solution.y), {false, true});
@@ -210,24 +273,29 @@ namespace vibrocontact
     if (file.has("/vibrocontact/approach"))
       problem.approach = finite_numbers(file, file_name, "/vibrocontact/approach", 1).front();
     if (file.has("/vibrocontact/normal_law/name"))
-      problem.normal_law = create_normal_law(file.text("/vibrocontact/normal_law/name"),
-                                             law_numbers(file, file_name, laws), laws);
+      problem.normal_law = read_laws(file, file_name, n, laws);
+    if (file.has("/vibrocontact/by_approach"))
+    {
+      problem.by_approach = reordered(finite_numbers(file, file_name, "/vibrocontact/by_approach", 3 * n));
+      problem.to_force = reordered(finite_numbers(file, file_name, "/vibrocontact/to_force", 3 * n));
+    }
+    const DenseVector by_approach = rows_of(problem.by_approach, n);
     if (file.has(local + "/V"))
     {
       const DenseMatrix V = read_matrix(file, file_name, local + "/V"),
                         R = read_matrix(file, file_name, local + "/R");
       bool force = V.m() == 3 * n && V.n() == 1 && R.m() == 1 && R.n() == 1 && R(0, 0) == 0;
       for (unsigned int row = 0; force && row < 3 * n; ++row)
-        force = V(row, 0) == (row % 3 == 0 ? -1 : 0);
+        force = V(theirs(row, n), 0) == -by_approach[row];
       if (!force)
-        refuse("has equality constraints other than a given normal force (V = -1 on every gap, R = 0)");
+        refuse("has equality constraints other than a given normal force (V = -1 on every gap, or what "
+               "/vibrocontact/by_approach says, R = 0)");
       problem.normal_force = finite_numbers(file, file_name, local + "/vectors/s", 1).front();
       if (!(problem.normal_force > 0))
         refuse("has a normal force s that is not positive");
     }
     else
-      for (unsigned int i = 0; i < n; ++i)
-        problem.b[i] += problem.approach;
+      problem.b.add(problem.approach, by_approach);
     return problem;
   }
 

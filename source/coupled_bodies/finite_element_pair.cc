@@ -31,12 +31,13 @@ namespace vibrocontact
         continue;
       const SecondOrderSystem &system = *bodies[b].system;
       const DenseSystem dense = dense_system(system);
+      const PlacedContacts::Rows own = result.contacts.rows_of(b);
       add_block(result.mass, dense.mass, first, first);
       add_block(result.stiffness, dense.stiffness, first, first);
-      for (unsigned int row = 0; row < system.trace.rows.size(); ++row)
-        for (const auto &[dof, weight] : system.trace.rows[row])
+      for (unsigned int i = 0; i < own.rows.size(); ++i)
+        for (const auto &[dof, weight] : system.trace.rows[i])
           if (dense.place[dof] != dealii::numbers::invalid_unsigned_int)
-            result.trace(row, first + dense.place[dof]) += b == 0 ? weight : -weight;
+            result.trace(own.rows[i], first + dense.place[dof]) += own.sign[i] * weight;
       const unsigned int n_modes = bodies[b].modes->shapes.size();
       if (n_modes > 0)
       {

@@ -30,13 +30,22 @@ namespace vibrocontact
       return *basis;
     }
 
-    // with a given force all gaps change alike and dN sums to zero: differences to the first point
-    DenseMatrix differences(const DenseMatrix &columns)
+    // with a given force the gaps under the hub change by `hub` alike and hub . dN is zero: what is left of the columns
+    // when that of the first such point takes it
+    DenseMatrix without_hub(const DenseMatrix &columns, const std::vector<double> &hub)
     {
+      const auto under = std::find_if(hub.begin(), hub.end(), [](const double share) { return share != 0; });
+      if (under == hub.end())
+        return columns;
+      const unsigned int first = under - hub.begin();
       DenseMatrix result(columns.m(), columns.n() - 1);
-      for (unsigned int j = 1; j < columns.n(); ++j)
-        for (unsigned int i = 0; i < columns.m(); ++i)
-          result(i, j - 1) = columns(i, j) - columns(i, 0);
+      for (unsigned int j = 0, column = 0; j < columns.n(); ++j)
+        if (j != first)
+        {
+          for (unsigned int i = 0; i < columns.m(); ++i)
+            result(i, column) = columns(i, j) - hub[j] / hub[first] * columns(i, first);
+          ++column;
+        }
       return result;
     }
 
@@ -117,40 +126,45 @@ namespace vibrocontact
         add_friction(coupling.stiffness, forces, *factor, rows_along(convective, *directions, n));
     }
 
-    const unsigned int c = frame.points.size();
-    if (!equilibrium.normal_compliance.empty())
+    // a closed point that the law yields at has a spring, any other keeps its gap
+    std::vector<unsigned int> springs, closed;
+    std::vector<double> stiffness;
+    for (unsigned int k = 0; k < frame.points.size(); ++k)
     {
-      // springs in place of closed gaps
-      if (equilibrium.force_given)
-        throw InputError(
-            "Stability/Model gives the contact points mass and Contact/Normal law yields, which needs "
-            "a hub that is held: set Rolling/Hub to held, or Model to reduced.");
-      DenseMatrix forces(N, c), gaps(c, N);
-      if (c > 0)
-        trace.Tmmult(forces, frame.normal);
-      std::vector<double> stiffness;
-      for (unsigned int k = 0; k < c; ++k)
-      {
-        stiffness.push_back(1 / equilibrium.normal_compliance[frame.points[k]]);
-        for (unsigned int j = 0; j < N; ++j)
-          gaps(k, j) = trace(frame.points[k], j);
-      }
-      add_friction(coupling.stiffness, forces, stiffness, gaps);
-      coupling.gaps.reinit(N, 0);
-      coupling.forces.reinit(N, 0);
-      return coupling;
+      const double compliance =
+          equilibrium.normal_compliance.empty() ? 0. : equilibrium.normal_compliance[frame.points[k]];
+      (compliance > 0 ? springs : closed).push_back(k);
+      if (compliance > 0)
+        stiffness.push_back(1 / compliance);
     }
-    coupling.gaps.reinit(N, c);
-    coupling.forces.reinit(N, c);
-    if (c > 0)
-      trace.Tmmult(coupling.forces, frame.normal);
-    for (unsigned int k = 0; k < c; ++k)
-      for (unsigned int j = 0; j < N; ++j)
-        coupling.gaps(j, k) = trace(frame.points[k], j);
-    if (equilibrium.force_given && c > 0)
+    if (!springs.empty() && equilibrium.force_given)
+      throw InputError(
+          "Stability/Model gives the contact points mass and Contact/Normal law yields, which needs "
+          "a hub that is held: set Rolling/Hub to held, or Model to reduced.");
+    DenseMatrix all_forces(N, frame.points.size());
+    if (!frame.points.empty())
+      trace.Tmmult(all_forces, frame.normal);
+    const auto columns = [&](const std::vector<unsigned int> &points, const bool of_forces)
     {
-      coupling.gaps = differences(coupling.gaps);
-      coupling.forces = differences(coupling.forces);
+      DenseMatrix result(N, points.size());
+      for (unsigned int k = 0; k < points.size(); ++k)
+        for (unsigned int j = 0; j < N; ++j)
+          result(j, k) = of_forces ? all_forces(j, points[k]) : trace(frame.points[points[k]], j);
+      return result;
+    };
+    if (!springs.empty())
+      add_friction(coupling.stiffness, columns(springs, true), stiffness,
+                   transposed(columns(springs, false)));
+    coupling.gaps = columns(closed, false);
+    coupling.forces = columns(closed, true);
+    if (equilibrium.force_given && !closed.empty())
+    {
+      const DenseMatrix translation = contacts.translation_of(0);
+      std::vector<double> hub;
+      for (const unsigned int k : closed)
+        hub.push_back(translation(frame.points[k], 2));
+      coupling.gaps = without_hub(coupling.gaps, hub);
+      coupling.forces = without_hub(coupling.forces, hub);
     }
     return coupling;
   }

@@ -87,11 +87,7 @@ namespace vibrocontact
         // its points, as high as a flat road
         std::vector<double> places = body.description->places();
         if (places.empty())
-        {
-          const ContactGrid grid = parameters.contact_grid();
-          for (unsigned int i = 0; i < grid.n_points(); ++i)
-            places.push_back(-grid.x(i));
-        }
+          places = places_on_road(parameters);
         const Road road(parameters.road, places, std::vector<double>(places.size(), 0.), own.end_time);
         return;
       }

@@ -63,26 +63,46 @@ namespace vibrocontact
       }
     }
 
+    /// Modal convolution moves body 1 alone, over one road that lies below all of its contacts.
+    void check_road_contacts(const Parameters &parameters)
+    {
+      const Scene &scene = parameters.scene;
+      const BodyParameters &body = scene.bodies[0];
+      if (body.is_green())
+        throw InputError("Analyses lists modal convolution, but the points of " + body.name + ", of type " +
+                         body.type +
+                         ", are one contact with the road: leave Contacts out and give section "
+                         "Contact.");
+      if (parameters.comparison.any())
+        throw InputError("Comparison/Rows asks for a comparison of methods, but Contacts lists " +
+                         scene.contacts_entry +
+                         ": the comparison is that of one contact, leave the rows out.");
+      const PlacedContacts placed = parameters.placed_contacts();
+      for (unsigned int k = 0; k < placed.all.size(); ++k)
+      {
+        const PlacedContact &contact = placed.all[k];
+        const std::string moves = "Analyses lists modal convolution, which moves " + body.name + " over ";
+        if (contact.above != 0 || !scene.bodies[contact.below].description->is_rigid())
+          throw InputError(moves + "a rigid road, but contact " + contact.name +
+                           " does not join it, above, with a rigid body: run transient, or change " +
+                           parameters.contacts.all[k].section + "/Bodies.");
+        if (!contact.frame.has_usual_axes())
+          throw InputError(moves + "a road below it, but " + parameters.contacts.all[k].section +
+                           "/Normal inclines contact " + contact.name + ": run transient, or leave it out.");
+      }
+    }
+
     void check_analyses(const Parameters &parameters)
     {
       const Scene &scene = parameters.scene;
       const std::string lists = "Contacts lists " + scene.contacts_entry + ", but ";
-      for (const char *analysis : {"modal convolution", "periodic"})
-        if (scene.runs(analysis))
-          throw InputError(lists + "the analysis \"" + analysis +
-                           "\" knows one contact alone: run it from a file with "
-                           "section Contact.");
-      for (const auto &[section, model] : unreduced_models(parameters))
+      if (scene.runs("modal convolution"))
+        check_road_contacts(parameters);
+      if (scene.runs("stability") &&
+          parameters.sweeps.at("stability").sweeps(ParameterSweep::lateral_position))
         throw InputError(
-            lists + section + "/Model is " + model +
-            ", which takes the contact points of one grid from the elements: set it to reduced.");
-      if (scene.runs("stability") && parameters.sweeps.at("stability").any())
-        throw InputError(lists +
-                         "Stability/Sweep has the cases of one contact: sweep section Rolling, or leave "
-                         "the sweep out.");
-      if (parameters.output.contact_problems)
-        throw InputError(
-            lists + "Output/Contact problems writes files that hold section Contact alone: set it to false.");
+            lists + "Stability/Sweep/Entry is Contact/Lateral position, which moves the only contact of a "
+                    "file: sweep the Lateral position of one of them, or another entry.");
     }
 
     bool rubs(const Parameters &parameters, const ContactParameters &contact)

@@ -198,7 +198,7 @@ namespace vibrocontact
     {
       const std::string own = periodic.own_law();
       if (!own.empty() && contact.normal_law != ContactParameters().normal_law && contact.normal_law != own)
-        throw InputError("Periodic/Law is " + periodic.law + " and Contact/Normal law is " +
+        throw InputError("Periodic/Law is " + periodic.law + " and " + contact.section + "/Normal law is " +
                          contact.normal_law + ", but there is one stop: leave one of them out.");
     }
 
@@ -209,7 +209,7 @@ namespace vibrocontact
       const PeriodicParameters &periodic = parameters.periodic;
       const std::string moves = ", but " + body.name + ", of type " + body.type + ", ";
       const bool rolls = body.rolls(), by_poles = body.is_known_by_poles(),
-                 friction = parameters.contact().friction > 0;
+                 friction = parameters.largest_friction() > 0;
       const bool has_points =
           number == 0 ? !periodic.contact_points.empty() : !periodic.contact_points_below.empty();
       if (has_points || (number == 0 && !periodic.force_point.empty()))
@@ -228,7 +228,8 @@ namespace vibrocontact
                          ": set it to reduced.");
       if (friction && (by_poles || !body.description->is_driven_along_stop()))
         throw InputError(
-            "Contact/Friction coefficient is " + number_text(parameters.contact().friction) + moves +
+            parameters.contact().section + "/Friction coefficient is " +
+            number_text(parameters.largest_friction()) + moves +
             (rolls ? "rolls: the slip of material that flows through the contact points is not known here"
              : by_poles ? "has no data about motion along the stop"
                         : "does not move along the stop, as nothing drives it there") +
@@ -244,7 +245,7 @@ namespace vibrocontact
       check_rolling(body, parameters.road);
     }
 
-    /// What moves beside the modes of two bodies relaxes at one rate.
+    /// What moves beside the modes of several bodies relaxes at one rate.
     void check_relaxations(const Parameters &parameters)
     {
       const auto relaxation = [&](const BodyParameters &body)
@@ -254,14 +255,21 @@ namespace vibrocontact
         return body.is_meshed() ? parameters.periodic.is_reduced() || body.description->has_massless_points()
                                 : !body.description->has_rigid_points();
       };
-      const BodyParameters &first = parameters.scene.bodies[0], &second = parameters.scene.bodies[1];
-      if (has_rest(first) && has_rest(second) && relaxation(first) != relaxation(second))
-        throw InputError(
-            "The flexibilities of " + first.name + " and " + second.name +
-            " beside their modes relax at two rates, " + number_text(relaxation(first)) + " and " +
-            number_text(relaxation(second)) +
-            " s, but a periodic motion knows one: give both the same Modes/Stiffness damping, or " +
-            "none beside a body without elements.");
+      const BodyParameters *with_rest = nullptr;
+      for (const unsigned int b : parameters.vibrating_bodies())
+      {
+        const BodyParameters &body = parameters.scene.bodies[b];
+        if (!has_rest(body))
+          continue;
+        if (with_rest && relaxation(*with_rest) != relaxation(body))
+          throw InputError(
+              "The flexibilities of " + with_rest->name + " and " + body.name +
+              " beside their modes relax at two rates, " + number_text(relaxation(*with_rest)) + " and " +
+              number_text(relaxation(body)) +
+              " s, but a periodic motion knows one: give both the same Modes/Stiffness damping, or " +
+              "none beside a body without elements.");
+        with_rest = &body;
+      }
     }
 
     /// A body that moves in a periodic motion.
@@ -274,8 +282,8 @@ namespace vibrocontact
                          std::to_string(number + 1) +
                          " one with elements, an oscillator, a ring or an identified body" +
                          (number > 0 ? ", or a rigid stop." : "."));
-      if (number > 0 && body.description->touches_downwards_only())
-        throw InputError("Analyses lists periodic, but body 2, " + of_type +
+      if (number > 0 && parameters.scene.contacts.empty() && body.description->touches_downwards_only())
+        throw InputError("Analyses lists periodic, but body " + std::to_string(number + 1) + ", " + of_type +
                          ", which stands on what is below it: list it first in Bodies" +
                          body.description->way_to_look_up() + ".");
       if (!body.is_meshed() || body.rolls())
@@ -285,7 +293,8 @@ namespace vibrocontact
                          ", whose contact points lie on a half-space that periodic motion does not know: "
                          "make it a rail.");
       const std::string example = body.description->example_of_points();
-      if (!example.empty() && parameters.periodic.contact_points_on(number).empty())
+      if (!example.empty() && parameters.scene.contacts.empty() &&
+          parameters.periodic.contact_points_on(number).empty())
         throw InputError("Periodic/Contact points is empty, but " + of_type +
                          ", whose points of contact have to be named: give them, for instance "
                          "Contact points = " +
@@ -390,30 +399,42 @@ namespace vibrocontact
     {
       periodic.check();
       // an analysis beside it may have the other law
-      if (!scene.runs("quasi-static rolling") && !scene.runs("stability") && !scene.runs("transient"))
-        check_law_of_periodic(contact(), periodic);
-      if (contact().friction > 0)
-        check_constant_friction(contact(), "periodic motion");
-      const bool rigid = periodic_law()->is_rigid();
-      if (n_vibrating() == 1 && !trimmed(periodic.contact_points_below).empty())
+      bool rigid = false, yields = false;
+      for (unsigned int k = 0; k < contacts.all.size(); ++k)
+      {
+        const ContactParameters &one = contacts.all[k];
+        if (!scene.runs("quasi-static rolling") && !scene.runs("stability") && !scene.runs("transient"))
+          check_law_of_periodic(one, periodic);
+        if (one.friction > 0)
+          check_constant_friction(one, "periodic motion");
+        const bool is_rigid = periodic_law(k)->is_rigid();
+        rigid = rigid || is_rigid;
+        yields = yields || !is_rigid;
+      }
+      const std::vector<unsigned int> vibrating = vibrating_bodies();
+      if (scene.contacts.empty() && vibrating.size() == 1 && !trimmed(periodic.contact_points_below).empty())
         throw InputError("Periodic/Contact points on body 2 is given, but no body 2 vibrates: leave it out.");
       bool has_massless_node = false;
-      for (unsigned int k = 0; k < n_vibrating(); ++k)
+      for (const unsigned int b : vibrating)
       {
-        check_vibrating_body(*this, k);
-        has_massless_node = has_massless_node || scene.bodies[k].description->has_massless_points();
+        check_vibrating_body(*this, b);
+        has_massless_node = has_massless_node || scene.bodies[b].description->has_massless_points();
       }
-      if (n_vibrating() > 1)
-        check_relaxations(*this);
-      const bool tells_stability = periodic.continuation.tells_stability();
-      if (tells_stability && contact().friction > 0 && !rigid)
+      check_relaxations(*this);
+      if (periodic.reference && contacts.all.size() > 1)
+        throw InputError("Periodic/Reference knows one contact point, but Contacts lists " +
+                         scene.contacts_entry + ": leave it out.");
+      const bool tells_stability = periodic.continuation.tells_stability(), rubs = largest_friction() > 0;
+      if (tells_stability && rubs && yields)
         throw InputError(
             "Periodic/Continuation/Stability is not computed for friction with a law that yields: set "
-            "Periodic/Law to signorini, Stability to none or Contact/Friction coefficient to 0.");
-      for (unsigned int k = 0; k < n_vibrating() && tells_stability && contact().friction > 0; ++k)
-        if (scene.bodies[k].is_meshed() && modes.at(scene.bodies[k].name).stiffness_damping > 0)
+            "Periodic/Law to signorini, Stability to none or " +
+            contact().section + "/Friction coefficient to 0.");
+      for (const unsigned int b : vibrating)
+        if (tells_stability && rubs && scene.bodies[b].is_meshed() &&
+            modes.at(scene.bodies[b].name).stiffness_damping > 0)
           throw InputError(
-              scene.bodies[k].name +
+              scene.bodies[b].name +
               "/Modes/Stiffness damping is given, but Periodic/Continuation/Stability is not "
               "computed for friction at points whose flexibility relaxes: leave one of them out.");
       if (tells_stability && rigid && !periodic.is_reduced() && !has_massless_node)
@@ -421,9 +442,9 @@ namespace vibrocontact
             "Periodic/Continuation/Stability with the rigid law needs a contact node without mass: set " +
             scene.bodies[0].name +
             "/Bar/Massless contact node to true or Periodic/Continuation/Stability to none.");
-      if (periodic.reference && contact().friction > 0)
-        throw InputError(
-            "Periodic/Reference knows no friction: set Contact/Friction coefficient to 0 or leave it out.");
+      if (periodic.reference && rubs)
+        throw InputError("Periodic/Reference knows no friction: set " + contact().section +
+                         "/Friction coefficient to 0 or leave it out.");
       if (periodic.reference && rigid && !periodic.is_reduced() && !has_massless_node)
         throw InputError("Periodic/Reference with the rigid law needs a contact node without mass: set " +
                          scene.bodies[0].name +

@@ -232,10 +232,20 @@ namespace vibrocontact
     return limits ? clipped(whole, limits->first - nominal, limits->second - nominal) : whole;
   }
 
-  std::shared_ptr<const NormalLaw> Parameters::periodic_law() const
+  std::shared_ptr<const NormalLaw> Parameters::periodic_law(const unsigned int k) const
   {
     const std::string own = periodic.own_law();
-    return own.empty() ? contact().law() : contact().law(own);
+    return own.empty() ? contacts.all[k].law() : contacts.all[k].law(own);
+  }
+
+  PointLaws<NormalLaw> Parameters::periodic_laws() const
+  {
+    if (contacts.all.size() == 1)
+      return periodic_law(0);
+    std::vector<std::pair<std::shared_ptr<const NormalLaw>, unsigned int>> all;
+    for (unsigned int k = 0; k < contacts.all.size(); ++k)
+      all.emplace_back(periodic_law(k), contact_grid(k).n_points());
+    return PointLaws<NormalLaw>::of_contacts(all);
   }
 
   void read_parameters(ParameterFile &file, dealii::ParameterHandler &prm, Parameters &parameters,

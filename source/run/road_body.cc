@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/modal_convolution/static_load.h>
 #include <vibrocontact/contact/creep.h>
+#include <vibrocontact/coupled_bodies/contact_pair.h>
 #include <vibrocontact/run/identified_body.h>
 #include <vibrocontact/run/road_body.h>
 
@@ -71,20 +72,43 @@ namespace vibrocontact
       return result;
     }
     result.body = body.description->on_road(*reduced, use.friction, use.speed, upstream);
-    for (unsigned int i = 0; i < reduced->grid.n_points() && !body.is_green(); ++i)
+    if (!body.is_green())
     {
-      // the contact travels towards -x
-      result.places.push_back(-reduced->grid.x(i));
-      result.shapes.push_back(reduced->surface_height[i] + reduced->residual_load[i]);
+      result.places = places_on_road(parameters);
+      result.shapes = reduced->surface_height;
+      if (!parameters.scene.contacts.empty())
+      {
+        // above what lies below it in each contact
+        std::vector<ContactBody> bodies;
+        for (const BodyParameters &one : parameters.scene.bodies)
+          bodies.push_back({&one, &one == &body ? reduced : nullptr});
+        result.shapes = contact_interface(bodies, parameters.contacts, parameters.placed_contacts()).gap;
+      }
+      for (unsigned int i = 0; i < result.shapes.size(); ++i)
+        result.shapes[i] += reduced->residual_load[i];
     }
     result.is_passive = !body.rolls() && !falls(result.body);
     return result;
   }
 
+  std::vector<double> places_on_road(const Parameters &parameters)
+  {
+    std::vector<double> places;
+    for (const PlacedContact &contact : parameters.placed_contacts().all)
+      for (unsigned int i = 0; i < contact.grid.n_points(); ++i)
+        // the contact travels towards -x
+        places.push_back(-(contact.frame.origin[0] + contact.grid.x(i)));
+    return places;
+  }
+
   RoadLaws road_laws(const Parameters &parameters)
   {
-    return {parameters.contact().law(),
-            parameters.modal_convolution.friction ? parameters.contact().law_of_friction() : nullptr};
+    const PlacedContacts contacts = parameters.placed_contacts();
+    RoadLaws laws;
+    laws.normal = normal_law_of_points(parameters.contacts, contacts);
+    if (parameters.modal_convolution.friction)
+      laws.friction = friction_law_of_points(parameters.contacts, contacts);
+    return laws;
   }
 
   RoadParameters road_of(const Parameters &parameters, const RoadBody &body)

@@ -32,8 +32,8 @@ namespace vibrocontact
   /// alone that the contact touches.
   struct ContactCoupling
   {
-    /// columns P_n^T and P^T E of the closed points, N x c; with a given force their differences to the
-    /// first point, since all gaps change alike and sum dN = 0
+    /// columns P_n^T and P^T E of the closed points where the law does not yield, N x c; with a given force those under the
+    /// hub as differences to the first of them, since their gaps change alike and sum dN = 0
     DenseMatrix gaps, forces;
     /// C_b and K_b: friction across the slip, and along it if it falls with the speed; N square
     DenseMatrix damping, stiffness;

@@ -65,16 +65,30 @@ namespace vibrocontact
     /// Whether a contact grid is needed.
     bool has_contact() const
     {
-      bool periodic_grid = false;
-      for (unsigned int k = 0; k < n_vibrating() && scene.runs("periodic"); ++k)
-        periodic_grid =
-            periodic_grid || (scene.bodies[k].is_meshed() && periodic.contact_points_on(k).empty());
-      return periodic_grid || scene.any_analysis(&AnalysisType::has_contact);
+      return (scene.runs("periodic") && has_periodic_grid()) ||
+             scene.any_analysis(&AnalysisType::has_contact);
     }
-    /// How many bodies a periodic motion moves: body 1, and body 2 unless it is a rigid stop.
-    unsigned int n_vibrating() const
+    /// Whether a periodic motion has the points of the contacts' grids, no Periodic/Contact points.
+    bool has_periodic_grid() const
     {
-      return scene.bodies.size() > 1 && !scene.bodies[1].description->is_rigid() ? 2 : 1;
+      if (!scene.contacts.empty())
+        return true;
+      for (const unsigned int b : vibrating_bodies())
+        if (scene.bodies[b].is_meshed() && periodic.contact_points_on(b).empty())
+          return true;
+      return false;
+    }
+    /// Places in the entry Bodies of those that a periodic motion moves: body 1, and what it touches unless that is a rigid
+    /// stop.
+    std::vector<unsigned int> vibrating_bodies() const
+    {
+      std::vector<unsigned int> result = {0};
+      const std::size_t n =
+          scene.contacts.empty() ? std::min<std::size_t>(2, scene.bodies.size()) : scene.bodies.size();
+      for (unsigned int b = 1; b < n; ++b)
+        if (!scene.bodies[b].description->is_rigid())
+          result.push_back(b);
+      return result;
     }
     /// Whether the bodies move.
     bool has_dynamics() const { return scene.any_analysis(&AnalysisType::has_dynamics); }
@@ -103,8 +117,9 @@ namespace vibrocontact
     bool has_hub() const { return scene.bodies[0].vibrates() || scene.bodies[0].description->is_rigid(); }
     /// Whether data are identified: by the analysis, or for a body.
     bool has_identification() const;
-    /// The normal law of the stop of periodic motion.
-    std::shared_ptr<const NormalLaw> periodic_law() const;
+    /// The normal law of periodic motion in contact k, and those of all points.
+    std::shared_ptr<const NormalLaw> periodic_law(unsigned int k) const;
+    PointLaws<NormalLaw> periodic_laws() const;
     /// The grid of contact k, or one point if a body has no more.
     ContactGrid contact_grid(unsigned int k = 0) const;
     /// All of them with their bodies and frames.

@@ -34,8 +34,8 @@ namespace vibrocontact
     double contact_step = 0;
   };
 
-  /// Oscillator and analytic ring by their closed forms, identified bodies by their poles, meshed ones by their reduction.
-  /// Collective.
+  /// Oscillator and analytic ring by their closed forms, identified bodies by their poles, meshed ones by their reduction, at
+  /// the points of all their contacts. Collective.
   /// @param number of the body in the scene, from 0
   RoadBody road_body(const Parameters &parameters, const MeshedBodies &bodies,
                      const std::optional<MeasuredData> &measured, unsigned int number, const RoadUse &use);
@@ -43,7 +43,10 @@ namespace vibrocontact
   RoadBody road_body(const Parameters &parameters, const ReducedBody *reduced,
                      const std::optional<MeasuredData> &measured, unsigned int number, const RoadUse &use);
 
-  /// The laws of section Contact between it and the road.
+  /// Where the points of the contacts' grids lie along the road, forward [m].
+  std::vector<double> places_on_road(const Parameters &parameters);
+
+  /// The laws of the contacts between it and the road.
   RoadLaws road_laws(const Parameters &parameters);
 
   /// The road of body 1: section Road, with the indentation at which a flat road presses with Rolling/Normal force if that

@@ -46,18 +46,18 @@ namespace vibrocontact
       last_tangential_displacement.assign(displacement.begin() + n_points, displacement.end());
       last_tangential_force.assign(n_points, 0.);
     }
-    const double yields = laws.normal->compression(0).compliance;
-    residual.assign(n_points, yields);
-    for (unsigned int i = 0; i < n_points && model.residual.m() > 0; ++i)
-      residual[i] += model.residual(i, i);
+    for (unsigned int i = 0; i < n_points; ++i)
+      residual.push_back(law[i].compression(0).compliance +
+                         (model.residual.m() > 0 ? model.residual(i, i) : 0.));
     is_rigid = has_rigid_points();
     if (parameters.is_event_located())
     {
-      if (!laws.normal->is_rigid())
-        throw InputError(
-            "Contact/Normal law is " + laws.normal->description().name +
-            ", but Modal convolution/Method is event located, which knows rigid points only: take modal "
-            "recursion or signorini.");
+      for (unsigned int i = 0; i < n_points; ++i)
+        if (!law[i].is_rigid())
+          throw InputError(
+              "Contact/Normal law is " + law[i].description().name +
+              ", but Modal convolution/Method is event located, which knows rigid points only: take modal "
+              "recursion or signorini.");
       events = std::make_unique<EventLocated>(model, state, road, parameters.longest_piece);
       check_number_of_pieces();
     }
@@ -68,7 +68,7 @@ namespace vibrocontact
       if (has_friction)
         check_road_friction(stepper->compliance);
       for (unsigned int i = 0; i < n_points; ++i)
-        stiffness.push_back(1 / (stepper->compliance(i, i) + yields));
+        stiffness.push_back(1 / (stepper->compliance(i, i) + law[i].compression(0).compliance));
       results.has_residual = n_points > 1 || stepper->is_common;
       last_height.resize(n_points);
       road.heights(0, last_height.data());

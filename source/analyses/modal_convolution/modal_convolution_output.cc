@@ -5,9 +5,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace vibrocontact
 {
+  nlohmann::ordered_json contact_json(const PlacedContacts &contacts, const unsigned int k,
+                                      const ModalConvolutionResult &result, const bool with_friction)
+  {
+    const unsigned int first = contacts.first_point(k), n = contacts.all[k].grid.n_points();
+    const auto sum = [&](const std::vector<double> &values)
+    { return std::accumulate(values.begin() + first, values.begin() + first + n, 0.); };
+    nlohmann::ordered_json json = {
+        {"first_point", first}, {"n_points", n}, {"impulse_Ns", sum(result.impulse)}};
+    if (with_friction)
+      json["tangential_impulse_Ns"] = sum(result.tangential_impulse);
+    return json;
+  }
+
   namespace
   {
     constexpr std::size_t most_events_in_json = 10000;

@@ -23,7 +23,8 @@ namespace vibrocontact
     problem.b.reinit(n_rows);
     problem.normal_law = laws.normal;
     problem.friction_law = laws.friction;
-    problem.mu.assign(n, laws.friction ? laws.friction->at_rest() : 0.);
+    for (unsigned int i = 0; i < n; ++i)
+      problem.mu.push_back(laws.friction ? laws.friction[i].at_rest() : 0.);
     return problem;
   }
 

@@ -253,7 +253,7 @@ namespace vibrocontact
       return;
     results.work.stored = modal_work->energy();
     for (unsigned int i = 0; i < n_points; ++i)
-      results.work.stored += law->potential(displacement[i] - height[i]);
+      results.work.stored += law[i].potential(displacement[i] - height[i]);
     results.work.damping = modal_work->damping();
   }
 
@@ -263,8 +263,9 @@ namespace vibrocontact
     const bool impulses = force_interpolation(parameters.force_shape) == ForceInterpolation::impulse;
     WorkAccount &work = results.work;
     std::vector<double> rows((has_friction ? 2 : 1) * n_points);
-    const bool yields = !law->is_rigid();
-    const std::vector<double> &moves = yields ? heights : displacements;
+    std::vector<char> yields;
+    for (unsigned int i = 0; i < n_points; ++i)
+      yields.push_back(!law[i].is_rigid());
     for (unsigned int k = 0; k < n_steps; ++k)
     {
       double normal = 0, lost = 0, along = 0;
@@ -282,6 +283,7 @@ namespace vibrocontact
         }
         if (!impulses)
         {
+          const std::vector<double> &moves = yields[i] ? heights : displacements;
           normal += 0.5 * (forces[before] + forces[now]) * (moves[now] - moves[before]);
           continue;
         }
@@ -293,7 +295,8 @@ namespace vibrocontact
         if (results.steps + k == 0)
           gap = older - 2 * heights[before] + heights[now];
         // of a law that yields the road moves the spring
-        normal += 0.5 * forces[now] * (moves[now] - (yields ? older - gap : older));
+        normal += 0.5 * forces[now] *
+                  ((yields[i] ? heights : displacements)[now] - (yields[i] ? older - gap : older));
         if (residual[i] == 0 && gap > 0)
           lost += 0.5 * forces[now] * gap;
       }

@@ -85,19 +85,19 @@ namespace vibrocontact
     /// S with what the normal law yields on its diagonal: its one compliance if it is linear. Constant forces only need some, so
     /// that of the touch will do; for linear ones a law that stiffens counts as rigid.
     DenseMatrix least_compliance(const BodyInContact &model, const unsigned int n_points,
-                                 const NormalLaw &law, const ForceInterpolation interpolation)
+                                 const PointLaws<NormalLaw> &law, const ForceInterpolation interpolation)
     {
       DenseMatrix S = model.residual;
       if (S.m() == 0)
         S.reinit(model.n_rows(), model.n_rows());
-      if (law.is_linear() || interpolation == ForceInterpolation::constant)
-        for (unsigned int i = 0; i < n_points; ++i)
-          S(i, i) += law.compression(0).compliance;
+      for (unsigned int i = 0; i < n_points; ++i)
+        if (law[i].is_linear() || interpolation == ForceInterpolation::constant)
+          S(i, i) += law[i].compression(0).compliance;
       return S;
     }
 
     void check_force_interpolation(const ModalConvolutionParameters &parameters, const BodyInContact &model,
-                                   const unsigned int n_points, const NormalLaw &law)
+                                   const unsigned int n_points, const PointLaws<NormalLaw> &law)
     {
       const ForceInterpolation interpolation = force_interpolation(parameters.force_shape);
       const DenseMatrix S = least_compliance(model, n_points, law, interpolation);
@@ -131,7 +131,7 @@ namespace vibrocontact
       : propagator(make_propagator(parameters, with_gradient_rows(model), n_steps)),
         compliance(first_block(propagator->compliance(), model.n_rows())),
         is_common(parameters.contact_solver == "common" || model.n_rows() > n_points ||
-                  !laws.normal->is_rigid()),
+                  laws.normal.any([](const NormalLaw &one) { return !one.is_rigid(); })),
         n(n_points), step(parameters.time_step), sliding_speed(sliding_speed),
         rolling_speed(model.gradient.m() > 0 ? speed : 0.),
         problem(road_contact_problem(propagator->compliance(), n_points, laws, parameters.time_step,
@@ -147,7 +147,7 @@ namespace vibrocontact
       own.method = "active set";
     solver = create_contact_solver(own);
     solver->prepare(problem);
-    check_force_interpolation(parameters, model, n_points, *laws.normal);
+    check_force_interpolation(parameters, model, n_points, laws.normal);
   }
 
   void RoadStepper::run(const unsigned int n_steps, const double *heights, double *displacements,
@@ -165,8 +165,8 @@ namespace vibrocontact
                               double *forces, double *tangential_displacements, double *tangential_forces)
   {
     // little is left of the steps before, and nothing that a resumed run, which begins with a block too, has not
-    if (problem.friction_law)
-      problem.mu.assign(n, problem.friction_law->at_rest());
+    for (unsigned int i = 0; i < n && problem.friction_law; ++i)
+      problem.mu[i] = problem.friction_law[i].at_rest();
     solver->renew();
     ContactSolution solution;
     const double *const free = propagator->free_displacement();

@@ -105,6 +105,9 @@ namespace vibrocontact
       say_residual_damping(parameters, {&reduced}, 0., {}, "modal_convolution", results);
     }
     json["histories"] = histories + ".h5";
+    for (unsigned int k = 0; k < parameters.scene.contacts.size(); ++k)
+      json["contacts"][parameters.scene.contacts[k]] =
+          contact_json(parameters.placed_contacts(), k, result, own.friction);
     json["indentation_m"] = road_parameters.indentation;
     if (by_force)
       json["static_normal_force_N"] = parameters.rolling.normal_force.front();
@@ -178,18 +181,24 @@ namespace vibrocontact
           section,
           "Method, Time step, End time, Friction, History interval, Checkpoint interval, Error estimate");
       entries.add_if(steps, section + "/Method is no event located", section, "Force shape");
-      const bool rigid = parameters.contact().law()->is_rigid();
+      const bool rigid = !normal_law_of_points(parameters.contacts, parameters.placed_contacts())
+                              .any([](const NormalLaw &law) { return !law.is_rigid(); });
+      const std::string laws = parameters.contact().section + "/Normal law";
       entries.add_if(steps && !own.friction && rigid,
-                     section +
-                         "/Method is no event located, Friction is false and Contact/Normal law is signorini",
+                     section + "/Method is no event located, Friction is false and " + laws + " is signorini",
                      section, "Contact solver");
       entries.add_if(own.is_convolution(), section + "/Method is a convolution", section, "Memory");
       entries.add_if(own.takes_theta(), section + "/Method is theta method", section, "Theta");
       entries.add_if(bodies[0].has_load(), "body 1 stands under a load", section, "Initial state");
-      entries.add_if(!own.is_event_located(), section + "/Method is no event located", "Contact",
-                     "Normal law");
-      add_normal_law(entries, parameters.contact(), parameters.contact().normal_law, "Contact/Normal law");
-      add_friction(entries, parameters.contact(), own.friction, section + "/Friction is true");
+      for (const ContactParameters &contact : parameters.contacts.all)
+      {
+        entries.add_if(!own.is_event_located(), section + "/Method is no event located", contact.section,
+                       "Normal law");
+        add_normal_law(entries, contact, contact.normal_law, contact.section + "/Normal law");
+        add_friction(entries, contact, own.friction, section + "/Friction is true");
+      }
+      for (unsigned int b = 1; b < bodies.size() && !parameters.scene.contacts.empty(); ++b)
+        add_body(entries, parameters, b, use);
       add_contact_solver(entries, parameters,
                          own.friction || own.contact_solver == "common" || (steps && !rigid),
                          section + "/Contact solver is common");

@@ -16,9 +16,10 @@ namespace vibrocontact
     using Quantity = TimeSampling::Quantity;
   } // namespace
 
-  PeriodicBalance::PeriodicBalance(const ForcedBody &body, std::shared_ptr<const NormalLaw> law,
+  PeriodicBalance::PeriodicBalance(const ForcedBody &body, const PointLaws<NormalLaw> &law,
                                    const BalanceSettings &settings)
-      : settings(settings), body(body), law(law), spring(law->is_function_of_gap()),
+      : settings(settings), body(body), law(law),
+        spring(!law.any([](const NormalLaw &one) { return !one.is_function_of_gap(); })),
         trial_basis(create_time_basis(settings.trial, settings.n_functions, *settings.bases)),
         weighting_basis(create_time_basis(settings.weighting, settings.n_functions, *settings.bases)),
         pairing(pair_time_bases(*trial_basis, *weighting_basis, settings.form, settings.quadrature_points)),
@@ -51,12 +52,16 @@ namespace vibrocontact
     by_v.resize(by_u.size());
     by_c.resize(by_u.size());
     status.resize(body.n_points() * samples->n_samples());
-    bool is_massless = settings.friction > 0 && !spring && body.relaxation == 0;
+    bool is_massless =
+        settings.friction > 0 && !law.any(&NormalLaw::is_function_of_gap) && body.relaxation == 0;
     for (unsigned int i = 0; i < body.n_contact_rows(); ++i)
       is_massless = is_massless && body.residual(i, i) > 0;
     if (!is_massless)
       return;
-    massless = std::make_unique<MasslessContact>(body.contact_residual(), settings.friction);
+    std::vector<double> mu;
+    for (unsigned int p = 0; p < body.n_points(); ++p)
+      mu.push_back(friction_of(p));
+    massless = std::make_unique<MasslessContact>(body.contact_residual(), mu);
     trial_values = sampled(*trial_basis, samples->phases(), 0);
     // moments take Psi_m once, the real functions of the layout have it twice but for the first and a lone last one
     moment_weights = sampled(*weighting_basis, samples->phases(), 0);
@@ -82,7 +87,11 @@ namespace vibrocontact
   {
     HarmonicForce changed = force;
     if (parameter == SceneParameter::gap)
-      body.gap.assign(body.n_points(), value);
+    {
+      const double first = body.gap[0];
+      for (double &gap : body.gap)
+        gap = value + (gap - first);
+    }
     else if (parameter == SceneParameter::force)
       changed.amplitude = value;
     else
@@ -187,26 +196,29 @@ namespace vibrocontact
         samples->samples(Quantity::displacement, &u[i * N], &u_samples[i * count]);
       else if (friction)
         samples->samples(Quantity::velocity, &u[i * N], &v_samples[i * count]);
-      if (is_normal(i) ? !spring : friction)
+      if (is_normal(i) ? !law[i / rows].is_function_of_gap() : friction)
         samples->samples(Quantity::force, &c[i * N], &c_samples[i * count]);
     }
     for (unsigned int p = 0; p < body.n_points(); ++p)
     {
       const unsigned int normal = p * rows * count;
+      const NormalLaw &own = law[p];
+      const bool is_spring = own.is_function_of_gap();
+      const double mu = friction_of(p);
       double *const du = &by_u[p * rows * rows * count], *const dc = &by_c[p * rows * rows * count],
                     *const dv = &by_v[p * rows * rows * count];
       for (unsigned int k = 0; k < count; ++k)
       {
         const double gap = body.gap[p] - u_samples[normal + k];
-        if (spring)
+        if (is_spring)
         {
-          const NormalLaw::GraphPoint at = over_gap(gap);
+          const NormalLaw::GraphPoint at = over_gap(p, gap);
           law_samples[normal + k] = law_factor * at.force;
           du[k] = law_factor * at.force_slope;
         }
         else
         {
-          const auto value = law->project(c_samples[normal + k], gap, normal_rho);
+          const auto value = own.project(c_samples[normal + k], gap, normal_rho);
           law_samples[normal + k] = value.force;
           du[k] = -value.by_gap;
           dc[k] = value.by_force;
@@ -222,7 +234,7 @@ namespace vibrocontact
         const Vector2 trial = {{c_samples[first + k] - tangential_rho * f * v_samples[first + k],
                                 c_samples[second + k] - tangential_rho * f * v_samples[second + k]}};
         // the disc's radius mu N moves with the normal row: chain rule through law_samples[normal + k]
-        const auto value = project_on_disc(trial, settings.friction * law_samples[normal + k]);
+        const auto value = project_on_disc(trial, mu * law_samples[normal + k]);
         if (value.sticks && status[p * count + k] != ContactStatus::open)
           status[p * count + k] = ContactStatus::stick;
         for (unsigned int a = 0; a < 2; ++a)
@@ -231,8 +243,8 @@ namespace vibrocontact
             continue; // its law and derivatives stay zero
           law_samples[first + a * count + k] = value.force[a];
           const unsigned int row = (a + 1) * rows;
-          du[row * count + k] = settings.friction * value.by_radius[a] * du[k];
-          dc[row * count + k] = settings.friction * value.by_radius[a] * dc[k];
+          du[row * count + k] = mu * value.by_radius[a] * du[k];
+          dc[row * count + k] = mu * value.by_radius[a] * dc[k];
           for (unsigned int b = 0; b < 2; ++b)
           {
             dc[(row + 1 + b) * count + k] = value.by_trial[a][b];
@@ -273,16 +285,18 @@ namespace vibrocontact
         law_samples[i * count + k] *= -1;
   }
 
-  std::array<double, 3> PeriodicBalance::contact_force(const std::array<double, 3> &given, const double gap,
+  std::array<double, 3> PeriodicBalance::contact_force(const unsigned int point,
+                                                       const std::array<double, 3> &given, const double gap,
                                                        const std::array<double, 3> &velocity) const
   {
     std::array<double, 3> result{};
-    result[0] = spring ? over_gap(gap).force : law->project(given[0], gap, normal_rho).force;
+    result[0] = law[point].is_function_of_gap() ? over_gap(point, gap).force
+                                                : law[point].project(given[0], gap, normal_rho).force;
     if (settings.friction > 0)
     {
       const auto value = project_on_disc(
           {{given[1] - tangential_rho * velocity[1], given[2] - tangential_rho * velocity[2]}},
-          settings.friction * result[0]);
+          friction_of(point) * result[0]);
       result[1] = value.force[0];
       result[2] = value.force[1];
     }
@@ -312,6 +326,8 @@ namespace vibrocontact
     if (massless)
       by_displacement = massless_rates(0);
     for (unsigned int p = 0; p < (massless ? 0 : body.n_points()); ++p)
+    {
+      const bool is_spring = law[p].is_function_of_gap();
       for (unsigned int a = 0; a < rows; ++a)
         for (unsigned int b = 0; b < rows; ++b)
         {
@@ -324,9 +340,10 @@ namespace vibrocontact
           else if (a > 0)
             samples->add_weighted(&by_v[at], Quantity::velocity, force.frequency, by_displacement, row,
                                   column);
-          if (!spring || (a > 0 && b > 0))
+          if (!is_spring || (a > 0 && b > 0))
             samples->add_weighted(&by_c[at], Quantity::force, -1., jacobian, row, column);
         }
+    }
     add_answer(by_displacement, linear.compliance, jacobian);
   }
 
@@ -508,7 +525,7 @@ namespace vibrocontact
     std::vector<double> result(count, 0.);
     for (unsigned int k = 0; k < count; ++k)
     {
-      if (!spring)
+      if (!law[point].is_function_of_gap())
       {
         result[k] = law_samples[normal + k] > 0 ? rigid : 0.;
         continue;
@@ -517,15 +534,15 @@ namespace vibrocontact
       const double here = gap(k), there = gap(next);
       if (here < 0 && there < 0)
       {
-        result[k] += 0.5 * over_gap(here).force_slope;
-        result[next] += 0.5 * over_gap(there).force_slope;
+        result[k] += 0.5 * over_gap(point, here).force_slope;
+        result[next] += 0.5 * over_gap(point, there).force_slope;
       }
       else if (here < 0 || there < 0)
       {
         // a part s of the interval is in contact: shares by linear shape functions
         const unsigned int closed = here < 0 ? k : next, open = here < 0 ? next : k;
         const double s = gap(closed) / (gap(closed) - gap(open)),
-                     stiffness = over_gap(gap(closed)).force_slope;
+                     stiffness = over_gap(point, gap(closed)).force_slope;
         result[closed] += stiffness * s * (1 - 0.5 * s);
         result[open] += stiffness * 0.5 * s * s;
       }

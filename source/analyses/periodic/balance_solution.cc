@@ -198,7 +198,7 @@ namespace vibrocontact
     double stiffness = 0, compliance = 0;
     for (unsigned int p = 0; p < body.n_points(); ++p)
     {
-      stiffness = std::max(stiffness, over_gap(-excess[p]).force_slope);
+      stiffness = std::max(stiffness, over_gap(p, -excess[p]).force_slope);
       compliance = std::max(compliance, largest_compliance(linear, p * body.rows_per_point));
     }
     // the law's stiffness at the deepest penetration of the linear motion, over the body's, is to begin at softest_law

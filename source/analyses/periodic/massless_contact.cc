@@ -25,13 +25,13 @@ namespace vibrocontact
     }
   } // namespace
 
-  MasslessContact::MasslessContact(const DenseMatrix &residual, const double friction)
+  MasslessContact::MasslessContact(const DenseMatrix &residual, const std::vector<double> &friction)
       : S(residual), n(residual.m())
   {
     problem.title = "contact points without mass";
     problem.A = std::make_shared<DenseContactOperator>(contact_matrix(S));
     problem.b.reinit(n);
-    problem.mu.assign(n / 3, friction);
+    problem.mu = friction;
   }
 
   bool MasslessContact::march(const std::vector<double> &w, const std::vector<double> &gap,

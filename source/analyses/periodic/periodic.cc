@@ -151,10 +151,10 @@ namespace vibrocontact
       throw InputError(
           "Periodic/Comparison/Pairs needs Periodic/Comparison/Numbers: give the numbers of functions.");
     std::vector<std::pair<BalanceSettings, std::string>> all;
-    for (const BalanceSettings &solution : solutions(0))
+    for (const BalanceSettings &solution : solutions({}))
       all.emplace_back(solution,
                        all.empty() ? "Periodic/Number of functions" : "Periodic/Comparison/Numbers");
-    for (const BalanceSettings &curve : curves(0))
+    for (const BalanceSettings &curve : curves({}))
       all.emplace_back(curve, continuation.numbers.empty() ? "Periodic/Number of functions"
                                                            : "Periodic/Continuation/Numbers");
     for (const auto &[asked, entry] : all)
@@ -248,7 +248,7 @@ namespace vibrocontact
 
   BalanceSettings PeriodicParameters::settings(const std::string &trial_basis,
                                                const std::string &weighting_basis, const unsigned int number,
-                                               const double friction) const
+                                               const std::vector<double> &friction) const
   {
     BalanceSettings result;
     result.trial = trial_basis;
@@ -257,12 +257,15 @@ namespace vibrocontact
     result.form = time_form(form);
     result.n_samples = n_samples;
     result.quadrature_points = quadrature_points;
-    result.friction = friction;
+    for (const double mu : friction)
+      result.friction = std::max(result.friction, mu);
+    if (friction.size() > 1)
+      result.friction_of_points = friction;
     result.bases = bases;
     return result;
   }
 
-  std::vector<BalanceSettings> PeriodicParameters::solutions(const double friction) const
+  std::vector<BalanceSettings> PeriodicParameters::solutions(const std::vector<double> &friction) const
   {
     std::vector<BalanceSettings> result = {settings(trial, weighting, n_functions, friction)};
     for (const auto &[trial_basis, weighting_basis] : parsed_pairs())
@@ -271,7 +274,7 @@ namespace vibrocontact
     return result;
   }
 
-  std::vector<BalanceSettings> PeriodicParameters::curves(const double friction) const
+  std::vector<BalanceSettings> PeriodicParameters::curves(const std::vector<double> &friction) const
   {
     if (!continuation.is_wanted())
       return {};
@@ -293,11 +296,22 @@ namespace vibrocontact
     return "";
   }
 
-  std::string PeriodicParameters::law_in_results(const std::string &normal_law) const
+  std::string PeriodicParameters::law_in_results(const std::vector<std::string> &normal_laws) const
   {
-    for (const auto &[short_name, name] : short_names)
-      if ((law.empty() ? normal_law : own_law()) == name)
-        return short_name;
-    return normal_law;
+    const auto called = [&](const std::string &normal_law)
+    {
+      for (const auto &[short_name, name] : short_names)
+        if ((law.empty() ? normal_law : own_law()) == name)
+          return short_name;
+      return normal_law;
+    };
+    std::string all = called(normal_laws.front());
+    bool differ = false;
+    for (unsigned int k = 1; k < normal_laws.size(); ++k)
+    {
+      differ = differ || called(normal_laws[k]) != called(normal_laws.front());
+      all += ", " + called(normal_laws[k]);
+    }
+    return differ ? all : called(normal_laws.front());
   }
 } // namespace vibrocontact

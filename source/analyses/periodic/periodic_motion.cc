@@ -121,12 +121,12 @@ namespace vibrocontact
           speed[a] = velocity[a][i];
         }
         const double gap = body.gap[p] - point.displacement[i];
-        const std::array<double, 3> contact = balance.contact_force(given, gap, speed);
+        const std::array<double, 3> contact = balance.contact_force(p, given, gap, speed);
         point.contact_force.push_back(contact[0]);
         for (unsigned int a = 1; a < rows; ++a)
           point.tangential_force[a - 1].push_back(contact[a]);
         impulse += contact[0] * period / n_samples;
-        motion.energy[i] += balance.normal_law().potential(gap);
+        motion.energy[i] += balance.normal_law(p).potential(gap);
         motion.penetration = std::max(motion.penetration, -gap);
       }
       motion.impulse.push_back(impulse);

@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/periodic/periodic_output.h>
 #include <vibrocontact/output/answer_parts.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vibrocontact
@@ -41,6 +42,28 @@ namespace vibrocontact
       json["error_impulse"] = solved.errors->impulse;
       json["error_energy_norm"] = solved.errors->energy_norm;
       json["error_midpoints"] = solved.errors->midpoints;
+    }
+    return json;
+  }
+
+  nlohmann::ordered_json contacts_json(const PlacedContacts &contacts, const PeriodicMotion &motion)
+  {
+    nlohmann::ordered_json json;
+    for (unsigned int k = 0; k < contacts.all.size(); ++k)
+    {
+      const unsigned int first = contacts.first_point(k), n = contacts.all[k].grid.n_points();
+      std::vector<double> force(motion.phase.size());
+      double impulse = 0;
+      for (unsigned int p = first; p < first + n; ++p)
+      {
+        impulse += motion.impulse[p];
+        for (unsigned int i = 0; i < force.size(); ++i)
+          force[i] += motion.points[p].contact_force[i];
+      }
+      json[contacts.all[k].name] = {{"first_point", first},
+                                    {"n_points", n},
+                                    {"impulse_Ns", impulse},
+                                    {"largest_force_N", *std::max_element(force.begin(), force.end())}};
     }
     return json;
   }

@@ -236,7 +236,7 @@ namespace vibrocontact
     const ForcedBody &body = balance.linear_body();
     if (balance.slipping_points())
       return largest_with_friction(balance);
-    const bool is_spring = balance.normal_law().is_function_of_gap();
+    const bool is_spring = balance.is_spring();
     TangentContact contact, tangent;
     tangent.frequency = contact.frequency = balance.excitation().frequency;
     for (unsigned int p = 0; p < body.n_points(); ++p)
@@ -315,11 +315,12 @@ namespace vibrocontact
       throw InputError(
           "The stability of motions with friction needs a rigid stop before contact points without mass "
           "whose residual does not relax: set Periodic/Continuation/Stability = none.");
-    if (wants_stability && !balance.normal_law().is_function_of_gap() &&
-        !(balance.linear_body().residual(0, 0) > 0))
-      throw InputError(
-          "The stability of motions against a rigid stop needs a massless contact point: give the body "
-          "one, or set Periodic/Continuation/Stability = none.");
+    const ForcedBody &body = balance.linear_body();
+    for (unsigned int p = 0, row = 0; p < body.n_points() && wants_stability; ++p, row += body.rows_per_point)
+      if (!balance.normal_law(p).is_function_of_gap() && !(body.residual(row, row) > 0))
+        throw InputError(
+            "The stability of motions against a rigid stop needs a massless contact point: give the body "
+            "one, or set Periodic/Continuation/Stability = none.");
     dealii::Timer timer;
     ResponseCurve result;
     result.parameter = settings.parameter;

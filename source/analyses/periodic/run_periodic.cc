@@ -23,7 +23,7 @@ namespace vibrocontact
   {
     /// One solution, for further positions of the force in a cell its errors only.
     PeriodicCase solve(const PeriodicParameters &periodic, const ForcedBody &body,
-                       const std::shared_ptr<const NormalLaw> &law, const std::string &law_name,
+                       const PointLaws<NormalLaw> &law, const std::string &law_name,
                        const BalanceSettings &settings, const unsigned int n_phases,
                        const std::optional<PeriodicReference> &reference)
     {
@@ -55,6 +55,17 @@ namespace vibrocontact
       }
       if (!errors.empty())
         result.errors = median(errors);
+      return result;
+    }
+
+    /// Of each contact point of a list of contacts, or one of all points.
+    std::vector<double> friction_of_points(const Parameters &parameters)
+    {
+      std::vector<double> result;
+      for (unsigned int k = 0; k < parameters.contacts.all.size(); ++k)
+        result.insert(result.end(),
+                      parameters.scene.contacts.empty() ? 1 : parameters.contact_grid(k).n_points(),
+                      parameters.contacts.all[k].friction);
       return result;
     }
 
@@ -97,20 +108,31 @@ namespace vibrocontact
     const PeriodicParameters &periodic = parameters.periodic;
     run_log().block("Periodic motion");
     tell(body);
-    const std::shared_ptr<const NormalLaw> law = parameters.periodic_law();
-    const std::string law_name = periodic.law_in_results(parameters.contact().normal_law);
-    run_log().value("normal law", law->description().name);
-    if (law->is_rigid() && !(body.residual(0, 0) > 0))
+    const PointLaws<NormalLaw> law = parameters.periodic_laws();
+    std::vector<std::string> laws;
+    for (const ContactParameters &contact : parameters.contacts.all)
+      laws.push_back(contact.normal_law);
+    const std::string law_name = periodic.law_in_results(laws);
+    for (unsigned int k = 0; k < laws.size(); ++k)
+      run_log().value("normal law" +
+                          std::string(laws.size() > 1 ? " of " + parameters.contacts.all[k].name : ""),
+                      parameters.periodic_law(k)->description().name);
+    bool is_rigid_at_mass = false;
+    for (unsigned int p = 0, row = 0; p < body.n_points(); ++p, row += body.rows_per_point)
+      is_rigid_at_mass = is_rigid_at_mass || (law[p].is_rigid() && !(body.residual(row, row) > 0));
+    if (is_rigid_at_mass)
       run_log().warning(
           "the rigid stop meets a contact point with mass: its forces do not converge with the number of "
           "functions; give the body a massless contact node or keep fewer modes");
+    const std::vector<double> friction = friction_of_points(parameters);
 
     std::optional<PeriodicReference> reference;
     if (periodic.reference)
     {
       try
       {
-        reference = periodic_reference(body, law, {periodic.force, periodic.frequency}, periodic.n_output);
+        reference = periodic_reference(body, parameters.periodic_law(0), {periodic.force, periodic.frequency},
+                                       periodic.n_output);
         run_log().value("reference by shooting", reference->solution.seconds * 1e3, "ms");
         run_log().value("its periodicity", reference->solution.periodicity);
       }
@@ -137,7 +159,7 @@ namespace vibrocontact
 
     nlohmann::ordered_json &json = results.analyses["periodic"] = nlohmann::ordered_json::array();
     Table table = periodic_error_table();
-    const std::vector<BalanceSettings> asked = periodic.solutions(parameters.contact().friction);
+    const std::vector<BalanceSettings> asked = periodic.solutions(friction);
     Progress progress("periodic motions", asked.size());
     for (const BalanceSettings &settings : asked)
     {
@@ -172,46 +194,68 @@ namespace vibrocontact
       if (reference)
         add_line(table, solved);
       json.push_back(periodic_json(solved));
+      if (!parameters.scene.contacts.empty() && solved.solution.converged)
+        json.back()["contacts"] = contacts_json(parameters.placed_contacts(), solved.motion);
       progress.advance();
     }
     if (reference)
       on_first_rank([&] { table.write(folder + "/periodic_errors.csv"); });
     if (periodic.continuation.is_wanted())
-      run_response_curve(periodic, body, law, law_name, parameters.contact().friction, folder, results);
+      run_response_curve(periodic, body, law, law_name, friction, folder, results);
   }
 
   namespace
   {
+    /// Rigid bodies whose curvature the points of a grid see.
+    void add_stops(EntriesRead &entries, const Parameters &parameters)
+    {
+      const PlacedContacts contacts = parameters.placed_contacts();
+      for (const PlacedContact &contact : contacts.all)
+        for (const unsigned int b : {contact.above, contact.below})
+          if (parameters.has_periodic_grid() && contact.grid.n_points() > 1 &&
+              b < parameters.scene.bodies.size() && parameters.scene.bodies[b].description->is_rigid())
+            add_body(entries, parameters, b, moving_in_contact());
+    }
+
     void periodic_read(EntriesRead &entries, const Parameters &parameters)
     {
       const PeriodicParameters &own = parameters.periodic;
       const std::string section = "Periodic";
       const BodyParameters &body = parameters.scene.bodies[0];
-      const bool on_grid = own.contact_points.empty();
-      for (unsigned int k = 0; k < parameters.n_vibrating(); ++k)
+      const bool listed = !parameters.scene.contacts.empty(), on_grid = own.contact_points.empty(),
+                 rubs = parameters.largest_friction() > 0;
+      for (const unsigned int b : parameters.vibrating_bodies())
       {
         BodyUse use = moving_in_contact();
-        use.contact = own.contact_points_on(k).empty();
-        use.tangential = parameters.contact().friction > 0;
-        add_body(entries, parameters, k, use);
+        use.contact = listed || own.contact_points_on(b).empty();
+        use.tangential = rubs;
+        add_body(entries, parameters, b, use);
       }
+      add_stops(entries, parameters);
       entries.add_if(body.rolls(), "the ring rolls", "Road", "Speed");
       if (parameters.has_contact())
         add_contact_grid(entries, parameters);
-      entries.add_if(parameters.n_vibrating() > 1, "body 2 vibrates", section, "Contact points on body 2");
-      add_friction_coefficient(entries, parameters.contact());
-      entries.add_if(parameters.contact().friction > 0, "there is friction", "Contact", "Friction law");
-      entries.add_if(own.law.empty(), "Periodic/Law is empty", "Contact", "Normal law");
-      add_normal_law(entries, parameters.contact(),
-                     own.law.empty() ? parameters.contact().normal_law : own.own_law(),
-                     "the normal law of Periodic or Contact");
+      for (const ContactParameters &contact : parameters.contacts.all)
+      {
+        add_friction_coefficient(entries, contact);
+        entries.add_if(contact.friction > 0, "there is friction", contact.section, "Friction law");
+        entries.add_if(own.law.empty(), "Periodic/Law is empty", contact.section, "Normal law");
+        add_normal_law(entries, contact, own.law.empty() ? contact.normal_law : own.own_law(),
+                       "the normal law of Periodic or " + contact.section);
+      }
       entries.add(section, "Trial basis, Weighting basis, Number of functions, Form, Law, Frequency, Force, "
-                           "Force point, Contact points, Gap, Model, Samples, "
+                           "Force point, Gap, Model, Samples, "
                            "Quadrature points, Reference, Output samples");
+      const std::string by_grids = "the file has one section Contact, no list of Contacts";
+      entries.add_if(!listed, by_grids, section, "Contact points");
+      entries.add_if(!listed && parameters.vibrating_bodies().size() > 1, by_grids + ", and body 2 vibrates",
+                     section, "Contact points on body 2");
       entries.add_if(
-          !on_grid || own.stop_axis().first != 2 || !own.force_point.empty() ||
-              parameters.contact().friction > 0 || body.has_load(),
-          "there are Contact points, a Force point, friction or a load, which tell one side from the other",
+          !listed &&
+              (!on_grid || own.stop_axis().first != 2 || !own.force_point.empty() || rubs || body.has_load()),
+          by_grids +
+              ", and there are Contact points, a Force point, friction or a load, which tell one side from "
+              "the other",
           section, "Stop direction");
       entries.add(section + "/Comparison", "Numbers");
       entries.add_if(!own.numbers.empty(), "there are Periodic/Comparison/Numbers", section + "/Comparison",
@@ -230,7 +274,7 @@ namespace vibrocontact
                      "Location tolerance, Stability, Pairs");
       entries.add_if(wanted && !branch.parsed_pairs().empty(), "there are Periodic/Continuation/Pairs",
                      continuation, "Numbers");
-      const bool by_samples = tells && parameters.contact().friction > 0;
+      const bool by_samples = tells && rubs;
       entries.add_if(tells && !by_samples,
                      "Periodic/Continuation/Stability is not none and there is no friction", continuation,
                      "Mode limit");

@@ -79,8 +79,8 @@ namespace vibrocontact
   } // namespace
 
   void run_response_curve(const PeriodicParameters &periodic, const ForcedBody &body,
-                          const std::shared_ptr<const NormalLaw> &law, const std::string &law_name,
-                          const double friction, const std::string &folder, Results &results)
+                          const PointLaws<NormalLaw> &law, const std::string &law_name,
+                          const std::vector<double> &friction, const std::string &folder, Results &results)
   {
     const BranchParameters &response = periodic.continuation;
     const std::string unit = response.parameter == "frequency" ? "Hz"

@@ -19,10 +19,12 @@ namespace vibrocontact
 {
   namespace
   {
-    ContactGrid grid_of_case(const SweepCase &one)
+    PlacedContacts contacts_of_case(const SweepCase &one)
     {
-      return one.parameters.lateral_sweep() ? one.parameters.contact_grid_at(one.lateral_position)
-                                            : one.parameters.contact_grid();
+      PlacedContacts contacts = one.parameters.placed_contacts();
+      if (one.parameters.lateral_sweep())
+        contacts.only() = one.parameters.contact_grid_at(one.lateral_position);
+      return contacts;
     }
 
     /// @param reduced_bodies null for bodies without mesh
@@ -30,15 +32,16 @@ namespace vibrocontact
                              const std::vector<const ReducedBody *> &reduced_bodies)
     {
       const Parameters &parameters = one.parameters;
-      const ContactGrid grid = grid_of_case(one);
-      std::vector<std::optional<ReducedBody>> own(2);
+      const PlacedContacts contacts = contacts_of_case(one);
+      const unsigned int n_bodies = parameters.scene.bodies.size();
+      std::vector<std::optional<ReducedBody>> own(n_bodies);
       std::vector<ContactBody> bodies;
-      for (unsigned int k = 0; k < 2; ++k)
+      for (unsigned int k = 0; k < n_bodies; ++k)
       {
         const BodyParameters &body = parameters.scene.bodies[k];
         const ReducedBody *const reduced = reduced_bodies[k];
         std::optional<ReducedBody> meshed;
-        if (reduced)
+        if (reduced && parameters.lateral_sweep())
         {
           double lateral = 0, height = 0;
           if (k == 0)
@@ -48,13 +51,16 @@ namespace vibrocontact
             if (const auto axle = body.axle_height(nominal))
               height = *axle - *body.axle_height(one.lateral_position);
           }
-          meshed = window(*reduced, grid, lateral, height);
-          scale_damping(*meshed, parameters.modes.at(body.name));
+          meshed = window(*reduced, contacts.only(), lateral, height);
         }
+        else if (reduced)
+          meshed = *reduced;
+        if (meshed)
+          scale_damping(*meshed, parameters.modes.at(body.name));
         own[k] = body_of_contact(parameters, std::move(meshed), measured, k);
         bodies.push_back({&body, own[k] ? &*own[k] : nullptr});
       }
-      return contact_pair(bodies[0], bodies[1], parameters.contact(), grid);
+      return contact_pair(bodies, parameters.contacts, contacts);
     }
 
     /// A case with what its roots are followed by.
@@ -131,8 +137,8 @@ namespace vibrocontact
 
       void prepare(const unsigned int k) override
       {
-        reduced[k].assign(2, nullptr);
-        for (unsigned int b = 0; b < 2; ++b)
+        reduced[k].assign(bodies[k].size(), nullptr);
+        for (unsigned int b = 0; b < bodies[k].size(); ++b)
           if (MeshedBody *const body = bodies[k][b].get())
           {
             if (all_reduced.count(body) == 0)
@@ -177,7 +183,7 @@ namespace vibrocontact
         }
         catch (const InputError &error)
         {
-          const bool at_end = grid_of_case(one).n_points() < one.parameters.contact_grid().n_points();
+          const bool at_end = contacts_of_case(one).n_points() < one.parameters.placed_contacts().n_points();
           leave_out((at_end ? "The tread ends within the contact grid. " : "") + std::string(error.what()));
         }
         catch (const ConvergenceError &error)
@@ -185,10 +191,13 @@ namespace vibrocontact
           leave_out(error.what());
           on.results.failures.push_back({"stability", text + ": " + error.what()});
         }
+        nlohmann::ordered_json &json = on.results.analyses["stability"];
         if (k == 0)
-          on.results.analyses["stability"] = stability_json(outcome);
+          json = stability_json(outcome);
         else
-          add_new_cases(outcome, on.results.analyses["stability"]);
+          add_new_cases(outcome, json);
+        json.erase("contacts");
+        add_contacts(outcome, one.parameters.placed_contacts(), json);
       }
 
       void finish() override
@@ -209,7 +218,7 @@ namespace vibrocontact
       const SweepCases &sweep;
       const std::vector<MeshedBodies> bodies;
       std::map<const MeshedBody *, ReducedBody> all_reduced;
-      /// of each case, both bodies
+      /// of each case, its bodies
       std::vector<std::vector<const ReducedBody *>> reduced;
       StabilityOutcome outcome;
       RootPaths paths, begin_of_row;

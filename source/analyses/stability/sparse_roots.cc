@@ -14,8 +14,8 @@ namespace vibrocontact
 {
   namespace
   {
-    /// The dofs of both bodies and the forces dN as one vector: each rank has its rows of body 1, those of
-    /// body 2, and the last one the forces.
+    /// The dofs of the bodies and the forces dN as one vector: each rank has its rows of body 1, then those of
+    /// body 2 and so on, and the last one the forces.
     class Layout
     {
     public:
@@ -168,6 +168,7 @@ namespace vibrocontact
           " dofs, which takes no damping of the modes: set loss factors and damping ratios to 0, or "
           "Model to attachment inertia.");
     MPI_Comm communicator = MPI_COMM_SELF;
+    const PlacedContacts &contacts = pair.interface.contacts;
     // the dofs that the contact touches
     std::map<std::pair<unsigned int, unsigned int>, unsigned int> touched;
     for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -181,11 +182,13 @@ namespace vibrocontact
     DenseMatrix trace(3 * pair.n_points(), touched.size());
     for (unsigned int b = 0; b < bodies.size(); ++b)
       if (bodies[b].system)
-        for (unsigned int row = 0; row < trace.m(); ++row)
-          for (const auto &[dof, weight] : bodies[b].system->trace.rows[row])
-            trace(row, touched.at({b, dof})) += b == 0 ? weight : -weight;
-    const ContactCoupling coupling =
-        contact_coupling(trace, pair.interface.contacts.only(), scheme, equilibrium, options);
+      {
+        const PlacedContacts::Rows own = contacts.rows_of(b);
+        for (unsigned int i = 0; i < own.rows.size(); ++i)
+          for (const auto &[dof, weight] : bodies[b].system->trace.rows[i])
+            trace(own.rows[i], touched.at({b, dof})) += own.sign[i] * weight;
+      }
+    const ContactCoupling coupling = contact_coupling(trace, contacts, scheme, equilibrium, options);
     const unsigned int n_forces = coupling.gaps.n();
 
     const Layout layout(bodies, n_forces, communicator);

@@ -172,13 +172,15 @@ namespace vibrocontact
     const auto load = sources.function(by_force ? force : hub);
     const Source exciting{"Exciting force", "exciting_force_N", "N", transient.exciting_force, 0.};
     const bool excited = sources.given(exciting);
-    if (excited && contacts.n_points() != 1)
-      throw InputError("Transient/Exciting force acts at the only contact point, but this contact has " +
-                       std::to_string(contacts.n_points()) +
+    const unsigned int n_driven = contacts.all.front().grid.n_points();
+    if (excited && n_driven != 1)
+      throw InputError("Transient/Exciting force acts at the only point of the contact, or of the first of "
+                       "several, but that one has " +
+                       std::to_string(n_driven) +
                        " points: leave it out, or move the body by a Hub displacement.");
     if (excited && (contacts.all.front().above != 0 || !contacts.all.front().frame.has_usual_axes()))
       throw InputError("Transient/Exciting force acts on body 1 along z, but body 1 is not the first of its "
-                       "contact, or the contact is "
+                       "(first) contact, or the contact is "
                        "inclined: leave it out, or name body 1 first.");
     const auto exciting_force = sources.function(exciting);
     sources.check_all_used();

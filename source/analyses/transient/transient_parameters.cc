@@ -73,11 +73,12 @@ namespace vibrocontact
     expression("Spin", spin, "1/m");
     expression("Normal force", normal_force, "N");
     expression("Hub displacement", hub_displacement, "m");
-    prm.add_parameter("Exciting force", exciting_force,
-                      "Expression of the time t: force on body 1 at its only contact point along z, positive "
-                      "upwards, beside "
-                      "that of the contact; empty: none. Units: N.",
-                      Anything());
+    prm.add_parameter(
+        "Exciting force", exciting_force,
+        "Expression of the time t: force on body 1 at its only contact point along z (of several "
+        "contacts that of the first), positive upwards, beside that of the contact; empty: "
+        "none. Units: N.",
+        Anything());
     prm.add_parameter("Drive table", drive_table,
                       "CSV file with the column time_s and any of longitudinal_creepage, lateral_creepage, "
                       "spin_1_m, normal_force_N, hub_displacement_m, exciting_force_N, which replace the "

@@ -146,7 +146,7 @@ namespace vibrocontact
     const double time_step;
     unsigned long last_step;
     ModalConvolutionResult results;
-    std::shared_ptr<const NormalLaw> law;
+    PointLaws<NormalLaw> law;
     std::unique_ptr<RoadStepper> stepper;
     std::unique_ptr<EventLocated> events;
     /// the second march and its parameters, in twice the steps, in half of them where forces would ring in twice, or

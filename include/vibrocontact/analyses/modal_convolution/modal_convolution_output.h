@@ -12,6 +12,10 @@
 
 namespace vibrocontact
 {
+  /// Of contact k of a list: its points among all, impulses over them.
+  nlohmann::ordered_json contact_json(const PlacedContacts &contacts, unsigned int k,
+                                      const ModalConvolutionResult &result, bool with_friction);
+
   /// Histories of a modal convolution: histories.h5 (beside a transient modal_convolution_histories.h5) with one array per column, `time_s`, then per contact point
   /// `point_<i>_displacement_m`, `point_<i>_force_N`, `point_<i>_road_m`, with friction also `point_<i>_tangential_displacement_m`,
   /// `point_<i>_tangential_force_N`. A line every history interval.

@@ -7,12 +7,12 @@
 
 namespace vibrocontact
 {
-  /// Laws of the contact with a road.
+  /// Laws of the points that touch a road.
   struct RoadLaws
   {
-    std::shared_ptr<const NormalLaw> normal = create_normal_law("signorini");
-    /// of bodies with rows forward; null: none
-    std::shared_ptr<const FrictionLaw> friction = nullptr;
+    PointLaws<NormalLaw> normal = create_normal_law("signorini");
+    /// of bodies with rows forward; or none
+    PointLaws<FrictionLaw> friction = {};
   };
 
   /// The common contact problem of a body on the road, in the steps of a modal convolution.

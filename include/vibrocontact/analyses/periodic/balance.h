@@ -21,8 +21,9 @@ namespace vibrocontact
     TimeForm form = TimeForm::distributional;
     /// samples of the contact law over the period; left points of the integrals, 0: exact
     unsigned int n_samples = 4096, quadrature_points = 0;
-    /// coefficient of friction [-]
+    /// coefficient of friction, the largest if points differ, and then of each; empty: they do not [-]
     double friction = 0;
+    std::vector<double> friction_of_points = {};
     /// parameter of the projections over the largest compliance [-]
     double projection = 30;
     /// largest residual over the exciting force or the contact force [-]
@@ -48,8 +49,8 @@ namespace vibrocontact
     double residual = 0;
   };
 
-  /// What a branch of solutions may be followed in: frequency [Hz] and amplitude [N] of the exciting force, gap of every
-  /// point [m].
+  /// What a branch of solutions may be followed in: frequency [Hz] and amplitude [N] of the exciting force, gap of the
+  /// first point [m], to which those of the others keep their distance.
   enum class SceneParameter
   {
     frequency,
@@ -74,8 +75,7 @@ namespace vibrocontact
   public:
     /// @throws InputError for an inadmissible pair, a body or settings that do not fit the law
     /// @throws ConvergenceError if the last order of even N has neither stiffness nor damping (Haar against splines)
-    PeriodicBalance(const ForcedBody &body, std::shared_ptr<const NormalLaw> law,
-                    const BalanceSettings &settings);
+    PeriodicBalance(const ForcedBody &body, const PointLaws<NormalLaw> &law, const BalanceSettings &settings);
 
     /// Condenses the body at this force. Cheap: n_modes n_rows^2 N.
     void set_force(const HarmonicForce &force);
@@ -129,16 +129,23 @@ namespace vibrocontact
     /// forces on the body: normal rows of c change sign
     std::vector<double> body_forces(const std::vector<double> &c) const;
 
-    /// The law at one sample: force of a point's rows from their forces in the basis, the gap and the physical velocities of
-    /// the tangential rows.
-    std::array<double, 3> contact_force(const std::array<double, 3> &force, double gap,
+    /// The law of a point at one sample: force of its rows from their forces in the basis, the gap and the physical
+    /// velocities of the tangential rows.
+    std::array<double, 3> contact_force(unsigned int point, const std::array<double, 3> &force, double gap,
                                         const std::array<double, 3> &velocity) const;
 
     /// scale of residuals [N]
     double force_scale(const std::vector<double> &c) const;
 
     const ForcedBody &linear_body() const { return body; }
-    const NormalLaw &normal_law() const { return *law; }
+    const NormalLaw &normal_law(const unsigned int point) const { return law[point]; }
+    /// Whether the forces of all points are functions of their gaps.
+    bool is_spring() const { return spring; }
+    /// Coefficient of friction of a point [-].
+    double friction_of(const unsigned int point) const
+    {
+      return settings.friction_of_points.empty() ? settings.friction : settings.friction_of_points[point];
+    }
     const TimePairing &integrals() const { return pairing; }
     const TimeBasis &trial() const { return *trial_basis; }
     const TimeBasis &weighting() const { return *weighting_basis; }
@@ -172,16 +179,16 @@ namespace vibrocontact
     bool follow_gap(std::vector<double> &c, PeriodicSolution &solution);
     bool follow_stiffness(std::vector<double> &c, PeriodicSolution &solution);
     /// of a law that is a function of the gap: nothing where it is open
-    NormalLaw::GraphPoint over_gap(const double gap) const
+    NormalLaw::GraphPoint over_gap(const unsigned int point, const double gap) const
     {
-      return gap < 0 ? law->graph(-gap) : NormalLaw::GraphPoint{0., 0., 0., 1.};
+      return gap < 0 ? law[point].graph(-gap) : NormalLaw::GraphPoint{0., 0., 0., 1.};
     }
     bool is_normal(const unsigned int row) const { return row % body.rows_per_point == 0; }
     double sign(const unsigned int row) const { return is_normal(row) ? -1. : 1.; }
 
     ForcedBody body;
-    const std::shared_ptr<const NormalLaw> law;
-    /// whether the law gives the force over the gap
+    const PointLaws<NormalLaw> law;
+    /// whether the laws of all points give the force over the gap
     const bool spring;
     std::unique_ptr<const TimeBasis> trial_basis, weighting_basis;
     TimePairing pairing;

@@ -6,9 +6,10 @@
 
 namespace vibrocontact
 {
-  /// Body 1 of the scene as its periodic analysis sees it: force and contact points, stop and gap of section Periodic; with a
-  /// body 2 that vibrates, its motion relative to that one. Meshed bodies move by the modes kept, or all; rings, oscillators
-  /// and identified bodies by their own, their contact points are those that they have on a road. Collective.
+  /// The bodies of the scene as periodic motion sees them: the motion of each contact point, of the first body there relative
+  /// to the second, force and gap of section Periodic; points of Periodic/Contact points or of the contacts' grids, one grid
+  /// after the other. Meshed bodies move by the modes kept, or all; rings, oscillators and identified bodies by their own,
+  /// their contact points are those that they have on a road. Collective.
   /// @throws InputError for a free body, points that are not on it, or bodies that do not meet point by point
   ForcedBody forced_body(const Parameters &parameters, const MeshedBodies &bodies,
                          const std::optional<MeasuredData> &measured);

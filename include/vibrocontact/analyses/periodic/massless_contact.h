@@ -17,7 +17,8 @@ namespace vibrocontact
   {
   public:
     /// @param residual S, positive on the diagonal; rows: normal, two tangential of each point
-    MasslessContact(const DenseMatrix &residual, double friction);
+    /// @param friction coefficient of each point [-]
+    MasslessContact(const DenseMatrix &residual, const std::vector<double> &friction);
 
     /// Marches through the samples of w (row after row), from one where no point touches; twice if there is none. Fills
     /// the samples of the forces on the body, p (same layout).

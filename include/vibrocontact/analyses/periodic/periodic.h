@@ -14,8 +14,8 @@
 
 namespace vibrocontact
 {
-  /// `subsection Periodic`: periodic motions of body 1 under a harmonic force against a rigid stop or spring (Jones &
-  /// Legrand 2014; doc/periodic.md).
+  /// `subsection Periodic`: periodic motions of bodies under a harmonic force on body 1 against rigid stops, springs or each
+  /// other (Jones & Legrand 2014; doc/periodic.md).
   struct PeriodicParameters
   {
     std::string trial = "fourier", weighting = "fourier";
@@ -66,15 +66,16 @@ namespace vibrocontact
     std::optional<std::pair<dealii::Point<3>, dealii::Tensor<1, 3>>> parsed_force() const;
     /// trial and weighting of the main solution and of the further ones
     std::vector<std::pair<std::string, std::string>> parsed_pairs() const;
+    /// @param friction coefficient of all points, or of each; empty: none [-]
     BalanceSettings settings(const std::string &trial_basis, const std::string &weighting_basis,
-                             unsigned int number, double friction) const;
+                             unsigned int number, const std::vector<double> &friction) const;
     /// all that is to be solved, the main solution first
-    std::vector<BalanceSettings> solutions(double friction) const;
+    std::vector<BalanceSettings> solutions(const std::vector<double> &friction) const;
     /// of the response curves, the main one first; none if there is no continuation
-    std::vector<BalanceSettings> curves(double friction) const;
+    std::vector<BalanceSettings> curves(const std::vector<double> &friction) const;
     /// Name of the normal law in the table of laws; empty: that of section Contact.
     std::string own_law() const;
-    /// What results call the law: by its short name if it has one.
-    std::string law_in_results(const std::string &normal_law) const;
+    /// What results call the laws of the contacts: by their short names if they have one.
+    std::string law_in_results(const std::vector<std::string> &normal_laws) const;
   };
 } // namespace vibrocontact

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/analyses/periodic/periodic_error.h>
 #include <vibrocontact/base/table.h>
+#include <vibrocontact/contact/placed_contacts.h>
 
 #include <nlohmann/json.hpp>
 
@@ -27,6 +28,9 @@ namespace vibrocontact
 
   /// An object of analyses.periodic[] of results.json.
   nlohmann::ordered_json periodic_json(const PeriodicCase &solved);
+
+  /// Of the contacts of a list, by name: their points among all, impulses of a period and largest forces over them.
+  nlohmann::ordered_json contacts_json(const PlacedContacts &contacts, const PeriodicMotion &motion);
 
   /// periodic_<k>.csv: phase, displacement_m, velocity_m_s, contact_force_N of the first point, the others' columns behind
   /// them with the point's number; with friction the tangential ones.

@@ -11,6 +11,6 @@ namespace vibrocontact
   /// Response curves of section Periodic/Continuation: analyses.response with its variants, response.csv and response_<k>.csv.
   /// Every rank computes, rank 0 writes.
   void run_response_curve(const PeriodicParameters &periodic, const ForcedBody &body,
-                          const std::shared_ptr<const NormalLaw> &law, const std::string &law_name,
-                          double friction, const std::string &folder, Results &results);
+                          const PointLaws<NormalLaw> &law, const std::string &law_name,
+                          const std::vector<double> &friction, const std::string &folder, Results &results);
 } // namespace vibrocontact
