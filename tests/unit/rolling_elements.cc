@@ -6,6 +6,7 @@
 #include <vibrocontact/contact/creep.h>
 #include <vibrocontact/fe/material_flow.h>
 #include <vibrocontact/fe/ring_elements.h>
+#include <vibrocontact/reduction/flow_reduction.h>
 #include <vibrocontact/reduction/reduction_parts.h>
 
 #include <gtest/gtest.h>

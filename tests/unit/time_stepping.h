@@ -76,6 +76,25 @@ namespace vibrocontact
       }
     }
 
+    /// Of the modes: w q, q'. A state to go on from at the beginning of a period, in flight.
+    std::vector<double> state() const
+    {
+      std::vector<double> result = v;
+      for (unsigned int k = 0; k < q.size(); ++k)
+        result.insert(result.begin() + k, body.omega[k] * q[k]);
+      return result;
+    }
+    void set_state(const std::vector<double> &state)
+    {
+      for (unsigned int k = 0; k < q.size(); ++k)
+      {
+        q[k] = state[k] / body.omega[k];
+        v[k] = state[q.size() + k];
+      }
+      std::fill(p.begin(), p.end(), 0.);
+      u = points(0);
+    }
+
     /// of a contact point into the stop, of the modes at the exciting force; over the last period, n_steps
     const std::vector<double> &displacement(const unsigned int point) const { return history[point]; }
     const std::vector<double> &deflection() const { return tip; }
@@ -140,7 +159,7 @@ namespace vibrocontact
       };
       double change = 1, size = 1;
       unsigned int sweep = 0;
-      for (; change > 1e-8 * size && sweep < 20000; ++sweep)
+      for (; change > 1e-9 * size && sweep < 20000; ++sweep)
       {
         change = 0;
         size = 1e-3 * force.amplitude;

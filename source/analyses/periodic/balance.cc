@@ -2,8 +2,6 @@
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
 
-#include <deal.II/lac/lapack_templates.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -184,6 +182,7 @@ namespace vibrocontact
   {
     const unsigned int N = settings.n_functions, count = samples->n_samples(), rows = body.rows_per_point;
     const bool friction = settings.friction > 0;
+    evaluated = c;
     displacement_from(c, linear.linear, linear.compliance, u);
     if (massless)
     {
@@ -318,13 +317,19 @@ namespace vibrocontact
   /// bracket with its P, by the coefficients of u (of w for massless points, whose H lacks S / A_0).
   void PeriodicBalance::assemble(DenseMatrix &jacobian)
   {
+    assemble_law(jacobian, by_displacement);
+    add_answer(by_displacement, linear.compliance, jacobian);
+  }
+
+  void PeriodicBalance::assemble_law(DenseMatrix &by_force, DenseMatrix &by_motion) const
+  {
     const unsigned int N = settings.n_functions, n = body.n_contact_rows(), count = samples->n_samples(),
                        rows = body.rows_per_point;
     const bool friction = settings.friction > 0;
-    jacobian.reinit(n * N, n * N);
-    by_displacement.reinit(n * N, n * N);
+    by_force.reinit(n * N, n * N);
+    by_motion.reinit(n * N, n * N);
     if (massless)
-      by_displacement = massless_rates(0);
+      by_motion = massless_rates(0);
     for (unsigned int p = 0; p < (massless ? 0 : body.n_points()); ++p)
     {
       const bool is_spring = law[p].is_function_of_gap();
@@ -336,15 +341,13 @@ namespace vibrocontact
           const std::size_t at = std::size_t((p * rows + a) * rows + b) * count;
           const unsigned int row = (p * rows + a) * N, column = (p * rows + b) * N;
           if (b == 0)
-            samples->add_weighted(&by_u[at], Quantity::displacement, 1., by_displacement, row, column);
+            samples->add_weighted(&by_u[at], Quantity::displacement, 1., by_motion, row, column);
           else if (a > 0)
-            samples->add_weighted(&by_v[at], Quantity::velocity, force.frequency, by_displacement, row,
-                                  column);
+            samples->add_weighted(&by_v[at], Quantity::velocity, force.frequency, by_motion, row, column);
           if (!is_spring || (a > 0 && b > 0))
-            samples->add_weighted(&by_c[at], Quantity::force, -1., jacobian, row, column);
+            samples->add_weighted(&by_c[at], Quantity::force, -1., by_force, row, column);
         }
     }
-    add_answer(by_displacement, linear.compliance, jacobian);
   }
 
   DenseMatrix PeriodicBalance::massless_rates(const double growth) const
@@ -397,26 +400,6 @@ namespace vibrocontact
     }
     for (unsigned int k = 0; k < n * N; ++k)
       jacobian(k, k) += 1;
-  }
-
-  std::pair<double, int> PeriodicBalance::determinant_of_growth(const double lambda) const
-  {
-    const double f = force.frequency;
-    const dealii::types::blas_int size = body.n_contact_rows() * settings.n_functions;
-    DenseMatrix matrix(size, size);
-    add_answer(massless_rates(lambda / (f * samples->n_samples())),
-               condense(body, pairing, force, lambda).compliance, matrix);
-    std::vector<dealii::types::blas_int> pivots(size);
-    dealii::types::blas_int info;
-    dealii::getrf(&size, &size, &matrix(0, 0), &size, pivots.data(), &info);
-    std::pair<double, int> result = {log_of_poles(body, pairing, f, lambda), 1};
-    for (int i = 0; i < size; ++i)
-    {
-      result.first += std::log(std::abs(matrix(i, i)));
-      if ((matrix(i, i) < 0) != (pivots[i] != i + 1))
-        result.second = -result.second;
-    }
-    return result;
   }
 
   std::vector<double> PeriodicBalance::motion_slope(const std::vector<double> &c,
@@ -515,62 +498,5 @@ namespace vibrocontact
   {
     return std::count_if(status.begin(), status.end(),
                          [](const ContactStatus s) { return s != ContactStatus::open; });
-  }
-
-  std::vector<double> PeriodicBalance::contact_stiffness(const unsigned int point, const double rigid) const
-  {
-    const unsigned int count = samples->n_samples(), rows = body.rows_per_point,
-                       normal = point * rows * count;
-    const auto gap = [&](const unsigned int k) { return body.gap[point] - u_samples[normal + k]; };
-    std::vector<double> result(count, 0.);
-    for (unsigned int k = 0; k < count; ++k)
-    {
-      if (!law[point].is_function_of_gap())
-      {
-        result[k] = law_samples[normal + k] > 0 ? rigid : 0.;
-        continue;
-      }
-      const unsigned int next = k + 1 < count ? k + 1 : 0;
-      const double here = gap(k), there = gap(next);
-      if (here < 0 && there < 0)
-      {
-        result[k] += 0.5 * over_gap(point, here).force_slope;
-        result[next] += 0.5 * over_gap(point, there).force_slope;
-      }
-      else if (here < 0 || there < 0)
-      {
-        // a part s of the interval is in contact: shares by linear shape functions
-        const unsigned int closed = here < 0 ? k : next, open = here < 0 ? next : k;
-        const double s = gap(closed) / (gap(closed) - gap(open)),
-                     stiffness = over_gap(point, gap(closed)).force_slope;
-        result[closed] += stiffness * s * (1 - 0.5 * s);
-        result[open] += stiffness * 0.5 * s * s;
-      }
-    }
-    return result;
-  }
-
-  std::vector<double> PeriodicBalance::part_in_contact(const unsigned int point) const
-  {
-    const unsigned int count = samples->n_samples(), row = point * body.rows_per_point;
-    const double *const u = &u_samples[row * count], *const f = &law_samples[row * count];
-    const auto depth = [&](const unsigned int k) { return body.residual(row, row) * f[k]; };
-    std::vector<double> result(count, 0.);
-    for (unsigned int k = 0; k < count; ++k)
-    {
-      const double here = depth(k);
-      if (!(here > 0))
-        continue;
-      for (const unsigned int next : {(k + 1) % count, (k + count - 1) % count})
-        result[k] += depth(next) > 0 ? 0.5 : here / (here + std::max(0., body.gap[point] - u[next]));
-    }
-    return result;
-  }
-
-  std::array<std::vector<double>, 2> PeriodicBalance::normal_tangent(const unsigned int point) const
-  {
-    const unsigned int count = samples->n_samples();
-    const auto first = std::size_t(point) * body.rows_per_point * body.rows_per_point * count;
-    return {{{&by_u[first], &by_u[first] + count}, {&by_c[first], &by_c[first] + count}}};
   }
 } // namespace vibrocontact

@@ -1,4 +1,3 @@
-#include <vibrocontact/analyses/periodic/floquet.h>
 #include <vibrocontact/analyses/periodic/response_curve.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
@@ -7,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace vibrocontact
 {
@@ -80,6 +78,8 @@ namespace vibrocontact
     /// relative difference of amplitudes, difference of parts of the period, that are no change
     constexpr double same_amplitude = 5e-4, same_part = 1e-3;
     constexpr unsigned int most_spurious = 2;
+    /// of the parameter over the whole curve: turns that lie nearer together blur no fold, however many they are
+    constexpr double least_spread = 5e-4;
 
     bool is_same_turn(const BranchPoint &a, const BranchPoint &b)
     {
@@ -138,125 +138,7 @@ namespace vibrocontact
       }
       return scale > 0 ? scale : 1.;
     }
-
-    /// By Hill's method, near the multiplier of the monodromy matrix or near one: at a rigid stop that matrix sees a
-    /// stiff spring, and begin and end of the contact to a sample.
-    std::complex<double> largest_near(const ForcedBody &body, const TangentContact &tangent,
-                                      const unsigned int n_harmonics, const std::complex<double> &start)
-    {
-      using Complex = std::complex<double>;
-      std::optional<Complex> largest;
-      const auto look_from = [&](const Complex &from)
-      {
-        try
-        {
-          const Complex found = hill_multiplier(body, tangent, n_harmonics, from);
-          if (!largest || std::abs(found) > std::abs(*largest))
-            largest = found;
-        }
-        catch (const ConvergenceError &)
-        {
-          // another start may find one
-        }
-      };
-      look_from(start);
-      if (!largest || std::abs(*largest - start) > 0.1)
-        look_from(1.);
-      // from a real start secants stay on the real axis
-      for (const std::complex<double> from :
-           {Complex(0.9, 0.2), Complex(0.7, 0.4), Complex(1.1), Complex(0.7)})
-        if (!largest)
-          look_from(from);
-      if (!largest)
-        throw ConvergenceError("No multiplier of the motion against the rigid stop was found at " +
-                               number_text(tangent.frequency) +
-                               " Hz; give more functions or samples, or set Stability = none");
-      return *largest;
-    }
-
-    /// The real multiplier of the balance's own tangents near another one, by secants; or nothing.
-    std::optional<double> real_multiplier(const PeriodicBalance &balance, const double start)
-    {
-      const double f = balance.excitation().frequency;
-      double before = f * std::log(start), lambda = before + 1e-3 * f;
-      const auto [scale, sign] = balance.determinant_of_growth(before);
-      const auto value_at = [&, scale = scale](const double at)
-      {
-        const auto [log, sign] = balance.determinant_of_growth(at);
-        return sign * std::exp(log - scale);
-      };
-      double value_before = sign, value = value_at(lambda);
-      for (unsigned int iteration = 0; iteration < 20; ++iteration)
-      {
-        if (value == 0. || std::abs(lambda - before) <= 1e-7 * f)
-          return std::exp(lambda / f);
-        const double step = -value * (lambda - before) / (value - value_before);
-        if (!(std::abs(lambda + step - f * std::log(start)) < 0.2 * f))
-          break;
-        before = lambda;
-        value_before = value;
-        lambda += step;
-        value = value_at(lambda);
-      }
-      return {};
-    }
-
-    /// Of the monodromy matrix; its largest positive one, which crosses one at folds, by the balance's tangents.
-    std::complex<double> largest_with_friction(const PeriodicBalance &balance)
-    {
-      const ForcedBody &body = balance.linear_body();
-      SlipTangent tangent;
-      tangent.frequency = balance.excitation().frequency;
-      for (unsigned int k = 0; k < balance.sampling().n_samples(); ++k)
-      {
-        tangent.by_motion.push_back(balance.slipping_points()->by_motion(k));
-        tangent.by_history.push_back(balance.slipping_points()->by_history(k));
-      }
-      for (unsigned int p = 0; p < body.n_points(); ++p)
-        tangent.part.push_back(balance.part_in_contact(p));
-      std::vector<std::complex<double>> found = slip_multipliers(body, tangent);
-      const auto is_positive = [](const std::complex<double> &value)
-      { return value.imag() == 0 && value.real() > 0.5; };
-      const auto largest = std::find_if(found.begin(), found.end(), is_positive);
-      if (balance.n_active() > 0 && largest != found.end())
-      {
-        const std::optional<double> own = real_multiplier(balance, largest->real());
-        if (own)
-          *largest = *own;
-      }
-      return *std::max_element(found.begin(), found.end(),
-                               [](const std::complex<double> &a, const std::complex<double> &b)
-                               { return std::abs(a) < std::abs(b); });
-    }
   } // namespace
-
-  std::complex<double> largest_multiplier(const PeriodicBalance &balance, const StabilityMethod method,
-                                          const double mode_limit, const unsigned int hill_harmonics)
-  {
-    const ForcedBody &body = balance.linear_body();
-    if (balance.slipping_points())
-      return largest_with_friction(balance);
-    const bool is_spring = balance.is_spring();
-    TangentContact contact, tangent;
-    tangent.frequency = contact.frequency = balance.excitation().frequency;
-    for (unsigned int p = 0; p < body.n_points(); ++p)
-    {
-      const double residual = body.residual(p * body.rows_per_point, p * body.rows_per_point);
-      contact.stiffness.push_back(balance.contact_stiffness(p, residual > 0 ? 1e4 / residual : 0.));
-      if (is_spring)
-        continue;
-      const auto [by_displacement, by_force] = balance.normal_tangent(p);
-      tangent.stiffness.push_back(by_displacement);
-      tangent.share.push_back(by_force);
-    }
-    const std::complex<double> found =
-        monodromy_multipliers(slow_part(body, 2 * M_PI * contact.frequency * mode_limit), contact)[0];
-    if (!is_spring && balance.n_active() > 0)
-      return largest_near(body, tangent, balance.settings.n_functions / 2, found);
-    return is_spring && method == StabilityMethod::hill
-               ? hill_multiplier(body, contact, hill_harmonics, found)
-               : found;
-  }
 
   void merge_folds(ResponseCurve &curve)
   {
@@ -266,6 +148,12 @@ namespace vibrocontact
         folds.push_back(&point);
     curve.folds.clear();
     curve.n_spurious = 0;
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (const BranchPoint &point : curve.points)
+    {
+      least = std::min(least, point.value(curve.parameter));
+      most = std::max(most, point.value(curve.parameter));
+    }
     unsigned int longest = 0;
     for (std::size_t first = 0, end; first < folds.size(); first = end)
     {
@@ -273,6 +161,7 @@ namespace vibrocontact
         ++end;
       const bool turns = (end - first) % 2 == 1;
       std::size_t outermost = first;
+      double lowest = HUGE_VAL, highest = -HUGE_VAL;
       // members of even distance turn the same way as the first, those between back
       const double sense =
           end - first > 1 && folds[first + 1]->value(curve.parameter) > folds[first]->value(curve.parameter)
@@ -281,12 +170,15 @@ namespace vibrocontact
       for (std::size_t k = first; k < end; ++k)
       {
         folds[k]->is_spurious = true;
+        lowest = std::min(lowest, folds[k]->value(curve.parameter));
+        highest = std::max(highest, folds[k]->value(curve.parameter));
         if (sense * folds[k]->value(curve.parameter) > sense * folds[outermost]->value(curve.parameter))
           outermost = k;
       }
       const unsigned int n_spurious = end - first - turns;
       curve.n_spurious += n_spurious;
-      longest = std::max(longest, n_spurious);
+      if (highest - lowest > least_spread * (most - least))
+        longest = std::max(longest, n_spurious);
       if (!turns)
         continue;
       folds[outermost]->is_spurious = false;

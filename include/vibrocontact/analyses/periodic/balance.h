@@ -107,13 +107,17 @@ namespace vibrocontact
     /// [N/m] and by the force [-].
     std::array<std::vector<double>, 2> normal_tangent(unsigned int point) const;
 
-    /// Intervals between samples that a point with residual is held by a rigid stop around each: 1 within a contact, 0 in
-    /// flight; touch and release are placed between samples by how deep the residual is pushed.
-    std::vector<double> part_in_contact(unsigned int point) const;
-    /// Of massless points with friction: logarithm of the modulus and sign of det R_c for small motions that are periodic but for
-    /// a factor e^(lambda t), with its poles taken out; at lambda = 0 it is zero where R_c is singular, at folds. Of the last
-    /// c that was evaluated.
-    std::pair<double, int> determinant_of_growth(double lambda) const;
+    /// Logarithm of the modulus and sign of det R_c for small motions that are periodic but for a factor e^(lambda t), lambda real,
+    ///
+    ///   det[ 1 - P dlaw/dc L - D(lambda) H(lambda) sign ] prod_n prod_m |d_n(m, lambda)|
+    ///
+    /// with its poles taken out. Zeros are the real positive Floquet multipliers e^(lambda T) of the balance's own
+    /// tangents; at lambda = 0 it is zero where R_c is singular, at folds. D are the tangents of the law with its P and Q; only
+    /// points with a history feel lambda in them. Of the last c that was evaluated; without friction, or at points without mass.
+    std::function<std::pair<double, int>(double)> growth_determinant() const;
+    /// The last c that was evaluated; statuses there at the samples of each point, row after row.
+    const std::vector<double> &last_force() const { return evaluated; }
+    const std::vector<ContactStatus> &point_status() const { return status; }
     /// The points without mass that stick and slip, if they are of that kind; or null.
     const MasslessContact *slipping_points() const { return massless.get(); }
 
@@ -162,6 +166,8 @@ namespace vibrocontact
     void apply_massless(const std::vector<double> &c);
     void residual_of(const std::vector<double> &c, std::vector<double> &residual) const;
     void assemble(DenseMatrix &jacobian);
+    /// 1 - P dlaw/dc L less the one, and D of growth_determinant() at lambda = 0
+    void assemble_law(DenseMatrix &by_force, DenseMatrix &by_motion) const;
     /// of the forces' moments by the coefficients of w
     DenseMatrix massless_rates(double growth) const;
     /// adds 1 - by_motion H sign, compliance H of the rows' motion less what massless points answer
@@ -203,7 +209,7 @@ namespace vibrocontact
     /// tangential rows that no force moves: they carry none
     std::vector<char> is_inert;
     // work space: coefficients and samples of the rows; derivatives of the law by point and pair of its rows
-    std::vector<double> u, u_samples, v_samples, c_samples, law_samples, by_u, by_v, by_c;
+    std::vector<double> evaluated, u, u_samples, v_samples, c_samples, law_samples, by_u, by_v, by_c;
     DenseMatrix by_displacement;
     /// of each point's samples
     std::vector<ContactStatus> status;

@@ -24,20 +24,6 @@ namespace vibrocontact
     std::vector<std::vector<double>> share = {};
   };
 
-  /// The same at points without mass that stick and slip (massless_contact.h): their forces on the body vary with the
-  /// motion w of the modes and with the place u = w + S p of the sample before,
-  ///
-  ///   dp = by_motion dw + by_history du_before
-  struct SlipTangent
-  {
-    /// [Hz]
-    double frequency = 0;
-    /// at equal parts of the period: rows square, row by row, empty where no point touches [N/m]
-    std::vector<std::vector<double>> by_motion, by_history;
-    /// intervals between samples that a point is in contact for around each of them; n_points x n_samples [-]
-    std::vector<std::vector<double>> part;
-  };
-
   /// Modes up to an angular frequency; the others answer statically (with the body's relaxation), in its residual.
   ForcedBody slow_part(const ForcedBody &body, double omega);
 
@@ -46,11 +32,6 @@ namespace vibrocontact
   /// exponential for each flight.
   std::vector<std::complex<double>> monodromy_multipliers(const ForcedBody &body,
                                                           const TangentContact &contact);
-
-  /// The same with friction. State: modes, and where the points were at the sample before, which is what friction
-  /// remembers. All modes move: a static answer beside S makes friction unstable that is not.
-  /// @throws ConvergenceError if the samples are too few for the fastest motion in contact
-  std::vector<std::complex<double>> slip_multipliers(const ForcedBody &body, const SlipTangent &contact);
 
   /// One multiplier by Hill's method: contact forces e^(lambda t) sum_(|k| <= n_harmonics) f_k e^(2 pi j k f t), condensed
   /// onto the contact points,

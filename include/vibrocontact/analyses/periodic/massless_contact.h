@@ -28,11 +28,6 @@ namespace vibrocontact
     /// Of the last march, at the samples of each point.
     const std::vector<ContactStatus> &status() const { return statuses; }
 
-    /// Of the last march, at a sample: dp/dw and dp/d(u of the sample before), n_rows square, row by row; empty where no point
-    /// touches.
-    const std::vector<double> &by_motion(const unsigned int sample) const { return rate_w[sample]; }
-    const std::vector<double> &by_history(const unsigned int sample) const { return rate_before[sample]; }
-
     /// Moments of the rates of p: for every sample k, weight(k, i) (dp_r / dw_(s, j) basis(., j)) summed into
     /// (r n_weights + i, s n_functions + j) of `into`. After march(). @param growth of the basis, less of the weights, over
     /// an interval between samples: rates of motions that are periodic but for a factor e^(growth k)

@@ -1,21 +1,13 @@
 #pragma once
 
-#include <vibrocontact/analyses/periodic/balance.h>
+#include <vibrocontact/analyses/periodic/stability.h>
 #include <vibrocontact/numerics/continuation.h>
 
-#include <complex>
 #include <string>
 #include <vector>
 
 namespace vibrocontact
 {
-  enum class StabilityMethod
-  {
-    none,
-    monodromy,
-    hill
-  };
-
   /// How a branch of periodic motions is followed.
   struct BranchSettings
   {
@@ -92,9 +84,4 @@ namespace vibrocontact
   /// @throws InputError if stability is asked for with a rigid stop at a contact point with mass, or with friction at others
   /// than PeriodicBalance::slipping_points()
   ResponseCurve follow_response(PeriodicBalance &balance, const BranchSettings &settings);
-
-  /// Largest multiplier of the motion that the balance evaluated last; Hill's method starts from that of the monodromy matrix.
-  /// With friction the monodromy matrix of all modes, its positive real one by determinant_of_growth().
-  std::complex<double> largest_multiplier(const PeriodicBalance &balance, StabilityMethod method,
-                                          double mode_limit, unsigned int hill_harmonics);
 } // namespace vibrocontact
