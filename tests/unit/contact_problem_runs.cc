@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
+#include <unistd.h>
 
 using namespace vibrocontact;
 
@@ -45,53 +47,73 @@ TEST(ContactProblemFile, OfARunIsSolvedAgain)
   }
 }
 
-// The hub presses the upper of two contacts alone, the lower one has a law of its own: the file holds both.
+// Two contacts with a law and a friction each; then with a hub that presses one of them alone.
 TEST(ContactProblemFile, OfSeveralContactsIsSolvedAgain)
 {
-  const std::string folder = "contacts_problem_run_" + std::to_string(getpid()), file = folder + ".prm";
-  const auto bar = [](const std::string &name)
-  {
-    return "subsection " + name + "\nset Type = bar\nsubsection Bar\nset Length = 0.5\nset Section = 1e-4\n" +
-           "set Divisions = 8\nend\nsubsection Material\nset Young modulus = 2.1e11\nend\nend\n";
-  };
-  std::ofstream(file)
-      << "set Bodies = post, middle, floor\nset Contacts = upper, lower\n"
-      << "set Analyses = quasi-static rolling\n"
-      << bar("post") << bar("middle") << "subsection floor\nset Type = rigid\nend\n"
-      << "subsection upper\nset Bodies = post, middle\nset Friction coefficient = 0\n"
-      << "set Origin on body 2 = 0, 0, 0.25\nend\n"
-      << "subsection lower\nset Bodies = middle, floor\nset Friction coefficient = 0\n"
-      << "set Normal law = linear spring\nset Penalty amplitude = 4e7\nset Penalty exponent = 1\nend\n"
-      << "subsection Contact\nsubsection Solver\nset Tolerance = 1e-13\nend\nend\n"
-      << "subsection Rolling\nset Normal force = 1000\nset Speed = 0\nend\n"
-      << "subsection Output\nset Contact problems = true\nset Figures = false\n"
-      << "set Cache directory = " << folder << "\nend\n";
-  ASSERT_EQ(std::system((std::string(PROGRAM_FILE) + " " + file + " --quiet --output " + folder).c_str()), 0);
-  const ContactProblem problem = read_contact_problem(folder + "/contact_problems/case_0.h5");
-  const ContactSolution stored = read_contact_solution(folder + "/contact_problems/case_0.h5", problem);
+  const std::string folder = "contacts_problem_run_" + std::to_string(getpid()), file = folder + "_again.h5";
+  const std::string command = std::string(PROGRAM_FILE) + " " + TESTS_DIRECTORY +
+                              "/../parameter_files/examples/several_contacts.prm --quiet --output " + folder +
+                              " --set 'Output/Contact problems=true' --set Output/Figures=false" +
+                              " --set 'right/Normal law=linear spring' --set 'right/Penalty amplitude=2e7'" +
+                              " --set 'right/Penalty exponent=1' --set 'Output/Cache directory=" + folder +
+                              "'";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  ContactProblem problem = read_contact_problem(folder + "/contact_problems/case_0.h5");
   nlohmann::json results;
   std::ifstream(folder + "/results.json") >> results;
   std::filesystem::remove_all(folder);
-  std::filesystem::remove(file);
-  const auto contacts = results["analyses"]["quasi_static_rolling"]["contacts"];
-
-  ASSERT_EQ(problem.n_points(), 2u);
-  EXPECT_TRUE(problem.normal_law[0].is_rigid());
-  EXPECT_EQ(problem.normal_law[1].compression(4e7).depth, 1);
-  EXPECT_LT(stored.residual, 1e-10);
+  const auto run = results["analyses"]["quasi_static_rolling"]["contacts"];
+  const unsigned int n = problem.n_points(), n_left = n / 2;
+  EXPECT_TRUE(problem.normal_law[n_left - 1].is_rigid());
+  EXPECT_EQ(problem.normal_law[n_left].compression(2e7).depth, 1);
+  EXPECT_EQ(problem.mu.front(), 0.1);
+  EXPECT_EQ(problem.mu.back(), 0.4);
+  const auto solved = [](const ContactProblem &one, const std::string &method)
+  {
+    ContactSolverParameters parameters;
+    parameters.method = method;
+    parameters.tolerance = 1e-12;
+    return create_contact_solver(parameters)->solved(one);
+  };
+  const auto sum = [&](const DenseVector &R, const unsigned int component, const bool of_left)
+  {
+    const double *const first = R.begin() + component * n + (of_left ? 0 : n_left);
+    return std::accumulate(first, first + n_left, 0.);
+  };
   for (const ContactSolverEntry &entry : contact_solvers())
   {
     if (entry.takes && !entry.takes(problem))
       continue;
-    ContactSolverParameters parameters;
-    parameters.method = entry.name;
-    const ContactSolution solution = create_contact_solver(parameters)->solved(problem);
+    const ContactSolution solution = solved(problem, entry.name);
     EXPECT_TRUE(solution.converged) << entry.name;
-    EXPECT_NEAR(solution.R[0], 1000, 1e-6) << entry.name;
-    EXPECT_NEAR(solution.R[1] / contacts["lower"]["cases"][0]["normal_force_N"].get<double>(), 1, 1e-8)
-        << entry.name;
+    for (const bool of_left : {true, false})
+    {
+      const auto one = run[of_left ? "left" : "right"]["cases"][0];
+      EXPECT_NEAR(sum(solution.R, 0, of_left) / one["normal_force_N"].get<double>(), 1, 1e-7) << entry.name;
+      EXPECT_NEAR(sum(solution.R, 2, of_left) / one["tangential_force_N"][1].get<double>(), 1, 1e-7)
+          << entry.name;
+    }
   }
-  // the middle bar, held at its top, is pushed at half its length and stands on the spring
-  const double s = 0.25 / (2.1e11 * 1e-4), by_spring = 1 / 4e7;
-  EXPECT_NEAR(stored.R[1], 1000 * s / (2 * s + by_spring), 1e-6);
+
+  for (DenseVector *const rows : {&problem.by_approach, &problem.to_force})
+  {
+    rows->reinit(3 * n);
+    for (unsigned int i = 0; i < n_left; ++i)
+      (*rows)[i] = 1;
+  }
+  for (const double force : {2000., 0.})
+  {
+    problem.normal_force = force;
+    problem.approach = 1e-5;
+    write_contact_problem(file, problem);
+    const ContactProblem again = read_contact_problem(file);
+    const ContactSolution one = solved(problem, "automatic"), two = solved(again, "automatic");
+    EXPECT_TRUE(one.converged);
+    if (force > 0)
+      EXPECT_NEAR(sum(one.R, 0, true) / force, 1, 1e-9);
+    for (unsigned int row = 0; row < 3 * n; ++row)
+      EXPECT_NEAR(two.R[row], one.R[row], 1e-9 * 2000) << row;
+    EXPECT_NEAR(two.approach / one.approach, 1, 1e-9);
+  }
+  std::filesystem::remove(file);
 }
