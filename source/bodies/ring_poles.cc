@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/numerics/complex_eigenvectors.h>
 
@@ -101,9 +102,7 @@ namespace vibrocontact
           poles[k].right[c] = found.right(c, k);
           poles[k].left[c] = found.left(k, 2 + c) / (m * s);
         }
-        if (!(poles[k].lambda.real() < 1e-10 * s))
-          throw InputError("The ring's motion in " + std::to_string(n) + " waves grows at " +
-                           std::to_string(rotation) + " rad/s: give it a lower speed or more stiffness.");
+        check_decay(poles[k].lambda, n, s, rotation);
       }
       std::sort(poles.begin(), poles.end(),
                 [](const Pole &a, const Pole &b) { return a.lambda.imag() < b.lambda.imag(); });
@@ -126,6 +125,15 @@ namespace vibrocontact
                          " waves: give it foundation stiffness or more inflation pressure.");
     }
   } // namespace
+
+  void check_decay(const Complex &pole, const unsigned int order, const double scale, const double rotation)
+  {
+    if (!(pole.real() < 1e-10 * scale))
+      throw InputError("The ring turns at " + number_text(std::abs(rotation)) +
+                       " rad/s, where its motion in " + std::to_string(order) +
+                       (order == 1 ? " wave" : " waves") + " grows by " + number_text(pole.real()) +
+                       " 1/s: lower the speed of rolling, or give the ring more foundation stiffness.");
+  }
 
   std::vector<RingRow> ring_rows(const RingParameters &ring, const bool with_friction)
   {

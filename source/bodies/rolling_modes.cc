@@ -1,5 +1,4 @@
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/bodies/road_rows.h>
 #include <vibrocontact/bodies/rolling_modes.h>
@@ -91,10 +90,7 @@ namespace vibrocontact
       {
         const Complex lambda = s * found.values[k];
         const bool is_real = std::abs(lambda.imag()) < 1e-9 * std::abs(lambda);
-        if (!(lambda.real() < 1e-10 * s))
-          throw InputError("The ring's motion in " + std::to_string(order_of(flow, block)) +
-                           " waves grows at " + number_text(rotation) +
-                           " rad/s: give it a lower speed or more stiffness.");
+        check_decay(lambda, order_of(flow, block), s, rotation);
         if (!is_real && lambda.imag() < 0)
           continue;
         BlockPole pole{lambda, {}, {}};

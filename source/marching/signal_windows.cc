@@ -3,6 +3,8 @@
 #include <vibrocontact/marching/signal_windows.h>
 #include <vibrocontact/output/verdict.h>
 
+#include <tuple>
+
 namespace vibrocontact
 {
   void SignalWindows::declare_parameters(dealii::ParameterHandler &prm, const std::string &latest)
@@ -29,9 +31,12 @@ namespace vibrocontact
 
   void SignalWindows::judge(const std::string &section, const double end_time, Results &results) const
   {
-    if (spectrum_duration > end_time)
-      doubt(section + "/Signals/Spectrum duration is " + number_text(spectrum_duration) +
-                " s, longer than the run of " + number_text(end_time) + " s, all of which is taken instead.",
-            results);
+    for (const auto &[entry, value, taken] :
+         {std::tuple("Spectrum duration", spectrum_duration, "all of which is taken instead"),
+          std::tuple("Growth end", growth_end, "whose end is taken instead")})
+      if (value > end_time)
+        doubt(section + "/Signals/" + entry + " is " + number_text(value) + " s, longer than the run of " +
+                  number_text(end_time) + " s, " + taken + ".",
+              results);
   }
 } // namespace vibrocontact

@@ -45,12 +45,11 @@ namespace vibrocontact
             continue;
           const auto quoted = [](const ParameterText::Entry *const e)
           { return e ? "\"" + e->value + "\"" : std::string("absent"); };
-          throw InputError(joined_path(entry.section, entry.name) + " is " +
-                           quoted(a_is_before ? other : &entry) + ", but was " +
-                           quoted(a_is_before ? &entry : other) + " in the run in \"" + folder +
-                           "\": --resume goes on with the same parameters, only End time of Transient or "
-                           "Modal convolution and "
-                           "section Output may change");
+          throw InputError(
+              joined_path(entry.section, entry.name) + " is " + quoted(a_is_before ? other : &entry) +
+              ", but was " + quoted(a_is_before ? &entry : other) + " in the run in \"" + folder +
+              "\": --resume goes on with the same parameters, only End time and Checkpoint interval of "
+              "Transient or Modal convolution and section Output may change");
         }
       };
       compare(before, now, true);

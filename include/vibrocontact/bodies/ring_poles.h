@@ -75,4 +75,8 @@ namespace vibrocontact
   /// The same ring at rest by its real modes: of each order n > 0 both branches, twice, a quarter of a wave apart.
   /// @throws InputError if a motion is rigid
   BodyInContact ring_modes(const RingParameters &ring, const std::vector<RingRow> &rows);
+
+  /// @param pole of a motion in so many waves @param scale of frequencies of these motions [rad/s]
+  /// @throws InputError if it grows
+  void check_decay(const std::complex<double> &pole, unsigned int order, double scale, double rotation);
 } // namespace vibrocontact

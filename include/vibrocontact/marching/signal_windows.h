@@ -20,7 +20,7 @@ namespace vibrocontact
     void declare_parameters(dealii::ParameterHandler &prm, const std::string &latest);
     /// @param section of the analysis @param end_time of its motion [s] @throws InputError
     void check(const std::string &section, double end_time) const;
-    /// Says in the results that the run is shorter than the spectrum's part of it.
+    /// Says in the results that the run is shorter than these.
     void judge(const std::string &section, double end_time, Results &results) const;
   };
 } // namespace vibrocontact

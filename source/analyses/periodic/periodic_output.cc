@@ -182,7 +182,8 @@ namespace vibrocontact
       lines.push_back(name + text("%.6g Hz: displacement %.5g to %.5g m", number(one, "frequency_Hz"),
                                   number(one, "tip_min_m"), number(one, "tip_max_m")));
       if (const Json &impulse = list(one, "impulse_Ns"); !impulse.empty())
-        lines.back() += text(", impulse of a period %.5g N s", impulse[0].get<double>());
+        lines.back() += text(", impulse of a period %.5g N s", impulse[0].get<double>()) +
+                        (impulse.size() > 1 ? text(" at the first of %zu points", impulse.size()) : "");
       if (is_given(one, "error_to_reference"))
         lines.back() += text("; error %.2g against shooting", number(one, "error_to_reference"));
     }

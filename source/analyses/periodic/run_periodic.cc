@@ -92,7 +92,9 @@ namespace vibrocontact
       if (solved.solution.converged)
       {
         log.value("largest displacement", solved.motion.tip_max, "m");
-        log.value("impulse of a period", solved.motion.impulse[0], "N s");
+        log.value(solved.motion.impulse.size() > 1 ? "impulse of a period, first point"
+                                                   : "impulse of a period",
+                  solved.motion.impulse[0], "N s");
       }
       if (solved.errors)
         log.value("relative error to shooting", solved.errors->displacement);

@@ -41,7 +41,8 @@ namespace vibrocontact
       log.value("steps", static_cast<unsigned long long>(result.steps));
       log.value("time", result.time, "s");
       log.value("per step", result.seconds / std::max(1ul, result.steps) * 1e6, "us");
-      log.value("wall time over simulated time", result.seconds / std::max(1e-300, result.time));
+      if (result.time > 0)
+        log.value("wall time over simulated time", result.seconds / result.time);
       log.value("solver iterations per step", result.iterations / std::max(1., double(result.steps)));
       if (result.rejected > 0)
         log.value("steps repeated with half their length", static_cast<unsigned long long>(result.rejected));
