@@ -109,14 +109,6 @@ namespace vibrocontact
       return poles;
     }
 
-    // of n = 0 keep one of a pair, and real poles by half
-    bool keep_half(const Pole &pole, double &weight)
-    {
-      const bool is_real = std::abs(pole.lambda.imag()) < 1e-9 * std::abs(pole.lambda);
-      weight = is_real ? 0.5 : 1;
-      return is_real || pole.lambda.imag() > 0;
-    }
-
     void check_held(const RingParameters &ring, const unsigned int n)
     {
       const RingParameters::Order L = ring.order(n);
@@ -125,6 +117,12 @@ namespace vibrocontact
                          " waves: give it foundation stiffness or more inflation pressure.");
     }
   } // namespace
+
+  double share_of_pair(const Complex &pole)
+  {
+    const bool is_real = std::abs(pole.imag()) < 1e-9 * std::abs(pole);
+    return is_real ? 0.5 : pole.imag() > 0 ? 1. : 0.;
+  }
 
   void check_decay(const Complex &pole, const unsigned int order, const double scale, const double rotation)
   {
@@ -158,9 +156,9 @@ namespace vibrocontact
       unsigned int branch = 0;
       for (Pole pole : poles)
       {
-        double weight = 1;
+        const double weight = n == 0 ? share_of_pair(pole.lambda) : 1.;
         ++branch;
-        if (n == 0 && !keep_half(pole, weight))
+        if (weight == 0)
           continue;
         model.poles.push_back(frame == RingFrame::road ? pole.lambda - j * (n * rotation) : pole.lambda);
         for (Complex &value : pole.left)

@@ -89,15 +89,15 @@ namespace vibrocontact
       for (unsigned int k = 0; k < 2 * n; ++k)
       {
         const Complex lambda = s * found.values[k];
-        const bool is_real = std::abs(lambda.imag()) < 1e-9 * std::abs(lambda);
         check_decay(lambda, order_of(flow, block), s, rotation);
-        if (!is_real && lambda.imag() < 0)
+        const double share = share_of_pair(lambda);
+        if (share == 0)
           continue;
         BlockPole pole{lambda, {}, {}};
         for (unsigned int i = 0; i < n; ++i)
         {
           pole.right.push_back(found.right(i, k));
-          pole.left.push_back((is_real ? 0.5 : 1.) / s * found.left(k, n + i));
+          pole.left.push_back(share / s * found.left(k, n + i));
         }
         poles.push_back(pole);
       }

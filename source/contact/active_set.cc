@@ -55,7 +55,7 @@ namespace vibrocontact
   bool ActiveSetSolver::takes(const ContactProblem &problem)
   {
     return problem.n_components() == 1 && !problem.force_given() && !problem.A->fast_product() &&
-           !problem.normal_law.any([](const NormalLaw &law) { return !law.is_rigid(); });
+           problem.normal_law.all(&NormalLaw::is_rigid);
   }
 
   void ActiveSetSolver::prepare(const ContactProblem &problem)

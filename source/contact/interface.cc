@@ -277,6 +277,13 @@ namespace vibrocontact
     return laws_of<NormalLaw>(sections, contacts, [](const ContactParameters &one) { return one.law(); });
   }
 
+  PointLaws<NormalLaw> normal_law_of_points(const ContactSections &sections, const PlacedContacts &contacts,
+                                            const std::string &name)
+  {
+    return laws_of<NormalLaw>(sections, contacts,
+                              [&](const ContactParameters &one) { return one.law(name); });
+  }
+
   PointLaws<FrictionLaw> friction_law_of_points(const ContactSections &sections,
                                                 const PlacedContacts &contacts)
   {

@@ -1,7 +1,6 @@
+#include <vibrocontact/numerics/bordered_matrix.h>
 #include <vibrocontact/numerics/continuation.h>
 #include <vibrocontact/numerics/newton_method.h>
-
-#include <deal.II/lac/lapack_templates.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,54 +33,6 @@ namespace vibrocontact
     {
       return std::all_of(x.begin(), x.end(), [](const double value) { return std::isfinite(value); });
     }
-
-    /// [R_x, R_p; row] factorised
-    class Bordered
-    {
-    public:
-      /// false if it is singular
-      bool factorise(const DenseMatrix &by_x, const Vector &by_p, const Vector &row,
-                     const ContinuationSettings &s)
-      {
-        const unsigned int n = by_p.size();
-        size = n + 1;
-        matrix.resize(std::size_t(size) * size);
-        pivots.resize(size);
-        for (unsigned int j = 0; j < n; ++j)
-        {
-          for (unsigned int i = 0; i < n; ++i)
-            matrix[std::size_t(j) * size + i] = by_x(i, j) * (s.x_scale / s.residual_scale);
-          matrix[std::size_t(j) * size + n] = row[j];
-        }
-        for (unsigned int i = 0; i < n; ++i)
-          matrix[std::size_t(n) * size + i] = by_p[i] * (s.p_scale / s.residual_scale);
-        matrix[std::size_t(n) * size + n] = row[n];
-        if (!is_finite(matrix))
-          return false;
-        dealii::types::blas_int info;
-        dealii::getrf(&size, &size, matrix.data(), &size, pivots.data(), &info);
-        return info == 0;
-      }
-      int sign() const
-      {
-        int result = 1;
-        for (int i = 0; i < size; ++i)
-          if ((matrix[std::size_t(i) * size + i] < 0) != (pivots[i] != i + 1))
-            result = -result;
-        return result;
-      }
-      void solve(Vector &rhs) const
-      {
-        const dealii::types::blas_int one = 1;
-        dealii::types::blas_int info;
-        dealii::getrs("N", &size, &one, matrix.data(), &size, pivots.data(), rhs.data(), &size, &info);
-      }
-
-    private:
-      dealii::types::blas_int size = 0;
-      Vector matrix;
-      std::vector<dealii::types::blas_int> pivots;
-    };
 
     class Tracer
     {
@@ -116,6 +67,11 @@ namespace vibrocontact
                                         const std::function<double(const CurvePoint &)> &value);
       bool find_special(std::vector<CurvePoint> &found, const CurvePoint &base, const Vector &along,
                         const CurvePoint &end);
+      bool factorise(const Vector &row)
+      {
+        return bordered.factorise(by_x, s.x_scale / s.residual_scale, by_p, s.p_scale / s.residual_scale,
+                                  row);
+      }
       Vector packed(const CurvePoint &point) const
       {
         Vector y = point.x;
@@ -137,7 +93,7 @@ namespace vibrocontact
 
       CurveEquations &equations;
       const ContinuationSettings &s;
-      Bordered bordered;
+      BorderedMatrix bordered;
       DenseMatrix by_x;
       Vector by_p, residual;
     };
@@ -169,7 +125,7 @@ namespace vibrocontact
 
       bool find_step(bool, Vector &step) override
       {
-        if (!tracer.bordered.factorise(tracer.by_x, tracer.by_p, row, tracer.s))
+        if (!tracer.factorise(row))
           return false;
         step = tracer.residual;
         for (double &value : step)
@@ -209,7 +165,7 @@ namespace vibrocontact
 
     bool Tracer::set_tangent(CurvePoint &point, const Vector &reference)
     {
-      if (!bordered.factorise(by_x, by_p, reference, s))
+      if (!factorise(reference))
         return false;
       point.tangent.assign(reference.size(), 0.);
       point.tangent.back() = 1;

@@ -302,4 +302,12 @@ namespace vibrocontact
       check_local_flexibility(parameters, one, joined);
     }
   }
+
+  void check_speed_of_road(const BodyParameters &body, const RoadParameters &road)
+  {
+    if (body.rolls() && road.speed == 0)
+      throw InputError(body.name +
+                       "/Ring/Rolling is true, but Road/Speed is 0: the poles of a rolling ring need a "
+                       "constant Speed, give it.");
+  }
 } // namespace vibrocontact

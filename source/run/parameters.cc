@@ -242,10 +242,9 @@ namespace vibrocontact
   {
     if (contacts.all.size() == 1)
       return periodic_law(0);
-    std::vector<std::pair<std::shared_ptr<const NormalLaw>, unsigned int>> all;
-    for (unsigned int k = 0; k < contacts.all.size(); ++k)
-      all.emplace_back(periodic_law(k), contact_grid(k).n_points());
-    return PointLaws<NormalLaw>::of_contacts(all);
+    const std::string own = periodic.own_law();
+    return own.empty() ? normal_law_of_points(contacts, placed_contacts())
+                       : normal_law_of_points(contacts, placed_contacts(), own);
   }
 
   void read_parameters(ParameterFile &file, dealii::ParameterHandler &prm, Parameters &parameters,

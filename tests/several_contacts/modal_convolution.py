@@ -4,27 +4,20 @@
 A block on two patches equals the block on one grid that holds both, with friction and without. A bar on two stops with two
 laws moves as in the transient of the same file.
 """
+from long_block import block, one_grid, two_patches
 from scene import Check, entries, run, section, table
 
 check = Check()
-row = 2e-3
-block = section("block", "set Type = block",
-                section("Block", entries(Length=7 * row, Width=row, Height=0.02, Divisions_x=7, Divisions_y=1,
-                                         Divisions_z=5, Contact_face="bottom", Held="top")),
-                section("Material", entries(Young_modulus="1e10", Poisson_ratio=0.3, Density=1500, Loss_factor=0.02)),
-                section("Modes", entries(Count=10)))
 # the road is hollow: the ends of the block touch, its middle does not
 road = dict(Profile="expression", Expression="0.1*s*s", Indentation=-1.5e-6, Loading_time=2e-5)
-patch = dict(Grid_spacing=row, Strip_length=row, Friction_coefficient=0.3)
 
 
 def on_patches(name, listed, friction, ranks=1):
-    contacts = ([section(one, entries(Bodies="block, base", Origin=f"{x}, 0, 0", Half_length=row, **patch))
-                 for one, x in (("rear", -2 * row), ("front", 2 * row))] if listed else
-                [section("Contact", entries(Half_length=3 * row, **patch))])
+    contacts = (two_patches if listed else one_grid)(Friction_coefficient=0.3)
     own = dict(road, Sliding_speed=1) if friction else road
     text = "\n".join(["set Bodies = block, base", "set Contacts = rear, front" if listed else "",
-                      "set Analyses = modal convolution", block, section("base", "set Type = rigid"), *contacts,
+                      "set Analyses = modal convolution", block(Loss_factor=0.02), section("base", "set Type = rigid"),
+                      contacts,
                       section("Road", entries(**own)),
                       section("Modal convolution", entries(Time_step=5e-7, End_time=2e-4, Friction=str(friction).lower(),
                                                            Force_shape="constant"))])

@@ -5,39 +5,25 @@ A block on two patches equals the block on one grid that holds both, with fricti
 one node pushes both alike. A bar on two stops with two laws, and two bars that meet at two places, against their transients
 until they repeat. A list of one contact has the response curve of section Contact.
 """
+from long_block import block, hollow_base, one_grid, two_patches
 from scene import Check, entries, run, section, table
 
 check = Check()
 
-# the base is hollow along the block: its ends touch, its middle does not
-row = 2e-3
-block = section("block", "set Type = block",
-                section("Block", entries(Length=7 * row, Width=row, Height=0.02, Divisions_x=7, Divisions_y=1,
-                                         Divisions_z=5, Contact_face="bottom", Held="top")),
-                section("Material", entries(Young_modulus="1e10", Poisson_ratio=0.3, Density=1500, Loss_factor=0.02)),
-                section("Modes", entries(Count=10)))
-base = section("base", "set Type = rigid", section("Rigid", entries(Radius_x=-5, Radius_y=0)))
-patch = dict(Grid_spacing=row, Strip_length=row)
-
 
 def on_patches(name, contacts, names="", ranks=1, **gap):
-    return run(name, "\n".join(["set Bodies = block, base", names, "set Analyses = periodic", block, base, contacts,
+    return run(name, "\n".join(["set Bodies = block, base", names, "set Analyses = periodic", block(Loss_factor=0.02), hollow_base,
+                                contacts,
                                 section("Periodic", entries(Number_of_functions=31, Frequency=15000, Force=12, Samples=512,
                                                             Force_point="0.006, 0, 0, 0.3, 0, 1", **gap))]), ranks)
 
 
-def two_patches(**more):
-    return "\n".join(section(name, entries(Bodies="block, base", Origin=f"{x}, 0, 0", **patch, Half_length=row,
-                                           Friction_coefficient=mu, **more))
-                     for name, x, mu in (("rear", -2 * row, 0.2), ("front", 2 * row, more.pop("front", 0.2))))
-
-
-grid = section("Contact", entries(**patch, Half_length=3 * row, Friction_coefficient=0.2))
-one, one_folder = on_patches("one_grid", grid, Gap=3.6e-6)
+one, one_folder = on_patches("one_grid", one_grid(Friction_coefficient=0.2), Gap=3.6e-6)
 single = one["periodic"][0]
 check.near("nothing between the patches", single["impulse_Ns"][3], 0, 1e-300, 1)
 for ranks in (1, 2):
-    two, folder = on_patches(f"two_grids_{ranks}", two_patches(Gap=1e-6), "set Contacts = rear, front", ranks, Gap=2.6e-6)
+    two, folder = on_patches(f"two_grids_{ranks}", two_patches(Friction_coefficient=0.2, Gap=1e-6),
+                             "set Contacts = rear, front", ranks, Gap=2.6e-6)
     found = two["periodic"][0]
     apart = single["impulse_Ns"][:3] + single["impulse_Ns"][4:]
     for p, (a, b) in enumerate(zip(apart, found["impulse_Ns"])):
@@ -53,7 +39,8 @@ for ranks in (1, 2):
         worst = max(abs(a[names[0]] - b[names[1]]) for a, b in zip(*rows))
         check.near(f"{what} of the last point", worst, 0, 1e-10, size)
     check.near("something rubs there", size > 0.1, True, 1e-9)
-smooth = on_patches("smooth_front", two_patches(Gap=1e-6, front=0), "set Contacts = rear, front", Gap=2.6e-6)[1]
+smooth = on_patches("smooth_front", two_patches({"Friction_coefficient": 0}, Friction_coefficient=0.2, Gap=1e-6),
+                    "set Contacts = rear, front", Gap=2.6e-6)[1]
 forces = [max(abs(line[f"{p}tangential_force_1_N"]) for line in table(smooth, "periodic_0.csv")) for p in ("", "point_5_")]
 check.near("friction of the rear", forces[0] > 0.1, True, 1e-9)
 check.near("none in front", forces[1], 0, 1e-12, forces[0])

@@ -7,38 +7,23 @@ elements. The transient of nearly all modes, without mass in the contact, is nea
 """
 import math
 
+from long_block import block, hollow_base, one_grid, two_patches
 from scene import Check, entries, run, section, table
 
-row = 2e-3
 check = Check()
-
-
-def block(divisions=1, modes=30):
-    return section("block", "set Type = block",
-                   section("Block", entries(Length=7 * row, Width=row, Height=0.02, Divisions_x=7, Divisions_y=1,
-                                            Divisions_z=divisions, Contact_face="bottom", Held="top")),
-                   section("Material", entries(Young_modulus="1e10", Poisson_ratio=0.3, Density=1500)),
-                   section("Modes", entries(Count=modes)))
-
-
-# hollow along the block: its ends touch, its middle does not
-base = section("base", "set Type = rigid", section("Rigid", entries(Radius_x=-5, Radius_y=0)))
 solver = section("Solver", entries(Tolerance=1e-13))
 
 
 def contacts(listed, **more):
-    own = dict(Grid_spacing=row, Strip_length=row, Friction_coefficient=0.3, **more)
-    if not listed:
-        return section("Contact", entries(Half_length=3 * row, **own), solver)
-    return "\n".join([section(name, entries(Bodies="block, base", Origin=f"{x}, 0, 0", Half_length=row, **own))
-                      for name, x in (("rear", -2 * row), ("front", 2 * row))] + [section("Contact", solver)])
+    own = dict(Friction_coefficient=0.3, **more)
+    return two_patches(**own) + "\n" + section("Contact", solver) if listed else one_grid(solver, **own)
 
 
 def both(name, analysis, more, ranks=1, body=None, law=None):
     found = []
     for form in (False, True):
         text = "\n".join(["set Bodies = block, base", "set Contacts = rear, front" if form else "",
-                          f"set Analyses = {analysis}", body or block(), base, contacts(form, **(law or {})), more])
+                          f"set Analyses = {analysis}", body or block(1, 30), hollow_base, contacts(form, **(law or {})), more])
         found.append(run(f"{name}_{form}_{ranks}", text, ranks))
     return found
 
@@ -61,7 +46,7 @@ def compare_roots(what, folders):
 spring = dict(Normal_law="linear spring", Penalty_amplitude=1e8, Penalty_exponent=1)
 for name, hub, ranks, body, law in (
         ("elements", "massless", 1, None, None), ("elements", "massless", 2, None, None), ("held", "held", 1, None, None),
-        ("springs", "held", 1, None, spring), ("sparse", "massless", 1, block(6), None)):
+        ("springs", "held", 1, None, spring), ("sparse", "massless", 1, block(6, 30), None)):
     stability = section("Stability", entries(Model="finite elements", Number_of_roots=12))
     (_, one), (_, two) = both(name, "stability", sliding(Normal_force=60, Hub=hub) + "\n" + stability, ranks, body, law)
     compare_roots(f"{name} {ranks}", (one, two))

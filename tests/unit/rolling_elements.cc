@@ -9,6 +9,8 @@
 #include <vibrocontact/reduction/flow_reduction.h>
 #include <vibrocontact/reduction/reduction_parts.h>
 
+#include "at_rest.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -65,19 +67,6 @@ namespace
         nearest = std::min({nearest, std::abs(one - pole), std::abs(std::conj(one) - pole)});
       result = std::max(result, nearest / std::abs(pole));
     }
-    return result;
-  }
-
-  /// What constant forces do to it, or to its gradient.
-  DenseMatrix at_rest(BodyInContact body, const bool gradient)
-  {
-    if (gradient)
-    {
-      body.right = body.gradient;
-      body.residual = body.residual_gradient;
-    }
-    DenseMatrix result = sum_over_poles(body, static_weights(body));
-    result.add(1., body.residual);
     return result;
   }
 

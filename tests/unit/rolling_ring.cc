@@ -3,6 +3,8 @@
 #include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/contact/creep.h>
 
+#include "at_rest.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,19 +22,6 @@ namespace
     BodyInContact body = ring_poles(ring, ring_rows(ring, true), rotation);
     add_gradient(body, ring, rotation, find_creep_scheme(scheme).coefficients);
     return body;
-  }
-
-  /// What constant forces do to it, and to its gradient.
-  DenseMatrix at_rest(BodyInContact body, const bool gradient)
-  {
-    if (gradient)
-    {
-      body.right = body.gradient;
-      body.residual = body.residual_gradient;
-    }
-    DenseMatrix result = sum_over_poles(body, static_weights(body));
-    result.add(1., body.residual);
-    return result;
   }
 } // namespace
 

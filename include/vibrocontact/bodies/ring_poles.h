@@ -76,6 +76,9 @@ namespace vibrocontact
   /// @throws InputError if a motion is rigid
   BodyInContact ring_modes(const RingParameters &ring, const std::vector<RingRow> &rows);
 
+  /// What of a pole stands for its pair: the upper of two conjugate ones whole, real ones by half, the lower one not (0).
+  double share_of_pair(const std::complex<double> &pole);
+
   /// @param pole of a motion in so many waves @param scale of frequencies of these motions [rad/s]
   /// @throws InputError if it grows
   void check_decay(const std::complex<double> &pole, unsigned int order, double scale, double rotation);

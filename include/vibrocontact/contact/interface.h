@@ -114,6 +114,9 @@ namespace vibrocontact
 
   /// The laws of all points.
   PointLaws<NormalLaw> normal_law_of_points(const ContactSections &sections, const PlacedContacts &contacts);
+  /// The same with one law by its name in place of Contact/Normal law.
+  PointLaws<NormalLaw> normal_law_of_points(const ContactSections &sections, const PlacedContacts &contacts,
+                                            const std::string &name);
   PointLaws<FrictionLaw> friction_law_of_points(const ContactSections &sections,
                                                 const PlacedContacts &contacts);
 

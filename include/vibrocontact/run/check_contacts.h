@@ -12,4 +12,7 @@ namespace vibrocontact
 
   /// What contacts join and where, against the bodies of the scene and the analyses. @throws InputError
   void check_contacts(const Parameters &parameters);
+
+  /// A body that rolls does so at the speed of its road. @throws InputError
+  void check_speed_of_road(const BodyParameters &body, const RoadParameters &road);
 } // namespace vibrocontact

@@ -131,7 +131,7 @@ namespace vibrocontact
       : propagator(make_propagator(parameters, with_gradient_rows(model), n_steps)),
         compliance(first_block(propagator->compliance(), model.n_rows())),
         is_common(parameters.contact_solver == "common" || model.n_rows() > n_points ||
-                  laws.normal.any([](const NormalLaw &one) { return !one.is_rigid(); })),
+                  !laws.normal.all(&NormalLaw::is_rigid)),
         n(n_points), step(parameters.time_step), sliding_speed(sliding_speed),
         rolling_speed(model.gradient.m() > 0 ? speed : 0.),
         problem(road_contact_problem(propagator->compliance(), n_points, laws, parameters.time_step,

@@ -181,8 +181,8 @@ namespace vibrocontact
           section,
           "Method, Time step, End time, Friction, History interval, Checkpoint interval, Error estimate");
       entries.add_if(steps, section + "/Method is no event located", section, "Force shape");
-      const bool rigid = !normal_law_of_points(parameters.contacts, parameters.placed_contacts())
-                              .any([](const NormalLaw &law) { return !law.is_rigid(); });
+      const bool rigid =
+          normal_law_of_points(parameters.contacts, parameters.placed_contacts()).all(&NormalLaw::is_rigid);
       const std::string laws = parameters.contact().section + "/Normal law";
       entries.add_if(steps && !own.friction && rigid,
                      section + "/Method is no event located, Friction is false and " + laws + " is signorini",

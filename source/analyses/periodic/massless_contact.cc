@@ -5,49 +5,23 @@
 
 namespace vibrocontact
 {
-  namespace
-  {
-    /// p_n = -N: forces on the body and motions into the stop by those of the contact problem
-    double sign(const unsigned int row)
-    {
-      return row % 3 == 0 ? -1. : 1.;
-    }
-
-    /// A in y = A R + b, rows by contact_row(), from S point by point
-    DenseMatrix contact_matrix(const DenseMatrix &S)
-    {
-      const unsigned int n_rows = S.m(), n = n_rows / 3;
-      DenseMatrix matrix(n_rows, n_rows);
-      for (unsigned int i = 0; i < n_rows; ++i)
-        for (unsigned int j = 0; j < n_rows; ++j)
-          matrix(i % 3 * n + i / 3, j % 3 * n + j / 3) = sign(i) * sign(j) * S(i, j);
-      return matrix;
-    }
-  } // namespace
-
   MasslessContact::MasslessContact(const DenseMatrix &residual, const std::vector<double> &friction)
-      : S(residual), n(residual.m())
+      : points(residual, 3, friction), n(residual.m())
   {
-    problem.title = "contact points without mass";
-    problem.A = std::make_shared<DenseContactOperator>(contact_matrix(S));
-    problem.b.reinit(n);
-    problem.mu = friction;
   }
 
   bool MasslessContact::march(const std::vector<double> &w, const std::vector<double> &gap,
                               std::vector<double> &p)
   {
     const unsigned int count = w.size() / n;
-    std::vector<double> here(n), before(n), force(n, 0.), rates(n * n);
-    // place of a row in the contact problem
-    const auto at = [this](const unsigned int row) { return row % 3 * (n / 3) + row / 3; };
+    std::vector<double> here(n), before(n), force(n, 0.);
     const auto load = [&](const unsigned int k)
     {
       bool is_open = true;
       for (unsigned int i = 0; i < n; ++i)
       {
         here[i] = w[i * count + k];
-        is_open = is_open && (i % 3 != 0 || here[i] < gap[i / 3]);
+        is_open = is_open && (!points.is_normal(i) || here[i] < gap[i / 3]);
       }
       return is_open;
     };
@@ -57,11 +31,9 @@ namespace vibrocontact
     order.clear();
     for (unsigned int k = 0; k < (first < count ? count : 2 * count); ++k)
       order.push_back((first + k) % count);
-    rate_w.assign(count, {});
-    rate_before.assign(count, {});
+    rates.assign(count, {});
     p.assign(w.size(), 0.);
     statuses.assign(w.size() / 3, ContactStatus::open);
-    solution.R.reinit(n);
     load(order[0]);
     before = here;
     bool solved = true;
@@ -71,35 +43,18 @@ namespace vibrocontact
         std::fill(force.begin(), force.end(), 0.);
       else
       {
-        for (unsigned int i = 0; i < n; ++i)
-        {
-          problem.b[at(i)] = i % 3 == 0 ? gap[i / 3] - here[i] : here[i] - before[i];
-          solution.R[at(i)] = sign(i) * force[i];
-        }
-        contact.solve(problem, solution);
-        solved = solution.converged && solved;
+        solved = points.solve(here, before.data(), gap, force) && solved;
         for (unsigned int i = 0; i < n / 3; ++i)
-          statuses[i * count + k] = solution.status[i];
-        solved = contact.sensitivity(rates.data()) && solved;
-        rate_w[k].resize(n * n);
-        rate_before[k].assign(n * n, 0.);
-        for (unsigned int i = 0; i < n; ++i)
-        {
-          force[i] = sign(i) * solution.R[at(i)];
-          for (unsigned int j = 0; j < n; ++j)
-          {
-            rate_w[k][i * n + j] = sign(i) * sign(j) * rates[at(j) * n + at(i)];
-            if (j % 3 != 0)
-              rate_before[k][i * n + j] = -rate_w[k][i * n + j];
-          }
-        }
+          statuses[i * count + k] = points.status()[i];
+        rates[k].resize(n * n);
+        solved = points.rates(rates[k].data()) && solved;
       }
       for (unsigned int i = 0; i < n; ++i)
       {
         p[i * count + k] = force[i];
         before[i] = here[i];
         for (unsigned int j = 0; j < n; ++j)
-          before[i] += S(i, j) * force[j];
+          before[i] += points.S(i, j) * force[j];
       }
     }
     return solved;
@@ -112,14 +67,14 @@ namespace vibrocontact
     std::vector<double> values(N), values_before(N);
     // samples are summed in batches, as products of matrices
     constexpr unsigned int batch = 64;
-    DenseMatrix weight(N, batch), rates(n * columns, batch), sums(N, n * columns);
+    DenseMatrix weight(N, batch), forces(n * columns, batch), sums(N, n * columns);
     unsigned int waiting = 0;
     const auto add_waiting = [&]
     {
       for (; waiting > 0 && waiting < batch; ++waiting)
         std::fill_n(&weight(0, waiting), N, 0.);
       if (waiting > 0)
-        weight.mTmult(sums, rates, true);
+        weight.mTmult(sums, forces, true);
       waiting = 0;
     };
     // rates of the force and of the position before by all coefficients, row by row
@@ -129,7 +84,7 @@ namespace vibrocontact
     for (unsigned int turn = 0; turn < order.size(); ++turn)
     {
       const unsigned int k = order[turn];
-      if (rate_w[k].empty())
+      if (rates[k].empty())
         continue;
       const unsigned int last = order[turn > 0 ? turn - 1 : 0];
       const double grown = std::exp(growth * turn),
@@ -139,7 +94,7 @@ namespace vibrocontact
         values[l] = grown * basis(k, l);
         values_before[l] = grown_before * basis(last, l);
       }
-      if (turn == 0 || rate_w[last].empty())
+      if (turn == 0 || rates[last].empty())
       {
         std::fill(position.begin(), position.end(), 0.);
         for (unsigned int i = 0; i < n; ++i)
@@ -150,8 +105,8 @@ namespace vibrocontact
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)
         {
-          const double direct = rate_w[k][i * n + j], history = rate_before[k][i * n + j];
-          if ((direct != 0 || history != 0) && (loaded.empty() || loaded.back() != i))
+          const double direct = rates[k][i * n + j], history = points.is_normal(j) ? 0. : -direct;
+          if (direct != 0 && (loaded.empty() || loaded.back() != i))
             loaded.push_back(i);
           double *const to = &rate[i * columns];
           if (direct != 0)
@@ -165,7 +120,7 @@ namespace vibrocontact
       {
         for (unsigned int l = 0; l < N; ++l)
           weight(l, waiting) = weights(k, l) / grown;
-        std::copy(rate.begin(), rate.end(), &rates(0, waiting));
+        std::copy(rate.begin(), rate.end(), &forces(0, waiting));
         if (++waiting == batch)
           add_waiting();
       }
@@ -176,7 +131,7 @@ namespace vibrocontact
         std::copy(values.begin(), values.end(), &position[i * columns + i * N]);
         for (const unsigned int j : loaded)
           for (unsigned int l = 0; l < columns; ++l)
-            position[i * columns + l] += S(i, j) * rate[j * columns + l];
+            position[i * columns + l] += points.S(i, j) * rate[j * columns + l];
       }
     }
     add_waiting();

@@ -6,7 +6,10 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
+#include <functional>
 #include <sstream>
 
 namespace vibrocontact
@@ -298,20 +301,15 @@ namespace vibrocontact
 
   std::string PeriodicParameters::law_in_results(const std::vector<std::string> &normal_laws) const
   {
-    const auto called = [&](const std::string &normal_law)
+    std::vector<std::string> names;
+    for (const std::string &normal_law : normal_laws)
     {
-      for (const auto &[short_name, name] : short_names)
-        if ((law.empty() ? normal_law : own_law()) == name)
-          return short_name;
-      return normal_law;
-    };
-    std::string all = called(normal_laws.front());
-    bool differ = false;
-    for (unsigned int k = 1; k < normal_laws.size(); ++k)
-    {
-      differ = differ || called(normal_laws[k]) != called(normal_laws.front());
-      all += ", " + called(normal_laws[k]);
+      const std::string &taken = law.empty() ? normal_law : own_law();
+      const auto known = std::find_if(std::begin(short_names), std::end(short_names),
+                                      [&](const auto &one) { return one.second == taken; });
+      names.push_back(known != std::end(short_names) ? known->first : normal_law);
     }
-    return differ ? all : called(normal_laws.front());
+    const bool differ = std::adjacent_find(names.begin(), names.end(), std::not_equal_to<>()) != names.end();
+    return differ ? boost::algorithm::join(names, ", ") : names.front();
   }
 } // namespace vibrocontact

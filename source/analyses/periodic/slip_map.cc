@@ -21,10 +21,11 @@ namespace vibrocontact
   SlipMap::SlipMap(const ForcedBody &body, const std::vector<double> &friction, const HarmonicForce &force,
                    const unsigned int n_samples, const double phase, const unsigned int first,
                    const unsigned int parts)
-      : body(body), force(force), n(body.n_modes()), rows(body.n_contact_rows()),
-        per_point(body.rows_per_point), points(body.n_points()), count(n_samples), first(first), parts(parts),
-        phase(phase), S(body.contact_residual()), status(points * n_samples, ContactStatus::open),
-        here(points), w(rows), p(rows), rates(rows * rows), by_w(rows, n_states()), by_p(rows, n_states())
+      : body(body), force(force), n(body.n_modes()), rows(body.n_contact_rows()), n_points(body.n_points()),
+        count(n_samples), first(first), parts(parts), phase(phase),
+        points(body.contact_residual(), body.rows_per_point, friction),
+        status(n_points * n_samples, ContactStatus::open), here(n_points), w(rows), p(rows),
+        rates(rows * rows), by_w(rows, n_states()), by_p(rows, n_states())
   {
     if (!resolves(body, force.frequency, count))
       throw ConvergenceError(
@@ -49,15 +50,6 @@ namespace vibrocontact
         row_rest[i] += body.trace(i, m) * mode_rest[m];
       }
     }
-    DenseMatrix A(rows, rows);
-    for (unsigned int i = 0; i < rows; ++i)
-      for (unsigned int j = 0; j < rows; ++j)
-        A(at(i), at(j)) = sign(i) * sign(j) * S(i, j);
-    problem.title = "contact points without mass";
-    problem.A = std::make_shared<DenseContactOperator>(A, per_point);
-    problem.b.reinit(rows);
-    problem.mu = friction;
-    solution.R.reinit(rows);
   }
 
   bool SlipMap::resolves(const ForcedBody &body, const double frequency, const unsigned int n_samples)
@@ -124,31 +116,24 @@ namespace vibrocontact
       w[i] = row_rest[i] + (row_answer[i] * turn).imag();
       for (unsigned int m = 0; m < n; ++m)
         w[i] += body.trace(i, m) * x[m];
-      touches = touches || (i % per_point == 0 && w[i] > body.gap[i / per_point]);
+      touches = touches || (points.is_normal(i) && w[i] > body.gap[i / body.rows_per_point]);
     }
     if (touches)
     {
-      for (unsigned int i = 0; i < rows; ++i)
-      {
-        problem.b[at(i)] = i % per_point == 0 ? body.gap[i / per_point] - w[i] : w[i] - x[2 * n + i];
-        solution.R[at(i)] = sign(i) * p[i];
-      }
-      contact.solve(problem, solution);
-      solved = solution.converged && (!X || contact.sensitivity(rates.data()));
-      std::copy(solution.status.begin(), solution.status.end(), here.begin());
+      solved = points.solve(w, &x[2 * n], body.gap, p) && (!X || points.rates(rates.data()));
+      here = points.status();
     }
     else
     {
       std::fill(here.begin(), here.end(), ContactStatus::open);
       std::fill(rates.begin(), rates.end(), 0.);
+      std::fill(p.begin(), p.end(), 0.);
     }
-    for (unsigned int i = 0; i < rows; ++i)
-      p[i] = touches ? sign(i) * solution.R[at(i)] : 0.;
     for (unsigned int i = 0; i < rows; ++i)
     {
       x[2 * n + i] = w[i];
       for (unsigned int l = 0; l < rows; ++l)
-        x[2 * n + i] += S(i, l) * p[l];
+        x[2 * n + i] += points.S(i, l) * p[l];
       for (unsigned int m = 0; m < n; ++m)
         x[n + m] += body.trace(i, m) * interval * p[i];
     }
@@ -170,13 +155,12 @@ namespace vibrocontact
           dw[i] += body.trace(i, m) * column[m];
       for (unsigned int i = 0; i < rows; ++i)
         for (unsigned int l = 0; l < rows; ++l)
-          dp[i] += sign(i) * sign(l) * rates[at(l) * rows + at(i)] *
-                   (dw[l] - (l % per_point == 0 ? 0. : column[2 * n + l]));
+          dp[i] += rates[i * rows + l] * (dw[l] - (points.is_normal(l) ? 0. : column[2 * n + l]));
       for (unsigned int i = 0; i < rows; ++i)
       {
         column[2 * n + i] = dw[i];
         for (unsigned int l = 0; l < rows; ++l)
-          column[2 * n + i] += S(i, l) * dp[l];
+          column[2 * n + i] += points.S(i, l) * dp[l];
       }
       for (unsigned int m = 0; m < n; ++m)
         for (unsigned int i = 0; i < rows; ++i)
@@ -192,7 +176,7 @@ namespace vibrocontact
     // samples near a contact; intervals behind them that are to be divided
     std::vector<char> near(count, 0), changes(count, 0);
     for (unsigned int k = 0; k < count; ++k)
-      for (unsigned int i = 0; i < points; ++i)
+      for (unsigned int i = 0; i < n_points; ++i)
       {
         if (status[i * count + k] != ContactStatus::open)
           for (unsigned int j = 0; j <= 2 * margin; ++j)
@@ -210,7 +194,7 @@ namespace vibrocontact
     std::fill(p.begin(), p.end(), 0.);
     bool solved = true;
     as_expected = true;
-    std::vector<ContactStatus> found(status.size(), ContactStatus::open), last(points, ContactStatus::open);
+    std::vector<ContactStatus> found(status.size(), ContactStatus::open), last(n_points, ContactStatus::open);
     double behind = 0.5, before = 1;
     for (unsigned int k = 0; k < count; ++k)
     {
@@ -233,7 +217,7 @@ namespace vibrocontact
           as_expected = as_expected && here == last;
         last = here;
         if (node == 0)
-          for (unsigned int i = 0; i < points; ++i)
+          for (unsigned int i = 0; i < n_points; ++i)
             found[i * count + sample(k)] = here[i];
         behind = before = after;
       }

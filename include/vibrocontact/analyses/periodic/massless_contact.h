@@ -1,18 +1,14 @@
 #pragma once
 
-#include <vibrocontact/contact/few_points.h>
+#include <vibrocontact/analyses/periodic/massless_points.h>
 
 #include <vector>
 
 namespace vibrocontact
 {
-  /// Contact points without mass on the residual flexibility S of a body, before rigid stops with Coulomb friction, sample
-  /// after sample: the forces p on the body that make u = w + S p obey
-  ///
-  ///   u_n <= gap, p_n <= 0, (u_n - gap) p_n = 0,     p_t = Proj_disc(mu |p_n|) (p_t - r (u_t - u_t before))
-  ///
-  /// at w, the motion that the modes prescribe. Forces follow from the motion alone - a history of it, since the points
-  /// stick and slip -, with the rates that Newton's method asks for; they need no functions of time of their own.
+  /// Contact points without mass (massless_points.h) sample after sample. Forces follow from the motion w of the modes
+  /// alone - a history of it, since the points stick and slip -, with the rates that Newton's method asks for; they need no
+  /// functions of time of their own.
   class MasslessContact
   {
   public:
@@ -35,14 +31,11 @@ namespace vibrocontact
                    double growth = 0) const;
 
   private:
-    const DenseMatrix S;
-    ContactProblem problem;
-    ContactSolution solution;
-    FewPointsSolver contact;
+    MasslessPoints points;
     const unsigned int n;
-    /// order of the samples; dp/dw and dp/d(position before) of each in contact, empty in flight
+    /// order of the samples; dp/dw of each in contact, empty in flight
     std::vector<unsigned int> order;
-    std::vector<std::vector<double>> rate_w, rate_before;
+    std::vector<std::vector<double>> rates;
     std::vector<ContactStatus> statuses;
   };
 } // namespace vibrocontact

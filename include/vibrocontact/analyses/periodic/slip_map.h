@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/periodic/force_step.h>
-#include <vibrocontact/contact/few_points.h>
+#include <vibrocontact/analyses/periodic/massless_points.h>
 
 #include <complex>
 #include <map>
@@ -10,7 +10,7 @@
 namespace vibrocontact
 {
   /// A period of a body whose contact points have no mass and stick and slip on their residual flexibility S before rigid
-  /// stops (massless_contact.h), in time, with its derivative. Modes move exactly between nodes of time, about their motion
+  /// stops (massless_points.h), in time, with its derivative. Modes move exactly between nodes of time, about their motion
   /// without contact; at a node their motion w and the places u of the node before give the forces p,
   ///
   ///   u = w + S p,   dp = (dp/dw) dw + (dp/du_before) du_before,   q' += t^T p (half of both intervals beside the node)
@@ -54,22 +54,16 @@ namespace vibrocontact
     void fly(double t, std::vector<double> &x, DenseMatrix *X);
     bool meet(double at_phase, double interval, std::vector<double> &x, DenseMatrix *X);
     void vary(double interval, DenseMatrix &X);
-    /// place of a row in the contact problem, and its sign there
-    unsigned int at(const unsigned int row) const { return row % per_point * points + row / per_point; }
-    double sign(const unsigned int row) const { return row % per_point == 0 ? -1. : 1.; }
 
     const ForcedBody body;
     const HarmonicForce force;
-    const unsigned int n, rows, per_point, points, count, first, parts;
+    const unsigned int n, rows, n_points, count, first, parts;
     const double phase;
-    const DenseMatrix S;
+    MasslessPoints points;
     /// answers to the exciting force: modes, rows
     std::vector<std::complex<double>> mode_answer, row_answer;
     std::vector<double> mode_rest, row_rest;
     std::map<double, std::vector<FreeMode>> flights;
-    ContactProblem problem;
-    ContactSolution solution;
-    FewPointsSolver contact;
     std::vector<ContactStatus> status, here;
     bool as_expected = true;
     /// work space

@@ -63,6 +63,12 @@ namespace vibrocontact
           return true;
       return false;
     }
+    /// Whether it holds of the laws of all points.
+    template <typename Property>
+    bool all(const Property &property) const
+    {
+      return !any([&](const Law &law) { return !std::invoke(property, law); });
+    }
 
   private:
     std::vector<std::shared_ptr<const Law>> laws;
