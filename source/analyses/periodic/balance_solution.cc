@@ -1,9 +1,12 @@
 #include <vibrocontact/analyses/periodic/balance.h>
 #include <vibrocontact/base/dense_operations.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/numerics/newton_method.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace vibrocontact
 {
@@ -63,6 +66,8 @@ namespace vibrocontact
     {
       is_any_kept = true;
       relative = size / balance.force_scale(c);
+      if (balance.progress)
+        balance.progress->advance(0, [&] { return "residual " + number_text(relative); });
       return relative <= balance.settings.tolerance;
     }
 
@@ -106,6 +111,11 @@ namespace vibrocontact
     PeriodicSolution solution;
     solution.excitation = force;
     std::vector<double> c = start;
+    // nobody knows how many of Newton's steps it takes
+    Progress steps("periodic motion of " + std::to_string(n_unknowns()) + " unknowns", 1);
+    const std::unique_ptr<Progress *, void (*)(Progress **)> until_here(&progress,
+                                                                        [](Progress **p) { *p = nullptr; });
+    progress = &steps;
     solution.converged = find(c, solution) || follow_gap(c, solution) || follow_stiffness(c, solution);
     solution.force = c;
     solution.displacement = displacement(c);
@@ -149,6 +159,7 @@ namespace vibrocontact
       coarse.n_samples = std::max(settings.n_samples / 2, std::min(settings.n_samples, fewest_samples));
       fewer = std::make_unique<PeriodicBalance>(body, law, coarse);
     }
+    fewer->progress = progress;
     fewer->set_force(force);
     fewer->set_gap(body.gap);
     std::vector<double> found;

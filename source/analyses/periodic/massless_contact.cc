@@ -77,10 +77,8 @@ namespace vibrocontact
         weight.mTmult(sums, forces, true);
       waiting = 0;
     };
-    // rates of the force and of the position before by all coefficients, row by row
-    std::vector<double> rate(n * columns), position(n * columns);
-    // rows whose force changes
-    std::vector<unsigned int> loaded;
+    // rates of the force and of the position before by all coefficients, a column for each row
+    DenseMatrix rate(columns, n), position(columns, n), history(n, n);
     for (unsigned int turn = 0; turn < order.size(); ++turn)
     {
       const unsigned int k = order[turn];
@@ -96,43 +94,31 @@ namespace vibrocontact
       }
       if (turn == 0 || rates[last].empty())
       {
-        std::fill(position.begin(), position.end(), 0.);
+        position = 0.;
         for (unsigned int i = 0; i < n; ++i)
-          std::copy(values_before.begin(), values_before.end(), &position[i * columns + i * N]);
+          std::copy(values_before.begin(), values_before.end(), &position(i * N, i));
       }
-      std::fill(rate.begin(), rate.end(), 0.);
-      loaded.clear();
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)
-        {
-          const double direct = rates[k][i * n + j], history = points.is_normal(j) ? 0. : -direct;
-          if (direct != 0 && (loaded.empty() || loaded.back() != i))
-            loaded.push_back(i);
-          double *const to = &rate[i * columns];
-          if (direct != 0)
-            for (unsigned int l = 0; l < N; ++l)
-              to[j * N + l] += direct * values[l];
-          if (history != 0)
-            for (unsigned int l = 0; l < columns; ++l)
-              to[l] += history * position[j * columns + l];
-        }
+          history(j, i) = points.is_normal(j) ? 0. : -rates[k][i * n + j];
+      position.mmult(rate, history);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int l = 0; l < N; ++l)
+            rate(j * N + l, i) += rates[k][i * n + j] * values[l];
       if (turn + count >= order.size())
       {
         for (unsigned int l = 0; l < N; ++l)
           weight(l, waiting) = weights(k, l) / grown;
-        std::copy(rate.begin(), rate.end(), &forces(0, waiting));
+        std::copy_n(&rate(0, 0), n * columns, &forces(0, waiting));
         if (++waiting == batch)
           add_waiting();
       }
       // u = w + S p
-      std::fill(position.begin(), position.end(), 0.);
+      rate.mTmult(position, points.S);
       for (unsigned int i = 0; i < n; ++i)
-      {
-        std::copy(values.begin(), values.end(), &position[i * columns + i * N]);
-        for (const unsigned int j : loaded)
-          for (unsigned int l = 0; l < columns; ++l)
-            position[i * columns + l] += points.S(i, j) * rate[j * columns + l];
-      }
+        for (unsigned int l = 0; l < N; ++l)
+          position(i * N + l, i) += values[l];
     }
     add_waiting();
     for (unsigned int i = 0; i < n; ++i)

@@ -13,6 +13,8 @@
 
 namespace vibrocontact
 {
+  class Progress;
+
   /// How a periodic motion is sought.
   struct BalanceSettings
   {
@@ -192,6 +194,8 @@ namespace vibrocontact
     bool is_normal(const unsigned int row) const { return row % body.rows_per_point == 0; }
     double sign(const unsigned int row) const { return is_normal(row) ? -1. : 1.; }
 
+    /// of solve(), while it lasts
+    Progress *progress = nullptr;
     ForcedBody body;
     const PointLaws<NormalLaw> law;
     /// whether the laws of all points give the force over the gap
