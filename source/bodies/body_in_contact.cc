@@ -1,5 +1,6 @@
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/bodies/body_in_contact.h>
+#include <vibrocontact/numerics/least_squares.h>
 
 #include <algorithm>
 #include <cmath>
@@ -107,6 +108,9 @@ namespace vibrocontact
   {
     const unsigned int n = first.n_rows();
     Assert(second.n_rows() == n, dealii::ExcDimensionMismatch(second.n_rows(), n));
+    if (has_rest(first) && has_rest(second) && first.relaxation != second.relaxation)
+      return first.relaxation > 0 ? together(rest_by_poles(first), second)
+                                  : together(first, rest_by_poles(second));
     if ((first.n_poles() > 0) != (second.n_poles() > 0))
       return together(by_poles(first), by_poles(second));
     BodyInContact result = first;
@@ -213,6 +217,47 @@ namespace vibrocontact
       result.pole_load.push_back(body.pole_load.empty() ? 0. : body.pole_load[k]);
       if (!body.labels.empty())
         result.labels.push_back(body.labels[body.n_modes() + k]);
+    }
+    return result;
+  }
+
+  BodyInContact rest_by_poles(const BodyInContact &body)
+  {
+    if (!(body.relaxation > 0) || !has_rest(body))
+      return body;
+    Assert(body.gradient.m() == 0, dealii::ExcNotImplemented());
+    constexpr double rounding = 1e-12;
+    const unsigned int n = body.n_rows();
+    DenseMatrix vectors;
+    const std::vector<double> values = symmetric_eigenvalues(body.residual, vectors);
+    unsigned int first = 0;
+    while (values[first] <= rounding * values.back())
+      ++first;
+    BodyInContact result = body;
+    result.residual.reinit(0, 0);
+    const unsigned int n_poles = body.n_poles() + n - first;
+    const auto widened = [&](const ComplexMatrix &shapes)
+    {
+      ComplexMatrix wide(n, n_poles);
+      for (unsigned int k = 0; k < shapes.n(); ++k)
+        for (unsigned int i = 0; i < n; ++i)
+          wide(i, k) = shapes(i, k);
+      return wide;
+    };
+    result.right = widened(body.right);
+    result.left = widened(body.left);
+    result.poles.resize(n_poles, -1 / body.relaxation);
+    result.pole_load.resize(n_poles, 0.);
+    for (unsigned int e = first; e < n; ++e)
+    {
+      const unsigned int k = body.n_poles() + e - first;
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        result.right(i, k) = vectors(i, e);
+        result.left(i, k) = values[e] / (2 * body.relaxation) * vectors(i, e);
+      }
+      if (!body.labels.empty())
+        result.labels.push_back("rest " + std::to_string(n - e));
     }
     return result;
   }

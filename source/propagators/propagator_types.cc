@@ -54,6 +54,12 @@ namespace vibrocontact
                                                 const PropagatorSettings &settings,
                                                 const PropagatorTypes &table)
   {
-    return find_named(table, name, "propagator").create(model, state, settings);
+    const PropagatorType &type = find_named(table, name, "propagator");
+    if (!(model.relaxation > 0) || !has_rest(model))
+      return type.create(model, state, settings);
+    const BodyInContact whole = rest_by_poles(model);
+    std::vector<std::complex<double>> states = state;
+    states.resize(whole.n_poles());
+    return type.create(whole, states, settings);
   }
 } // namespace vibrocontact

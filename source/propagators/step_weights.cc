@@ -11,12 +11,33 @@ namespace vibrocontact
 {
   using Complex = std::complex<double>;
 
+  namespace
+  {
+    bool stands_for_a_rest(const BodyInContact &model, const Complex &pole)
+    {
+      return model.relaxation > 0 && pole == -1 / model.relaxation;
+    }
+
+    void add_rest(const double relaxation, const double time_step, StepWeights &weights)
+    {
+      const double factor = relaxation / (time_step + relaxation);
+      weights.factor.push_back(factor);
+      weights.now.push_back(time_step * factor);
+      weights.later.push_back(0);
+    }
+  } // namespace
+
   StepWeights step_weights(const BodyInContact &model, const double time_step,
                            const ForceInterpolation interpolation)
   {
     StepWeights weights;
     for (const Complex &pole : model.poles)
     {
+      if (stands_for_a_rest(model, pole))
+      {
+        add_rest(model.relaxation, time_step, weights);
+        continue;
+      }
       const Complex x = pole * time_step;
       weights.factor.push_back(std::exp(x));
       switch (interpolation)
@@ -46,6 +67,11 @@ namespace vibrocontact
     StepWeights weights;
     for (const Complex &pole : model.poles)
     {
+      if (stands_for_a_rest(model, pole))
+      {
+        add_rest(model.relaxation, time_step, weights);
+        continue;
+      }
       const Complex x = pole * time_step, inverse = 1. / (1. - theta * x);
       const bool is_linear = interpolation == ForceInterpolation::linear;
       weights.factor.push_back((1. + (1 - theta) * x) * inverse);
@@ -204,7 +230,8 @@ namespace vibrocontact
     const StepWeights weights = step_weights(model, time_step, interpolation);
     for (unsigned int k = 0; k < model.n_poles(); ++k)
     {
-      const Complex x = model.poles[k] * time_step;
+      const Complex x =
+          stands_for_a_rest(model, model.poles[k]) ? std::log(weights.factor[k]) : model.poles[k] * time_step;
       // beyond it e^(x lag) is zero in double precision
       const double end = x.real() < 0 ? 2 + 745. / -x.real() : n_lags;
       const unsigned long last = std::min<double>(n_lags, end);

@@ -19,6 +19,8 @@ namespace vibrocontact
 
   bool ModalEnergy::applies(const BodyInContact &model)
   {
+    if (model.relaxation > 0 && has_rest(model))
+      return false;
     for (unsigned int k = 0; k < model.n_poles(); ++k)
     {
       if (model.poles[k].imag() == 0 || is_rigid_motion(model.poles[k]))

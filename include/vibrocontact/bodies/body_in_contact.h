@@ -45,7 +45,7 @@ namespace vibrocontact
     std::vector<std::string> labels;
     /// its answer to the constant loads; n_rows or empty [m]
     std::vector<double> residual_load = {};
-    /// beta [s]
+    /// beta [s]; without a residual that of poles which stand for one, see rest_by_poles()
     double relaxation = 0;
     /// lambda_k; n_poles [1/s]
     std::vector<std::complex<double>> poles = {};
@@ -90,14 +90,23 @@ namespace vibrocontact
 
   /// Two bodies under the same forces: u = u_first + u_second along each row. With the rows of the second turned
   /// (with_rows(), factor -1) it is the motion of the first relative to the second under the forces between them. A body by
-  /// modes beside one by poles goes over to poles.
-  /// @pre as many rows; of two rests that relax the rates are equal
+  /// modes beside one by poles goes over to poles. and so does one of two rests that relax at two rates.
+  /// @pre as many rows
   BodyInContact together(const BodyInContact &first, const BodyInContact &second);
 
   /// The same body with a pole for each mode (two real ones if it is damped beyond critical), for analyses that march
   /// in poles. Critical damping is taken for less by a hair and a rigid motion as a pair at +-j 1e-12 rad/s, which after a
   /// day has turned by 1e-7: both poles would be double.
   BodyInContact by_poles(const BodyInContact &body);
+
+  /// The same body with real poles in place of a rest that relaxes, one for each eigenvalue w of the residual W = sum w x x^T
+  /// but for those of rounding; a rest that does not relax stays:
+  ///
+  ///   z' = -z / beta + (w / 2 beta) x^T f,     r = 2 x z     (sums over the eigenvalues)
+  ///
+  /// The relaxation stays too: steps in time know these poles by it (propagators/step_weights.h).
+  /// @pre W is symmetric and nothing flows (gradient is empty)
+  BodyInContact rest_by_poles(const BodyInContact &body);
 
   /// 2 Re sum_k weight_k right_k left_k^T, n_rows square: what every quantity of g at real times is, of a body by poles.
   /// @param weights n_poles

@@ -25,6 +25,7 @@ namespace vibrocontact
   /// The shipped ones: modal recursion, theta method, direct convolution, block convolution; direct convolution, scalar. A
   /// program may have more (run/tables.h).
   const PropagatorTypes &propagator_types();
+  /// A rest that relaxes goes by poles (rest_by_poles()). @param state of the model's own poles
   /// @throws InputError naming the methods
   std::unique_ptr<Propagator> create_propagator(const std::string &name, const BodyInContact &model,
                                                 const std::vector<std::complex<double>> &state,

@@ -12,6 +12,10 @@ namespace vibrocontact
   ///   impulse: now = h e^(lambda h);   constant: now = h phi_1;   linear: now = h phi_2, later = h (phi_1 - phi_2)
   ///
   /// and factor_k = e^(lambda h), what is left of z_k without forces.
+  ///
+  /// Poles that stand for a rest, lambda = -1 / beta (rest_by_poles()), go by the backward difference in every interpolation and
+  /// method, as in the transient: factor = beta / (h + beta), now = h factor, later = 0. Points that follow forces by their
+  /// rate alone would ring with forces linear in the step, and a rest of h >> beta would not feel impulses (doc/theory.md).
   struct StepWeights
   {
     std::vector<std::complex<double>> factor, now, later;

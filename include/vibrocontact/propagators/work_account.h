@@ -40,7 +40,7 @@ namespace vibrocontact
   {
   public:
     using Complex = std::complex<double>;
-    /// Whether the poles are those of real modes, none damped beyond critical.
+    /// Whether the poles are those of real modes, none damped beyond critical, and no rest relaxes beside them.
     static bool applies(const BodyInContact &model);
     explicit ModalEnergy(const BodyInContact &model);
 

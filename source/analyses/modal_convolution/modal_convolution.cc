@@ -377,6 +377,7 @@ namespace vibrocontact
       file("last/tangential_force", last_tangential_force);
       file("stepper/dissipation", stepper->dissipation);
       file("stepper/sticking_points", stepper->sticking_points);
+      file("stepper/relaxed", stepper->relaxed);
       r.dissipation = stepper->dissipation;
       r.sticking_points = stepper->sticking_points;
     }
@@ -390,11 +391,12 @@ namespace vibrocontact
 
   Marks ModalConvolution::marks() const
   {
-    return {{"rows", {double(model.n_rows())}}, {"poles", pole_marks(model)}};
+    return {
+        {"rows", {double(model.n_rows())}}, {"poles", pole_marks(model)}, {"relaxation", {model.relaxation}}};
   }
 
   MarchCheckpoint road_checkpoint(const std::string &folder)
   {
-    return {folder + "/modal_convolution.h5", "Modal convolution", 6};
+    return {folder + "/modal_convolution.h5", "Modal convolution", 7};
   }
 } // namespace vibrocontact

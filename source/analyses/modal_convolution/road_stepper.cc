@@ -50,6 +50,21 @@ namespace vibrocontact
       return result;
     }
 
+    /// s = factor s + now R + later R of the step before, of a rest S s: beta s' + s = R, or R itself.
+    StepWeights rest_weights(const BodyInContact &model, const double time_step,
+                             const ForceInterpolation interpolation)
+    {
+      if (!(model.relaxation > 0))
+        return {{0.}, {1.}, {0.}};
+      BodyInContact alone;
+      alone.relaxation = model.relaxation;
+      alone.poles = {-1 / model.relaxation};
+      StepWeights weights = step_weights(alone, time_step, interpolation);
+      weights.now[0] /= model.relaxation;
+      weights.later[0] /= model.relaxation;
+      return weights;
+    }
+
     std::string title(const double time_step)
     {
       std::ostringstream text;
@@ -100,7 +115,10 @@ namespace vibrocontact
                                    const unsigned int n_points, const PointLaws<NormalLaw> &law)
     {
       const ForceInterpolation interpolation = force_interpolation(parameters.force_shape);
-      const DenseMatrix S = least_compliance(model, n_points, law, interpolation);
+      DenseMatrix S = least_compliance(model, n_points, law, interpolation);
+      // what relaxes holds linear forces less (doc/theory.md, "Time steps")
+      if (interpolation == ForceInterpolation::linear && model.residual.m() > 0)
+        S.add(parameters.time_step / (parameters.time_step + 2 * model.relaxation) - 1, model.residual);
       const double longest = parameters.takes_theta()
                                  ? critical_theta_step(S, interpolation, parameters.theta)
                                  : critical_time_step(S, initial_derivative(model, 1), interpolation);
@@ -137,7 +155,8 @@ namespace vibrocontact
         problem(road_contact_problem(propagator->compliance(), n_points, laws, parameters.time_step,
                                      rolling_speed)),
         is_linear(force_interpolation(parameters.force_shape) == ForceInterpolation::linear),
-        residual_flexibility(model.residual)
+        residual_flexibility(model.residual),
+        rest(rest_weights(model, step, force_interpolation(parameters.force_shape)))
   {
     problem.title = title(step);
     ContactSolverParameters own = solver_parameters;
@@ -179,6 +198,8 @@ namespace vibrocontact
       forces_before[i] = (forces - n)[i];
       forces_before[n + i] = (tangential_forces - n)[i];
     }
+    if (rest.factor[0] == 0. || relaxed.empty())
+      relaxed = forces_before;
     const std::function<std::vector<double>(const ContactSolution &)> slip_speed =
         [&](const ContactSolution &found) { return law_speed(found, forces_before); };
     for (unsigned int k = 0; k < n_steps; ++k, heights += n, displacements += n, forces += n)
@@ -216,6 +237,8 @@ namespace vibrocontact
       }
       if (has_friction)
       {
+        for (unsigned int i = 0; i < 2 * n; ++i)
+          relaxed[i] = relaxed_after(i, R, forces_before);
         forces_before.assign(solution.R.begin(), solution.R.end());
         tangential_displacements += n;
         tangential_forces += n;
@@ -225,6 +248,13 @@ namespace vibrocontact
       iterations += solution.iterations;
       residual = std::max(residual, solution.residual);
     }
+  }
+
+  double RoadStepper::relaxed_after(const unsigned int row, const double *const forces,
+                                    const std::vector<double> &forces_before) const
+  {
+    return rest.factor[0].real() * relaxed[row] + rest.now[0].real() * forces[row] +
+           rest.later[0].real() * forces_before[row];
   }
 
   /// The slip speed that counts in the coefficient of friction: without the rate of what has no inertia
@@ -237,7 +267,8 @@ namespace vibrocontact
     {
       double slip = solution.y[n + i];
       for (unsigned int j = 0; j < forces_before.size() && residual_flexibility.m() > 0; ++j)
-        slip -= residual_flexibility(n + i, j) * (solution.R[j] - forces_before[j]) / step;
+        slip -= residual_flexibility(n + i, j) *
+                (relaxed_after(j, solution.R.data(), forces_before) - relaxed[j]) / step;
       speed[i] = std::abs(slip);
     }
     return speed;

@@ -102,6 +102,7 @@ namespace vibrocontact
     {
       ReducedBody reduced = bodies[0]->reduction.reduced(true);
       scale_damping(reduced, parameters.modes.at(parameters.scene.bodies[0].name));
+      reduced.relaxation = body.body.relaxation;
       say_residual_damping(parameters, {&reduced}, 0., {}, "modal_convolution", results);
     }
     json["histories"] = histories + ".h5";

@@ -3,7 +3,7 @@
 #include <vibrocontact/analyses/modal_convolution/modal_convolution_parameters.h>
 #include <vibrocontact/analyses/modal_convolution/road_contact.h>
 #include <vibrocontact/contact/contact_solver.h>
-#include <vibrocontact/propagators/propagator.h>
+#include <vibrocontact/propagators/step_weights.h>
 
 #include <memory>
 
@@ -36,8 +36,13 @@ namespace vibrocontact
     const bool is_common;
     unsigned long closed_points = 0, sticking_points = 0, iterations = 0;
     double residual = 0, dissipation = 0;
+    /// forces that the body's rest has followed so far, s with r = S s: those of the last step if it does not relax; 2 n with
+    /// friction [N]
+    std::vector<double> relaxed;
 
   private:
+    double relaxed_after(unsigned int row, const double *forces,
+                         const std::vector<double> &forces_before) const;
     std::vector<double> law_speed(const ContactSolution &solution,
                                   const std::vector<double> &forces_before) const;
 
@@ -46,7 +51,9 @@ namespace vibrocontact
     const double step, sliding_speed, rolling_speed;
     ContactProblem problem;
     const bool is_linear;
-    /// S, what answers to a force at once
+    /// S, what answers to a force at once or relaxes
     DenseMatrix residual_flexibility;
+    /// s after the step = factor s before + now R + later R of the step before; one each
+    StepWeights rest;
   };
 } // namespace vibrocontact
