@@ -223,6 +223,9 @@ namespace vibrocontact
       else
         body.gradient.reinit(0, 0);
     }
+    // the residual of material that flows relaxes on its way, and a tread does not: neither is taken
+    if (rolls() || tread_compliance(false) > 0 || tread_compliance(true) > 0)
+      body.relaxation = 0;
     for (unsigned int i = 0; i < body.n_rows(); ++i)
       body.residual(i, i) += tread_compliance(i >= n_points);
     return body;

@@ -106,13 +106,25 @@ namespace vibrocontact
         jump[own.rows[i]] += own.sign[i] * body.residual_load[i];
     }
 
+    /// The first contact that a body is in.
+    unsigned int contact_of(const PlacedContacts::Rows &own, const PlacedContacts &contacts)
+    {
+      return own.rows.empty() ? 0 : contacts.contact_of(own.rows[0] % contacts.n_points());
+    }
+
+    bool has_own_flexibility(const ContactBody &body, const PlacedContacts::Rows &own,
+                             const ContactSections &sections, const PlacedContacts &contacts)
+    {
+      return body.reduced && !(body.parameters->is_solid() &&
+                               sections.all[contact_of(own, contacts)].half_space_flexibility());
+    }
+
     /// Of a body's own rows. A half-space, or what one stands for, has one contact.
     DenseMatrix residual_flexibility(const ContactBody &body, const PlacedContacts::Rows &own,
                                      const ContactSections &sections, const PlacedContacts &contacts)
     {
-      const unsigned int n = contacts.n_points(),
-                         k = own.rows.empty() ? 0 : contacts.contact_of(own.rows[0] % n);
-      if (body.reduced && !(body.parameters->is_solid() && sections.all[k].half_space_flexibility()))
+      const unsigned int k = contact_of(own, contacts);
+      if (has_own_flexibility(body, own, sections, contacts))
         return body.reduced->residual;
       if (body.parameters->description->is_rigid() || own.rows.empty())
         return DenseMatrix(own.rows.size());
@@ -222,9 +234,20 @@ namespace vibrocontact
       const PlacedContacts::Rows own = contacts.rows_of(b);
       const unsigned int n_own = own.rows.size();
       const DenseMatrix W = residual_flexibility(bodies[b], own, sections, contacts);
-      for (unsigned int j = 0; j < n_own; ++j)
-        for (unsigned int i = 0; i < n_own; ++i)
-          pair.residual(own.rows[i], own.rows[j]) += own.sign[i] * own.sign[j] * W(i, j);
+      const auto add_to = [&](DenseMatrix &flexibility)
+      {
+        for (unsigned int j = 0; j < n_own; ++j)
+          for (unsigned int i = 0; i < n_own; ++i)
+            flexibility(own.rows[i], own.rows[j]) += own.sign[i] * own.sign[j] * W(i, j);
+      };
+      add_to(pair.residual);
+      if (has_own_flexibility(bodies[b], own, sections, contacts) && bodies[b].reduced->relaxation > 0 &&
+          has_rest(*bodies[b].reduced))
+      {
+        pair.relaxing.push_back({b + 1, bodies[b].reduced->relaxation, DenseMatrix(3 * n, 3 * n)});
+        add_to(pair.relaxing.back().flexibility);
+        uncouple(sections, contacts, pair.relaxing.back().flexibility);
+      }
       if (b == 0)
         for (unsigned int i = 0; i < 3 * n; ++i)
           pair.force_residual.push_back(n_own > 0 ? pair.residual(i, own.rows[0]) : 0.);
@@ -261,6 +284,14 @@ namespace vibrocontact
       uncouple(sections, contacts, pair.residual_gradient);
     hold_across(pair);
     return pair;
+  }
+
+  DenseMatrix rest_over_step(const ContactPair &pair, const double h)
+  {
+    DenseMatrix result = pair.residual;
+    for (const RelaxingRest &rest : pair.relaxing)
+      result.add(-rest.relaxation / (h + rest.relaxation), rest.flexibility);
+    return result;
   }
 
   std::vector<double> ContactPair::frequencies() const

@@ -1,6 +1,7 @@
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/coupled_bodies/linearised_contact.h>
+#include <vibrocontact/coupled_bodies/pair_motion.h>
 #include <vibrocontact/coupled_bodies/sliding_frame.h>
 
 #include <deal.II/base/numbers.h>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vibrocontact
 {
@@ -69,58 +71,109 @@ namespace vibrocontact
       }
       return result;
     }
-    /// What moves without the contact: x' = transition x + (0, input R), x = (q, v, Re z, Im z), of which forces do not
-    /// move the first n_modes, q, at once,
-    ///
-    ///   du = displacement x + W R,     du' = rate x + rate_at_once R + W R'
-    struct FreeMotion
+    /// Closed gaps in x and R: by_x x + by_R R = hub * (motion of the hub). Where nothing follows forces at once, that is the
+    /// gap's rate plus the gap over beta, in which s drops out, and the hub's motion is meant likewise.
+    struct ClosedGaps
     {
-      DenseMatrix transition, input, displacement, rate, rate_at_once;
+      DenseMatrix by_x, by_R;
     };
 
-    FreeMotion free_motion(const ContactPair &pair)
+    ClosedGaps closed_gaps(const PairMotion &motion, const DenseMatrix &W,
+                           const std::vector<RelaxingRest> &rests, const std::vector<unsigned int> &points,
+                           const bool force_given)
     {
-      const unsigned int n_rows = 3 * pair.n_points(), m = pair.n_modes(), p = pair.n_poles(),
-                         size = 2 * (m + p);
-      FreeMotion motion;
-      motion.transition.reinit(size, size);
-      motion.input.reinit(size - m, n_rows);
-      motion.displacement.reinit(n_rows, size);
-      motion.rate.reinit(n_rows, size);
-      for (unsigned int k = 0; k < m; ++k)
+      ClosedGaps gaps{rows(motion.displacement, points), rows(W, points)};
+      unsigned int n_by_rate = 0;
+      for (unsigned int k = 0; k < points.size() && motion.rest_rate.m() > 0; ++k)
       {
-        motion.transition(k, m + k) = 1;
-        motion.transition(m + k, k) = -pair.omega[k] * pair.omega[k];
-        motion.transition(m + k, m + k) = -2 * pair.damping_ratio[k] * pair.omega[k];
-        for (unsigned int i = 0; i < n_rows; ++i)
-          motion.displacement(i, k) = motion.rate(i, m + k) = motion.input(k, i) = pair.trace(i, k);
+        const unsigned int i = points[k];
+        const auto own = std::find_if(rests.begin(), rests.end(),
+                                      [i](const RelaxingRest &rest) { return rest.flexibility(i, i) > 0; });
+        if (W(i, i) != 0 || own == rests.end())
+          continue;
+        ++n_by_rate;
+        for (unsigned int j = 0; j < motion.rate.n(); ++j)
+          gaps.by_x(k, j) =
+              motion.rate(i, j) + motion.rest_rate(i, j) + motion.displacement(i, j) / own->relaxation;
+        for (unsigned int j = 0; j < W.n(); ++j)
+          gaps.by_R(k, j) =
+              motion.rest_rate_at_once(i, j) + (motion.rate_at_once.m() > 0 ? motion.rate_at_once(i, j) : 0.);
       }
-      for (unsigned int d = 0; pair.hub && d < 3; ++d)
-        for (unsigned int j = 0; j < pair.hub->shapes.n(); ++j)
-          for (unsigned int k = 0; k < pair.hub->shapes.n(); ++k)
-            motion.transition(m + k, m + j) -=
-                pair.hub->damping[d] * pair.hub->motion(d, k) * pair.hub->motion(d, j);
-      for (unsigned int k = 0; k < p; ++k)
+      if (force_given && n_by_rate > 0 && n_by_rate < points.size())
+        throw InputError(
+            "Some closed contact points follow forces at once and others relax (Modes/Stiffness "
+            "damping), which Stability does not take under a given normal force: set Rolling/Hub to held, "
+            "or leave the Stiffness damping out.");
+      return gaps;
+    }
+
+    std::vector<ContactDirection> chosen(const std::vector<ContactDirection> &all,
+                                         const std::vector<unsigned int> &places)
+    {
+      std::vector<ContactDirection> result;
+      for (const unsigned int k : places)
+        result.push_back(all[k]);
+      return result;
+    }
+
+    DenseMatrix columns(const DenseMatrix &matrix, const std::vector<unsigned int> &places)
+    {
+      DenseMatrix result(matrix.m(), places.size());
+      for (unsigned int j = 0; j < places.size(); ++j)
+        for (unsigned int i = 0; i < matrix.m(); ++i)
+          result(i, j) = matrix(i, places[j]);
+      return result;
+    }
+
+    /// Forces R = by_x x + by_s s that close the gaps, s along some directions, with their mobilities.
+    struct ClosedForces
+    {
+      std::vector<ContactDirection> across;
+      std::vector<double> mobility;
+      DenseMatrix by_x, by_s;
+
+      /// Slip along them, S_x x + S_R R + mobility s, of forces alone: by x and by s.
+      std::pair<DenseMatrix, DenseMatrix> slip(const DenseMatrix &slip_by_x, const DenseMatrix &slip_by_R,
+                                               const unsigned int n) const
       {
-        const unsigned int re = 2 * m + k, im = re + p;
-        const std::complex<double> &pole = pair.poles[k];
-        motion.transition(re, re) = motion.transition(im, im) = pole.real();
-        motion.transition(im, re) = pole.imag();
-        motion.transition(re, im) = -pole.imag();
-        for (unsigned int i = 0; i < n_rows; ++i)
-        {
-          const std::complex<double> right = 2. * pair.right(i, k), moving = right * pole;
-          motion.displacement(i, re) = right.real();
-          motion.displacement(i, im) = -right.imag();
-          motion.rate(i, re) = moving.real();
-          motion.rate(i, im) = -moving.imag();
-          motion.input(re - m, i) = pair.left(i, k).real();
-          motion.input(im - m, i) = pair.left(i, k).imag();
-        }
+        const DenseMatrix S_R = rows_along(slip_by_R, across, n);
+        DenseMatrix by_states = product(S_R, by_x), by_own = product(S_R, by_s);
+        by_states.add(1., rows_along(slip_by_x, across, n));
+        for (unsigned int k = 0; k < across.size(); ++k)
+          by_own(k, k) += mobility[k];
+        return {by_states, by_own};
       }
-      if (p > 0)
-        motion.rate_at_once = sum_over_poles(pair, std::vector<std::complex<double>>(p, 1.));
-      return motion;
+    };
+
+    /// Forces along directions that only rests that relax give way in follow from the slip without its rate of W R: they
+    /// are no states.
+    ClosedForces without_relaxing(const ClosedForces &all, const DenseMatrix &slip_by_x,
+                                  const DenseMatrix &slip_by_R, const DenseMatrix &W, const unsigned int n)
+    {
+      const std::vector<unsigned int> kept = followed_at_once(W, all.across, n);
+      std::vector<unsigned int> dropped;
+      for (unsigned int k = 0; k < all.across.size(); ++k)
+        if (!std::binary_search(kept.begin(), kept.end(), k))
+          dropped.push_back(k);
+      if (dropped.empty())
+        return all;
+      ClosedForces result;
+      result.across = chosen(all.across, kept);
+      for (const unsigned int k : kept)
+        result.mobility.push_back(all.mobility[k]);
+      const auto [by_x, by_s] = all.slip(slip_by_x, slip_by_R, n);
+      const DenseMatrix own = columns(rows(by_s, dropped), dropped), shapes = columns(all.by_s, dropped);
+      const auto eliminated = [&](const DenseMatrix &R, const DenseMatrix &slip)
+      {
+        DenseMatrix forces = R;
+        forces.add(-1.,
+                   product(shapes, solve(own, rows(slip, dropped), "rate of the tangential flexibility")));
+        return forces;
+      };
+      result.by_x = eliminated(all.by_x, by_x);
+      result.by_s = kept.empty() ? DenseMatrix(all.by_s.m(), 0)
+                                 : eliminated(columns(all.by_s, kept), columns(by_s, kept));
+      return result;
     }
 
     /// What V d/dx of poles and W~ is beyond the differences between points.
@@ -171,7 +224,10 @@ namespace vibrocontact
                                  const RollingEquilibrium &equilibrium, const LinearisationOptions &options)
   {
     const unsigned int n = pair.n_points();
-    const DenseMatrix W = compliance_of_contact(pair, equilibrium);
+    // without their rate rests are where they would come to
+    const std::vector<RelaxingRest> rests =
+        options.residual_rate ? pair.relaxing : std::vector<RelaxingRest>();
+    const DenseMatrix W = at_once(compliance_of_contact(pair, equilibrium), rests);
 
     SlidingFrame frame = sliding_frame(equilibrium);
     const std::vector<unsigned int> &points = frame.points;
@@ -185,11 +241,11 @@ namespace vibrocontact
                        "Stability/Linearisation to consistent.");
     if (!options.lateral_damping)
       frame.keep_sticking_only();
-    const std::vector<ContactDirection> &across = frame.across;
-    const unsigned int n_z = across.size();
+    // R = E_N N + E_z s + E_x x; the last from friction that falls with the speed, itself among R
+    DenseMatrix E_N = frame.normal, E_z = forces_along(frame.across, n);
 
     // slip by x and R: V d/dx of the displacements, and rates; that of W R comes with R'
-    const FreeMotion motion = free_motion(pair);
+    const PairMotion motion = pair_motion(pair, rests, span_of_forces(frame, n));
     const unsigned int n_x = motion.transition.m(), m = pair.n_modes();
     DenseMatrix slip_by_x(3 * n, n_x), slip_by_R(3 * n, 3 * n);
     if (options.convection)
@@ -204,8 +260,7 @@ namespace vibrocontact
     if (pair.n_poles() > 0)
       slip_by_R.add(1., motion.rate_at_once);
 
-    // R = E_N N + E_z s + E_x x; the last from friction that falls with the speed, itself among R
-    DenseMatrix E_N = frame.normal, E_z = forces_along(across, n), E_x(3 * n, n_x);
+    DenseMatrix E_x(3 * n, n_x);
     if (!frame.along.empty())
     {
       DenseMatrix fall = forces_along(frame.along, n);
@@ -224,14 +279,21 @@ namespace vibrocontact
       }
     }
 
+    if (motion.rest_rate.m() > 0)
+    {
+      slip_by_x.add(1., motion.rest_rate);
+      slip_by_R.add(1., motion.rest_rate_at_once);
+    }
+
     // R = X_x x + X_z s from the closed gaps
-    const DenseMatrix W_n = rows(W, points), G = product(W_n, E_N);
+    const ClosedGaps gaps = closed_gaps(motion, W, rests, points, equilibrium.force_given);
+    const DenseMatrix G = product(gaps.by_R, E_N);
     const std::vector<double> hub = gaps_by_approach(pair, points);
     const auto closed = [&](const DenseMatrix &E, const DenseMatrix *const gap)
     {
       if (E.n() == 0)
         return E;
-      DenseMatrix opened = product(W_n, E);
+      DenseMatrix opened = product(gaps.by_R, E);
       if (gap)
         opened.add(1., *gap);
       DenseMatrix X = product(E_N, close_gaps(G, opened, equilibrium.force_given, hub));
@@ -239,11 +301,14 @@ namespace vibrocontact
       X.add(1., E);
       return X;
     };
-    const DenseMatrix gap_by_x = rows(motion.displacement, points);
-    const DenseMatrix X_x = closed(E_x, &gap_by_x), X_z = closed(E_z, nullptr);
+    ClosedForces forces{frame.across, frame.mobility, closed(E_x, &gaps.by_x), closed(E_z, nullptr)};
+    if (!rests.empty())
+      forces = without_relaxing(forces, slip_by_x, slip_by_R, W, n);
+    const DenseMatrix &X_x = forces.by_x, &X_z = forces.by_s;
+    const std::vector<ContactDirection> &across = forces.across;
+    const unsigned int n_z = across.size();
 
     // slip across t: ds = S_x x + S_r R + W_d R'
-    const DenseMatrix S_x = rows_along(slip_by_x, across, n), S_r = rows_along(slip_by_R, across, n);
     DenseMatrix W_d(n_z, 3 * n);
     if (options.residual_rate)
       W_d = rows_along(W, across, n);
@@ -257,10 +322,7 @@ namespace vibrocontact
     if (n_z == 0)
       return A;
 
-    DenseMatrix slip_x = product(S_r, X_x), slip_z = product(S_r, X_z);
-    slip_x.add(1., S_x);
-    for (unsigned int k = 0; k < n_z; ++k)
-      slip_z(k, k) += frame.mobility[k];
+    auto [slip_x, slip_z] = forces.slip(slip_by_x, slip_by_R, n);
     if (has_states)
     {
       // W_d X_z s' = -slip_x x - (slip_z + mobility) s - W_d X_x x'
@@ -270,7 +332,7 @@ namespace vibrocontact
       for (unsigned int j = 0; j < m; ++j)
         for (unsigned int k = 0; k < n_z; ++k)
           right(k, m + j) = -by_rates(k, j); // q' = v
-      if (!frame.along.empty() || pair.n_poles() > 0)
+      if (!frame.along.empty() || pair.n_poles() > 0 || !rests.empty())
       {
         DenseMatrix others(n_z, n_x - m), rates(n_x - m, n_x + n_z);
         for (unsigned int j = 0; j < n_x - m; ++j)
@@ -377,7 +439,11 @@ namespace vibrocontact
     std::vector<StabilityRoot> roots;
     for (unsigned int k = 0; k < lambda.values.size(); ++k)
     {
-      if (!is_listed(lambda.values[k]))
+      // gaps that are not closed decay by 1 / beta
+      const bool is_closing = std::any_of(
+          pair.relaxing.begin(), pair.relaxing.end(),
+          [&](const RelaxingRest &rest) { return std::abs(lambda.values[k] * rest.relaxation + 1.) < 1e-6; });
+      if (!is_listed(lambda.values[k]) || is_closing)
         continue;
       std::vector<std::complex<double>> amplitudes;
       for (unsigned int i = 0; i < pair.n_modes(); ++i)

@@ -20,8 +20,9 @@ namespace vibrocontact
         const ReducedBody &body = *lossy.body;
         const double W = body.residual(lossy.row, lossy.row),
                      loss = lossy.stiffness_damping * omega + lossy.loss_factor;
-        change += W * (1. - 1. / Complex(1, loss));
-        receptance += W;
+        const Complex taken = W / Complex(1, lossy.relaxation * omega);
+        change += taken - W / Complex(1, loss);
+        receptance += taken;
         for (unsigned int k = 0; k < body.omega.size(); ++k)
         {
           const double psi = body.trace(lossy.row, k), w = body.omega[k];

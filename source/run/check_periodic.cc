@@ -69,7 +69,7 @@ namespace vibrocontact
       check_speed_of_road(body, parameters.road);
     }
 
-    /// What moves beside the modes of several bodies relaxes at one rate.
+    /// Bodies whose flexibilities beside their modes relax at several rates go by poles.
     void check_relaxations(const Parameters &parameters)
     {
       const auto relaxation = [&](const BodyParameters &body)
@@ -85,13 +85,14 @@ namespace vibrocontact
         const BodyParameters &body = parameters.scene.bodies[b];
         if (!has_rest(body))
           continue;
-        if (with_rest && relaxation(*with_rest) != relaxation(body))
-          throw InputError(
-              "The flexibilities of " + with_rest->name + " and " + body.name +
-              " beside their modes relax at two rates, " + number_text(relaxation(*with_rest)) + " and " +
-              number_text(relaxation(body)) +
-              " s, but a periodic motion knows one: give both the same Modes/Stiffness damping, or " +
-              "none beside a body without elements.");
+        if (with_rest && relaxation(*with_rest) != relaxation(body) &&
+            (parameters.periodic.reference || parameters.periodic.continuation.tells_stability()))
+          throw InputError("The flexibilities of " + with_rest->name + " and " + body.name +
+                           " beside their modes relax at two rates, " + number_text(relaxation(*with_rest)) +
+                           " and " + number_text(relaxation(body)) + " s, but " +
+                           (parameters.periodic.reference ? "Periodic/Reference is true"
+                                                          : "Periodic/Continuation/Stability is not none") +
+                           ", which knows one: leave it out, or give both the same Modes/Stiffness damping.");
         with_rest = &body;
       }
     }

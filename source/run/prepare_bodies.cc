@@ -56,6 +56,7 @@ namespace vibrocontact
   void scale_damping(ReducedBody &body, const ModeParameters &modes)
   {
     body.damping_ratio = modes.scaled(body.damping_ratio, body.omega);
+    body.relaxation = modes.stiffness_damping;
   }
 
   void reduce_bodies(const MeshedBodies &bodies, const bool with_modes)

@@ -43,13 +43,15 @@ namespace vibrocontact
       unsigned int k;
       const ReducedBody *reduced;
       unsigned int row;
+      /// at which it relaxes in the analysis [s]
+      double relaxation;
     };
 
     void say(const Parameters &parameters, const std::vector<BodyAtPoint> &reduced, const double further,
-             std::vector<double> frequencies, const std::string &key, Results &results)
+             std::vector<double> frequencies, const std::string &key, const bool relaxes, Results &results)
     {
       std::vector<LossyBody> bodies;
-      bool any = false;
+      bool any = false, all_taken = true;
       for (const BodyAtPoint &one : reduced)
       {
         const BodyParameters &body = parameters.scene.bodies[one.k];
@@ -57,11 +59,18 @@ namespace vibrocontact
         const double loss = body.description->is_wheel() ? 0 : body.material_loss_factor();
         const auto modes = parameters.modes.find(body.name);
         const double beta = modes == parameters.modes.end() ? 0 : modes->second.stiffness_damping;
-        bodies.push_back({one.reduced, one.row, beta, loss});
+        const double taken = relaxes ? one.relaxation : 0;
+        bodies.push_back({one.reduced, one.row, beta, loss, taken});
         any = any || beta > 0 || loss > 0;
+        all_taken = all_taken && loss == 0 && taken == beta;
       }
       if (!any)
         return;
+      if (all_taken)
+      {
+        results.analyses[key]["residual_damping"] = {{"taken", true}};
+        return;
+      }
       if (frequencies.empty())
         frequencies = ends_of_the_modes(bodies);
       const DroppedDamping dropped = dropped_residual_damping(bodies, further, frequencies);
@@ -70,9 +79,10 @@ namespace vibrocontact
       results.analyses[key]["residual_damping"] = {
           {"taken", false}, {"relative_change", dropped.change}, {"frequency_Hz", dropped.frequency}};
       const std::string text =
-          "The damping of what the modes leave out is not taken here, only in periodic motions: it "
-          "changes the point receptance in the contact by " +
-          number_text(dropped.change) + " of it at " + number_text(dropped.frequency) + " Hz";
+          "The damping of what the modes leave out is not taken here" +
+          std::string(relaxes ? " but for that by Stiffness damping of bodies at rest without tread" : "") +
+          ": it changes the point receptance in the contact by " + number_text(dropped.change) +
+          " of it at " + number_text(dropped.frequency) + " Hz";
       if (dropped.change < doubtful_change)
       {
         run_log().line(text + ".");
@@ -85,7 +95,7 @@ namespace vibrocontact
 
   void say_residual_damping(const Parameters &parameters, const PreparedPair &prepared,
                             const ContactPair &pair, const std::vector<double> &frequencies,
-                            const std::string &key, Results &results)
+                            const std::string &key, Results &results, const bool relaxes)
   {
     const PlacedContacts &contacts = pair.interface.contacts;
     const unsigned int middle = contacts.all.front().grid.n_points() / 2;
@@ -99,20 +109,22 @@ namespace vibrocontact
       if (!body || own == rows.end())
         continue;
       const unsigned int row = own - rows.begin();
-      reduced.push_back({b, body, row});
+      const auto rest = std::find_if(pair.relaxing.begin(), pair.relaxing.end(),
+                                     [b](const RelaxingRest &one) { return one.body == b + 1; });
+      reduced.push_back({b, body, row, rest == pair.relaxing.end() ? 0. : rest->relaxation});
       further -= body->residual(row, row);
     }
-    say(parameters, reduced, further, frequencies, key, results);
+    say(parameters, reduced, further, frequencies, key, relaxes, results);
   }
 
   void say_residual_damping(const Parameters &parameters, const std::vector<const ReducedBody *> &reduced,
                             const double further, std::vector<double> frequencies, const std::string &key,
-                            Results &results)
+                            Results &results, const bool relaxes)
   {
     std::vector<BodyAtPoint> in_the_middle;
     for (unsigned int k = 0; k < reduced.size(); ++k)
       if (reduced[k])
-        in_the_middle.push_back({k, reduced[k], reduced[k]->grid.n_points() / 2});
-    say(parameters, in_the_middle, further, std::move(frequencies), key, results);
+        in_the_middle.push_back({k, reduced[k], reduced[k]->grid.n_points() / 2, reduced[k]->relaxation});
+    say(parameters, in_the_middle, further, std::move(frequencies), key, relaxes, results);
   }
 } // namespace vibrocontact

@@ -83,8 +83,7 @@ TEST(UnreducedTransientMpi, StepIsThatOfTheElements)
       for (unsigned int k = 0; k < N; ++k)
         steps.push_back(theta_step(scene->all.omega[k], scene->all.damping_ratio[k], theta, h,
                                    ReactionWeighting::end_of_step));
-      const StepMatrices matrices =
-          step_matrices(scene->all.interface.contacts.only(), scheme, scene->all, steps, h, speed);
+      const StepMatrices matrices = step_matrices(scheme, scene->all, steps, h, speed);
       // gaps and slips have their own units; across the plane nothing moves
       double worst = 0;
       for (unsigned int row = 0; row < 2; ++row)

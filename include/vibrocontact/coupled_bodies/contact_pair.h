@@ -13,6 +13,19 @@
 
 namespace vibrocontact
 {
+  /// The share that a body damped by C = beta K has in W~ of a scene. It follows forces by its rate, as a Kelvin-Voigt element,
+  ///
+  ///   beta r' + r = W R,     or     r = W s,   beta s' + s = R
+  struct RelaxingRest
+  {
+    /// counted from 1 in the order of Bodies
+    unsigned int body = 1;
+    /// beta [s]
+    double relaxation = 0;
+    /// W at the rows of the contacts; 3 n square [m/N]
+    DenseMatrix flexibility;
+  };
+
   /// The bodies of a scene as one, whose rows are the jump of the contact displacements (first body of each contact minus
   /// the second; 3 n rows) and whose states are those of all,
   ///
@@ -35,6 +48,8 @@ namespace vibrocontact
     std::vector<unsigned int> body, body_of_pole;
     /// residual displacements of the contacts per force on body 1 at its first contact point along the normal [m/N]; 3 n, empty: none
     std::vector<double> force_residual;
+    /// what of W~ relaxes; what it leaves of the residual follows forces at once
+    std::vector<RelaxingRest> relaxing;
     /// null: the hub of body 1 moves as the approach does
     std::shared_ptr<const SuspendedHub> hub;
 
@@ -89,6 +104,11 @@ namespace vibrocontact
   /// answer to loads stay. Without normal-tangential coupling W~'s blocks between the directions are zero.
   ContactPair contact_pair(const std::vector<ContactBody> &bodies, const ContactSections &sections,
                            const PlacedContacts &contacts);
+  /// W~ over a step of h, in which rests relax by the backward difference (doc/theory.md, "Damping of what the modes leave
+  /// out"): sum of h W / (h + beta) and of what follows at once, r(h) = this R + sum of beta W s(0) / (h + beta); 3 n
+  /// square [m/N]. For h = 0 what follows at once alone.
+  DenseMatrix rest_over_step(const ContactPair &pair, double h);
+
   /// Two bodies in one contact.
   inline ContactPair contact_pair(const ContactBody &body_1, const ContactBody &body_2,
                                   const ContactParameters &contact, const ContactGrid &grid)

@@ -16,7 +16,7 @@ namespace vibrocontact
     bool lateral_damping = true;
     /// the convective part V d/dx of the perturbed slip, which the paper leaves out
     bool convection = true;
-    /// the rate d(W~ R)/dt of the residual displacements in the perturbed slip
+    /// the rate d(W~ R)/dt of the residual displacements in the perturbed slip; without it they do not relax
     bool residual_rate = true;
     /// points that stick at the equilibrium stay stuck; false: they are refused
     bool stick = false;
@@ -28,8 +28,9 @@ namespace vibrocontact
   /// How the gaps of some points close where the hub of body 1 moves down [-].
   std::vector<double> gaps_by_approach(const ContactPair &pair, const std::vector<unsigned int> &points);
 
-  /// The pair linearised about an equilibrium, x' = A x, x = (q, v, Re z, Im z, s): modal amplitudes and velocities, poles,
-  /// and what friction keeps in memory (doc/theory.md, "Steady sliding and its stability", "Time steps").
+  /// The pair linearised about an equilibrium, x' = A x, x = (q, v, Re z, Im z, s, tau): modal amplitudes and velocities,
+  /// poles, forces that rests have relaxed to, and what friction keeps in memory (doc/theory.md, "Steady sliding and its
+  /// stability", "Time steps").
   ///
   /// Contact points in compression stay closed, open ones open. At a sliding point the friction force is
   ///
@@ -37,7 +38,10 @@ namespace vibrocontact
   ///   ds = V d/dx (Psi_t q + W~_t R) + Psi_t v + W~_t R'
   ///
   /// (Eqs 15-18), at a sticking point ds = 0. N follows from the closed gap, N = -(W~_n E)^-1 (Psi_n q + W~_n
-  /// (tau b)), so that tau (T at sticking points) are the only states beside the modes. Without convection
+  /// (tau b)), so that tau (T at sticking points) are the only states beside the modes. A rest that relaxes
+  /// (ContactPair::relaxing) brings r = W s, s' = (R - s) / beta in place of W R, with s in the span of the frame's forces.
+  /// Where nothing else gives way, a point follows forces by its rate alone: N from the gap's rate (plus the gap over beta,
+  /// which the closed gap leaves zero), tau from the slip without a state of its own. Without convection
   /// and residual rate this is the paper's reduced problem (Eqs 19-22),
   ///
   ///   (lambda^2 I + lambda (C_r + Psi^T C_b Psi) + diag(w^2) + K_c) q = 0.

@@ -27,7 +27,7 @@ namespace vibrocontact
   /// Reduces the bodies or finds them in the cache, so that whoever asks for them later needs no other rank. Collective.
   void reduce_bodies(const MeshedBodies &bodies, bool with_modes);
 
-  /// The damping ratios of a reduced body by its Damping factor and Stiffness damping.
+  /// The damping ratios of a reduced body by its Damping factor and Stiffness damping, by which its rest relaxes.
   void scale_damping(ReducedBody &body, const ModeParameters &modes);
 
   /// Makes the meshes and lays the contact grid on them, so that what is wrong there is said before the

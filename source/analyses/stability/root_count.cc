@@ -2,6 +2,7 @@
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/coupled_bodies/pair_motion.h>
 #include <vibrocontact/coupled_bodies/patch_shapes.h>
 #include <vibrocontact/coupled_bodies/sliding_frame.h>
 
@@ -23,11 +24,18 @@ namespace vibrocontact
     constexpr double shape_tolerance = 1e-11;
 
     /// F(s) = A_0 + s A_1 + (L_0 + s L_1) S diag(d(s)) S^T P,  d_i = 1 / (s^2 + 2 zeta_i w_i s + w_i^2),
-    /// where Psi = B S, see PatchShapes
+    /// where Psi = B S, see PatchShapes; and (A_0 + s A_1) / (1 + beta s) of each rest that relaxes
     struct ReducedReceptance
     {
+      struct Rest
+      {
+        double relaxation;
+        DenseMatrix A_0, A_1;
+      };
       DenseMatrix A_0, A_1, L_0, L_1, S, P;
-      unsigned int n_states = 0;
+      std::vector<Rest> rests;
+      /// det F grows as s to this power
+      int power = 0;
     };
 
     /// rows of normal gaps, then of slip along the directions
@@ -56,7 +64,13 @@ namespace vibrocontact
         add_block(rows_1, rows_along(response, frame.across, n), c, 0);
       };
       ReducedReceptance F;
-      split(product(compliance_of_contact(pair, equilibrium), E), F.A_0, F.A_1);
+      const DenseMatrix W = at_once(compliance_of_contact(pair, equilibrium), pair.relaxing);
+      split(product(W, E), F.A_0, F.A_1);
+      for (const RelaxingRest &rest : pair.relaxing)
+      {
+        F.rests.push_back({rest.relaxation, DenseMatrix(), DenseMatrix()});
+        split(product(rest.flexibility, E), F.rests.back().A_0, F.rests.back().A_1);
+      }
       const PatchShapes shapes = patch_shapes(pair.trace, shape_tolerance);
       F.S = shapes.amplitudes;
       split(shapes.basis, F.L_0, F.L_1);
@@ -69,11 +83,16 @@ namespace vibrocontact
       if (equilibrium.force_given)
         for (unsigned int k = 0; k < c; ++k)
           F.A_0(k, size - 1) = F.A_0(size - 1, k) = hub[k];
-      F.n_states = n_z;
+      // slips of what follows forces at once grow as s, gaps that only relax fall as 1 / s
+      F.power = pair.relaxing.empty() ? n_z : followed_at_once(W, frame.across, n).size();
+      int n_relaxing = 0;
+      for (const unsigned int i : frame.points)
+        n_relaxing += !pair.relaxing.empty() && W(i, i) == 0;
+      F.power -= n_relaxing - (equilibrium.force_given && n_relaxing > 0);
       return F;
     }
 
-    /// arg det F(i w) - n_z arg(i w + a), between -pi and pi
+    /// arg det F(i w) - power arg(i w + a), between -pi and pi
     double argument(const ReducedReceptance &F, const ContactPair &pair, const double w, const double a)
     {
       const unsigned int size = F.A_0.m(), rank = F.S.m(), m = F.S.n();
@@ -104,8 +123,10 @@ namespace vibrocontact
       for (unsigned int j = 0; j < size; ++j)
         for (unsigned int i = 0; i < size; ++i)
         {
-          const Complex value = Complex(F.A_0(i, j) + Z[0](i, j) - w * Z[3](i, j),
-                                        w * F.A_1(i, j) + Z[1](i, j) + w * Z[2](i, j));
+          Complex value = Complex(F.A_0(i, j) + Z[0](i, j) - w * Z[3](i, j),
+                                  w * F.A_1(i, j) + Z[1](i, j) + w * Z[2](i, j));
+          for (const ReducedReceptance::Rest &rest : F.rests)
+            value += Complex(rest.A_0(i, j), w * rest.A_1(i, j)) / Complex(1, w * rest.relaxation);
           matrix[std::size_t(j) * size + i] = value;
           largest[i] = std::max(largest[i], std::abs(value));
         }
@@ -126,7 +147,7 @@ namespace vibrocontact
       dealii::getrf(&order, &order, matrix.data(), &order, pivots.data(), &info);
       if (info != 0)
         refuse();
-      double sum = -double(F.n_states) * std::arg(Complex(a, w));
+      double sum = -double(F.power) * std::arg(Complex(a, w));
       for (unsigned int k = 0; k < size; ++k)
         sum += std::arg(matrix[std::size_t(k) * size + k]) +
                (pivots[k] != dealii::types::blas_int(k + 1) ? dealii::numbers::PI : 0.);

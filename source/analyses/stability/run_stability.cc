@@ -118,7 +118,7 @@ namespace vibrocontact
     add_contacts(outcome, pair.interface.contacts, results.analyses["stability"]);
     if (parameters.stability.is_reduced())
       say_residual_damping(parameters, *prepared, pair, frequencies_that_matter(all.front()), "stability",
-                           results);
+                           results, parameters.stability.options().residual_rate);
     if (parameters.output.fields)
       write_unstable_shapes(all.front(), pair, bodies, folder);
   }

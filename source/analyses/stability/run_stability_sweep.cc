@@ -203,7 +203,8 @@ namespace vibrocontact
       void finish() override
       {
         say_residual_damping(sweep.cases.front().parameters, reduced.front(), 0.,
-                             frequencies_that_matter(outcome.results.front()), "stability", on.results);
+                             frequencies_that_matter(outcome.results.front()), "stability", on.results,
+                             sweep.cases.front().parameters.stability.options().residual_rate);
         on_first_rank(
             [&]
             {

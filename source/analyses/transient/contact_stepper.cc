@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace vibrocontact
 {
@@ -17,10 +18,9 @@ namespace vibrocontact
     /// steps after which W~ R is computed anew: the round-off of its changes grows with the steps^(3/2)
     constexpr unsigned int longest_without_search = 64;
 
-    // W~ R, loaded columns only
-    void residual_displacement(const DenseMatrix &W, const DenseVector &R, DenseVector &result)
+    // result += W R, loaded columns only
+    void add_product(const DenseMatrix &W, const DenseVector &R, DenseVector &result)
     {
-      result.reinit(R.size());
       for (unsigned int j = 0; j < R.size(); ++j)
         if (R[j] != 0)
         {
@@ -28,6 +28,19 @@ namespace vibrocontact
           for (unsigned int i = 0; i < R.size(); ++i)
             result[i] += column[i] * R[j];
         }
+    }
+
+    // W~ R of what follows at once, W s of what relaxes
+    void set_residual_displacement(const ContactPair &pair, DynamicState &state)
+    {
+      state.residual_displacement.reinit(state.R.size());
+      add_product(pair.residual, state.R, state.residual_displacement);
+      for (unsigned int k = 0; k < pair.relaxing.size(); ++k)
+      {
+        DenseVector behind = state.relaxed[k];
+        behind -= forces_on_rest(pair, k, state);
+        add_product(pair.relaxing[k].flexibility, behind, state.residual_displacement);
+      }
     }
 
     // powers of forces and slips on the same points; rate: of the tangential displacements, R . du/dt [W]
@@ -48,10 +61,12 @@ namespace vibrocontact
                                  const ContactSections &contact, const std::vector<ModalStep> &steps,
                                  const double h, const double speed, const StepWeights &pole_steps)
       : pair(pair), scheme(scheme), steps(steps), pole_steps(pole_steps), h(h), speed(speed),
-        damper(pair.hub.get(), steps), matrices(step_matrices(pair.interface.contacts, scheme, pair, steps, h,
-                                                              speed, pair.hub.get(), pole_steps)),
-        q(pair.n_modes()), v(pair.n_modes()), z(pair.n_poles())
+        damper(pair.hub.get(), steps),
+        matrices(step_matrices(scheme, pair, steps, h, speed, pair.hub.get(), pole_steps)), q(pair.n_modes()),
+        v(pair.n_modes()), z(pair.n_poles())
   {
+    for (const RelaxingRest &rest : pair.relaxing)
+      kept.push_back(rest.relaxation / (h + rest.relaxation));
     Creepage none;
     none.speed = speed;
     const ContactProblem whole = rolling_problem(nullptr, pair.interface, scheme, none, contact);
@@ -69,10 +84,20 @@ namespace vibrocontact
       x->reinit(matrices.shapes.rank());
   }
 
+  DenseVector forces_on_rest(const ContactPair &pair, const unsigned int k, const DynamicState &state)
+  {
+    DenseVector forces = state.R;
+    if (pair.relaxing[k].body == 1)
+      forces[0] += state.force;
+    return forces;
+  }
+
   void complete(const ContactPair &pair, const DenseVector &rigid_slip, DynamicState &state)
   {
     const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
-    residual_displacement(pair.residual, state.R, state.residual_displacement);
+    for (unsigned int k = state.relaxed.size(); k < pair.relaxing.size(); ++k)
+      state.relaxed.push_back(forces_on_rest(pair, k, state));
+    set_residual_displacement(pair, state);
     state.force_change.reinit(3 * n);
     state.residual_change.reinit(3 * n);
     state.modal_force.reinit(n_modes);
@@ -92,22 +117,6 @@ namespace vibrocontact
       rate += tangential[k] * state.v[k];
     if (!state.contact.empty())
       set_powers(state.R, state.contact.y, rigid_slip, n, rate, state);
-  }
-
-  double critical_time_step(const ContactPair &pair)
-  {
-    double longest = std::numeric_limits<double>::infinity();
-    for (unsigned int i = 0; i < pair.n_points(); ++i)
-    {
-      double mobility = 0;
-      for (unsigned int k = 0; k < pair.n_modes(); ++k)
-        mobility += pair.trace(i, k) * pair.trace(i, k);
-      for (unsigned int k = 0; k < pair.n_poles(); ++k)
-        mobility += 2 * (pair.right(i, k) * pair.poles[k] * pair.left(i, k)).real();
-      if (mobility > 0)
-        longest = std::min(longest, 2.7 * std::sqrt(std::max(0., pair.residual(i, i)) / mobility));
-    }
-    return longest;
   }
 
   bool ContactStepper::another_within(const DynamicState &state, const double distance) const
@@ -141,8 +150,9 @@ namespace vibrocontact
   void ContactStepper::search_proximity(DynamicState &state)
   {
     const unsigned int n = pair.n_points();
-    residual_displacement(pair.residual, state.R, state.residual_displacement);
-    residual_displacement(pair.residual, state.force_change, state.residual_change);
+    set_residual_displacement(pair, state);
+    state.residual_change = 0;
+    add_product(pair.residual, state.force_change, state.residual_change);
     std::copy(state.q.begin(), state.q.end(), q.begin());
     displacement = 0;
     multiply(matrices.shapes.amplitudes, q, displacement);
@@ -215,11 +225,14 @@ namespace vibrocontact
       return false;
     const std::vector<unsigned int> &points = step_operator->points();
     const unsigned int n = pair.n_points(), m = points.size();
-    DenseVector R(3 * n), residual;
+    DenseVector R(3 * n), residual(3 * n);
     for (unsigned int c = 0; c < 3; ++c)
       for (unsigned int i = 0; i < m; ++i)
         R[contact_row(n, c, points[i])] = solution.R[contact_row(m, c, i)];
-    residual_displacement(pair.residual, R, residual);
+    add_product(matrices.residual_flexibility, R, residual);
+    std::vector<unsigned int> normal_rows(n);
+    std::iota(normal_rows.begin(), normal_rows.end(), 0u);
+    add_kept(state, force, normal_rows, residual.begin());
     step_operator->modal_numbers(solution.R, c_n, c_t);
     c_n += c_t;
     multiply(matrices.displacement_gain, c_n, displacement);
@@ -274,6 +287,8 @@ namespace vibrocontact
     take_over(state, rigid);
     state.hub_acceleration = drive.hub_acceleration;
     state.force = drive.force;
+    for (unsigned int k = 0; k < kept.size(); ++k)
+      state.relaxed[k].sadd(kept[k], 1 - kept[k], forces_on_rest(pair, k, state));
     return state.contact;
   }
 
@@ -321,12 +336,29 @@ namespace vibrocontact
     add_poles(z, feed, free_displacement, &free_velocity);
   }
 
+  void ContactStepper::add_kept(const DynamicState &state, const double force,
+                                const std::vector<unsigned int> &rows, double *const to) const
+  {
+    for (unsigned int k = 0; k < kept.size(); ++k)
+    {
+      const DenseMatrix &W = pair.relaxing[k].flexibility;
+      DenseVector forces = state.relaxed[k];
+      // force_response() answers the given force at once
+      if (pair.relaxing[k].body == 1)
+        forces[0] -= force;
+      for (unsigned int j = 0; j < forces.size(); ++j)
+        for (unsigned int i = 0; i < rows.size() && forces[j] != 0; ++i)
+          to[i] += kept[k] * forces[j] * W(rows[i], j);
+    }
+  }
+
   void ContactStepper::set_problem(const DynamicState &state, const Drive &drive, const DenseVector &rigid)
   {
     const StepOperator &A = *step_operator;
     const std::vector<unsigned int> &points = A.points(), &rows = A.residual_rows();
     const unsigned int n = pair.n_points(), m = points.size();
     problem.b = 0;
+    add_kept(state, drive.force, rows, problem.b.begin() + 3 * m);
     A.respond(free_displacement, free_velocity, problem.b);
     solution.R.reinit(3 * m);
     solution.y.reinit(A.n_rows());
@@ -358,8 +390,9 @@ namespace vibrocontact
     solution.y += problem.b;
     problem.move(solution.y, problem.approach);
     solution.approach = problem.approach;
-    // what the gradient of the residual adds to the slip is not in y, which has displacements alone
-    solution.response_known = !A.has_gradient();
+    // what the gradient of the residual adds to the slip is not in y, which has displacements alone, and a rest that relaxes
+    // does not change with the forces alone
+    solution.response_known = !A.has_gradient() && kept.empty();
   }
 
   void ContactStepper::solve_with_modal_slip_in_friction(const DynamicState &state, ContactSolver &solver)

@@ -32,9 +32,65 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    /// W s of rest k at the rows of its body
+    DenseVector displacement_of_rest(const ContactPair &pair, const unsigned int k, const DenseVector &s)
+    {
+      const DenseMatrix &W = pair.relaxing[k].flexibility;
+      DenseVector result(s.size());
+      for (unsigned int j = 0; j < s.size(); ++j)
+        for (unsigned int i = 0; i < s.size() && s[j] != 0; ++i)
+          result[i] += W(i, j) * s[j];
+      return result;
+    }
+
+    /// What rests that relax store in place of the energy under the forces at once, R^T W~ R / 2.
+    double energy_of_relaxing(const ContactPair &pair, const DynamicState &state)
+    {
+      double energy = 0;
+      for (unsigned int k = 0; k < pair.relaxing.size(); ++k)
+      {
+        const DenseVector &s = state.relaxed[k], forces = forces_on_rest(pair, k, state);
+        DenseVector behind = s, sum = s;
+        behind -= forces;
+        sum += forces;
+        // s W s - f W f, less what the residual displacements, W (s - f) among them, have as R W (s - f)
+        sum -= state.R;
+        energy += 0.5 * (sum * displacement_of_rest(pair, k, behind));
+      }
+      return energy;
+    }
+
+    /// What rests that relax take from the forces on them over a step.
+    void add_relaxing(EnergyAccount &account, const ContactPair &pair, const DynamicState &before,
+                      const DynamicState &after)
+    {
+      const double h = after.time - before.time, mean_given = (before.force + after.force) / 2;
+      for (unsigned int k = 0; k < pair.relaxing.size(); ++k)
+      {
+        DenseVector ds = after.relaxed[k], mean_s = after.relaxed[k], df = forces_on_rest(pair, k, after),
+                    mean_f = df;
+        ds -= before.relaxed[k];
+        mean_s.sadd(0.5, 0.5, before.relaxed[k]);
+        const DenseVector forces_before = forces_on_rest(pair, k, before);
+        df -= forces_before;
+        mean_f.sadd(0.5, 0.5, forces_before);
+        const DenseVector moved = displacement_of_rest(pair, k, ds);
+        const double lost = pair.relaxing[k].relaxation / h * (ds * moved);
+        account.damping += lost;
+        account.numerical_rate += mean_f * moved - mean_s * moved - lost;
+        // the given force's own share, that the force at once has been taken for
+        if (mean_given != 0 && pair.relaxing[k].body == 1)
+          account.loads += mean_given * (moved[0] - displacement_of_rest(pair, k, df)[0]);
+      }
+    }
+  } // namespace
+
   double stored_energy(const ContactPair &pair, const PointLaws<NormalLaw> &law, const DynamicState &state)
   {
-    double energy = modal_energy(pair, state) + 0.5 * (state.R * state.residual_displacement);
+    double energy = modal_energy(pair, state) + 0.5 * (state.R * state.residual_displacement) +
+                    energy_of_relaxing(pair, state);
     if (state.force != 0)
     {
       energy += 0.5 * pair.force_response(0) * state.force * state.force;
@@ -140,6 +196,7 @@ namespace vibrocontact
     for (unsigned int i = n; i < 3 * n; ++i)
       account.numerical_rate +=
           (after.R[i] - before.R[i]) / 2 * (after.residual_displacement[i] - before.residual_displacement[i]);
+    add_relaxing(account, pair, before, after);
     const double approach = after.contact.approach - before.contact.approach;
     if (approach != 0)
     {

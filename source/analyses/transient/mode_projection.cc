@@ -1,4 +1,6 @@
 #include <vibrocontact/analyses/transient/mode_projection.h>
+#include <vibrocontact/base/dense_operations.h>
+#include <vibrocontact/coupled_bodies/pair_motion.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +18,19 @@ namespace vibrocontact
     const DenseMatrix A = linearised_contact(pair, scheme, equilibrium, options);
     const unsigned int m = pair.n_modes(), size = A.m();
     if (size > 2 * m)
-      across = sliding_frame(equilibrium).across;
+    {
+      const SlidingFrame frame = sliding_frame(equilibrium);
+      const unsigned int n = pair.n_points();
+      across = frame.across;
+      if (!pair.relaxing.empty())
+      {
+        shares = shares_in(span_of_forces(frame, n));
+        across.clear();
+        const DenseMatrix W = at_once(compliance_of_contact(pair, equilibrium), pair.relaxing);
+        for (const unsigned int k : followed_at_once(W, frame.across, n))
+          across.push_back(frame.across[k]);
+      }
+    }
     const Eigenvalues lambda = eigenvalues(A, true);
 
     std::vector<unsigned int> order;
@@ -62,18 +76,28 @@ namespace vibrocontact
   std::vector<double> ModeProjection::amplitudes(const DynamicState &state) const
   {
     const unsigned int m = state.q.size(), n = state.R.size() / 3;
-    std::vector<double> x(2 * m + across.size()), result;
+    std::vector<double> x(2 * m), result;
     for (unsigned int i = 0; i < m; ++i)
     {
       x[i] = state.q[i] - rest.q[i];
       x[m + i] = state.v[i];
     }
-    for (unsigned int k = 0; k < across.size(); ++k)
+    for (unsigned int k = 0; k < state.relaxed.size(); ++k)
+    {
+      DenseVector moved = state.relaxed[k], of_span(shares.m());
+      moved -= rest.relaxed[k];
+      multiply(shares, moved, of_span);
+      x.insert(x.end(), of_span.begin(), of_span.end());
+    }
+    for (const ContactDirection &direction : across)
+    {
+      x.push_back(0);
       for (unsigned int c = 0; c < 2; ++c)
       {
-        const unsigned int row = (c + 1) * n + across[k].point;
-        x[2 * m + k] += (c == 0 ? across[k].x : across[k].y) * (state.R[row] - rest.R[row]);
+        const unsigned int row = (c + 1) * n + direction.point;
+        x.back() += (c == 0 ? direction.x : direction.y) * (state.R[row] - rest.R[row]);
       }
+    }
     for (const auto &weight : weights)
       result.push_back(
           std::abs(std::inner_product(weight.begin(), weight.end(), x.begin(), std::complex<double>(0))));

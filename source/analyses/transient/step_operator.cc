@@ -130,17 +130,18 @@ namespace vibrocontact
     }
   } // namespace
 
-  StepMatrices step_matrices(const PlacedContacts &contacts, const CreepScheme &scheme,
-                             const BodyInContact &body, const std::vector<ModalStep> &steps, const double h,
-                             const double speed, const SuspendedHub *const hub, const StepWeights &pole_steps)
+  StepMatrices step_matrices(const CreepScheme &scheme, const ContactPair &body,
+                             const std::vector<ModalStep> &steps, const double h, const double speed,
+                             const SuspendedHub *const hub, const StepWeights &pole_steps)
   {
+    const PlacedContacts &contacts = body.interface.contacts;
     const unsigned int n = contacts.n_points();
     StepMatrices result;
     result.contacts = contacts;
     result.scheme = scheme;
     result.step = h;
     result.speed = speed;
-    result.residual_flexibility = result.response = body.residual;
+    result.residual_flexibility = result.response = rest_over_step(body, h);
     result.shapes = patch_shapes(all_shapes(body), patch_shape_tolerance);
     PatchShapes &shapes = result.shapes;
     if (body.n_poles() > 0)
@@ -184,7 +185,7 @@ namespace vibrocontact
     convert_to_slip_rows(contacts, scheme, speed, A);
     for (unsigned int j = 0; j < 3 * n; ++j)
       for (unsigned int i = n; i < 3 * n; ++i)
-        A(i, j) += body.residual(i, j) / h;
+        A(i, j) += result.residual_flexibility(i, j) / h;
     if (result.residual_gradient.m() > 0)
       A.add(speed, result.residual_gradient);
     add_product(result.by_displacement, result.displacement_gain, shapes.basis, A);

@@ -101,6 +101,7 @@ namespace vibrocontact
     state.R.reinit(3 * n);
     if (transient.initial_state == "undeformed")
     {
+      state.relaxed.assign(pair.relaxing.size(), DenseVector(3 * n));
       for (unsigned int k = 0; k < n_modes; ++k)
         if (pair.body[k] == 1)
         {
@@ -110,6 +111,7 @@ namespace vibrocontact
     }
     else
     {
+      // rests have relaxed: complete()
       state.contact = transient_equilibrium(contact, solver, pair, drive);
       state.R = state.contact.R;
       DenseVector force(n_modes);
@@ -262,10 +264,12 @@ namespace vibrocontact
     }
 
     /// What a step leaves out is of third order: nothing weights the end of a step more than its beginning, as theta > 1/2,
-    /// reactions of the end alone and the backward rate of W~ R in the slip do.
-    bool is_second_order(const TransientParameters &parameters, const ContactSections &contact)
+    /// reactions of the end alone and the backward rate of W~ R, in the slip or of rests that relax, do.
+    bool is_second_order(const TransientParameters &parameters, const ContactSections &contact,
+                         const ContactPair &pair)
     {
-      return (parameters.integrator == "exact propagator" || parameters.theta == 0.5) &&
+      return pair.relaxing.empty() &&
+             (parameters.integrator == "exact propagator" || parameters.theta == 0.5) &&
              parameters.reaction == "as other forces" &&
              std::all_of(contact.all.begin(), contact.all.end(),
                          [](const ContactParameters &one) { return one.friction == 0; });
@@ -352,7 +356,7 @@ namespace vibrocontact
     if (std::abs(run.sums.time - sums.time) > 1e-12 * sums.time)
       return;
     // of two steps of a second order scheme a third is the error, of any a part of 1 / sqrt(3)
-    const double divisor = is_second_order(parameters, contact) ? std::sqrt(3.) : 1;
+    const double divisor = is_second_order(parameters, contact, pair) ? std::sqrt(3.) : 1;
     const double energy = energy_error(sums.energy);
     const double rms_force =
         std::max(energy, doubled_step_error(sums.rms_force(), run.sums.rms_force()) / divisor);

@@ -14,6 +14,8 @@ namespace vibrocontact
       file("state/v", state.v);
       file("state/R", state.R);
       file("state/residual_displacement", state.residual_displacement);
+      for (std::size_t k = 0; k < state.relaxed.size(); ++k)
+        file("state/relaxed_" + std::to_string(k), state.relaxed[k]);
       file("state/force_change", state.force_change);
       file("state/residual_change", state.residual_change);
       file("state/modal_force", state.modal_force);
@@ -104,26 +106,31 @@ namespace vibrocontact
 
   MarchCheckpoint transient_checkpoint(const std::string &folder)
   {
-    return {folder + "/checkpoint.h5", "Transient", 12};
+    return {folder + "/checkpoint.h5", "Transient", 13};
   }
 
   Marks TransientMarch::marks() const
   {
-    return {{"frequencies", pair.omega}, {"damping ratios", pair.damping_ratio},
-            {"loads", pair.modal_load},  {"mode shapes", weighted_sums(pair.trace)},
-            {"poles", pole_marks(pair)}, {"flexibility", weighted_sums(pair.residual)},
-            {"gap", pair.interface.gap}};
+    std::vector<double> relaxations;
+    for (const RelaxingRest &rest : pair.relaxing)
+      relaxations.push_back(rest.relaxation);
+    return {{"frequencies", pair.omega},  {"damping ratios", pair.damping_ratio},
+            {"loads", pair.modal_load},   {"mode shapes", weighted_sums(pair.trace)},
+            {"poles", pole_marks(pair)},  {"flexibility", weighted_sums(pair.residual)},
+            {"relaxations", relaxations}, {"gap", pair.interface.gap}};
   }
 
   void TransientMarch::exchange(CheckpointFile &file)
   {
     // what is written and what is read hold the sums of every contact
     sums.contacts.resize(pair.interface.contacts.all.size());
+    state.relaxed.resize(pair.relaxing.size());
     exchange_state(file, state);
     exchange_sums(file, sums);
     if (!companion)
       return;
     companion->sums.contacts.resize(sums.contacts.size());
+    companion->state.relaxed.resize(pair.relaxing.size());
     exchange_companion(file.group("coarse"), *companion);
   }
 } // namespace vibrocontact

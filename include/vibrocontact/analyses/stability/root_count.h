@@ -29,8 +29,10 @@ namespace vibrocontact
   ///   F(s) (N, z) = 0:      n: H_n R = 0 (hub fixed; force given: H_n R = const, sum dN = 0)
   ///                         b: (V d/dx + s) H_b R + z / c_b = 0
   ///
-  /// No state matrix appears, so that its assembly is checked too. det F has its zeros at the roots, its
-  /// poles at the free modes (all of them damped: none on the right), and grows as s^n_z. Hence
+  /// Rests that relax stand in H with W / (1 + beta s). No state matrix appears, so that its assembly is checked too. det F
+  /// has its zeros at the roots, its poles at the free modes (all of them damped: none on the right) and at -1 / beta, and
+  /// grows as s^n_z; each slip that only relaxing rests give way to takes one from this power, and so does each such gap (but
+  /// for one of them if the force is given). Hence
   ///
   ///   unstable roots = -1/pi [arg det F(i w) - n_z arg(i w + a)], w from 0 to infinity, a > 0.
   ///

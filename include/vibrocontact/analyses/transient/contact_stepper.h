@@ -16,10 +16,12 @@ namespace vibrocontact
     double time = 0;
     /// modal amplitudes [m sqrt(kg)] and velocities; n_modes
     std::vector<double> q, v;
-    /// forces on body 1 [N]; residual displacements W~ R [m], kept at the nearby points and their
-    /// neighbours up- and downstream;
+    /// forces on body 1 [N]; residual displacements, W~ R where nothing relaxes [m], without what the given force answers
+    /// at rest (ContactPair::force_response()), kept at the nearby points and their neighbours up- and downstream;
     /// 3 n
     DenseVector R, residual_displacement;
+    /// of each rest that relaxes (ContactPair::relaxing) the forces s that it has followed so far, 3 n [N]
+    std::vector<DenseVector> relaxed;
     /// what both have changed by in the last step: the next one starts with the same change
     DenseVector force_change, residual_change;
     /// Psi^T R [N/sqrt(kg)]; n_modes
@@ -43,13 +45,16 @@ namespace vibrocontact
     unsigned int steps_since_search = 0;
   };
 
+  /// The forces that rest k of a pair relaxes towards: the contact's and, of body 1, the given one; 3 n [N].
+  DenseVector forces_on_rest(const ContactPair &pair, unsigned int k, const DynamicState &state);
+
   /// Fills what follows from q, v, R and the slip (contact.y) of an initial state, at rest in the moving frame
-  /// but for v: modal forces, W~ R, powers (with the rigid slip, 3 n [m/s]).
+  /// but for v: modal forces, W~ R, powers (with the rigid slip, 3 n [m/s]). Rests have relaxed unless the state says so.
   void complete(const ContactPair &pair, const DenseVector &rigid_slip, DynamicState &state);
 
-  /// Longest step for which reactions that are linear in the step do not ring, 2.7 sqrt(W~ / (Psi Psi^T)),
+  /// Longest step for which reactions that are linear in the step do not ring, h = 2.7 sqrt(W~ / (Psi Psi^T)),
   /// the least over the normal rows of the contact points (doc/theory.md, "Time steps") [s]; infinite without
-  /// modes, 0 for a rigid point.
+  /// modes, 0 for a rigid point. A rest that relaxes counts with h W / (h + 2 beta).
   double critical_time_step(const ContactPair &pair);
 
   /// What moves the bodies during a step, at its end.
@@ -82,7 +87,8 @@ namespace vibrocontact
   ///   A_n = W~_n + (Psi G Psi^T)_n,   A_t = (V d/dx + 1/h) W~_t + V d/dx (Psi G Psi^T)_t + (Psi H Psi^T)_t
   ///
   /// (G, H: gains of displacement and velocity, ModalStep::g1) is constant as long as step and speed are. The
-  /// rate of W~ R is differenced backwards: a trapezoidal rate rings.
+  /// rate of W~ R is differenced backwards: a trapezoidal rate rings. Rests that relax do so by the same rate, beta (r1 -
+  /// r0) / h + r1 = W R1, so that W~ above is rest_over_step() and b has what they keep, the sum of beta W s0 / (h + beta).
   ///
   /// What a step costs follows from what can matter in it: modes and contact meet in few shapes (PatchShapes),
   /// and only nearby points enter the contact problem (StepOperator): those loaded or with a small gap. The
@@ -109,6 +115,10 @@ namespace vibrocontact
                              const DenseVector &shapes, double approach, double force) const;
     /// Gaps of all points at the beginning of the step, and from them the points to watch.
     void search_proximity(DynamicState &state);
+    /// Adds to displacements at some rows what rests that relax keep of their forces before the step. @param force
+    /// Drive::force at its end
+    void add_kept(const DynamicState &state, double force, const std::vector<unsigned int> &rows,
+                  double *to) const;
     /// How far open nearby points move in the step [m]; infinite if there is none.
     double motion_of_open_points(const DynamicState &state) const;
     /// Whether the solution closes points that are not nearby; then they are nearby as well.
@@ -129,6 +139,8 @@ namespace vibrocontact
 
     const ContactPair &pair;
     const CreepScheme &scheme;
+    /// beta / (h + beta) of each rest that relaxes
+    std::vector<double> kept;
     const std::vector<ModalStep> steps;
     const StepWeights pole_steps;
     const double h, speed;

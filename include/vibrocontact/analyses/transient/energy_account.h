@@ -12,6 +12,7 @@ namespace vibrocontact
   ///   stored = sum (v^2 + w^2 q^2) / 2 + R^T W~ R / 2 + sum of the law's potential
   ///   initial + input = stored + friction + damping + numerical + imbalance
   ///
+  /// A rest that relaxes stores s^T W s / 2 and loses beta s'^T W s' in damping (ContactPair::relaxing).
   /// Powers are taken at the ends of each step and integrated by the trapezoidal rule, the work on the modes
   /// exactly from the change of their amplitudes.
   struct EnergyAccount
@@ -24,11 +25,11 @@ namespace vibrocontact
     /// its acceleration works on them there
     double creepage = 0, transport = 0, hub = 0, loads = 0;
     double friction = 0;
-    /// what modes and hub lose, and all that bodies known by poles take, of which nobody knows what they store
+    /// what modes, hub and rests that relax lose, and all that bodies known by poles take, of which nobody knows what they store
     double damping = 0;
     /// what the differences take instead of the continuous equations (doc/theory.md, "Energy account"): the
     /// time scheme from the modes; the upwind d/dx of W~ R against a central one; the backward rate of W~ R
-    /// against the mean force over the step
+    /// against the mean force over the step, and of rests that relax
     double numerical_modes = 0, numerical_upwind = 0, numerical_rate = 0;
     double numerical() const { return numerical_modes + numerical_upwind + numerical_rate; }
 

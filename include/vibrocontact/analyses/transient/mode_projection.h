@@ -11,7 +11,7 @@
 namespace vibrocontact
 {
   /// How much of each mode of the contact a state holds: its distance from the rolling equilibrium,
-  /// x = (q - q_0, v, z - z_0), projected on the left eigenvectors of the linearised contact x' = A x,
+  /// x = (q - q_0, v, s - s_0, z - z_0), projected on the left eigenvectors of the linearised contact x' = A x,
   ///
   ///   a_k = y_k^H x / (y_k^H x_k),     y_k^H A = lambda_k y_k^H,     A x_k = lambda_k x_k.
   ///
@@ -38,6 +38,8 @@ namespace vibrocontact
     std::vector<StabilityRoot> kept;
     /// directions of the states z
     std::vector<ContactDirection> across;
+    /// coordinates of the forces that rests have relaxed to
+    DenseMatrix shares;
     /// of each root, scaled so that |weights^H x| is its amplitude
     std::vector<std::vector<std::complex<double>>> weights;
   };

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/contact/contact_operator.h>
 #include <vibrocontact/contact/creep.h>
+#include <vibrocontact/coupled_bodies/contact_pair.h>
 #include <vibrocontact/coupled_bodies/hub.h>
 #include <vibrocontact/coupled_bodies/patch_shapes.h>
 #include <vibrocontact/propagators/modal_step.h>
@@ -20,7 +21,7 @@ namespace vibrocontact
     CreepScheme scheme;
     /// h [s], V [m/s]
     double step = 0, speed = 0;
-    /// W~ [m/N] and the operator A of ContactStepper; 3 n square
+    /// W~ over the step (rest_over_step()) [m/N] and the operator A of ContactStepper; 3 n square
     DenseMatrix residual_flexibility, response;
     /// what d/dx of W~ is beyond the differences between points; 3 n square [1/N] or empty
     DenseMatrix residual_gradient;
@@ -37,10 +38,9 @@ namespace vibrocontact
   };
 
   /// @param steps one per mode; @param hub null: held @param pole_steps what the poles do in the step
-  StepMatrices step_matrices(const PlacedContacts &contacts, const CreepScheme &scheme,
-                             const BodyInContact &body, const std::vector<ModalStep> &steps, double h,
-                             double speed, const SuspendedHub *hub = nullptr,
-                             const StepWeights &pole_steps = {});
+  StepMatrices step_matrices(const CreepScheme &scheme, const ContactPair &pair,
+                             const std::vector<ModalStep> &steps, double h, double speed,
+                             const SuspendedHub *hub = nullptr, const StepWeights &pole_steps = {});
 
   /// A of a time step on some points of the grid, from the residual displacements w = W~ R there and upstream
   /// of them and from the few modal numbers c = basis^T R:
