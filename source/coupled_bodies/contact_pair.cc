@@ -115,7 +115,7 @@ namespace vibrocontact
     bool has_own_flexibility(const ContactBody &body, const PlacedContacts::Rows &own,
                              const ContactSections &sections, const PlacedContacts &contacts)
     {
-      return body.reduced && !(body.parameters->is_solid() &&
+      return body.reduced && !((body.parameters->is_solid() || body.parameters->is_revolved()) &&
                                sections.all[contact_of(own, contacts)].half_space_flexibility());
     }
 

@@ -4,27 +4,36 @@
 
 namespace vibrocontact
 {
+  std::vector<std::string> group_names(const BodyParameters &parameters)
+  {
+    std::vector<std::string> names;
+    for (const auto &[group, material] : parameters.materials)
+      names.push_back(group);
+    return names;
+  }
+
+  ElasticModel<3> elastic_model(const BodyParameters &parameters)
+  {
+    ElasticModel<3> model;
+    model.material = parameters.materials.empty() ? parameters.material : parameters.materials.front().second;
+    for (unsigned int k = 0; k < parameters.materials.size(); ++k)
+      model.zones[k] = parameters.materials[k].second;
+    return model;
+  }
+
   std::unique_ptr<ElasticBody<3>> make_elastic_body(const BodyParameters &parameters,
                                                     const double lateral_position,
                                                     const std::vector<ContactPlace> &places,
                                                     const MPI_Comm communicator)
   {
-    ElasticModel<3> model;
-    model.material = parameters.material;
-    std::vector<std::string> materials;
-    for (const auto &[group, material] : parameters.materials)
-    {
-      model.zones[materials.size()] = material;
-      materials.push_back(group);
-    }
-    if (!materials.empty())
-      model.material = model.zones.at(0);
+    ElasticModel<3> model = elastic_model(parameters);
     const std::optional<ContactGrid> covered =
         places.empty() ? std::nullopt : std::make_optional(covering_grid(places));
     const SolidBody *const solid = parameters.description->solid();
     AssertThrow(solid, dealii::ExcMessage("Body " + parameters.name + " is no solid."));
-    BodyMesh<3> mesh = solid->make_mesh(
-        {parameters.name, lateral_position, places, covered ? &*covered : nullptr, materials, communicator});
+    BodyMesh<3> mesh =
+        solid->make_mesh({parameters.name, lateral_position, places, covered ? &*covered : nullptr,
+                          group_names(parameters), communicator});
     solid->hold(model, mesh);
     add_loads(model, parameters.loads, mesh);
     return std::make_unique<ElasticBody<3>>(std::move(mesh), model, solid->mesh_degree());

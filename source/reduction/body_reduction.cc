@@ -1,3 +1,4 @@
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/reduction/attachment_inertia.h>
 #include <vibrocontact/reduction/body_reduction.h>
@@ -6,26 +7,39 @@
 
 namespace vibrocontact
 {
-  BodyReduction::BodyReduction(const ReductionRequest &request, const Assemble &assemble,
-                               MPI_Comm communicator)
-      : asked(request), assemble(assemble), communicator(communicator),
-        cache(request.cache_directory, communicator)
+  BodyReduction::BodyReduction(const ReductionRequest &request, const Maker &maker, MPI_Comm communicator)
+      : asked(request), maker(maker), communicator(communicator), cache(request.cache_directory, communicator)
   {
   }
 
   const SecondOrderSystem &BodyReduction::system()
   {
+    if (maker.revolve)
+      throw InputError("Body " + asked.body +
+                       " is solved by harmonics around its axle, so that it has no elements "
+                       "of the whole body, which are asked for here: set its Model to solid.");
     if (!assembled)
     {
       const Log::Part part(heading());
       const Progress progress(asked.body + ": mesh and assembly", 1);
       dealii::Timer timer;
-      assembled = assemble();
+      assembled = maker.assemble();
       timings.emplace_back("mesh and assembly", timer.wall_time());
       run_log().line(asked.body + ": mesh and assembly of " + std::to_string(assembled->stiffness.m()) +
                      " dofs: " + time_text(timer.wall_time()));
     }
     return *assembled;
+  }
+
+  const RevolvedReduction &BodyReduction::revolved()
+  {
+    if (!by_harmonics)
+    {
+      dealii::Timer timer;
+      by_harmonics = maker.revolve();
+      timings.emplace_back("section", timer.wall_time());
+    }
+    return *by_harmonics;
   }
 
   Flexibility &BodyReduction::flexibility()
@@ -83,9 +97,12 @@ namespace vibrocontact
     }
     if (!static_part)
     {
-      Flexibility &inverse = flexibility();
+      if (maker.revolve)
+        revolved();
+      else
+        flexibility();
       dealii::Timer timer;
-      static_part = reduce_statically(system(), inverse);
+      static_part = maker.revolve ? revolved().statics() : reduce_statically(system(), flexibility());
       timings.emplace_back("contact compliance", timer.wall_time());
       cache.save(asked.key, *static_part);
     }
@@ -95,6 +112,17 @@ namespace vibrocontact
   void BodyReduction::compute_modes_now()
   {
     const Log::Part part(heading());
+    if (maker.revolve)
+    {
+      const RevolvedReduction &waves = revolved();
+      dealii::Timer timer;
+      surface.emplace();
+      modal_part = waves.modes(asked.modes, *asked.wheel, *surface);
+      timings.emplace_back("modes", timer.wall_time());
+      cache.save(asked.body, modes_key(), *modal_part);
+      cache.save(asked.body, modes_key(), *surface);
+      return;
+    }
     Flexibility &inverse = flexibility();
     dealii::Timer timer;
     mode_shapes = std::make_unique<Modes>();
@@ -124,7 +152,10 @@ namespace vibrocontact
   const Modes &BodyReduction::shapes()
   {
     if (!mode_shapes)
+    {
+      system();
       compute_modes_now();
+    }
     return *mode_shapes;
   }
 

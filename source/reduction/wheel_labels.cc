@@ -17,8 +17,8 @@ namespace vibrocontact
   {
     constexpr unsigned int max_diameters = 24;
     constexpr unsigned int n_raster = 5; // raster of the rim's section, each way
-    constexpr unsigned int n_web = 40;   // rings from the bore to the tread
-    constexpr double faint = 0.03;       // of the largest axial motion: no sign is read from less
+    static_assert(n_raster * n_raster == WheelRaster::n_rim);
+    constexpr double faint = 0.03; // of the largest axial motion: no sign is read from less
 
     using Complex = std::complex<double>;
 
@@ -34,7 +34,60 @@ namespace vibrocontact
     {
       double radius, y, sine, cosine, mass;
     };
+
+    unsigned int cell(const double value, const double low, const double high, const unsigned int n)
+    {
+      return std::min<unsigned int>(n - 1, std::max(0., (value - low) / (high - low) * n));
+    }
   } // namespace
+
+  void WheelRaster::check(const std::string &body) const
+  {
+    if (!(r_min < rim_radius && rim_radius < r_max))
+      throw InputError("Body '" + body + "', section Modes: Rim radius = " + number_text(rim_radius) +
+                       " m is not inside the wheel (radii " + number_text(r_min) + " to " +
+                       number_text(r_max) + " m); set it to the radius where the rim begins.");
+  }
+
+  unsigned int WheelRaster::rim_cell(const double radius, const double y) const
+  {
+    return cell(radius, rim_radius, r_max, n_raster) * n_raster + cell(y, y_min, y_max, n_raster);
+  }
+
+  unsigned int WheelRaster::ring(const double radius) const
+  {
+    return cell(radius, r_min, r_max, n_rings);
+  }
+
+  WheelLabel wheel_label(const WheelMotion &motion)
+  {
+    const unsigned int n = motion.nodal_diameters;
+    const auto &energy = motion.rim_energy;
+    WheelLabel label;
+    label.nodal_diameters = n;
+    const unsigned int family = std::max_element(energy.begin(), energy.end()) - energy.begin();
+    label.family = family == 0 ? "axial" : family == 1 ? "radial" : n == 0 ? "torsion" : "circumferential";
+
+    // The axial motion along the radius, turned to the phase that holds most of it.
+    Complex square = 0;
+    for (const Complex &value : motion.axial)
+      square += value * value;
+    const Complex phase = std::exp(Complex(0, -std::arg(square) / 2));
+    // Pure torsion has no axial motion but round-off: no signs are read from less than a thousandth of the
+    // rim's motion.
+    double largest = 1e-3 / faint * std::sqrt((energy[0] + energy[1] + energy[2]) / motion.rim_mass),
+           last = 0;
+    for (const Complex &value : motion.axial)
+      largest = std::max(largest, std::abs((value * phase).real()));
+    for (const Complex &value : motion.axial)
+      if (const double here = (value * phase).real(); std::abs(here) > faint * largest)
+      {
+        if (here * last < 0)
+          ++label.nodal_circles;
+        last = here;
+      }
+    return label;
+  }
 
   std::vector<WheelLabel> wheel_labels(const SecondOrderSystem &system, const Modes &modes,
                                        const WheelFrame &frame)
@@ -69,16 +122,11 @@ namespace vibrocontact
     r_max = dealii::Utilities::MPI::max(r_max, communicator);
     y_min = dealii::Utilities::MPI::min(y_min, communicator);
     y_max = dealii::Utilities::MPI::max(y_max, communicator);
-    if (!(r_min < frame.rim_radius && frame.rim_radius < r_max))
-      throw InputError("Body '" + system.body +
-                       "', section Modes: Rim radius = " + number_text(frame.rim_radius) +
-                       " m is not inside the wheel (radii " + number_text(r_min) + " to " +
-                       number_text(r_max) + " m); set it to the radius where the rim begins.");
-
-    const auto cell = [](const double value, const double low, const double high, const unsigned int n)
-    { return std::min<unsigned int>(n - 1, std::max(0., (value - low) / (high - low) * n)); };
+    const WheelRaster raster{r_min, r_max, y_min, y_max, frame.rim_radius};
+    raster.check(system.body);
+    constexpr unsigned int n_rim = WheelRaster::n_rim, n_web = WheelRaster::n_rings;
     // rings: 3 components of the rim's raster, then the axial motion by radius
-    constexpr unsigned int n_rim = n_raster * n_raster, n_rings = 3 * n_rim + n_web;
+    constexpr unsigned int n_rings = 3 * n_rim + n_web;
     constexpr unsigned int stride = 1 + 2 * (max_diameters + 1);
 
     std::vector<WheelLabel> labels;
@@ -103,8 +151,7 @@ namespace vibrocontact
         const unsigned char direction = system.dof_direction[i];
         if (node.radius > frame.rim_radius)
         {
-          const unsigned int k = cell(node.radius, frame.rim_radius, r_max, n_raster) * n_raster +
-                                 cell(node.y, y_min, y_max, n_raster);
+          const unsigned int k = raster.rim_cell(node.radius, node.y);
           // e_r = (sin, -cos), e_theta = (cos, sin) in x and z
           if (direction == 1)
           {
@@ -119,7 +166,7 @@ namespace vibrocontact
         }
         if (direction == 1)
         {
-          Ring &ring = rings[3 * n_rim + cell(node.radius, r_min, r_max, n_web)];
+          Ring &ring = rings[3 * n_rim + raster.ring(node.radius)];
           add(ring, node, u[i]);
           ring.mass += node.mass;
         }
@@ -135,7 +182,7 @@ namespace vibrocontact
             for (unsigned int n = 0; n <= max_diameters; ++n)
               energy[c][n] += (n == 0 ? 1 : 2) * std::norm(rings[c * n_rim + k].sum[n]) / rings[k].mass;
 
-      WheelLabel label;
+      WheelMotion motion;
       double most = -1;
       for (unsigned int n = 0; n <= max_diameters; ++n)
       {
@@ -143,45 +190,18 @@ namespace vibrocontact
         if (here > most)
         {
           most = here;
-          label.nodal_diameters = n;
+          motion.nodal_diameters = n;
         }
       }
-      const unsigned int n = label.nodal_diameters;
-      const unsigned int family =
-          std::max_element(energy.begin(), energy.end(),
-                           [n](const auto &a, const auto &b) { return a[n] < b[n]; }) -
-          energy.begin();
-      label.family = family == 0 ? "axial" : family == 1 ? "radial" : n == 0 ? "torsion" : "circumferential";
-
-      // The axial motion along the radius, turned to the phase that holds most of it.
-      std::vector<Complex> profile;
-      Complex square = 0;
+      const unsigned int n = motion.nodal_diameters;
+      for (unsigned int c = 0; c < 3; ++c)
+        motion.rim_energy[c] = energy[c][n];
+      for (unsigned int k = 0; k < n_rim; ++k)
+        motion.rim_mass += rings[k].mass;
       for (unsigned int k = 0; k < n_web; ++k)
         if (const Ring &ring = rings[3 * n_rim + k]; ring.mass > 0)
-        {
-          profile.push_back(ring.sum[n] / ring.mass);
-          square += profile.back() * profile.back();
-        }
-      const Complex phase = std::exp(Complex(0, -std::arg(square) / 2));
-      // Pure torsion has no axial motion but round-off: no signs are read from less than a thousandth of the
-      // rim's motion.
-      double rim_mass = 0;
-      for (unsigned int k = 0; k < n_rim; ++k)
-        rim_mass += rings[k].mass;
-      double largest = 1e-3 / faint * std::sqrt(most / rim_mass), last = 0;
-      for (Complex &value : profile)
-      {
-        value *= phase;
-        largest = std::max(largest, std::abs(value.real()));
-      }
-      for (const Complex &value : profile)
-        if (std::abs(value.real()) > faint * largest)
-        {
-          if (value.real() * last < 0)
-            ++label.nodal_circles;
-          last = value.real();
-        }
-      labels.push_back(label);
+          motion.axial.push_back(ring.sum[n] / ring.mass);
+      labels.push_back(wheel_label(motion));
     }
     return labels;
   }

@@ -123,6 +123,16 @@ namespace vibrocontact
       perturbed_mode(parameters.transient, labels);
     }
 
+    /// Points alone, without motion.
+    SurfaceShapes surface_of(MeshedBody &body)
+    {
+      if (body.parameters.is_revolved())
+        return body.reduction.surface_points();
+      return surface_shapes(body.parameters.is_solid() ? make_surface_trace(body.elastic_body())
+                                                       : body.reduction.system().surface,
+                            Modes());
+    }
+
     void check_probes(const Parameters &parameters, const MeshedBodies &bodies)
     {
       // a rim is where it is
@@ -130,11 +140,7 @@ namespace vibrocontact
       for (const auto &body : bodies)
         for (const ProbeRequest &request : requests)
           if (body && request.body == body->parameters.name)
-            place_probe(request,
-                        surface_shapes(body->parameters.is_solid() ? make_surface_trace(body->elastic_body())
-                                                                   : body->reduction.system().surface,
-                                       Modes()),
-                        0);
+            place_probe(request, surface_of(*body), 0);
     }
 
     void check_sweep_meshes(const MeshedBodies &bodies, const SweepCases &sweep)

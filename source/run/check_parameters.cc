@@ -149,6 +149,29 @@ namespace vibrocontact
                          "/Sweep is that of the reduced model: set it to reduced or leave the sweep out.");
     }
 
+    /// What needs elements of the whole body.
+    void check_harmonics(const Parameters &parameters)
+    {
+      std::vector<std::string> needs;
+      if (parameters.scene.runs("periodic"))
+        needs.push_back("the analysis periodic");
+      for (const auto &[section, model] : unreduced_models(parameters))
+        needs.push_back(section + "/Model = " + model);
+      const std::vector<std::string> responding = split_list(parameters.frequency_response.bodies);
+      for (const BodyParameters &body : parameters.scene.bodies)
+      {
+        if (!body.is_revolved())
+          continue;
+        std::vector<std::string> own = needs;
+        if (parameters.scene.runs("frequency response") &&
+            (responding.empty() || std::count(responding.begin(), responding.end(), body.name) > 0))
+          own.push_back("the analysis frequency response");
+        if (!own.empty())
+          throw InputError(body.name + "/" + body.body_type().section + "/Model is harmonics, but " +
+                           own.front() + " needs elements of the whole body: set it to solid.");
+      }
+    }
+
     void check_sweep(const Parameters &parameters)
     {
       const ParameterSweep &sweep = parameters.sweeps.at("stability");
@@ -313,6 +336,7 @@ namespace vibrocontact
       throw InputError(
           "Stability/Second count knows constant friction only: take the Contact/Friction law coulomb (a "
           "Static friction ratio of 1) or leave the count out.");
+    check_harmonics(*this);
     for (const auto &[section, model] : unreduced_models(*this))
       for (const BodyParameters &body : scene.bodies)
         if (body.description->lies_on_half_space() || body.is_green())

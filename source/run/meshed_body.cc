@@ -7,6 +7,7 @@
 #include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/trace_assembly.h>
 #include <vibrocontact/run/meshed_body.h>
+#include <vibrocontact/scene/revolved_mesh.h>
 
 #include <limits>
 #include <sstream>
@@ -85,9 +86,12 @@ namespace vibrocontact
                          const std::string &key, const std::string &cache_directory,
                          const MPI_Comm communicator)
       : parameters(parameters), above(above), lateral_position(lateral_position), places(places),
-        communicator(communicator), reduction(
-                                        request(parameters, modes, lateral_position, key, cache_directory),
-                                        [this]() { return assemble(); }, communicator)
+        communicator(communicator),
+        reduction(request(parameters, modes, lateral_position, key, cache_directory),
+                  {[this]() { return assemble(); },
+                   parameters.is_revolved() ? BodyReduction::Revolve([this]() { return revolve(); })
+                                            : BodyReduction::Revolve()},
+                  communicator)
   {
   }
 
@@ -117,6 +121,32 @@ namespace vibrocontact
       trace.reset();
     }
     return system;
+  }
+
+  std::unique_ptr<RevolvedReduction> MeshedBody::revolve()
+  {
+    const ContactGrid *const grid = places.empty() ? nullptr : &places.front().grid;
+    if (grid)
+      check_side(places.front().above, false);
+    const ElasticModel<3> model = elastic_model(parameters);
+    const RevolvedMesh mesh = parameters.description->revolved()->make_section(
+        {parameters.name, lateral_position, places, grid, group_names(parameters), communicator});
+    ElasticModel<3> held = model;
+    held.held = {mesh.held};
+    held.gravity[2] = -parameters.loads.gravity;
+    std::optional<RevolvedReduction::Contact> contact;
+    if (grid)
+    {
+      const ElasticMaterial &material = model.material_of(mesh.contact_material);
+      contact = RevolvedReduction::Contact{*grid,
+                                           mesh.tread,
+                                           {material.young_modulus, material.poisson_ratio},
+                                           mesh.n_harmonics,
+                                           mesh.surface_height};
+    }
+    return std::make_unique<RevolvedReduction>(
+        std::make_unique<RevolvedSection>(parameters.name, mesh.triangulation, held, mesh.degree),
+        parameters.name, mesh.radius, lateral_position, contact, communicator);
   }
 
   void MeshedBody::check_contact()

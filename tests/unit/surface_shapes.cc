@@ -36,7 +36,7 @@ namespace
       kept = reduction_test::make_body(parameters, ElasticModel<3>(), MPI_COMM_WORLD, 1);
       return std::move(kept.system);
     };
-    return BodyReduction(request, assemble, MPI_COMM_WORLD);
+    return BodyReduction(request, {assemble}, MPI_COMM_WORLD);
   }
 } // namespace
 

@@ -35,6 +35,8 @@ namespace vibrocontact
     /// exchange of the two points.
     std::array<std::array<double, 3>, 3> influence(double x, double y, double size_x, double size_y) const;
 
+    /// a, b, c [m^2/N]
+    std::array<double, 3> constants() const { return {{a, b, c}}; }
     /// 1 / E* = sum (1 - nu^2) / E [1/Pa]
     double inverse_contact_modulus() const { return inverse_modulus; }
 

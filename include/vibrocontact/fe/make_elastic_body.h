@@ -6,6 +6,10 @@
 
 namespace vibrocontact
 {
+  /// Names of the groups of cells that have a material each, and a model of these materials by group.
+  std::vector<std::string> group_names(const BodyParameters &parameters);
+  ElasticModel<3> elastic_model(const BodyParameters &parameters);
+
   /// Mesh, material, supports and loads of a meshed body as its parameters say, ready to be assembled.
   /// @param lateral_position of the contact on a wheel or, beside its offset, a block [m]
   /// @param places of its contacts, whose grids are refined for; empty: a body without contact

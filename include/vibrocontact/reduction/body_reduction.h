@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/reduction/reduction_cache.h>
+#include <vibrocontact/reduction/revolved_reduction.h>
 
 #include <functional>
 #include <memory>
@@ -33,8 +34,15 @@ namespace vibrocontact
   {
   public:
     using Assemble = std::function<std::unique_ptr<SecondOrderSystem>()>;
+    using Revolve = std::function<std::unique_ptr<RevolvedReduction>()>;
+    /// What it is made of: one system, or a problem for each number of waves around an axle.
+    struct Maker
+    {
+      Assemble assemble;
+      Revolve revolve = {};
+    };
 
-    BodyReduction(const ReductionRequest &request, const Assemble &assemble, MPI_Comm communicator);
+    BodyReduction(const ReductionRequest &request, const Maker &maker, MPI_Comm communicator);
 
     const StaticReduction &statics();
     const ModalReduction &modal();
@@ -47,11 +55,13 @@ namespace vibrocontact
     /// The modes on the body's surface. If the cache has the modes but not these (it was filled by an earlier
     /// version), the modes are computed anew, which is said: ask for them before reduced().
     const SurfaceShapes &surface_shapes();
+    /// The points of the surface alone, of a body that is solved by harmonics. Makes its section.
+    SurfaceShapes surface_points() { return revolved().surface(); }
     /// Whether surface_shapes() needs no computation. Collective.
     bool has_surface_shapes();
     bool has_shapes() const { return static_cast<bool>(mode_shapes); }
 
-    /// The assembled system; assembles it.
+    /// The assembled system; assembles it. @throws InputError if the body has none, being solved by harmonics
     const SecondOrderSystem &system();
     /// The factorised system; factorises it.
     Flexibility &flexibility();
@@ -65,6 +75,7 @@ namespace vibrocontact
     const ReductionRequest &request() const { return asked; }
 
   private:
+    const RevolvedReduction &revolved();
     void compute_modes_now();
     /// Takes the modes from the cache, with all that belongs to them. Collective.
     void load_modes();
@@ -72,10 +83,11 @@ namespace vibrocontact
     std::string modes_key() const { return asked.key + "\nmodes " + asked.modes.key(); }
 
     ReductionRequest asked;
-    Assemble assemble;
+    Maker maker;
     MPI_Comm communicator;
     ReductionCache cache;
     std::unique_ptr<SecondOrderSystem> assembled;
+    std::unique_ptr<RevolvedReduction> by_harmonics;
     std::unique_ptr<Flexibility> factorised;
     std::optional<StaticReduction> static_part;
     std::optional<ModalReduction> modal_part;

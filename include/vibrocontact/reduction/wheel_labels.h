@@ -2,6 +2,8 @@
 
 #include <vibrocontact/reduction/modes.h>
 
+#include <array>
+#include <complex>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,34 @@ namespace vibrocontact
     double axle_height = 0.46;
     /// points beyond this radius are the rim [m]
     double rim_radius = 0.385;
+  };
+
+  /// What the label of a mode is read from.
+  struct WheelMotion
+  {
+    unsigned int nodal_diameters = 0;
+    /// of the rim: energy of its axial, radial and circumferential motion [m^2 kg], mass [kg]
+    std::array<double, 3> rim_energy = {};
+    double rim_mass = 0;
+    /// axial motion from the bore through the web to the tread, Fourier coefficient of the nodal diameters [m]
+    std::vector<std::complex<double>> axial;
+  };
+  WheelLabel wheel_label(const WheelMotion &motion);
+
+  /// Places of a wheel's section that its labels are read at: a raster of the rim's section and rings along the radius.
+  struct WheelRaster
+  {
+    /// of the section; of the rim alone along the axle [m]
+    double r_min, r_max, y_min, y_max, rim_radius;
+
+    static constexpr unsigned int n_rim = 25, n_rings = 40;
+    /// @throws InputError if the rim's radius is not one of the wheel
+    void check(const std::string &body) const;
+    bool is_rim(const double radius) const { return radius > rim_radius; }
+    /// cell of the rim's raster, of n_rim
+    unsigned int rim_cell(double radius, double y) const;
+    /// of n_rings
+    unsigned int ring(double radius) const;
   };
 
   /// Labels from the shapes at the nodes, weighted with the nodes' mass:

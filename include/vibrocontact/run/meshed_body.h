@@ -49,6 +49,7 @@ namespace vibrocontact
     std::optional<ContactTrace> trace;
 
     std::unique_ptr<SecondOrderSystem> assemble();
+    std::unique_ptr<RevolvedReduction> revolve();
     /// Traces of all places.
     ContactTrace contacts_of(const ElementBody &elements, const SecondOrderSystem &system) const;
     void check_side(bool above, bool faces_up) const;

@@ -53,8 +53,9 @@ namespace vibrocontact
         const std::shared_ptr<const BodyTypes> &types = std::make_shared<const BodyTypes>(body_types()));
     const BodyType &body_type() const;
     /// an analytic ring is not
-    bool is_meshed() const { return is_solid() || description->elements(); }
+    bool is_meshed() const { return is_solid() || is_revolved() || description->elements(); }
     bool is_solid() const { return description->solid() != nullptr; }
+    bool is_revolved() const { return description->revolved() != nullptr; }
     /// a ring that turns with the speed of rolling
     bool rolls() const { return description->rolls(); }
     /// known between its own contact points alone, by modes or by Green's functions

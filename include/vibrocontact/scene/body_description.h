@@ -29,12 +29,14 @@ namespace vibrocontact
   class ElementBody;
   class Log;
   class PointBody;
+  class RevolvedBody;
   class SolidBody;
   struct BodyInContact;
   struct ContactTrace;
   struct BodyParameters;
   struct IdentifiedParameters;
   struct ReducedBody;
+  struct RevolvedMesh;
   struct SecondOrderSystem;
 
   /// Where contacts of a body may lie.
@@ -68,6 +70,8 @@ namespace vibrocontact
     // What it is made of; null: of something else.
     /// hexahedra, with loads and fields
     virtual const SolidBody *solid() const { return nullptr; }
+    /// elements of its section, one problem for each number of waves around its axle
+    virtual const RevolvedBody *revolved() const { return nullptr; }
     /// elements assembled by itself
     virtual const ElementBody *elements() const { return nullptr; }
     /// modes or poles in closed form, known at its own contact points alone
@@ -220,6 +224,15 @@ namespace vibrocontact
     /// Boundaries that are held or on springs. @param mesh of make_mesh()
     virtual void hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const = 0;
     virtual unsigned int mesh_degree() const { return 2; }
+  };
+
+  /// A body of revolution whose motions are solved wave by wave around its axle.
+  class RevolvedBody
+  {
+  public:
+    virtual ~RevolvedBody() = default;
+    /// @throws InputError
+    virtual RevolvedMesh make_section(const SolidBody::MeshRequest &request) const = 0;
   };
 
   /// A body that is known at its own contact points, by modes or poles in closed form.

@@ -20,9 +20,13 @@ namespace vibrocontact
   ///        |     |____________|  rim
   ///      --+-----------*-----------> y      tread, z = 0
   ///           flange
-  struct WheelParameters : SolidBody
+  struct WheelParameters : SolidBody, RevolvedBody
   {
     SectionParameters section{"wheel"};
+    /// solid: hexahedra all around; harmonics: elements of the section, one problem for each number of waves
+    std::string model = "solid";
+    /// waves around the axle that the contact compliance is summed over; a half-space has the shorter ones
+    unsigned int n_harmonics = 40;
     /// gmsh file to write the coarse mesh to; empty: none
     std::string write_mesh;
     /// similar wheels: all lengths times this factor
@@ -36,6 +40,16 @@ namespace vibrocontact
     void declare_parameters(dealii::ParameterHandler &prm) override;
     void check(const std::string &path) const override;
     bool add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const override;
+    void read_ahead(const ParameterFile &file, const std::string &section) override;
+    bool is_by_harmonics() const { return model == "harmonics"; }
+    const SolidBody *solid() const override { return is_by_harmonics() ? nullptr : this; }
+    const RevolvedBody *revolved() const override { return is_by_harmonics() ? this : nullptr; }
+    ContactPlaces contact_places() const override
+    {
+      return is_by_harmonics() ? ContactPlaces::own : ContactPlaces::anywhere;
+    }
+    bool takes_gravity() const override { return is_by_harmonics(); }
+    RevolvedMesh make_section(const MeshRequest &request) const override;
     BodyMesh<3> make_mesh(const MeshRequest &request) const override;
     void hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const override;
     unsigned int mesh_degree() const override { return section.element_degree; }

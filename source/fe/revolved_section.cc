@@ -1,0 +1,368 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/fe/revolved_section.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace vibrocontact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// nodes nearer to it lie on the axle [m]
+    constexpr double axle_radius = 1e-9;
+
+    /// integral of cos^2 or sin^2 around the axle
+    double around(const unsigned int n)
+    {
+      return n == 0 ? 2 * numbers::PI : numbers::PI;
+    }
+
+    /// strains of a shape N of one component, constant and linear in n: aa, rr, tt, ar, rt, at
+    using Strain = std::array<double, 6>;
+    void strains(const unsigned int component, const double N, const Tensor<1, 2> &gradient, const double r,
+                 Strain &constant, Strain &linear)
+    {
+      const double N_a = gradient[0], N_r = gradient[1];
+      switch (component)
+      {
+      case RevolvedSection::axial:
+        constant = {{N_a, 0, 0, N_r, 0, 0}};
+        linear = {{0, 0, 0, 0, 0, -N / r}};
+        break;
+      case RevolvedSection::radial:
+        constant = {{0, N_r, N / r, N_a, 0, 0}};
+        linear = {{0, 0, 0, 0, -N / r, 0}};
+        break;
+      default:
+        constant = {{0, 0, 0, 0, N_r - N / r, N_a}};
+        linear = {{0, 0, N / r, 0, 0, 0}};
+      }
+    }
+
+    /// a^T D b of an isotropic material
+    double energy(const ElasticMaterial &material, const Strain &a, const Strain &b)
+    {
+      const double lambda = material.lambda(), mu = material.mu();
+      return lambda * (a[0] + a[1] + a[2]) * (b[0] + b[1] + b[2]) +
+             2 * mu * (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) +
+             mu * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
+    }
+  } // namespace
+
+  RevolvedSection::RevolvedSection(const std::string &name,
+                                   std::shared_ptr<const Triangulation<2>> triangulation_,
+                                   const ElasticModel<3> &model, const unsigned int degree)
+      : name(name), triangulation(std::move(triangulation_)), model(model), element(FE_Q<2>(degree), 3),
+        mapping(degree), dof_handler(*triangulation)
+  {
+    // of no higher order than the displacements: straight motions of the body are among them
+    mapping.initialize(MappingQ<2>(degree), *triangulation);
+    dof_handler.distribute_dofs(element);
+    compute_cells();
+  }
+
+  /// Hanging nodes, held boundaries and, on the axle, what makes a motion smooth there: n = 0 is axial alone, n = 1 across,
+  /// U = -V, more waves do not move it.
+  AffineConstraints<double> RevolvedSection::constraints(const unsigned int n) const
+  {
+    AffineConstraints<double> result;
+    DoFTools::make_hanging_node_constraints(dof_handler, result);
+    for (const types::boundary_id held : model.held)
+      DoFTools::make_zero_boundary_constraints(dof_handler, held, result);
+    std::map<double, types::global_dof_index> on_axle;
+    for (unsigned int dof = 0; dof < n_dofs(); ++dof)
+      if (places[dof][1] < axle_radius && directions[dof] == radial)
+        on_axle[places[dof][0]] = dof;
+    for (unsigned int dof = 0; dof < n_dofs(); ++dof)
+      if (places[dof][1] < axle_radius && !result.is_constrained(dof))
+      {
+        const unsigned char c = directions[dof];
+        if (n == 1 && c == circumferential)
+        {
+          result.add_line(dof);
+          result.add_entry(dof, on_axle.at(places[dof][0]), -1.);
+        }
+        else if (n > 1 || (n == 1 && c == axial) || (n == 0 && c != axial))
+          result.add_line(dof);
+      }
+    result.close();
+    return result;
+  }
+
+  void RevolvedSection::compute_cells()
+  {
+    const FiniteElement<2> &scalar = element.base_element(0);
+    const unsigned int n = element.n_dofs_per_cell();
+    FEValues<2> values(mapping, scalar, QGauss<2>(scalar.degree + 2),
+                       update_values | update_gradients | update_JxW_values | update_quadrature_points);
+    FEValues<2> nodes(mapping, element, Quadrature<2>(element.get_unit_support_points()),
+                      update_quadrature_points);
+    places.resize(dof_handler.n_dofs());
+    directions.resize(dof_handler.n_dofs());
+    std::vector<Strain> constant(n), linear(n);
+    for (const auto &cell : dof_handler.active_cell_iterators())
+    {
+      values.reinit(typename Triangulation<2>::active_cell_iterator(cell));
+      nodes.reinit(cell);
+      const ElasticMaterial &material = model.material_of(cell->material_id());
+      Cell here;
+      here.dofs.resize(n);
+      cell->get_dof_indices(here.dofs);
+      here.loss_factor = material.loss_factor;
+      for (auto *const matrix : {&here.K_0, &here.K_1, &here.K_2, &here.M})
+        matrix->reinit(n, n);
+      here.weight.reinit(n);
+      for (unsigned int k = 0; k < n; ++k)
+      {
+        places[here.dofs[k]] = nodes.quadrature_point(k);
+        directions[here.dofs[k]] = element.system_to_component_index(k).first;
+      }
+      for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+      {
+        const double r = values.quadrature_point(q)[1], dA = values.JxW(q) * r;
+        if (!(r > 0))
+          throw InputError("The section of body " + name + " crosses its axle: it reaches a radius of " +
+                           number_text(r) + " m; give one half of the section, all radii above 0.");
+        total_mass += 2 * numbers::PI * material.density * dA;
+        for (unsigned int k = 0; k < n; ++k)
+        {
+          const auto [component, node] = element.system_to_component_index(k);
+          strains(component, values.shape_value(node, q), values.shape_grad(node, q), r, constant[k],
+                  linear[k]);
+          here.weight(k) += material.density * values.shape_value(node, q) * dA;
+        }
+        for (unsigned int k = 0; k < n; ++k)
+          for (unsigned int l = 0; l <= k; ++l)
+          {
+            here.K_0(k, l) += energy(material, constant[k], constant[l]) * dA;
+            here.K_1(k, l) +=
+                (energy(material, constant[k], linear[l]) + energy(material, linear[k], constant[l])) * dA;
+            here.K_2(k, l) += energy(material, linear[k], linear[l]) * dA;
+            const auto [c, a] = element.system_to_component_index(k);
+            const auto [d, b] = element.system_to_component_index(l);
+            if (c == d)
+              here.M(k, l) += material.density * values.shape_value(a, q) * values.shape_value(b, q) * dA;
+          }
+      }
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int l = 0; l < k; ++l)
+          for (auto *const matrix : {&here.K_0, &here.K_1, &here.K_2, &here.M})
+            (*matrix)(l, k) = (*matrix)(k, l);
+      cells.push_back(std::move(here));
+    }
+  }
+
+  std::unique_ptr<SecondOrderSystem> RevolvedSection::system(const unsigned int n) const
+  {
+    auto result = std::make_unique<SecondOrderSystem>();
+    SecondOrderSystem &system = *result;
+    system.body = name;
+    system.communicator = MPI_COMM_SELF;
+    system.locally_owned = complete_index_set(n_dofs());
+    system.total_mass = total_mass;
+    system.has_loss =
+        std::any_of(cells.begin(), cells.end(), [](const Cell &cell) { return cell.loss_factor > 0; });
+    const AffineConstraints<double> constraints = this->constraints(n);
+    DynamicSparsityPattern pattern(n_dofs());
+    DoFTools::make_sparsity_pattern(dof_handler, pattern, constraints, false);
+    const IndexSet &owned = system.locally_owned;
+    system.stiffness.reinit(owned, owned, pattern, MPI_COMM_SELF);
+    system.mass.reinit(system.stiffness);
+    if (system.has_loss)
+      system.loss_stiffness.reinit(system.stiffness);
+    FullMatrix<double> K, M;
+    for (const Cell &cell : cells)
+    {
+      K = cell.K_0;
+      K.add(double(n), cell.K_1, double(n) * n, cell.K_2);
+      K *= around(n);
+      M = cell.M;
+      M *= around(n);
+      constraints.distribute_local_to_global(K, cell.dofs, system.stiffness);
+      constraints.distribute_local_to_global(M, cell.dofs, system.mass);
+      if (system.has_loss)
+      {
+        K *= cell.loss_factor;
+        constraints.distribute_local_to_global(K, cell.dofs, system.loss_stiffness);
+      }
+    }
+    for (auto *const matrix : {&system.stiffness, &system.mass, &system.loss_stiffness})
+      if (matrix != &system.loss_stiffness || system.has_loss)
+        matrix->compress(VectorOperation::add);
+    for (unsigned int dof = 0; dof < n_dofs(); ++dof)
+    {
+      if (constraints.is_constrained(dof))
+      {
+        system.mass.set(dof, dof, 0.);
+        if (system.has_loss)
+          system.loss_stiffness.set(dof, dof, 0.);
+      }
+      // along x, y, z of the contact frame at theta = 0
+      system.dof_position.emplace_back(0., places[dof][0], -places[dof][1]);
+      system.dof_direction.push_back(directions[dof] == axial ? 1 : directions[dof] == radial ? 2 : 0);
+    }
+    system.mass.compress(VectorOperation::insert);
+    if (system.has_loss)
+      system.loss_stiffness.compress(VectorOperation::insert);
+    if (!model.is_supported())
+      add_rigid_motions(n, constraints, system);
+    system.follows_hub = !model.held.empty();
+    return result;
+  }
+
+  /// n = 0: along the axle and about it; n = 1: across it and tilt about the place a = 0.
+  void RevolvedSection::add_rigid_motions(const unsigned int n, const AffineConstraints<double> &constraints,
+                                          SecondOrderSystem &system) const
+  {
+    if (n > 1)
+      return;
+    for (unsigned int motion = 0; motion < 2; ++motion)
+    {
+      PETScWrappers::MPI::Vector v(system.locally_owned, MPI_COMM_SELF);
+      for (unsigned int dof = 0; dof < n_dofs(); ++dof)
+      {
+        if (constraints.is_constrained(dof))
+          continue;
+        const double a = places[dof][0], r = places[dof][1];
+        const unsigned char c = directions[dof];
+        const double across = c == radial ? 1. : c == circumferential ? -1. : 0.;
+        v(dof) = n == 0 ? (motion == 0            ? double(c == axial)
+                           : c == circumferential ? r
+                                                  : 0.)
+                        : (motion == 0  ? across
+                           : c == axial ? -r
+                                        : a * across);
+      }
+      v.compress(VectorOperation::insert);
+      for (const auto &other : system.rigid_motions)
+        v.add(-(v * other), other);
+      v /= v.l2_norm();
+      system.rigid_motions.push_back(v);
+    }
+    system.n_rigid_modes = 2;
+  }
+
+  std::unique_ptr<PETScWrappers::MPI::Vector> RevolvedSection::weight(const unsigned int n,
+                                                                      const bool odd) const
+  {
+    // e_z = -e_r cos(theta) + e_t sin(theta), e_x = e_r sin(theta) + e_t cos(theta)
+    const double across = odd ? model.gravity[0] : -model.gravity[2];
+    const std::array<double, 3> along = n == 0   ? std::array<double, 3>{{model.gravity[1], 0., 0.}}
+                                        : n == 1 ? std::array<double, 3>{{0., across, -across}}
+                                                 : std::array<double, 3>{};
+    const bool pulls = std::any_of(along.begin(), along.end(), [](const double g) { return g != 0; });
+    if (!pulls || (n == 0 && odd))
+      return nullptr;
+    const AffineConstraints<double> constraints = this->constraints(n);
+    auto result = std::make_unique<PETScWrappers::MPI::Vector>(complete_index_set(n_dofs()), MPI_COMM_SELF);
+    for (const Cell &cell : cells)
+    {
+      Vector<double> load = cell.weight;
+      for (unsigned int k = 0; k < load.size(); ++k)
+        load(k) *= around(n) * along[directions[cell.dofs[k]]];
+      constraints.distribute_local_to_global(load, cell.dofs, *result);
+    }
+    result->compress(VectorOperation::add);
+    return result;
+  }
+
+  namespace
+  {
+    TraceRow merged(const std::map<types::global_dof_index, double> &weights,
+                    const AffineConstraints<double> &constraints)
+    {
+      std::map<types::global_dof_index, double> free;
+      for (const auto &[dof, weight] : weights)
+        if (!constraints.is_constrained(dof))
+          free[dof] += weight;
+        else
+          for (const auto &[other, factor] : *constraints.get_constraint_entries(dof))
+            free[other] += factor * weight;
+      return {free.begin(), free.end()};
+    }
+  } // namespace
+
+  TraceRow RevolvedSection::mean_over(const types::boundary_id boundary, const double low, const double high,
+                                      const Component component) const
+  {
+    std::map<types::global_dof_index, double> weights;
+    std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
+    double covered = 0;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+      {
+        if (!cell->face(f)->at_boundary() || cell->face(f)->boundary_id() != boundary)
+          continue;
+        const double from = cell->face(f)->vertex(0)[0], span = cell->face(f)->vertex(1)[0] - from;
+        double s_0 = (low - from) / span, s_1 = (high - from) / span;
+        if (s_0 > s_1)
+          std::swap(s_0, s_1);
+        s_0 = std::max(s_0, 0.);
+        s_1 = std::min(s_1, 1.);
+        if (!(s_1 - s_0 > 1e-9))
+          continue;
+        const QGauss<1> gauss(element.degree + 1);
+        std::vector<Point<1>> points;
+        for (const Point<1> &p : gauss.get_points())
+          points.emplace_back(s_0 + (s_1 - s_0) * p[0]);
+        FEFaceValues<2> values(mapping, element, Quadrature<1>(points, gauss.get_weights()), update_values);
+        values.reinit(cell, f);
+        cell->get_dof_indices(dofs);
+        covered += std::abs(span) * (s_1 - s_0);
+        for (unsigned int k = 0; k < dofs.size(); ++k)
+          if (element.system_to_component_index(k).first == component)
+            for (unsigned int q = 0; q < points.size(); ++q)
+              if (const double N = values.shape_value(k, q); std::abs(N) > 1e-14)
+                weights[dofs[k]] += std::abs(span) * (s_1 - s_0) * gauss.weight(q) * N;
+      }
+    if (!(covered > (high - low) * (1 - 1e-6)))
+      throw InputError(
+          "The contact grid leaves the tread of body " + name + " between y = " + number_text(1e3 * low) +
+          " and " + number_text(1e3 * high) +
+          " mm of its section; make the grid smaller or move the contact (Contact/Lateral position).");
+    for (auto &weight : weights)
+      weight.second /= covered;
+    return merged(weights, constraints(0));
+  }
+
+  RevolvedSection::Boundary RevolvedSection::boundary(const unsigned int n) const
+  {
+    const AffineConstraints<double> constraints = this->constraints(n);
+    Boundary result;
+    std::map<unsigned int, unsigned int> number_of;
+    const auto point =
+        [&](const typename DoFHandler<2>::active_cell_iterator &cell, const unsigned int vertex)
+    {
+      const auto [at, is_new] = number_of.emplace(cell->vertex_index(vertex), result.points.size());
+      if (is_new)
+      {
+        result.points.push_back(cell->vertex(vertex));
+        for (unsigned int c = 0; c < 3; ++c)
+          result.rows.push_back(merged({{cell->vertex_dof_index(vertex, c), 1.}}, constraints));
+      }
+      return at->second;
+    };
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary())
+        {
+          std::array<unsigned int, 2> edge;
+          for (unsigned int v = 0; v < 2; ++v)
+            edge[v] = point(cell, GeometryInfo<2>::face_to_cell_vertices(f, v));
+          result.edges.push_back(edge);
+        }
+    return result;
+  }
+} // namespace vibrocontact
