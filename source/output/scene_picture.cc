@@ -3,6 +3,7 @@
 #include <vibrocontact/output/field_writer.h>
 #include <vibrocontact/output/figures.h>
 #include <vibrocontact/output/scene_picture.h>
+#include <vibrocontact/output/surface_fields.h>
 
 #include <nlohmann/json.hpp>
 
@@ -39,6 +40,14 @@ namespace vibrocontact
                                                          body.solid->communicator());
         write_surface_fields(*body.solid, {{&at_rest}}, folder, set);
         one["surface"] = field_name(set, 0);
+      }
+      if (!body.quads.empty())
+      {
+        one["surface"] = field_name("scene_" + body.parameters->name, 0);
+        on_first_rank(
+            [&] {
+              write_surface(body.points, body.quads, {}, folder + "/" + one["surface"].get<std::string>());
+            });
       }
       scene["bodies"].push_back(one);
     }

@@ -5,6 +5,12 @@
 
 namespace vibrocontact
 {
+  namespace
+  {
+    /// with modes
+    constexpr unsigned int supposed_waves = 24;
+  } // namespace
+
   ReductionCost reduction_cost(const double n_dofs, const double n_rows, const double n_modes,
                                const bool counts_first)
   {
@@ -28,6 +34,19 @@ namespace vibrocontact
     }
     for (const ReductionStage &stage : cost.stages)
       cost.peak = std::max(cost.peak, stage.bytes);
+    return cost;
+  }
+
+  ReductionCost revolved_cost(const double n_dofs, const double n_waves, const bool with_modes)
+  {
+    const double size = n_dofs / 3900, seconds = 0.04 * std::pow(size, 1.2),
+                 bytes = 5e3 * n_dofs + 6e7 * size;
+    ReductionCost cost;
+    if (n_waves > 0)
+      cost.stages.push_back({"contact compliance", seconds * (n_waves + 1), bytes});
+    if (with_modes)
+      cost.stages.push_back({"modes", seconds * supposed_waves, bytes});
+    cost.peak = bytes;
     return cost;
   }
 } // namespace vibrocontact

@@ -133,6 +133,26 @@ namespace vibrocontact
     return rows;
   }
 
+  void RevolvedReduction::turn_with_tread(DenseMatrix &compliance) const
+  {
+    const unsigned int n = contact->grid.n_points();
+    const auto turn = [](double &normal, double &along, const double sine, const double cosine)
+    {
+      const double z = cosine * normal + sine * along;
+      along = cosine * along - sine * normal;
+      normal = z;
+    };
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const double sine = contact->grid.x(i) / radius, cosine = std::sqrt(1 - sine * sine);
+      const unsigned int z = contact_row(n, 0, i), x = contact_row(n, 1, i);
+      for (unsigned int k = 0; k < 3 * n; ++k)
+        turn(compliance(z, k), compliance(x, k), sine, cosine);
+      for (unsigned int k = 0; k < 3 * n; ++k)
+        turn(compliance(k, z), compliance(k, x), sine, cosine);
+    }
+  }
+
   StaticReduction RevolvedReduction::statics() const
   {
     AssertThrow(contact, dealii::ExcInternalError());
@@ -187,8 +207,10 @@ namespace vibrocontact
     MPI::sum(entries, communicator, entries);
     std::copy(entries.begin(), entries.end(), &result.compliance(0, 0));
     const HalfSpaceMaterial rigid_body{std::numeric_limits<double>::infinity(), 0.};
-    result.compliance.add(
-        1., short_wave_compliance(grid, HalfSpacePair(contact->material, rigid_body), (N + 0.5) / radius));
+    DenseMatrix short_waves =
+        short_wave_compliance(grid, HalfSpacePair(contact->material, rigid_body), (N + 0.5) / radius);
+    turn_with_tread(short_waves);
+    result.compliance.add(1., short_waves);
     for (unsigned int j = 0; j < 3 * n_points; ++j)
       for (unsigned int i = 0; i < j; ++i)
         result.compliance(i, j) = result.compliance(j, i) =

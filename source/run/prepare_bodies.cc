@@ -129,6 +129,8 @@ namespace vibrocontact
         const bool cached = body->reduction.is_cached(parameters.has_contact(), with_modes);
         if (cached && !wanted)
           continue;
+        if (body->parameters.is_revolved())
+          body->reduction.revolved(); // its section and contact are checked
         if (!body->parameters.is_solid())
           continue;
         body->elastic_body();
@@ -154,6 +156,16 @@ namespace vibrocontact
       print_body(*drawn.back().parameters, drawn.back().solid);
       if (solid)
         print_cost(cost_of(parameters, *bodies[k]));
+      if (bodies[k] && bodies[k]->parameters.is_revolved())
+      {
+        const RevolvedReduction &waves = bodies[k]->reduction.revolved();
+        const SurfaceShapes surface = waves.surface();
+        drawn.back().points = surface.points;
+        drawn.back().quads = surface.quads;
+        run_log().value("dofs of its section", waves.n_section_dofs());
+        print_cost(
+            revolved_cost(waves.n_section_dofs(), waves.n_waves(), wants_modes(parameters, *bodies[k])));
+      }
     }
     for (const PlacedContact &contact : parameters.placed_contacts().all)
     {

@@ -32,6 +32,17 @@ namespace vibrocontact
     std::vector<double> revolved_heights(const SectionOutline &outline, const ContactGrid &grid,
                                          const double axle_height, const double lateral_position)
     {
+      const auto [first, last] = tread_limits(outline);
+      const double low = lateral_position + grid.y_first - grid.spacing_y / 2,
+                   high = low + grid.n_y * grid.spacing_y;
+      if (low < first || high > last)
+      {
+        std::ostringstream text;
+        text << "The contact grid reaches from " << low << " to " << high
+             << " m of the wheel's section, but its tread from " << first << " to " << last
+             << " m: make the grid smaller or move the contact (Contact/Lateral position).";
+        throw InputError(text.str());
+      }
       const QGauss<1> gauss(4);
       std::vector<double> heights(grid.n_points(), 0.);
       for (unsigned int i = 0; i < grid.n_points(); ++i)

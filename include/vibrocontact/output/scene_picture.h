@@ -15,10 +15,13 @@ namespace vibrocontact
     const BodyParameters *parameters;
     /// null unless it is solid
     const ElasticBody<3> *solid;
+    /// points and quads (SurfaceShapes) of another body that has a surface
+    std::vector<double> points = {};
+    std::vector<int> quads = {};
   };
 
   /// Draws what --check has read: folder/scene.json (types and sizes of the bodies, the contact grid), the surfaces of
-  /// solid bodies as folder/fields/scene_<body>_0000.vtu, and by contrib/plot_results.py folder/figures/scene.png.
+  /// bodies that have one as folder/fields/scene_<body>_0000.vtu, and by contrib/plot_results.py folder/figures/scene.png.
   /// Collective. @param bodies above first; @param grid null without contact
   /// @throws OutputError
   void draw_scene(const std::vector<DrawnBody> &bodies, const ContactGrid *grid, const std::string &folder);

@@ -57,6 +57,7 @@ namespace vibrocontact
     const SurfaceShapes &surface_shapes();
     /// The points of the surface alone, of a body that is solved by harmonics. Makes its section.
     SurfaceShapes surface_points() { return revolved().surface(); }
+    const RevolvedReduction &revolved();
     /// Whether surface_shapes() needs no computation. Collective.
     bool has_surface_shapes();
     bool has_shapes() const { return static_cast<bool>(mode_shapes); }
@@ -75,7 +76,6 @@ namespace vibrocontact
     const ReductionRequest &request() const { return asked; }
 
   private:
-    const RevolvedReduction &revolved();
     void compute_modes_now();
     /// Takes the modes from the cache, with all that belongs to them. Collective.
     void load_modes();

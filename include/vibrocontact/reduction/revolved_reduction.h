@@ -44,6 +44,9 @@ namespace vibrocontact
     ModalReduction modes(const ModeParameters &parameters, const WheelFrame &frame,
                          SurfaceShapes &shapes) const;
 
+    unsigned int n_section_dofs() const { return section->n_dofs(); }
+    /// of the compliance; 0 without contact
+    unsigned int n_waves() const { return contact ? contact->n_harmonics : 0; }
     /// The points of the surface alone.
     SurfaceShapes surface() const;
 
@@ -53,6 +56,8 @@ namespace vibrocontact
     /// Contact rows (3 n_points) by those of the section, component c of row j of cells as [c n_y + j]; n = 0: both families
     DenseMatrix around(unsigned int n, bool odd) const;
     std::vector<TraceRow> section_rows() const;
+    /// From normal and tangent of the tread at each point to z and x.
+    void turn_with_tread(DenseMatrix &compliance) const;
     std::vector<WaveMode> modes_of(unsigned int n, const ModeParameters &parameters,
                                    const WheelFrame &frame) const;
     /// n = 0, 1, ... shared out over the ranks, ascending in frequency

@@ -5,6 +5,7 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/output/field_writer.h>
+#include <vibrocontact/output/surface_fields.h>
 #include <vibrocontact/run/entries_of_contact.h>
 
 #include <filesystem>
@@ -23,6 +24,28 @@ namespace vibrocontact
         copy_file(from + "/" + name, to + "/" + name);
       }
       copy_file(from + "/" + set + ".pvd", to + "/" + set + ".pvd");
+    }
+
+    /// Of a body that is known on its surface alone.
+    void write_surface_shapes(MeshedBody &body, const ModalResult &modes, const std::string &folder)
+    {
+      const SurfaceShapes &shapes = body.reduction.surface_shapes();
+      const std::string set = "mode_" + body.parameters.name;
+      on_first_rank(
+          [&]
+          {
+            std::vector<std::pair<double, std::string>> files;
+            for (unsigned int k = 0; k < shapes.n_modes(); ++k)
+            {
+              std::vector<double> amplitudes(shapes.n_modes(), 0.);
+              amplitudes[k] = 1;
+              files.emplace_back(modes.frequencies_Hz[k], field_name(set, k));
+              write_surface(shapes.points, shapes.quads,
+                            {{"displacement", surface_displacement(shapes, amplitudes)}},
+                            folder + "/" + files.back().second);
+            }
+            write_pvd(files, folder + "/" + set + ".pvd");
+          });
     }
 
     void write_shapes(MeshedBody &body, const ModalResult &modes, const std::string &folder)
@@ -76,6 +99,8 @@ namespace vibrocontact
     on_first_rank([&] { modal_table(modes).write(folder + "/modes_" + name + ".csv"); });
     if (fields && body.parameters.is_solid())
       write_shapes(body, modes, folder);
+    if (fields && body.parameters.is_revolved())
+      write_surface_shapes(body, modes, folder);
   }
 
   namespace
