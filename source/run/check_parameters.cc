@@ -9,6 +9,7 @@
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/parameters.h>
 #include <vibrocontact/scene/identified.h>
+#include <vibrocontact/scene/rail.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,15 +68,31 @@ namespace vibrocontact
       for (const std::string &name : wanted)
         if (modes.count(name) == 0 &&
             std::none_of(scene.bodies.begin(), scene.bodies.end(),
-                         [&](const BodyParameters &body) { return body.name == name && body.is_green(); }))
+                         [&](const BodyParameters &body) {
+                           return body.name == name && (body.is_green() || periodic_rail(*body.description));
+                         }))
           throw InputError("Frequency response/Bodies names \"" + name +
                            "\", which is no meshed body of this file; name one or leave the entry empty");
       for (const BodyParameters &body : scene.bodies)
-        if (body.is_meshed() && response.method == "modal" && !modes.at(body.name).any() &&
+        if (periodic_rail(*body.description) && response.method == "modal" &&
             (wanted.empty() || std::count(wanted.begin(), wanted.end(), body.name) > 0))
+          throw InputError(body.name + "/Rail/Model is periodic, which has no modes, but Frequency "
+                                       "response/Method is modal: set it to direct.");
+        else if (body.is_meshed() && response.method == "modal" && !modes.at(body.name).any() &&
+                 (wanted.empty() || std::count(wanted.begin(), wanted.end(), body.name) > 0))
           throw InputError(body.name +
                            "/Modes asks for no modes, but Frequency response/Method is modal; give Upper "
                            "frequency or Count, or set Method to direct");
+    }
+
+    /// A track without ends is known by its receptances alone.
+    void check_periodic_rails(const Scene &scene)
+    {
+      for (const BodyParameters &body : scene.bodies)
+        for (const std::string &analysis : scene.analyses)
+          if (periodic_rail(*body.description) && analysis != "frequency response")
+            throw InputError(body.name + "/Rail/Model is periodic, which the analysis \"" + analysis +
+                             "\" does not take; set it to solid or leave the analysis out.");
     }
 
     void check_road_friction(const Parameters &parameters)
@@ -207,6 +224,7 @@ namespace vibrocontact
   void Parameters::check() const
   {
     scene.check();
+    check_periodic_rails(scene);
     check_contacts(*this);
     for (const auto &[name, mode] : modes)
       mode.check(name + "/Modes");

@@ -2,6 +2,7 @@
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/run/entries_of_bodies.h>
 #include <vibrocontact/scene/identified.h>
+#include <vibrocontact/scene/rail.h>
 
 #include <algorithm>
 
@@ -35,15 +36,16 @@ namespace vibrocontact
         sections.push_back(body.name + "/Material/" + group.first);
       if (sections.empty())
         sections.push_back(body.name + "/Material");
+      const bool has_elements = body.is_meshed() || periodic_rail(*body.description);
       for (const std::string &section : sections)
       {
         entries.add(section, "Young modulus");
         entries.add_if(!body.description->moves_along_z_only(), "the body does not move along z alone",
                        section, "Poisson ratio");
         // of several materials each has to name its density
-        entries.add_if(!body.materials.empty() || (body.is_meshed() && (use.motion || use.heavy)),
+        entries.add_if(!body.materials.empty() || (has_elements && (use.motion || use.heavy)),
                        "the body moves or has a Gravity", section, "Density");
-        entries.add_if(body.is_meshed() && use.loss, "the body moves", section, "Loss factor");
+        entries.add_if(has_elements && use.loss, "the body moves", section, "Loss factor");
       }
     }
 

@@ -88,6 +88,10 @@ namespace vibrocontact
   void RailParameters::declare_parameters(ParameterHandler &prm)
   {
     using Patterns::Double;
+    prm.add_parameter("Model", model,
+                      "solid: the section extruded over a length; periodic: infinite on equal supports, for "
+                      "harmonic motion alone. Units: none.",
+                      Patterns::Selection("solid|periodic"));
     section.declare_parameters(prm, "lateral, height; outline of the right half");
     prm.add_parameter("Length", length, "Length of the rail; the contact is at its middle. Units: m.",
                       Double(0));
@@ -103,6 +107,26 @@ namespace vibrocontact
                       "Length of rail on either side of the contact with the contact division. Units: m.",
                       Double(0));
     refinement.declare_parameters(prm);
+    prm.add_parameter(
+        "Sleeper mass", sleeper_mass,
+        "Model periodic: mass of a sleeper under one rail, which shifts as a rigid body; 0: the "
+        "pads lie on rigid ground. Units: kg.",
+        Double(0));
+    prm.add_parameter("Ballast stiffness x", ballast_stiffness_x,
+                      "Longitudinal stiffness of the ballast under one rail's part of a sleeper. Units: N/m.",
+                      Double(0));
+    prm.add_parameter("Ballast stiffness y", ballast_stiffness_y, "Lateral stiffness of it. Units: N/m.",
+                      Double(0));
+    prm.add_parameter("Ballast stiffness z", ballast_stiffness_z, "Vertical stiffness of it. Units: N/m.",
+                      Double(0));
+    prm.add_parameter("Ballast loss factor", ballast_loss_factor,
+                      "Hysteretic loss factor of the ballast. Units: none.", Double(0, 10));
+  }
+
+  void RailParameters::read_ahead(const ParameterFile &file, const std::string &section)
+  {
+    // whether it has modes and a mesh
+    model = file.raw_value(section, "Model", model);
   }
 
   void RailParameters::check(const std::string &path) const
@@ -115,9 +139,24 @@ namespace vibrocontact
            << " m) must be 1e-4 m or more and not above Coarse division (" << coarse_division << " m).";
     else if (has_pads() && !(pad_length > 0))
       text << path << "/Pad length is 0: a rail of finite elements needs pads of some length; give 0.15 m.";
+    else if (is_periodic() && has_pads() && !(pad_length < sleeper_spacing))
+      text << path << "/Pad length (" << pad_length << " m) must be below Sleeper spacing ("
+           << sleeper_spacing << " m).";
+    else if (is_periodic() && sleeper_mass > 0 &&
+             !(ballast_stiffness_x > 0 && ballast_stiffness_y > 0 && ballast_stiffness_z > 0))
+      text << path << "/Sleeper mass is " << sleeper_mass
+           << " kg, but nothing holds the sleepers in some direction: give Ballast stiffness x, y and z.";
+    else if (is_periodic() && !has_pads())
+      text << path << "/Model is periodic, but there are no supports: give Pad stiffness x, y and z.";
     if (!text.str().empty())
       throw InputError(text.str());
     RailSupports::check(path);
+  }
+
+  const RailParameters *periodic_rail(const BodyDescription &description)
+  {
+    const auto *rail = dynamic_cast<const RailParameters *>(&description);
+    return rail && rail->is_periodic() ? rail : nullptr;
   }
 
   BodyMesh<3> make_rail(const RailParameters &parameters, const ContactGrid *grid, const std::string &name,
@@ -231,8 +270,17 @@ namespace vibrocontact
 
   bool RailParameters::add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const
   {
-    entries.add(section, "Section mesh, Section outline, Section refinements, Element degree, Length, "
-                         "Lateral position, Contact division, Coarse division, Growth, Fine length");
+    entries.add(section, "Model, Section mesh, Section outline, Section refinements, Element degree, "
+                         "Lateral position");
+    if (is_periodic())
+    {
+      entries.add(section, "Pad stiffness x, Pad stiffness y, Pad stiffness z, Contact at, Sleeper spacing, "
+                           "Pad length, Pad loss factor, Sleeper mass");
+      entries.add_if(sleeper_mass > 0, "there is a Sleeper mass", section,
+                     "Ballast stiffness x, Ballast stiffness y, Ballast stiffness z, Ballast loss factor");
+      return true;
+    }
+    entries.add(section, "Length, Contact division, Coarse division, Growth, Fine length");
     add_support_entries(entries, section, use, false);
     refinement.add_entries(entries, section, use);
     return true;

@@ -1,6 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/named_table.h>
 #include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/scene/rail.h>
 #include <vibrocontact/scene/scene.h>
 
 #include <algorithm>
@@ -219,10 +220,13 @@ namespace vibrocontact
                          "), but the analysis \"" + type.name +
                          "\" needs two, body 1 above and body 2 below; list exactly two");
     for (const std::string analysis : {"modes", "frequency response"})
-      if (runs(analysis) &&
-          std::none_of(bodies.begin(), bodies.end(),
-                       [&](const BodyParameters &body)
-                       { return body.is_meshed() || (analysis != "modes" && body.is_green()); }))
+      if (runs(analysis) && std::none_of(bodies.begin(), bodies.end(),
+                                         [&](const BodyParameters &body)
+                                         {
+                                           return body.is_meshed() ||
+                                                  (analysis != "modes" &&
+                                                   (body.is_green() || periodic_rail(*body.description)));
+                                         }))
         throw InputError(
             "Analyses asks for " + analysis +
             ", but no body is meshed: half-spaces have no modes, nor have oscillators and analytic "

@@ -28,6 +28,8 @@ BODIES = {
     "layer": ("layer", ["Material/Young modulus = 2e9", "Material/Density = 2000", "Material/Loss factor = 0.01",
                         "Layer/Length = 0.1", "Layer/Height = 0.05", "Layer/Divisions x = 3", "Layer/Divisions z = 2",
                         "Layer/Element degree = 1", "Modes/Count = 6"], "rigid", True, "0.0166667, 0, 0"),
+    "rail, periodic": ("rail", ["Material/Loss factor = 0.01", "Rail/Model = periodic", "Rail/Element degree = 1"], "rigid", True,
+                       "0, 0"),
     "ring of elements": ("ring", RING + ["Ring/Model = beam elements", "Modes/Upper frequency = 300"], "rigid", True,
                          "0, 0, 0"),
     "ring of elements, rolling": ("ring", RING + ["Ring/Model = beam elements", "Ring/Rolling = true",
@@ -65,7 +67,8 @@ def entries(analysis, kind, rubs, place, speed):
         "modes": [],
         "frequency response": ["Frequency response/First frequency = 50", "Frequency response/Last frequency = 200",
                                "Frequency response/Number of frequencies = 3"]
-                              + ([f"Frequency response/Points = p: {place}, z"] if place else []),
+                              + ([f"Frequency response/Points = p: {place}, z"] if place else [])
+                              + (["Frequency response/Method = direct"] if kind == "rail" else []),
         "quasi-static rolling": pair,
         "stability": pair,
         "transient": pair + ["Transient/Time step = 1e-6", "Transient/End time = 2e-5"]

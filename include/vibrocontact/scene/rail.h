@@ -15,8 +15,13 @@ namespace vibrocontact
   ///      []    []    []    []    []    []    []    []    []    []      pads: spread springs to rigid ground
   ///
   /// Boundaries: foot (underside), contact (the crown), end left, end right, surface (all else).
+  ///
+  /// Or, Model = periodic, without ends: its section on infinitely many equal supports, in harmonic motion alone
+  /// (waveguide/periodic_track.h). It is then no solid, and sleepers on ballast may carry the pads.
   struct RailParameters : SolidBody, RailSupports
   {
+    /// solid or periodic
+    std::string model = "solid";
     SectionParameters section{"rail_60e1"};
     /// position of the contact on the crown, from the symmetry plane [m]
     double lateral_position = 0;
@@ -25,7 +30,13 @@ namespace vibrocontact
     /// the fine divisions reach this far to either side of the contact [m]
     double fine_length = 0.016;
     ContactRefinement refinement;
+    /// periodic: mass of a sleeper under one rail, 0: pads on rigid ground [kg]; its ballast in x, y, z [N/m]
+    double sleeper_mass = 0, ballast_stiffness_x = 0, ballast_stiffness_y = 0, ballast_stiffness_z = 0;
+    double ballast_loss_factor = 0;
 
+    bool is_periodic() const { return model == "periodic"; }
+    void read_ahead(const ParameterFile &file, const std::string &section) override;
+    const SolidBody *solid() const override { return is_periodic() ? nullptr : this; }
     void declare_parameters(dealii::ParameterHandler &prm) override;
     void check(const std::string &path) const override;
     bool add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const override;
@@ -36,6 +47,9 @@ namespace vibrocontact
     bool has_groups() const override { return true; }
     bool has_loss() const override { return supports_lose_energy(); }
   };
+
+  /// The same as a rail whose Model is periodic, null for other bodies.
+  const RailParameters *periodic_rail(const BodyDescription &description);
 
   /// @param materials groups of the section with a material each; empty: one material. Material ids of the
   ///   cells: group + number of groups * anechoic piece, 0 being the rail between them.

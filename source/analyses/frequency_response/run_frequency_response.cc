@@ -2,6 +2,7 @@
 #include <vibrocontact/analyses/frequency_response/frequency_response_output.h>
 #include <vibrocontact/analyses/frequency_response/run_frequency_response.h>
 #include <vibrocontact/analyses/frequency_response/run_green_functions.h>
+#include <vibrocontact/analyses/frequency_response/track_response.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
@@ -296,6 +297,39 @@ namespace vibrocontact
       print_checks(result["checks"]);
       return result;
     }
+
+    nlohmann::ordered_json respond_track(const BodyParameters &body, const RailParameters &rail,
+                                         const FrequencyResponseParameters &parameters,
+                                         const std::string &folder, nlohmann::ordered_json &tables)
+    {
+      run_log().block("Frequency response of the periodic track " + body.name);
+      TrackResponse response(body, rail, parameters);
+      const PeriodicTrack &track = response.rail_track().track;
+      run_log().value("dofs of the section", response.rail_track().n_section_dofs());
+      run_log().value("shapes of the section", track.section.matrices.n_shapes());
+      const auto write = [&](const Table &table, const std::string &kind, const std::string &suffix = "")
+      {
+        const std::string file = kind + "_" + body.name + suffix + ".csv";
+        on_first_rank([&] { table.write(folder + "/" + file); });
+        tables.push_back(file);
+        return file;
+      };
+      const ResponseVariant main = refined_response(parameters, [&](const std::vector<double> &frequency)
+                                                    { return response.direct(frequency); });
+      nlohmann::ordered_json result = {
+          {"method", main.method},
+          {"section_dofs", response.rail_track().n_section_dofs()},
+          {"section_shapes", track.section.matrices.n_shapes()},
+          {"table", write(response_table(parameters, main, body.name), "frequency_response")}};
+      const auto extrema = extrema_json(parameters, main);
+      result.update(extrema);
+      result["extrema_table"] =
+          write(extrema_table(extrema, parameters.quantity, body.name), "frequency_response", "_extrema");
+      print_extrema(extrema);
+      result["decay_rates_table"] = write(response.decay_rates(body.name), "decay_rates");
+      result["free_waves_table"] = write(response.free_waves(body.name), "free_waves");
+      return result;
+    }
   } // namespace
 
   void run_frequency_response(const Parameters &parameters, const MeshedBodies &bodies,
@@ -314,6 +348,8 @@ namespace vibrocontact
         all[body.name] = respond(*bodies[k], own, folder, tables);
       else if (body.is_green())
         all[body.name] = run_green_functions(parameters, measured, body, folder, tables);
+      else if (const RailParameters *const rail = periodic_rail(*body.description))
+        all[body.name] = respond_track(body, *rail, own, folder, tables);
     }
     results.analyses["frequency_response"] = {{"quantity", own.quantity},
                                               {"load_length_m", own.load_length},
@@ -337,7 +373,7 @@ namespace vibrocontact
       const FrequencyResponseParameters &own = parameters.frequency_response;
       const std::vector<std::string> wanted = split_list(own.bodies);
       const std::string section = "Frequency response";
-      bool meshed = false, green = false, ring = false, rolls = false, tangential = false;
+      bool meshed = false, track = false, green = false, ring = false, rolls = false, tangential = false;
       for (unsigned int k = 0; k < parameters.scene.bodies.size(); ++k)
       {
         const BodyParameters &body = parameters.scene.bodies[k];
@@ -347,6 +383,8 @@ namespace vibrocontact
         use.motion = use.loss = use.points = true;
         if (body.is_meshed())
           meshed = true;
+        else if (periodic_rail(*body.description))
+          track = true;
         else if (body.is_green())
         {
           green = true;
@@ -365,9 +403,9 @@ namespace vibrocontact
       entries.add(section, "Bodies, Quantity, Method, Frequencies");
       entries.add_if(own.list.empty(), section + "/Frequencies is empty", section,
                      "First frequency, Last frequency, Number of frequencies, Spacing");
-      entries.add_if(
-          meshed, "a body has a mesh", section,
-          "Points, Load length, Load width, Check frequencies, Cut frequencies, Refined frequencies");
+      entries.add_if(meshed || track, "a body has a mesh", section,
+                     "Points, Load length, Load width, Refined frequencies");
+      entries.add_if(meshed, "a body has modes", section, "Check frequencies, Cut frequencies");
       entries.add_if(green, "a body is given by its Green's functions", section, "Impulse response time");
       entries.add_if(green && own.impulse_time > 0, section + "/Impulse response time is above 0", section,
                      "Impulse response step");

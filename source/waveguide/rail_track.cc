@@ -1,0 +1,115 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/scene/section_manifolds.h>
+#include <vibrocontact/waveguide/plane_section.h>
+#include <vibrocontact/waveguide/rail_track.h>
+#include <vibrocontact/waveguide/track_loads.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace vibrocontact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The force of 1 N on the dof next to a place of the section.
+    Vector<double> nearest_load(const SectionElements &elements, const Point<2> &place,
+                                const unsigned int direction)
+    {
+      Vector<double> load(elements.n_dofs());
+      unsigned int nearest = 0;
+      double distance = 1e300;
+      for (unsigned int i = 0; i < elements.n_dofs(); ++i)
+        if (elements.dof_direction[i] == direction && elements.dof_position[i].distance(place) < distance)
+        {
+          nearest = i;
+          distance = elements.dof_position[i].distance(place);
+        }
+      load(nearest) = 1;
+      return load;
+    }
+
+    /// Places far away cost a span each; the waves are gone by then.
+    constexpr double farthest = 100;
+  } // namespace
+
+  RailTrack::RailTrack(const BodyParameters &body, const RailParameters &rail,
+                       const std::vector<TrackPlace> &places, const double length, const double width,
+                       const double up_to)
+  {
+    std::vector<std::string> groups;
+    std::vector<ElasticMaterial> materials;
+    for (const auto &[name, material] : body.materials)
+    {
+      groups.push_back(name);
+      materials.push_back(material);
+    }
+    if (materials.empty())
+      materials.push_back(body.material);
+    const SectionOutline outline = rail.section.read_outline();
+    const auto mesh = plane_section(rail.section.read_mesh(outline, true, {body.name, groups}), outline);
+    const SectionElements elements(*mesh, materials, rail.section.element_degree);
+    n_dofs = elements.n_dofs();
+
+    track.spacing = rail.sleeper_spacing;
+    track.first_support = rail.contact_at == "support" ? 0 : rail.sleeper_spacing / 2;
+    track.support.pad_stiffness = {{rail.pad_stiffness_x, rail.pad_stiffness_y, rail.pad_stiffness_z}};
+    track.support.pad_loss = rail.pad_loss_factor;
+    track.support.pad_length = rail.pad_length;
+    track.support.sleeper_mass = rail.sleeper_mass;
+    track.support.ballast_stiffness = {
+        {rail.ballast_stiffness_x, rail.ballast_stiffness_y, rail.ballast_stiffness_z}};
+    track.support.ballast_loss = rail.ballast_loss_factor;
+
+    std::vector<SectionOutline::Row> crown;
+    for (const auto &row : outline.rows)
+      if (row.part == "crown")
+        crown.push_back(row);
+    if (crown.empty())
+      throw InputError("The section outline of " + body.name +
+                       " has no part crown: name the curves of the running surface so.");
+    const double middle = rail.lateral_position, height = CrownManifold::height(crown, middle);
+
+    std::vector<Vector<double>> on_section;
+    std::vector<double> patches = {middle};
+    for (const TrackPlace &place : places)
+    {
+      if (!(std::abs(place.x) <= farthest))
+      {
+        std::ostringstream text;
+        text << "Frequency response/Points: x = " << place.x << " m is far from the contact of " << body.name
+             << "; give places within " << farthest << " m.";
+        throw InputError(text.str());
+      }
+      if (place.z)
+        on_section.push_back(nearest_load(elements, {middle + place.y, height + *place.z}, place.direction));
+      else
+        patches.push_back(middle + place.y);
+    }
+    SmoothShapesSettings settings;
+    settings.up_to = std::max(settings.up_to, 1.2 * up_to);
+    const SectionShapes shapes = track_shapes(elements, track.support, patches, width, on_section, settings);
+    track.section = track_section(elements, shapes);
+
+    unsigned int n_on_section = 0;
+    for (const TrackPlace &place : places)
+      if (place.z)
+      {
+        AxialLoad load;
+        load.centre = place.x;
+        load.constant = shapes.reduced(on_section[n_on_section++]);
+        load.linear.reinit(shapes.n());
+        loads.push_back(load);
+      }
+      else
+        loads.push_back(
+            patch_motions(elements, shapes, place.x, middle + place.y, length, width)[place.direction]);
+    for (const unsigned int d : {1, 2})
+    {
+      exciters[d - 1] = patch_motions(elements, shapes, 0, middle, length, width)[d];
+      observers[d - 1] = exciters[d - 1].constant;
+      observers[d - 1] *= length;
+    }
+  }
+} // namespace vibrocontact
