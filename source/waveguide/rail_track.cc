@@ -4,7 +4,9 @@
 #include <vibrocontact/waveguide/rail_track.h>
 #include <vibrocontact/waveguide/track_loads.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <sstream>
 
 namespace vibrocontact
@@ -32,24 +34,82 @@ namespace vibrocontact
 
     /// Places far away cost a span each; the waves are gone by then.
     constexpr double farthest = 100;
+
+    /// The section of a rail with its elements.
+    struct RailSection
+    {
+      RailSection(const BodyParameters &body, const RailParameters &rail)
+          : mesh(make_mesh(body, rail, crown_height)),
+            elements(*mesh, materials(body), rail.section.element_degree)
+      {
+      }
+
+      static std::vector<ElasticMaterial> materials(const BodyParameters &body)
+      {
+        std::vector<ElasticMaterial> result;
+        for (const auto &group : body.materials)
+          result.push_back(group.second);
+        if (result.empty())
+          result.push_back(body.material);
+        return result;
+      }
+
+      static std::unique_ptr<Triangulation<2>> make_mesh(const BodyParameters &body,
+                                                         const RailParameters &rail, double &crown_height)
+      {
+        const SectionOutline outline = rail.section.read_outline();
+        std::vector<SectionOutline::Row> crown;
+        for (const auto &row : outline.rows)
+          if (row.part == "crown")
+            crown.push_back(row);
+        if (crown.empty())
+          throw InputError("The section outline of " + body.name +
+                           " has no part crown: name the curves of the running surface so.");
+        crown_height = CrownManifold::height(crown, rail.lateral_position);
+        std::vector<std::string> groups;
+        for (const auto &group : body.materials)
+          groups.push_back(group.first);
+        return plane_section(rail.section.read_mesh(outline, true, {body.name, groups}), outline);
+      }
+
+      /// above the underside, at the contact [m]
+      double crown_height = 0;
+      const std::unique_ptr<Triangulation<2>> mesh;
+      const SectionElements elements;
+    };
+
+    void check_places(const SectionElements &elements, const RailParameters &rail,
+                      const std::vector<TrackPlace> &places, const double width)
+    {
+      check_patch(elements, rail.lateral_position, width);
+      for (const TrackPlace &place : places)
+      {
+        if (!(std::abs(place.x) <= farthest))
+        {
+          std::ostringstream text;
+          text << "Frequency response/Points: x = " << place.x
+               << " m is far from the contact; give places within " << farthest << " m.";
+          throw InputError(text.str());
+        }
+        if (!place.z)
+          check_patch(elements, rail.lateral_position + place.y, width);
+      }
+    }
   } // namespace
+
+  void check_track_places(const BodyParameters &body, const RailParameters &rail,
+                          const std::vector<TrackPlace> &places, const double width)
+  {
+    check_places(RailSection(body, rail).elements, rail, places, width);
+  }
 
   RailTrack::RailTrack(const BodyParameters &body, const RailParameters &rail,
                        const std::vector<TrackPlace> &places, const double length, const double width,
                        const double up_to)
   {
-    std::vector<std::string> groups;
-    std::vector<ElasticMaterial> materials;
-    for (const auto &[name, material] : body.materials)
-    {
-      groups.push_back(name);
-      materials.push_back(material);
-    }
-    if (materials.empty())
-      materials.push_back(body.material);
-    const SectionOutline outline = rail.section.read_outline();
-    const auto mesh = plane_section(rail.section.read_mesh(outline, true, {body.name, groups}), outline);
-    const SectionElements elements(*mesh, materials, rail.section.element_degree);
+    const RailSection section(body, rail);
+    const SectionElements &elements = section.elements;
+    check_places(elements, rail, places, width);
     n_dofs = elements.n_dofs();
 
     track.spacing = rail.sleeper_spacing;
@@ -62,31 +122,14 @@ namespace vibrocontact
         {rail.ballast_stiffness_x, rail.ballast_stiffness_y, rail.ballast_stiffness_z}};
     track.support.ballast_loss = rail.ballast_loss_factor;
 
-    std::vector<SectionOutline::Row> crown;
-    for (const auto &row : outline.rows)
-      if (row.part == "crown")
-        crown.push_back(row);
-    if (crown.empty())
-      throw InputError("The section outline of " + body.name +
-                       " has no part crown: name the curves of the running surface so.");
-    const double middle = rail.lateral_position, height = CrownManifold::height(crown, middle);
-
+    const double middle = rail.lateral_position, height = section.crown_height;
     std::vector<Vector<double>> on_section;
     std::vector<double> patches = {middle};
     for (const TrackPlace &place : places)
-    {
-      if (!(std::abs(place.x) <= farthest))
-      {
-        std::ostringstream text;
-        text << "Frequency response/Points: x = " << place.x << " m is far from the contact of " << body.name
-             << "; give places within " << farthest << " m.";
-        throw InputError(text.str());
-      }
       if (place.z)
         on_section.push_back(nearest_load(elements, {middle + place.y, height + *place.z}, place.direction));
       else
         patches.push_back(middle + place.y);
-    }
     SmoothShapesSettings settings;
     settings.up_to = std::max(settings.up_to, 1.2 * up_to);
     const SectionShapes shapes = track_shapes(elements, track.support, patches, width, on_section, settings);

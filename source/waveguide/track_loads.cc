@@ -10,21 +10,25 @@ namespace vibrocontact
 {
   using namespace dealii;
 
+  void check_patch(const SectionElements &elements, const double y, const double width)
+  {
+    const auto [from, to] = elements.extent(section_boundary::crown);
+    if (y - width / 2 >= from - 1e-9 && y + width / 2 <= to + 1e-9)
+      return;
+    std::ostringstream text;
+    text << "A patch from " << y - width / 2 << " to " << y + width / 2
+         << " m across the rail leaves the crown, which reaches from " << from << " to " << to
+         << " m: move it or make it narrower.";
+    throw InputError(text.str());
+  }
+
   namespace
   {
     /// int (y - centre)^power N_direction dy over the patch's width
     Vector<double> crown_load(const SectionElements &elements, const double y, const double width,
                               const unsigned int direction, const unsigned int power)
     {
-      const auto [from, to] = elements.extent(section_boundary::crown);
-      if (!(y - width / 2 >= from - 1e-9 && y + width / 2 <= to + 1e-9))
-      {
-        std::ostringstream text;
-        text << "A patch from " << y - width / 2 << " to " << y + width / 2
-             << " m across the rail leaves the crown, which reaches from " << from << " to " << to
-             << " m: move it or make it narrower.";
-        throw InputError(text.str());
-      }
+      check_patch(elements, y, width);
       return elements.boundary_load(section_boundary::crown, y - width / 2, y + width / 2, direction, power,
                                     y);
     }

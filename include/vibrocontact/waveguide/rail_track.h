@@ -20,6 +20,10 @@ namespace vibrocontact
     unsigned int direction = 2; ///< 0 x, 1 y, 2 z
   };
 
+  /// @throws InputError for places that are not on the rail, at less cost than the track
+  void check_track_places(const BodyParameters &body, const RailParameters &rail,
+                          const std::vector<TrackPlace> &places, double width);
+
   /// A periodic track as the file describes it, and the loads at some places.
   class RailTrack
   {

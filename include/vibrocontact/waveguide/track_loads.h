@@ -8,6 +8,9 @@
 
 namespace vibrocontact
 {
+  /// @throws InputError if a patch from y - width / 2 to y + width / 2 leaves the crown
+  void check_patch(const SectionElements &elements, double y, double width);
+
   /// The six motions of a patch of the crown, as loads: mean displacements along x, y, z [m], then rotations about x, y, z
   /// [rad] of the plane that fits the displacements of the patch best (least squares over its area dx dy),
   ///

@@ -364,6 +364,10 @@ namespace vibrocontact
     for (const auto &body : bodies)
       if (body && (wanted.empty() || std::count(wanted.begin(), wanted.end(), body->parameters.name) > 0))
         response_rows(*body, parameters.frequency_response);
+    for (const BodyParameters &body : parameters.scene.bodies)
+      if (const RailParameters *const rail = periodic_rail(*body.description))
+        if (wanted.empty() || std::count(wanted.begin(), wanted.end(), body.name) > 0)
+          check_track_points(body, *rail, parameters.frequency_response);
   }
 
   namespace

@@ -27,6 +27,12 @@ namespace vibrocontact
     }
   } // namespace
 
+  void check_track_points(const BodyParameters &body, const RailParameters &rail,
+                          const FrequencyResponseParameters &parameters)
+  {
+    check_track_places(body, rail, track_places(parameters), parameters.load_width);
+  }
+
   TrackResponse::TrackResponse(const BodyParameters &body, const RailParameters &rail,
                                const FrequencyResponseParameters &parameters)
       : parameters(parameters), rail(body, rail, track_places(parameters), parameters.load_length,

@@ -10,6 +10,10 @@
 
 namespace vibrocontact
 {
+  /// @throws InputError for points that are not on the rail
+  void check_track_points(const BodyParameters &body, const RailParameters &rail,
+                          const FrequencyResponseParameters &parameters);
+
   /// The frequency response of a periodic rail: receptances of its points, decay rates along the track, free waves of its
   /// section.
   class TrackResponse
