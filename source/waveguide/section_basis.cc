@@ -71,36 +71,37 @@ namespace vibrocontact
       return result;
     }
 
-    /// Shapes of a block of dofs that hold all but a small share of the columns.
-    void decompose(const DenseMatrix &columns, const SparseMatrix<double> &norm, const bool axial,
+    /// Shapes of a block of dofs that hold all but a small share of the columns C: (N C)(N C)^T x = share^2 N x, N the norm.
+    void decompose(const Vectors &columns, const SparseMatrix<double> &norm, const bool axial,
                    const SectionElements &elements, const double tolerance, Vectors &shapes)
     {
-      const unsigned int n = columns.m(), n_columns = columns.n();
-      DenseMatrix own(n, n_columns), weighted(n, n_columns), gram(n_columns, n_columns);
-      for (unsigned int j = 0; j < n_columns; ++j)
+      std::vector<unsigned int> place(elements.n_dofs(), numbers::invalid_unsigned_int), dofs;
+      for (unsigned int i = 0; i < elements.n_dofs(); ++i)
+        if ((elements.dof_direction[i] == 0) == axial)
+        {
+          place[i] = dofs.size();
+          dofs.push_back(i);
+        }
+      const unsigned int n = dofs.size();
+      DenseMatrix N(n, n), C(n, columns.size()), NC(n, columns.size()), shares(n, n);
+      for (const auto &entry : norm)
+        if (place[entry.row()] < n && place[entry.column()] < n)
+          N(place[entry.row()], place[entry.column()]) += entry.value();
+      for (unsigned int j = 0; j < columns.size(); ++j)
         for (unsigned int i = 0; i < n; ++i)
-          if ((elements.dof_direction[i] == 0) == axial)
-            own(i, j) = columns(i, j);
-      Vector<double> column(n), product(n);
-      for (unsigned int j = 0; j < n_columns; ++j)
-      {
-        for (unsigned int i = 0; i < n; ++i)
-          column(i) = own(i, j);
-        norm.vmult(product, column);
-        for (unsigned int i = 0; i < n; ++i)
-          weighted(i, j) = product(i);
-      }
-      own.Tmmult(gram, weighted);
-      gram.set_property(LAPACKSupport::symmetric);
+          C(i, j) = columns[j](dofs[i]);
+      N.mmult(NC, C);
+      NC.mTmult(shares, NC);
+      shares.set_property(LAPACKSupport::symmetric);
+      N.set_property(LAPACKSupport::symmetric);
       Vector<double> values;
-      FullMatrix<double> vectors;
-      gram.compute_eigenvalues_symmetric(tolerance * tolerance, 1e300, 0., values, vectors);
+      Vectors vectors(n);
+      shares.compute_generalized_eigenvalues_symmetric(N, tolerance * tolerance, 1e300, 0., values, vectors);
       for (unsigned int k = values.size(); k-- > 0;)
       {
-        Vector<double> weights(n_columns), shape(n);
-        for (unsigned int j = 0; j < n_columns; ++j)
-          weights(j) = vectors(j, k) / std::sqrt(values(k));
-        own.vmult(shape, weights);
+        Vector<double> shape(elements.n_dofs());
+        for (unsigned int i = 0; i < n; ++i)
+          shape(dofs[i]) = vectors[k](i);
         shapes.push_back(shape);
       }
     }
@@ -147,16 +148,12 @@ namespace vibrocontact
     for (const double k : decaying)
       answer(k, -k * k, false);
 
-    DenseMatrix columns(n, answers.size());
-    for (unsigned int j = 0; j < answers.size(); ++j)
-      for (unsigned int i = 0; i < n; ++i)
-        columns(i, j) = answers[j](i);
     SectionShapes result;
     Vectors shapes;
     for (const bool axial : {true, false})
     {
       shapes.insert(shapes.end(), rigid.begin() + (axial ? 0 : 3), rigid.begin() + (axial ? 3 : 6));
-      decompose(columns, norm, axial, elements, settings.tolerance, shapes);
+      decompose(answers, norm, axial, elements, settings.tolerance, shapes);
       result.axial.resize(shapes.size(), axial);
     }
     result.shapes.reinit(n, shapes.size());
