@@ -69,12 +69,12 @@ namespace vibrocontact
         if (modes.count(name) == 0 &&
             std::none_of(scene.bodies.begin(), scene.bodies.end(),
                          [&](const BodyParameters &body) {
-                           return body.name == name && (body.is_green() || periodic_rail(*body.description));
+                           return body.name == name && (body.is_green() || body.description->periodic_rail());
                          }))
           throw InputError("Frequency response/Bodies names \"" + name +
                            "\", which is no meshed body of this file; name one or leave the entry empty");
       for (const BodyParameters &body : scene.bodies)
-        if (periodic_rail(*body.description) && response.method == "modal" &&
+        if (body.description->periodic_rail() && response.method == "modal" &&
             (wanted.empty() || std::count(wanted.begin(), wanted.end(), body.name) > 0))
           throw InputError(body.name + "/Rail/Model is periodic, which has no modes, but Frequency "
                                        "response/Method is modal: set it to direct.");
@@ -90,7 +90,7 @@ namespace vibrocontact
     {
       for (const BodyParameters &body : scene.bodies)
         for (const std::string &analysis : scene.analyses)
-          if (periodic_rail(*body.description) && analysis != "frequency response")
+          if (body.description->periodic_rail() && analysis != "frequency response")
             throw InputError(body.name + "/Rail/Model is periodic, which the analysis \"" + analysis +
                              "\" does not take; set it to solid or leave the analysis out.");
     }

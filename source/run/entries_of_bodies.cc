@@ -36,7 +36,7 @@ namespace vibrocontact
         sections.push_back(body.name + "/Material/" + group.first);
       if (sections.empty())
         sections.push_back(body.name + "/Material");
-      const bool has_elements = body.is_meshed() || periodic_rail(*body.description);
+      const bool has_elements = body.is_meshed() || body.description->periodic_rail();
       for (const std::string &section : sections)
       {
         entries.add(section, "Young modulus");

@@ -153,12 +153,6 @@ namespace vibrocontact
     RailSupports::check(path);
   }
 
-  const RailParameters *periodic_rail(const BodyDescription &description)
-  {
-    const auto *rail = dynamic_cast<const RailParameters *>(&description);
-    return rail && rail->is_periodic() ? rail : nullptr;
-  }
-
   BodyMesh<3> make_rail(const RailParameters &parameters, const ContactGrid *grid, const std::string &name,
                         const MPI_Comm communicator, const std::vector<std::string> &materials)
   {

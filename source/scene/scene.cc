@@ -225,7 +225,7 @@ namespace vibrocontact
                                          {
                                            return body.is_meshed() ||
                                                   (analysis != "modes" &&
-                                                   (body.is_green() || periodic_rail(*body.description)));
+                                                   (body.is_green() || body.description->periodic_rail()));
                                          }))
         throw InputError(
             "Analyses asks for " + analysis +

@@ -45,11 +45,9 @@ namespace vibrocontact
     void hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const override;
     unsigned int mesh_degree() const override { return section.element_degree; }
     bool has_groups() const override { return true; }
+    const RailParameters *periodic_rail() const override { return is_periodic() ? this : nullptr; }
     bool has_loss() const override { return supports_lose_energy(); }
   };
-
-  /// The same as a rail whose Model is periodic, null for other bodies.
-  const RailParameters *periodic_rail(const BodyDescription &description);
 
   /// @param materials groups of the section with a material each; empty: one material. Material ids of the
   ///   cells: group + number of groups * anechoic piece, 0 being the rail between them.

@@ -348,7 +348,7 @@ namespace vibrocontact
         all[body.name] = respond(*bodies[k], own, folder, tables);
       else if (body.is_green())
         all[body.name] = run_green_functions(parameters, measured, body, folder, tables);
-      else if (const RailParameters *const rail = periodic_rail(*body.description))
+      else if (const RailParameters *const rail = body.description->periodic_rail())
         all[body.name] = respond_track(body, *rail, own, folder, tables);
     }
     results.analyses["frequency_response"] = {{"quantity", own.quantity},
@@ -365,7 +365,7 @@ namespace vibrocontact
       if (body && (wanted.empty() || std::count(wanted.begin(), wanted.end(), body->parameters.name) > 0))
         response_rows(*body, parameters.frequency_response);
     for (const BodyParameters &body : parameters.scene.bodies)
-      if (const RailParameters *const rail = periodic_rail(*body.description))
+      if (const RailParameters *const rail = body.description->periodic_rail())
         if (wanted.empty() || std::count(wanted.begin(), wanted.end(), body.name) > 0)
           check_track_points(body, *rail, parameters.frequency_response);
   }
@@ -387,7 +387,7 @@ namespace vibrocontact
         use.motion = use.loss = use.points = true;
         if (body.is_meshed())
           meshed = true;
-        else if (periodic_rail(*body.description))
+        else if (body.description->periodic_rail())
           track = true;
         else if (body.is_green())
         {
