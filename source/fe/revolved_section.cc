@@ -124,6 +124,7 @@ namespace vibrocontact
       for (auto *const matrix : {&here.K_0, &here.K_1, &here.K_2, &here.M})
         matrix->reinit(n, n);
       here.weight.reinit(n);
+      here.centrifugal.reinit(n);
       for (unsigned int k = 0; k < n; ++k)
       {
         places[here.dofs[k]] = nodes.quadrature_point(k);
@@ -142,6 +143,8 @@ namespace vibrocontact
           strains(component, values.shape_value(node, q), values.shape_grad(node, q), r, constant[k],
                   linear[k]);
           here.weight(k) += material.density * values.shape_value(node, q) * dA;
+          if (component == radial)
+            here.centrifugal(k) += material.density * r * values.shape_value(node, q) * dA;
         }
         for (unsigned int k = 0; k < n; ++k)
           for (unsigned int l = 0; l <= k; ++l)
@@ -275,6 +278,124 @@ namespace vibrocontact
       constraints.distribute_local_to_global(load, cell.dofs, *result);
     }
     result->compress(VectorOperation::add);
+    return result;
+  }
+
+  PETScWrappers::MPI::Vector RevolvedSection::centrifugal_load() const
+  {
+    const AffineConstraints<double> constraints = this->constraints(0);
+    PETScWrappers::MPI::Vector result(complete_index_set(n_dofs()), MPI_COMM_SELF);
+    for (const Cell &cell : cells)
+    {
+      Vector<double> load = cell.centrifugal;
+      load *= around(0);
+      constraints.distribute_local_to_global(load, cell.dofs, result);
+    }
+    result.compress(VectorOperation::add);
+    return result;
+  }
+
+  FullMatrix<double> RevolvedSection::geometric_stiffness(const DoFHandler<2>::active_cell_iterator &cell,
+                                                          const unsigned int n,
+                                                          const Vector<double> &stretched) const
+  {
+    const FiniteElement<2> &scalar = element.base_element(0);
+    const unsigned int n_dofs = element.n_dofs_per_cell();
+    FEValues<2> values(mapping, scalar, QGauss<2>(scalar.degree + 2),
+                       update_values | update_gradients | update_JxW_values | update_quadrature_points);
+    values.reinit(typename Triangulation<2>::active_cell_iterator(cell));
+    const ElasticMaterial &material = model.material_of(cell->material_id());
+    FullMatrix<double> result(n_dofs, n_dofs);
+    for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+    {
+      const double r = values.quadrature_point(q)[1], dA = values.JxW(q) * r;
+      Strain strain{}, constant, linear;
+      for (unsigned int k = 0; k < n_dofs; ++k)
+      {
+        const auto [component, node] = element.system_to_component_index(k);
+        strains(component, values.shape_value(node, q), values.shape_grad(node, q), r, constant, linear);
+        for (unsigned int i = 0; i < strain.size(); ++i)
+          strain[i] += stretched(k) * constant[i];
+      }
+      const double mean = material.lambda() * (strain[0] + strain[1] + strain[2]), mu = material.mu();
+      const double aa = mean + 2 * mu * strain[0], rr = mean + 2 * mu * strain[1],
+                   tt = mean + 2 * mu * strain[2], ar = mu * strain[3];
+      for (unsigned int k = 0; k < n_dofs; ++k)
+        for (unsigned int l = 0; l < n_dofs; ++l)
+        {
+          const auto [c, a] = element.system_to_component_index(k);
+          const auto [d, b] = element.system_to_component_index(l);
+          const Tensor<1, 2> &u = values.shape_grad(a, q), &v = values.shape_grad(b, q);
+          const double N = values.shape_value(a, q) * values.shape_value(b, q) / (r * r);
+          // d/dtheta of a vector: n U + V, n V + U, n W
+          if (c == d)
+            result(k, l) += dA * (aa * u[0] * v[0] + rr * u[1] * v[1] + ar * (u[0] * v[1] + u[1] * v[0]) +
+                                  tt * N * (double(n) * n + (c == axial ? 0. : 1.)));
+          else if (c != axial && d != axial)
+            result(k, l) += dA * tt * N * 2 * n;
+        }
+    }
+    return result;
+  }
+
+  std::unique_ptr<RevolvedRotation>
+  RevolvedSection::rotation(const unsigned int n, const PETScWrappers::MPI::Vector &stretched) const
+  {
+    const AffineConstraints<double> constraints = this->constraints(n), at_rest = this->constraints(0);
+    auto result = std::make_unique<RevolvedRotation>();
+    DynamicSparsityPattern pattern(n_dofs());
+    DoFTools::make_sparsity_pattern(dof_handler, pattern, constraints, false);
+    const IndexSet owned = complete_index_set(n_dofs());
+    const auto all = {&result->coriolis, &result->centripetal, &result->geometric};
+    for (auto *const matrix : all)
+      matrix->reinit(owned, owned, pattern, MPI_COMM_SELF);
+    Vector<double> whole(n_dofs());
+    for (unsigned int dof = 0; dof < n_dofs(); ++dof)
+      whole(dof) = stretched(dof);
+    at_rest.distribute(whole);
+
+    const unsigned int n_local = element.n_dofs_per_cell();
+    FullMatrix<double> S(n_local, n_local), G, C;
+    Vector<double> local(n_local);
+    auto here = cells.begin();
+    for (const auto &cell : dof_handler.active_cell_iterators())
+    {
+      S = 0;
+      C = 0;
+      C.reinit(n_local, n_local);
+      for (unsigned int k = 0; k < n_local; ++k)
+        for (unsigned int l = 0; l < n_local; ++l)
+        {
+          const auto [c, a] = element.system_to_component_index(k);
+          const auto [d, b] = element.system_to_component_index(l);
+          if (c == axial || d == axial)
+            continue;
+          // the mass between the same components of both nodes
+          const double m = here->M(element.component_to_system_index(radial, a),
+                                   element.component_to_system_index(radial, b));
+          (c == d ? C : S)(k, l) = m;
+        }
+      G = S;
+      G.add(n, here->M);
+      C.add(2. * n, S, double(n) * n, here->M);
+      for (unsigned int k = 0; k < n_local; ++k)
+        local(k) = whole(here->dofs[k]);
+      FullMatrix<double> K = geometric_stiffness(cell, n, local);
+      for (auto *const matrix : {&G, &C, &K})
+        *matrix *= around(n);
+      constraints.distribute_local_to_global(G, here->dofs, result->coriolis);
+      constraints.distribute_local_to_global(C, here->dofs, result->centripetal);
+      constraints.distribute_local_to_global(K, here->dofs, result->geometric);
+      ++here;
+    }
+    for (auto *const matrix : all)
+    {
+      matrix->compress(VectorOperation::add);
+      for (unsigned int dof = 0; dof < n_dofs(); ++dof)
+        if (constraints.is_constrained(dof))
+          matrix->set(dof, dof, 0.);
+      matrix->compress(VectorOperation::insert);
+    }
     return result;
   }
 

@@ -17,6 +17,24 @@
 
 namespace vibrocontact
 {
+  /// What a rotation Omega about the axle adds to the motions of n waves, seen in axes that stand still while the material
+  /// passes with Omega towards growing theta. With D = d/dt + Omega d/dtheta of displacements as vectors,
+  ///
+  ///   M q_e'' + 2 Omega G q_o' + (K - Omega^2 C + Omega^2 K_g) q_e = f_e
+  ///   M q_o'' - 2 Omega G q_e' + (K - Omega^2 C + Omega^2 K_g) q_o = f_o,      e, o: families even, odd
+  ///
+  ///   G = n M + S,   C = n^2 M + 2 n S + M_across,   S = int rho (U V' + V U'),   M_across = int rho (U U' + V V')
+  ///
+  /// In axes that turn with the material a frequency is that here plus n Omega: only 2 Omega S and Omega^2 M_across stay.
+  /// n = 0: G couples U and V of one problem that has both families, row even, column odd.
+  struct RevolvedRotation
+  {
+    /// [kg]
+    dealii::PETScWrappers::MPI::SparseMatrix coriolis, centripetal;
+    /// K_g, of the stress that the body carries its own rotation with [kg]
+    dealii::PETScWrappers::MPI::SparseMatrix geometric;
+  };
+
   /// A body of revolution by finite elements on its half section, axial position a and radius r. Motions in n waves around
   /// the axle do not couple with others; theta is counted from the contact point. There are two families,
   ///
@@ -51,6 +69,12 @@ namespace vibrocontact
     /// The load of the body's weight in n waves of a family, as SecondOrderSystem::load; null: there is none.
     std::unique_ptr<dealii::PETScWrappers::MPI::Vector> weight(unsigned int n, bool odd) const;
 
+    /// Centrifugal forces per Omega^2, a load of n = 0 [kg m].
+    dealii::PETScWrappers::MPI::Vector centrifugal_load() const;
+    /// @param stretched displacements under centrifugal_load() [m s^2]
+    std::unique_ptr<RevolvedRotation> rotation(unsigned int n,
+                                               const dealii::PETScWrappers::MPI::Vector &stretched) const;
+
     /// Mean of a component over the part of a boundary that lies between two axial positions.
     /// @throws InputError if the boundary does not reach over all of it
     TraceRow mean_over(dealii::types::boundary_id boundary, double low, double high,
@@ -81,10 +105,16 @@ namespace vibrocontact
       double loss_factor;
       /// stiffness in powers of n, mass
       dealii::FullMatrix<double> K_0, K_1, K_2, M;
+      /// int rho r N r of each radial shape
+      dealii::Vector<double> centrifugal;
       /// int rho N r of each dof's shape
       dealii::Vector<double> weight;
     };
     void compute_cells();
+    /// int sigma : (grad N . grad N) over a cell, not around the axle, of a stress without waves
+    dealii::FullMatrix<double>
+    geometric_stiffness(const typename dealii::DoFHandler<2>::active_cell_iterator &cell, unsigned int n,
+                        const dealii::Vector<double> &stretched) const;
     dealii::AffineConstraints<double> constraints(unsigned int n) const;
     void add_rigid_motions(unsigned int n, const dealii::AffineConstraints<double> &constraints,
                            SecondOrderSystem &system) const;
