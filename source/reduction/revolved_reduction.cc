@@ -71,6 +71,17 @@ namespace vibrocontact
       : section(std::move(section)), name(name), radius(radius), lateral_position(lateral_position),
         contact(contact), communicator(communicator)
   {
+    if (!contact)
+      return;
+    const ContactGrid &grid = contact->grid;
+    for (const auto component :
+         {RevolvedSection::axial, RevolvedSection::radial, RevolvedSection::circumferential})
+      for (unsigned int j = 0; j < grid.n_y; ++j)
+      {
+        const double y = lateral_position + grid.y_first + j * grid.spacing_y;
+        tread_rows.push_back(this->section->mean_over(contact->tread, y - grid.spacing_y / 2,
+                                                      y + grid.spacing_y / 2, component));
+      }
   }
 
   DenseMatrix RevolvedReduction::around(const unsigned int n, const bool odd) const
@@ -118,21 +129,6 @@ namespace vibrocontact
     return result;
   }
 
-  std::vector<TraceRow> RevolvedReduction::section_rows() const
-  {
-    std::vector<TraceRow> rows;
-    const ContactGrid &grid = contact->grid;
-    for (const auto component :
-         {RevolvedSection::axial, RevolvedSection::radial, RevolvedSection::circumferential})
-      for (unsigned int j = 0; j < grid.n_y; ++j)
-      {
-        const double y = lateral_position + grid.y_first + j * grid.spacing_y;
-        rows.push_back(
-            section->mean_over(contact->tread, y - grid.spacing_y / 2, y + grid.spacing_y / 2, component));
-      }
-    return rows;
-  }
-
   void RevolvedReduction::turn_with_tread(DenseMatrix &compliance) const
   {
     const unsigned int n = contact->grid.n_points();
@@ -169,13 +165,12 @@ namespace vibrocontact
     on_all_ranks(
         [&]
         {
-          const std::vector<TraceRow> rows = section_rows();
           Progress progress(name + ": contact compliance by harmonics", N / n_ranks + 1.);
           for (unsigned int n = MPI::this_mpi_process(communicator); n <= N; n += n_ranks)
           {
             const Alone alone;
             const auto system = section->system(n);
-            system->trace.rows = rows;
+            system->trace.rows = tread_rows;
             Flexibility flexibility(*system);
             const DenseMatrix between = flexibility.contact_compliance();
             for (const bool odd : {false, true})
@@ -190,7 +185,7 @@ namespace vibrocontact
               {
                 Vector u(*weight);
                 flexibility.vmult(u, *weight);
-                const std::vector<double> answer = values_of(rows, u);
+                const std::vector<double> answer = values_of(tread_rows, u);
                 DenseVector at_points(3 * n_points);
                 spread.vmult(at_points, DenseVector(answer.begin(), answer.end()));
                 for (unsigned int i = 0; i < 3 * n_points; ++i)
@@ -233,8 +228,7 @@ namespace vibrocontact
     Flexibility flexibility(*system);
     const Modes modes = compute_modes(*system, flexibility, parameters);
     const std::vector<double> damping_ratio = strain_energy_damping(*system, modes);
-    const std::vector<TraceRow> tread = contact ? section_rows() : std::vector<TraceRow>(),
-                                boundary = section->boundary(n).rows;
+    const std::vector<TraceRow> boundary = section->boundary(n).rows;
     const auto &places = section->positions();
     const auto &components = section->components();
     const unsigned int n_dofs = places.size();
@@ -263,7 +257,7 @@ namespace vibrocontact
       mode.damping_ratio = damping_ratio[k];
       mode.orthonormality_error = modes.orthonormality_error;
       mode.residual = modes.residual;
-      mode.tread = values_of(tread, shape);
+      mode.tread = values_of(tread_rows, shape);
       mode.boundary = values_of(boundary, shape);
       for (const bool odd : {false, true})
         if (const auto weight = section->weight(n, odd))

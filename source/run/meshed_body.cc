@@ -128,12 +128,11 @@ namespace vibrocontact
     const ContactGrid *const grid = places.empty() ? nullptr : &places.front().grid;
     if (grid)
       check_side(places.front().above, false);
-    const ElasticModel<3> model = elastic_model(parameters);
+    ElasticModel<3> model = elastic_model(parameters);
     const RevolvedMesh mesh = parameters.description->revolved()->make_section(
         {parameters.name, lateral_position, places, grid, group_names(parameters), communicator});
-    ElasticModel<3> held = model;
-    held.held = {mesh.held};
-    held.gravity[2] = -parameters.loads.gravity;
+    model.held = {mesh.held};
+    model.gravity[2] = -parameters.loads.gravity;
     std::optional<RevolvedReduction::Contact> contact;
     if (grid)
     {
@@ -145,7 +144,7 @@ namespace vibrocontact
                                            mesh.surface_height};
     }
     return std::make_unique<RevolvedReduction>(
-        std::make_unique<RevolvedSection>(parameters.name, mesh.triangulation, held, mesh.degree),
+        std::make_unique<RevolvedSection>(parameters.name, mesh.triangulation, model, mesh.degree),
         parameters.name, mesh.radius, lateral_position, contact, communicator);
   }
 

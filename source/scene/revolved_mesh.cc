@@ -1,4 +1,5 @@
 #include <vibrocontact/scene/revolved_mesh.h>
+#include <vibrocontact/scene/section_manifolds.h>
 
 #include <deal.II/grid/manifold_lib.h>
 
@@ -13,16 +14,7 @@ namespace vibrocontact
   section_triangulation(const SectionMesh &section, const SectionOutline &outline,
                         const std::map<std::string, types::boundary_id> &parts)
   {
-    std::vector<CellData<2>> cells;
-    for (unsigned int q = 0; q < section.cells.size(); ++q)
-    {
-      CellData<2> cell;
-      std::copy(section.cells[q].begin(), section.cells[q].end(), cell.vertices.begin());
-      cell.material_id = section.materials[q];
-      cells.push_back(cell);
-    }
-    auto result = std::make_unique<Triangulation<2>>(Triangulation<2>::limit_level_difference_at_vertices);
-    result->create_triangulation(section.vertices, cells, SubCellData());
+    auto result = plane_cells(section);
     for (unsigned int k = 0; k < outline.rows.size(); ++k)
       if (outline.rows[k].is_arc)
         result->set_manifold(1 + k, PolarManifold<2>(outline.rows[k].centre));

@@ -118,4 +118,19 @@ namespace vibrocontact
   {
     return Point<3>(chart[0], chart[1], chart[2] + (height(rows, chart[1] + shift_y) - shift_z));
   }
+
+  std::unique_ptr<Triangulation<2>> plane_cells(const SectionMesh &section)
+  {
+    std::vector<CellData<2>> cells;
+    for (unsigned int q = 0; q < section.cells.size(); ++q)
+    {
+      CellData<2> cell;
+      std::copy(section.cells[q].begin(), section.cells[q].end(), cell.vertices.begin());
+      cell.material_id = section.materials[q];
+      cells.push_back(cell);
+    }
+    auto result = std::make_unique<Triangulation<2>>(Triangulation<2>::limit_level_difference_at_vertices);
+    result->create_triangulation(section.vertices, cells, SubCellData());
+    return result;
+  }
 } // namespace vibrocontact

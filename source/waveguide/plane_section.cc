@@ -32,16 +32,7 @@ namespace vibrocontact
 
   std::unique_ptr<Triangulation<2>> plane_section(const SectionMesh &mesh, const SectionOutline &outline)
   {
-    std::vector<CellData<2>> cells;
-    for (unsigned int q = 0; q < mesh.cells.size(); ++q)
-    {
-      CellData<2> cell;
-      std::copy(mesh.cells[q].begin(), mesh.cells[q].end(), cell.vertices.begin());
-      cell.material_id = mesh.materials[q];
-      cells.push_back(cell);
-    }
-    auto plane = std::make_unique<Triangulation<2>>();
-    plane->create_triangulation(mesh.vertices, cells, SubCellData());
+    auto plane = plane_cells(mesh);
 
     const unsigned int n = outline.rows.size(), crown_manifold = 1 + 2 * n;
     std::vector<SectionOutline::Row> crown;

@@ -2,7 +2,7 @@
 // modes: nearly), and against the growth of its own transient.
 
 #include "one_oscillation.h"
-#include "random_structure.h"
+#include "sliding_structure.h"
 
 #include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/analyses/transient/transient_hub.h>
@@ -71,29 +71,13 @@ class GrowthOfTheTransient : public testing::TestWithParam<std::string>
 TEST_P(GrowthOfTheTransient, IsTheRootOfTheConsistentLinearisation)
 {
   const bool force_given = GetParam() == "massless";
-  const Structure s = structure(90, 9);
-  ContactPair pair = reduce(s, 30, 2e-3);
-  // free columns around the contact
-  for (const unsigned int open : {0, 1, 8})
-    pair.interface.gap[open] = 1;
-  ContactParameters contact;
-  contact.friction = 0.35;
-  contact.creep_scheme = "first-order upwind";
+  SlidingStructure sliding(force_given);
+  const Structure &s = sliding.whole;
+  ContactPair &pair = sliding.pair;
+  const ContactParameters &contact = sliding.contact;
+  const DriveFunction &drive = sliding.drive;
   ContactSolverParameters solver;
   solver.tolerance = force_given ? 1e-10 : 1e-11;
-  const double speed = 0.2;
-  const DriveFunction drive = [&](double)
-  {
-    Drive d;
-    d.creepage.speed = speed;
-    d.creepage.lateral = 0.5;
-    d.creepage.longitudinal = 0.1;
-    if (force_given)
-      d.normal_force = 1500;
-    else
-      d.approach = 1e-3;
-    return d;
-  };
   TransientParameters parameters;
   DynamicState rest = initial_state(parameters, contact, solver, pair, drive(0));
   if (GetParam() == "suspended")
@@ -123,7 +107,7 @@ TEST_P(GrowthOfTheTransient, IsTheRootOfTheConsistentLinearisation)
   RollingEquilibrium equilibrium;
   equilibrium.contact = rest.contact;
   equilibrium.friction.assign(s.n_points, contact.friction);
-  equilibrium.speed = speed;
+  equilibrium.speed = SlidingStructure::speed;
   equilibrium.force_given = force_given;
   const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
   LinearisationOptions paper;

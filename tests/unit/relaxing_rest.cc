@@ -4,7 +4,7 @@
 #include "held_bar.h"
 #include "matrix_difference.h"
 #include "one_oscillation.h"
-#include "random_structure.h"
+#include "sliding_structure.h"
 
 #include <vibrocontact/analyses/stability/root_count.h>
 #include <vibrocontact/analyses/transient/transient.h>
@@ -275,34 +275,20 @@ TEST_P(RelaxingGrowth, IsThatOfTheTransient)
 {
   const auto [share, hub] = GetParam();
   const bool force_given = hub == "massless";
-  const Structure s = structure(90, 9);
+  const SlidingStructure sliding(force_given);
   // slow enough for the root near 2900 Hz to stay the fastest
   const double beta = force_given && share == 1 ? 1.5e-6 : 5e-6;
-  ContactPair few = reduce(s, 30, 2e-3);
-  for (const unsigned int open : {0, 1, 8})
-    few.interface.gap[open] = 1;
-  const ContactPair pair = relaxing(few, beta, share);
-  ContactParameters contact;
-  contact.friction = 0.35;
-  contact.creep_scheme = "first-order upwind";
+  const ContactPair &few = sliding.pair, pair = relaxing(few, beta, share);
+  const ContactParameters &contact = sliding.contact;
+  const DriveFunction &drive = sliding.drive;
   ContactSolverParameters solver;
   solver.tolerance = force_given ? 1e-9 : 1e-11;
-  constexpr double speed = 0.2;
-  const DriveFunction drive = [&](double)
-  {
-    Drive d;
-    d.creepage.speed = speed;
-    d.creepage.lateral = 0.5;
-    d.creepage.longitudinal = 0.1;
-    (force_given ? d.normal_force : d.approach) = force_given ? 1500 : 1e-3;
-    return d;
-  };
   TransientParameters parameters;
   const DynamicState rest = initial_state(parameters, contact, solver, pair, drive(0));
   RollingEquilibrium about;
   about.contact = rest.contact;
-  about.friction.assign(s.n_points, contact.friction);
-  about.speed = speed;
+  about.friction.assign(sliding.whole.n_points, contact.friction);
+  about.speed = SlidingStructure::speed;
   about.force_given = force_given;
   const CreepScheme &scheme = find_creep_scheme(contact.creep_scheme);
   const StabilityRoot root =

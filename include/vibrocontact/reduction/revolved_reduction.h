@@ -55,7 +55,6 @@ namespace vibrocontact
 
     /// Contact rows (3 n_points) by those of the section, component c of row j of cells as [c n_y + j]; n = 0: both families
     DenseMatrix around(unsigned int n, bool odd) const;
-    std::vector<TraceRow> section_rows() const;
     /// From normal and tangent of the tread at each point to z and x.
     void turn_with_tread(DenseMatrix &compliance) const;
     std::vector<WaveMode> modes_of(unsigned int n, const ModeParameters &parameters,
@@ -68,6 +67,8 @@ namespace vibrocontact
     const std::string name;
     const double radius, lateral_position;
     const std::optional<Contact> contact;
+    /// rows of the section at the contact, see around(); none without contact
+    std::vector<TraceRow> tread_rows;
     const MPI_Comm communicator;
   };
 } // namespace vibrocontact

@@ -3,6 +3,7 @@
 #include <vibrocontact/scene/section.h>
 
 #include <deal.II/grid/manifold.h>
+#include <deal.II/grid/tria.h>
 
 #include <memory>
 
@@ -92,4 +93,7 @@ namespace vibrocontact
     const std::vector<SectionOutline::Row> rows;
     const double shift_y, shift_z;
   };
+
+  /// The cells of a section in the plane of its coordinates, material ids set; manifolds and boundary ids are not.
+  std::unique_ptr<dealii::Triangulation<2>> plane_cells(const SectionMesh &section);
 } // namespace vibrocontact

@@ -17,44 +17,6 @@ namespace vibrocontact
     constexpr double nearby_share = 0.1;
     /// steps after which W~ R is computed anew: the round-off of its changes grows with the steps^(3/2)
     constexpr unsigned int longest_without_search = 64;
-
-    // result += W R, loaded columns only
-    void add_product(const DenseMatrix &W, const DenseVector &R, DenseVector &result)
-    {
-      for (unsigned int j = 0; j < R.size(); ++j)
-        if (R[j] != 0)
-        {
-          const double *const column = &W(0, j);
-          for (unsigned int i = 0; i < R.size(); ++i)
-            result[i] += column[i] * R[j];
-        }
-    }
-
-    // W~ R of what follows at once, W s of what relaxes
-    void set_residual_displacement(const ContactPair &pair, DynamicState &state)
-    {
-      state.residual_displacement.reinit(state.R.size());
-      add_product(pair.residual, state.R, state.residual_displacement);
-      for (unsigned int k = 0; k < pair.relaxing.size(); ++k)
-      {
-        DenseVector behind = state.relaxed[k];
-        behind -= forces_on_rest(pair, k, state);
-        add_product(pair.relaxing[k].flexibility, behind, state.residual_displacement);
-      }
-    }
-
-    // powers of forces and slips on the same points; rate: of the tangential displacements, R . du/dt [W]
-    void set_powers(const DenseVector &R, const DenseVector &slip, const DenseVector &rigid_slip,
-                    const unsigned int n, const double rate, DynamicState &state)
-    {
-      state.friction_power = state.creepage_power = 0;
-      for (unsigned int i = n; i < 3 * n; ++i)
-      {
-        state.friction_power -= R[i] * slip[i];
-        state.creepage_power -= R[i] * rigid_slip[i];
-      }
-      state.transport_power = state.friction_power - state.creepage_power + rate;
-    }
   } // namespace
 
   ContactStepper::ContactStepper(const ContactPair &pair, const CreepScheme &scheme,
@@ -82,41 +44,6 @@ namespace vibrocontact
       by_approach[row] /= h;
     for (DenseVector *const x : {&free_displacement, &free_velocity, &displacement, &velocity, &c_n, &c_t})
       x->reinit(matrices.shapes.rank());
-  }
-
-  DenseVector forces_on_rest(const ContactPair &pair, const unsigned int k, const DynamicState &state)
-  {
-    DenseVector forces = state.R;
-    if (pair.relaxing[k].body == 1)
-      forces[0] += state.force;
-    return forces;
-  }
-
-  void complete(const ContactPair &pair, const DenseVector &rigid_slip, DynamicState &state)
-  {
-    const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
-    for (unsigned int k = state.relaxed.size(); k < pair.relaxing.size(); ++k)
-      state.relaxed.push_back(forces_on_rest(pair, k, state));
-    set_residual_displacement(pair, state);
-    state.force_change.reinit(3 * n);
-    state.residual_change.reinit(3 * n);
-    state.modal_force.reinit(n_modes);
-    state.pole_force.assign(pair.n_poles(), 0.);
-    for (unsigned int k = 0; k < pair.n_poles(); ++k)
-      for (unsigned int i = 0; i < 3 * n; ++i)
-        state.pole_force[k] += pair.left(i, k) * state.R[i];
-    DenseVector tangential(n_modes), forces(state.R);
-    if (n_modes > 0)
-    {
-      pair.trace.Tvmult(state.modal_force, forces);
-      std::fill(forces.begin(), forces.begin() + n, 0.);
-      pair.trace.Tvmult(tangential, forces);
-    }
-    double rate = 0;
-    for (unsigned int k = 0; k < n_modes; ++k)
-      rate += tangential[k] * state.v[k];
-    if (!state.contact.empty())
-      set_powers(state.R, state.contact.y, rigid_slip, n, rate, state);
   }
 
   bool ContactStepper::another_within(const DynamicState &state, const double distance) const
@@ -152,7 +79,7 @@ namespace vibrocontact
     const unsigned int n = pair.n_points();
     set_residual_displacement(pair, state);
     state.residual_change = 0;
-    add_product(pair.residual, state.force_change, state.residual_change);
+    add_loaded_columns(pair.residual, state.force_change, state.residual_change);
     std::copy(state.q.begin(), state.q.end(), q.begin());
     displacement = 0;
     multiply(matrices.shapes.amplitudes, q, displacement);
@@ -229,7 +156,7 @@ namespace vibrocontact
     for (unsigned int c = 0; c < 3; ++c)
       for (unsigned int i = 0; i < m; ++i)
         R[contact_row(n, c, points[i])] = solution.R[contact_row(m, c, i)];
-    add_product(matrices.residual_flexibility, R, residual);
+    add_loaded_columns(matrices.residual_flexibility, R, residual);
     std::vector<unsigned int> normal_rows(n);
     std::iota(normal_rows.begin(), normal_rows.end(), 0u);
     add_kept(state, force, normal_rows, residual.begin());

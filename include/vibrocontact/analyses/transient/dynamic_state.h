@@ -1,0 +1,60 @@
+#pragma once
+
+#include <vibrocontact/contact/contact_problem.h>
+#include <vibrocontact/coupled_bodies/contact_pair.h>
+
+#include <complex>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// State of a pair of bodies at one instant: all that the next step depends on.
+  struct DynamicState
+  {
+    double time = 0;
+    /// modal amplitudes [m sqrt(kg)] and velocities; n_modes
+    std::vector<double> q, v;
+    /// forces on body 1 [N]; residual displacements, W~ R where nothing relaxes [m], without what the given force answers
+    /// at rest (ContactPair::force_response()), kept at the nearby points and their neighbours up- and downstream;
+    /// 3 n
+    DenseVector R, residual_displacement;
+    /// of each rest that relaxes (ContactPair::relaxing) the forces s that it has followed so far, 3 n [N]
+    std::vector<DenseVector> relaxed;
+    /// what both have changed by in the last step: the next one starts with the same change
+    DenseVector force_change, residual_change;
+    /// Psi^T R [N/sqrt(kg)]; n_modes
+    DenseVector modal_force;
+    /// states of the poles, and what contact and exciting force feed into them, left^T R; n_poles
+    std::vector<std::complex<double>> z, pole_force;
+    /// powers of the tangential forces [W]: dissipated by friction (>= 0), given to the bodies by the
+    /// creepage and by the transport -V R . du/dx
+    double friction_power = 0, creepage_power = 0, transport_power = 0;
+    /// Drive::hub_acceleration and Drive::force at this instant
+    double hub_acceleration = 0, force = 0;
+    /// how the contact was solved at this instant: status, gap and slip, approach. At points that are not
+    /// nearby, the gap is that of the last proximity search of all points (roughness kept up to date), the slip is zero.
+    ContactSolution contact;
+    /// roughness that the gap holds [m]; n, empty: none
+    std::vector<double> roughness;
+    /// points in the contact problem of a step, ascending; empty: to be found
+    std::vector<unsigned int> nearby;
+    /// how far open points may have moved since the last proximity search of all of them [m], and the steps since
+    double moved_since_search = 0;
+    unsigned int steps_since_search = 0;
+  };
+
+  /// The forces that rest k of a pair relaxes towards: the contact's and, of body 1, the given one; 3 n [N].
+  DenseVector forces_on_rest(const ContactPair &pair, unsigned int k, const DynamicState &state);
+
+  /// Fills what follows from q, v, R and the slip (contact.y) of an initial state, at rest in the moving frame
+  /// but for v: modal forces, W~ R, powers (with the rigid slip, 3 n [m/s]). Rests have relaxed unless the state says so.
+  void complete(const ContactPair &pair, const DenseVector &rigid_slip, DynamicState &state);
+
+  /// Residual displacements of its forces, and of what the rests have followed so far.
+  void set_residual_displacement(const ContactPair &pair, DynamicState &state);
+  /// Powers of forces and slips on the same points. @param rate R . du/dt of the tangential displacements [W]
+  void set_powers(const DenseVector &R, const DenseVector &slip, const DenseVector &rigid_slip,
+                  unsigned int n, double rate, DynamicState &state);
+  /// result += W R, columns without force left out.
+  void add_loaded_columns(const DenseMatrix &W, const DenseVector &R, DenseVector &result);
+} // namespace vibrocontact

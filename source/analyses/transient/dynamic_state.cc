@@ -1,0 +1,76 @@
+#include <vibrocontact/analyses/transient/dynamic_state.h>
+
+#include <algorithm>
+
+namespace vibrocontact
+{
+  void add_loaded_columns(const DenseMatrix &W, const DenseVector &R, DenseVector &result)
+  {
+    for (unsigned int j = 0; j < R.size(); ++j)
+      if (R[j] != 0)
+      {
+        const double *const column = &W(0, j);
+        for (unsigned int i = 0; i < R.size(); ++i)
+          result[i] += column[i] * R[j];
+      }
+  }
+
+  void set_residual_displacement(const ContactPair &pair, DynamicState &state)
+  {
+    state.residual_displacement.reinit(state.R.size());
+    add_loaded_columns(pair.residual, state.R, state.residual_displacement);
+    for (unsigned int k = 0; k < pair.relaxing.size(); ++k)
+    {
+      DenseVector behind = state.relaxed[k];
+      behind -= forces_on_rest(pair, k, state);
+      add_loaded_columns(pair.relaxing[k].flexibility, behind, state.residual_displacement);
+    }
+  }
+
+  void set_powers(const DenseVector &R, const DenseVector &slip, const DenseVector &rigid_slip,
+                  const unsigned int n, const double rate, DynamicState &state)
+  {
+    state.friction_power = state.creepage_power = 0;
+    for (unsigned int i = n; i < 3 * n; ++i)
+    {
+      state.friction_power -= R[i] * slip[i];
+      state.creepage_power -= R[i] * rigid_slip[i];
+    }
+    state.transport_power = state.friction_power - state.creepage_power + rate;
+  }
+
+  DenseVector forces_on_rest(const ContactPair &pair, const unsigned int k, const DynamicState &state)
+  {
+    DenseVector forces = state.R;
+    if (pair.relaxing[k].body == 1)
+      forces[0] += state.force;
+    return forces;
+  }
+
+  void complete(const ContactPair &pair, const DenseVector &rigid_slip, DynamicState &state)
+  {
+    const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
+    for (unsigned int k = state.relaxed.size(); k < pair.relaxing.size(); ++k)
+      state.relaxed.push_back(forces_on_rest(pair, k, state));
+    set_residual_displacement(pair, state);
+    state.force_change.reinit(3 * n);
+    state.residual_change.reinit(3 * n);
+    state.modal_force.reinit(n_modes);
+    state.pole_force.assign(pair.n_poles(), 0.);
+    for (unsigned int k = 0; k < pair.n_poles(); ++k)
+      for (unsigned int i = 0; i < 3 * n; ++i)
+        state.pole_force[k] += pair.left(i, k) * state.R[i];
+    DenseVector tangential(n_modes), forces(state.R);
+    if (n_modes > 0)
+    {
+      pair.trace.Tvmult(state.modal_force, forces);
+      std::fill(forces.begin(), forces.begin() + n, 0.);
+      pair.trace.Tvmult(tangential, forces);
+    }
+    double rate = 0;
+    for (unsigned int k = 0; k < n_modes; ++k)
+      rate += tangential[k] * state.v[k];
+    if (!state.contact.empty())
+      set_powers(state.R, state.contact.y, rigid_slip, n, rate, state);
+  }
+} // namespace vibrocontact
