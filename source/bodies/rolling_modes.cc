@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/bodies/road_rows.h>
 #include <vibrocontact/bodies/rolling_modes.h>
@@ -22,16 +23,20 @@ namespace vibrocontact
     std::vector<std::vector<unsigned int>> coupled_modes(const FlowReduction &flow)
     {
       const unsigned int n = flow.fixed.m();
+      const auto coupling = [&](const unsigned int i, const unsigned int j)
+      {
+        return std::max({std::abs(flow.fixed(i, j)), std::abs(flow.turning(i, j)),
+                         flow.of_square.m() > 0 ? std::abs(flow.of_square(i, j)) : 0.});
+      };
       double largest = 0;
       for (unsigned int j = 0; j < n; ++j)
         for (unsigned int i = 0; i < j; ++i)
-          largest = std::max({largest, std::abs(flow.fixed(i, j)), std::abs(flow.turning(i, j))});
+          largest = std::max(largest, coupling(i, j));
       std::vector<unsigned int> first(n);
       std::iota(first.begin(), first.end(), 0u);
       for (unsigned int j = 0; j < n; ++j)
         for (unsigned int i = 0; i < j; ++i)
-          if (std::max(std::abs(flow.fixed(i, j)), std::abs(flow.turning(i, j))) > uncoupled * largest &&
-              first[i] != first[j])
+          if (coupling(i, j) > uncoupled * largest && first[i] != first[j])
           {
             const auto [low, high] = std::minmax(first[i], first[j]);
             const unsigned int from = high, to = low;
@@ -62,6 +67,27 @@ namespace vibrocontact
       std::vector<Complex> right, left;
     };
 
+    /// A wave runs towards growing theta if d/dtheta of its shape is -j n times the shape.
+    std::string wave_name(const FlowReduction &flow, const std::vector<unsigned int> &block,
+                          const BlockPole &pole, const double rotation)
+    {
+      unsigned int largest = 0;
+      double sense = 0, size = 0;
+      for (unsigned int i = 0; i < block.size(); ++i)
+      {
+        if (std::norm(pole.right[i]) > (1 + 1e-6) * std::norm(pole.right[largest]))
+          largest = i;
+        size += std::norm(pole.right[i]);
+        for (unsigned int j = 0; j < block.size(); ++j)
+          sense -=
+              rotation * flow.turning(block[i], block[j]) * (std::conj(pole.right[i]) * pole.right[j]).imag();
+      }
+      const std::string &name = flow.names[block[largest]];
+      const bool stays =
+          std::abs(sense) < 0.5 * std::abs(rotation) * order_of(flow, block) * size || sense == 0;
+      return stays ? name : name + (sense > 0 ? " forward" : " backward");
+    }
+
     /// One of each conjugate pair; real ones by half.
     std::vector<BlockPole> poles_of_block(const BodyInContact &body, const FlowReduction &flow,
                                           const std::vector<unsigned int> &block, const double rotation)
@@ -81,15 +107,22 @@ namespace vibrocontact
         for (unsigned int j = 0; j < n; ++j)
         {
           A(n + i, j) -= loss * rotation * flow.turning(block[i], block[j]) / (s * s);
+          if (flow.of_square.m() > 0)
+            A(n + i, j) -= rotation * rotation * flow.of_square(block[i], block[j]) / (s * s);
           A(n + i, n + j) -= 2 * rotation * flow.fixed(block[i], block[j]) / s;
         }
       }
-      const ComplexEigenvectors found = complex_eigenvectors(A, "poles of the rolling ring");
+      const ComplexEigenvectors found = complex_eigenvectors(A, "poles of a rolling body");
       std::vector<BlockPole> poles;
       for (unsigned int k = 0; k < 2 * n; ++k)
       {
         const Complex lambda = s * found.values[k];
-        check_decay(lambda, order_of(flow, block), s, rotation);
+        if (flow.names.empty())
+          check_decay(lambda, order_of(flow, block), s, rotation);
+        else if (!(lambda.real() < 1e-10 * s))
+          throw InputError("A wheel turns at " + number_text(std::abs(rotation)) + " rad/s, where " +
+                           flow.names[block.front()] + " grows by " + number_text(lambda.real()) +
+                           " 1/s without any contact: lower Rolling/Speed.");
         const double share = share_of_pair(lambda);
         if (share == 0)
           continue;
@@ -169,13 +202,22 @@ namespace vibrocontact
     std::vector<InBlock> all;
     const std::vector<std::vector<unsigned int>> blocks = coupled_modes(flow);
     std::map<unsigned int, unsigned int> branches;
+    std::map<std::string, unsigned int> seen;
     for (const std::vector<unsigned int> &block : blocks)
     {
       const unsigned int order = order_of(flow, block);
       for (const BlockPole &pole : poles_of_block(at_rest, flow, block, rotation))
       {
         body.poles.push_back(pole.lambda);
-        body.labels.push_back("n=" + std::to_string(order) + ", branch " + std::to_string(++branches[order]));
+        if (flow.names.empty())
+          body.labels.push_back("n=" + std::to_string(order) + ", branch " +
+                                std::to_string(++branches[order]));
+        else
+        {
+          const std::string name = wave_name(flow, block, pole, rotation);
+          const unsigned int number = ++seen[name];
+          body.labels.push_back(number == 1 ? name : name + "#" + std::to_string(number));
+        }
         Complex load = 0;
         for (unsigned int i = 0; i < block.size() && !at_rest.modal_load.empty(); ++i)
           load += pole.left[i] * at_rest.modal_load[block[i]];
@@ -185,7 +227,8 @@ namespace vibrocontact
     }
     body.right.reinit(n, all.size());
     body.left.reinit(n, all.size());
-    if (n == 2 * n_points)
+    const bool has_stretch = n_points > 0 && n == 2 * n_points;
+    if (has_stretch)
       body.gradient.reinit(n, all.size());
     for (unsigned int k = 0; k < all.size(); ++k)
     {
@@ -197,7 +240,7 @@ namespace vibrocontact
           body.right(i, k) += at_rest.trace(i, mode) * all[k].pole.right[m];
           body.left(i, k) += at_rest.trace(i, mode) * all[k].pole.left[m];
         }
-        for (unsigned int i = 0; i < n_points && n == 2 * n_points; ++i)
+        for (unsigned int i = 0; i < n_points && has_stretch; ++i)
           body.gradient(n_points + i, k) += flow.stretch(i, mode) * all[k].pole.right[m];
       }
       scale_shapes(body, k);

@@ -117,10 +117,16 @@ namespace vibrocontact
       const RevolvedReduction &waves = revolved();
       dealii::Timer timer;
       surface.emplace();
-      modal_part = waves.modes(asked.modes, *asked.wheel, *surface);
+      FlowReduction flow;
+      modal_part = waves.modes(asked.modes, *asked.wheel, *surface, asked.flows ? &flow : nullptr);
       timings.emplace_back("modes", timer.wall_time());
       cache.save(asked.body, modes_key(), *modal_part);
       cache.save(asked.body, modes_key(), *surface);
+      if (asked.flows)
+      {
+        flow_part = std::make_shared<const FlowReduction>(std::move(flow));
+        cache.save(asked.body, modes_key(), *flow_part);
+      }
       return;
     }
     Flexibility &inverse = flexibility();

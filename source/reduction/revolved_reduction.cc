@@ -55,12 +55,16 @@ namespace vibrocontact
     std::vector<double> tread, boundary;
     /// phi^T F and phi^T M e of unit translations along x, y, z of the family even, of odd
     std::vector<double> load = {0, 0}, even = {0, 0, 0}, odd = {0, 0, 0};
+    /// its number among all modes of n; products with these of 2 Omega's matrix, even with odd (of n = 0 with both), and of
+    /// that of Omega^2; none without rotation
+    unsigned int number = 0;
+    std::vector<double> coriolis, of_square;
 
     template <typename Archive>
     void serialize(Archive &archive, unsigned int)
     {
       archive &n &omega &damping_ratio &orthonormality_error &residual &family &nodal_circles &tread &boundary
-          &load &even &odd;
+          &load &even &odd &number &coriolis &of_square;
     }
   };
 
@@ -220,13 +224,50 @@ namespace vibrocontact
     return result;
   }
 
+  void RevolvedReduction::add_rotation(const RevolvedRotation &rotation, const Modes &modes,
+                                       WaveMode &mode) const
+  {
+    const Vector &shape = modes.shapes[mode.number];
+    const auto &components = section->components();
+    // of n = 0 both families are in a shape: the odd one is what moves around the axle
+    const auto family = [&](const Vector &whole, const bool odd)
+    {
+      Vector part(whole);
+      for (unsigned int i = 0; i < components.size() && mode.n == 0; ++i)
+        if ((components[i] == RevolvedSection::circumferential) != odd)
+          part(i) = 0;
+      part.compress(dealii::VectorOperation::insert);
+      return part;
+    };
+    const Vector even = family(shape, false), odd = family(shape, true);
+    Vector product(shape);
+    for (const Vector &other : modes.shapes)
+    {
+      rotation.coriolis.vmult(product, family(other, true));
+      double coupling = even * product;
+      if (mode.n == 0)
+      {
+        rotation.coriolis.vmult(product, family(other, false));
+        coupling -= odd * product;
+      }
+      mode.coriolis.push_back(coupling);
+      rotation.geometric.vmult(product, other);
+      double of_square = shape * product;
+      rotation.centripetal.vmult(product, other);
+      of_square -= shape * product;
+      mode.of_square.push_back(of_square);
+    }
+  }
+
   std::vector<RevolvedReduction::WaveMode> RevolvedReduction::modes_of(const unsigned int n,
                                                                        const ModeParameters &parameters,
-                                                                       const WheelFrame &frame) const
+                                                                       const WheelFrame &frame,
+                                                                       const Vector *const stretched) const
   {
     const auto system = section->system(n);
     Flexibility flexibility(*system);
     const Modes modes = compute_modes(*system, flexibility, parameters);
+    const auto rotation = stretched ? section->rotation(n, *stretched) : nullptr;
     const std::vector<double> damping_ratio = strain_energy_damping(*system, modes);
     const std::vector<TraceRow> boundary = section->boundary(n).rows;
     const auto &places = section->positions();
@@ -253,6 +294,9 @@ namespace vibrocontact
       const Vector &shape = modes.shapes[k];
       WaveMode mode;
       mode.n = n;
+      mode.number = k;
+      if (rotation)
+        add_rotation(*rotation, modes, mode);
       mode.omega = modes.omega[k];
       mode.damping_ratio = damping_ratio[k];
       mode.orthonormality_error = modes.orthonormality_error;
@@ -318,7 +362,8 @@ namespace vibrocontact
   }
 
   std::vector<RevolvedReduction::WaveMode> RevolvedReduction::all_modes(const ModeParameters &parameters,
-                                                                        const WheelFrame &frame) const
+                                                                        const WheelFrame &frame,
+                                                                        const bool rotates) const
   {
     const unsigned int n_ranks = MPI::n_mpi_processes(communicator),
                        rank = MPI::this_mpi_process(communicator);
@@ -335,6 +380,19 @@ namespace vibrocontact
         below += other.omega < mode.omega ? counts(other) : 0;
       return below < parameters.count;
     };
+    std::optional<Vector> stretched;
+    if (rotates)
+      on_all_ranks(
+          [&]
+          {
+            const Alone alone;
+            const auto still = section->system(0);
+            Flexibility flexibility(*still);
+            const Vector load = section->centrifugal_load();
+            stretched.emplace(load);
+            flexibility.vmult(*stretched, load);
+          },
+          communicator);
     for (unsigned int n = 0, empty = 0; empty < empty_in_a_row;)
     {
       std::vector<WaveMode> own;
@@ -342,7 +400,7 @@ namespace vibrocontact
           [&]
           {
             const Alone alone;
-            own = modes_of(n + rank, parameters, frame);
+            own = modes_of(n + rank, parameters, frame, stretched ? &*stretched : nullptr);
           },
           communicator);
       progress.advance(n_ranks);
@@ -362,10 +420,10 @@ namespace vibrocontact
   }
 
   ModalReduction RevolvedReduction::modes(const ModeParameters &parameters, const WheelFrame &frame,
-                                          SurfaceShapes &shapes) const
+                                          SurfaceShapes &shapes, FlowReduction *const flow) const
   {
     dealii::Timer timer;
-    const std::vector<WaveMode> modes = all_modes(parameters, frame);
+    const std::vector<WaveMode> modes = all_modes(parameters, frame, flow != nullptr);
     ModalReduction result;
     result.n_dofs = section->n_dofs();
     std::vector<WheelLabel> labels;
@@ -403,11 +461,52 @@ namespace vibrocontact
     for (unsigned int k = 0; k < n_modes; ++k)
       result.damping_ratio[k] += by_diameters[k];
     shapes = surface_shapes(modes);
+    if (flow)
+      *flow = flow_of(modes);
     result.seconds = timer.wall_time();
     run_log().line(std::to_string(n_modes) + " modes by harmonics: " + time_text(result.seconds) +
                    "; orthonormality error " + number_text(result.orthonormality_error) + ", residual " +
                    number_text(result.residual));
     return result;
+  }
+
+  FlowReduction RevolvedReduction::flow_of(const std::vector<WaveMode> &modes) const
+  {
+    FlowReduction flow;
+    std::vector<unsigned int> first;
+    for (const WaveMode &mode : modes)
+    {
+      first.push_back(flow.omega.size());
+      const unsigned int copies = mode.n == 0 ? 1 : 2;
+      flow.omega.resize(first.back() + copies, mode.omega);
+      flow.names.resize(first.back() + copies, WheelLabel{mode.family, mode.nodal_circles, mode.n}.text());
+    }
+    for (auto *const matrix : {&flow.fixed, &flow.turning, &flow.of_square})
+      matrix->reinit(flow.omega.size(), flow.omega.size());
+    for (unsigned int a = 0; a < modes.size(); ++a)
+      for (unsigned int b = 0; b < modes.size(); ++b)
+      {
+        const unsigned int n = modes[a].n, k = first[a], l = first[b];
+        if (modes[b].n != n)
+          continue;
+        const double coupling = modes[a].coriolis[modes[b].number],
+                     square = modes[a].of_square[modes[b].number];
+        flow.of_square(k, l) = square;
+        if (n == 0)
+        {
+          flow.fixed(k, l) = coupling;
+          continue;
+        }
+        flow.of_square(k + 1, l + 1) = square;
+        flow.fixed(k, l + 1) = coupling;
+        flow.fixed(l + 1, k) = -coupling;
+        if (a == b)
+        {
+          flow.turning(k, k + 1) = n;
+          flow.turning(k + 1, k) = -double(n);
+        }
+      }
+    return flow;
   }
 
   SurfaceShapes RevolvedReduction::surface() const

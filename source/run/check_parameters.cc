@@ -39,8 +39,9 @@ namespace vibrocontact
     {
       const double speed = parameters.rolling.creepage.speed;
       if (body.rolls() && speed == 0)
-        throw InputError(body.name +
-                         "/Ring/Rolling is true, but Rolling/Speed is 0: give the speed that it turns with.");
+        throw InputError(body.name + "/" + body.body_type().section +
+                         (body.is_revolved() ? "/Rotation" : "/Rolling") +
+                         " is true, but Rolling/Speed is 0: give the speed that it turns with.");
       const IdentifiedParameters *const measured = body.description->measured();
       if (!measured)
         return;
@@ -180,6 +181,10 @@ namespace vibrocontact
         if (!body.is_revolved())
           continue;
         std::vector<std::string> own = needs;
+        if (body.rolls() && parameters.scene.runs("modal convolution"))
+          throw InputError(body.name + "/" + body.body_type().section +
+                           "/Rotation is true, which quasi-static rolling, stability and transient know, but "
+                           "Analyses lists modal convolution: leave one of them out.");
         if (parameters.scene.runs("frequency response") &&
             (responding.empty() || std::count(responding.begin(), responding.end(), body.name) > 0))
           own.push_back("the analysis frequency response");

@@ -24,6 +24,9 @@ namespace vibrocontact
       const bool own = entry.section == body || entry.section.rfind(body + "/", 0) == 0;
       if (!own || entry.section == body + "/Modes" || (entry.name == "Materials" && entry.value.empty()))
         continue;
+      // what turns is made of the modes at rest
+      if (entry.section == body + "/Wheel" && entry.name == "Rotation")
+        continue;
       // a file that is written changes nothing of the body
       const std::string value = entry.name == "Write mesh" ? "" : entry.value;
       key << entry.section.substr(body.size()) << "/" << entry.name << "=" << value;

@@ -202,6 +202,8 @@ namespace vibrocontact
         for (unsigned int r = 0; r < dofs.size() && made; ++r)
           ranks.push_back({{"dofs", dofs[r]}, {"peak_memory_MB", memory[r]}});
         result[body->parameters.name] = {{"stages_s", stages}, {"ranks", ranks}};
+        if (body->parameters.is_revolved())
+          result[body->parameters.name]["rotation"] = body->parameters.rolls();
       }
     return result;
   }

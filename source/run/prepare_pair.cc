@@ -1,16 +1,36 @@
+#include <vibrocontact/bodies/rolling_modes.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/road_body.h>
 
 namespace vibrocontact
 {
+  namespace
+  {
+    /// Material passes the contact towards +x, where theta grows.
+    ReducedBody rolling_wheel(const ReducedBody &at_rest, const double speed, const double radius)
+    {
+      ReducedBody result = at_rest;
+      static_cast<BodyInContact &>(result) = rolling_modes(at_rest, *at_rest.flow, speed / radius);
+      // the residual of material that flows relaxes on its way, which is not taken
+      result.relaxation = 0;
+      result.flow = nullptr;
+      return result;
+    }
+  } // namespace
+
   std::optional<ReducedBody> body_of_contact(const Parameters &parameters, std::optional<ReducedBody> meshed,
                                              const std::optional<MeasuredData> &measured,
                                              const unsigned int number)
   {
     const BodyParameters &body = parameters.scene.bodies[number];
     if (!body.is_green())
+    {
+      if (meshed && body.rolls())
+        return rolling_wheel(*meshed, parameters.rolling.creepage.speed,
+                             *body.axle_height(parameters.contact().lateral_position));
       return meshed;
+    }
     RoadUse use;
     use.friction = largest_friction_of_cases(parameters) > 0;
     use.speed = parameters.rolling.creepage.speed;

@@ -72,6 +72,12 @@ namespace vibrocontact
         "Waves around the axle that the contact compliance is summed over; a half-space answers "
         "to the shorter ones. Units: none.",
         Patterns::Integer(4, 400));
+    prm.add_parameter("Rotation", rotation,
+                      "The wheel turns past its contact with the speed of rolling: a pair of modes becomes "
+                      "two waves, one with the "
+                      "rotation and one against it (Model = harmonics). false: it stands still there, as in "
+                      "the paper. Units: none.",
+                      Patterns::Bool());
     prm.add_parameter(
         "Write mesh", write_mesh,
         "gmsh file to write the coarse hexahedra and named boundaries to, y as in the section; empty: "
@@ -257,7 +263,7 @@ namespace vibrocontact
     entries.add_if(!is_by_harmonics(), "Model is solid", section,
                    "Write mesh, Contact division, Coarse division, Growth, Fine length");
     entries.add_if(is_by_harmonics() && use.contact, "Model is harmonics and the body is in contact", section,
-                   "Harmonics, Contact cell size");
+                   "Harmonics, Contact cell size, Rotation");
     if (!is_by_harmonics())
       refinement.add_entries(entries, section, use);
     return true;

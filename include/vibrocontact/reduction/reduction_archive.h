@@ -89,6 +89,8 @@ namespace vibrocontact
       archive("angular_frequencies_rad_s", part.omega);
       archive("fixed", part.fixed);
       archive("turning", part.turning);
+      archive("of_square", part.of_square);
+      archive("names", part.names);
       archive("stretch", part.stretch);
       archive("beyond", part.beyond);
       archive("beyond_compliance_m_N", part.beyond_compliance);

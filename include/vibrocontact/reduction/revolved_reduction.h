@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/bodies/rolling_modes.h>
 #include <vibrocontact/contact/half_space.h>
 #include <vibrocontact/fe/revolved_section.h>
 #include <vibrocontact/reduction/reduction_parts.h>
@@ -41,8 +42,9 @@ namespace vibrocontact
 
     StaticReduction statics() const;
     /// Every mode of n > 0 is two, even and odd. With shapes on the surface.
-    ModalReduction modes(const ModeParameters &parameters, const WheelFrame &frame,
-                         SurfaceShapes &shapes) const;
+    /// @param flow what a rotation does to the modes; null: it is not asked for
+    ModalReduction modes(const ModeParameters &parameters, const WheelFrame &frame, SurfaceShapes &shapes,
+                         FlowReduction *flow = nullptr) const;
 
     unsigned int n_section_dofs() const { return section->n_dofs(); }
     /// of the compliance; 0 without contact
@@ -57,10 +59,14 @@ namespace vibrocontact
     DenseMatrix around(unsigned int n, bool odd) const;
     /// From normal and tangent of the tread at each point to z and x.
     void turn_with_tread(DenseMatrix &compliance) const;
-    std::vector<WaveMode> modes_of(unsigned int n, const ModeParameters &parameters,
-                                   const WheelFrame &frame) const;
+    void add_rotation(const RevolvedRotation &rotation, const Modes &modes, WaveMode &mode) const;
+    /// @param stretched by centrifugal forces per Omega^2; null: no rotation
+    std::vector<WaveMode> modes_of(unsigned int n, const ModeParameters &parameters, const WheelFrame &frame,
+                                   const dealii::PETScWrappers::MPI::Vector *stretched) const;
     /// n = 0, 1, ... shared out over the ranks, ascending in frequency
-    std::vector<WaveMode> all_modes(const ModeParameters &parameters, const WheelFrame &frame) const;
+    std::vector<WaveMode> all_modes(const ModeParameters &parameters, const WheelFrame &frame,
+                                    bool rotates) const;
+    FlowReduction flow_of(const std::vector<WaveMode> &modes) const;
     SurfaceShapes surface_shapes(const std::vector<WaveMode> &modes) const;
 
     const std::unique_ptr<const RevolvedSection> section;

@@ -27,6 +27,8 @@ namespace vibrocontact
     std::string model = "solid";
     /// waves around the axle that the contact compliance is summed over; a half-space has the shorter ones
     unsigned int n_harmonics = 40;
+    /// turns past the contact with the speed of rolling: its modes become waves around the axle
+    bool rotation = false;
     /// gmsh file to write the coarse mesh to; empty: none
     std::string write_mesh;
     /// similar wheels: all lengths times this factor
@@ -49,6 +51,7 @@ namespace vibrocontact
       return is_by_harmonics() ? ContactPlaces::own : ContactPlaces::anywhere;
     }
     bool takes_gravity() const override { return is_by_harmonics(); }
+    bool rolls() const override { return is_by_harmonics() && rotation; }
     RevolvedMesh make_section(const MeshRequest &request) const override;
     BodyMesh<3> make_mesh(const MeshRequest &request) const override;
     void hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const override;

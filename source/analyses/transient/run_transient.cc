@@ -327,12 +327,13 @@ namespace vibrocontact
       entries.add_if(own.initial_state == "quasi-static" && !contact_points_have_mass(parameters),
                      "the run starts from an equilibrium, with contact points without mass",
                      section + "/Signals", "Mode amplitudes");
-      const bool has_wheel =
-          std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
-                      [](const BodyParameters &body) { return body.description->is_wheel(); });
+      const bool has_wheel = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
+                                         [](const BodyParameters &body)
+                                         { return body.description->is_wheel() && !body.rolls(); });
       entries.add_if(!signals.probes.empty() && (trimmed(signals.probes) != "rim" || has_wheel) &&
                          own.end_time > least_sound,
-                     "there are Transient/Signals/Probes (a rim is that of a wheel) for more than 5 ms",
+                     "there are Transient/Signals/Probes (a rim is that of a wheel that does not roll) for "
+                     "more than 5 ms",
                      section + "/Signals", "Sound");
     }
 
@@ -341,8 +342,9 @@ namespace vibrocontact
     {
       for (const ProbeRequest &request : parse_probes(on.parameters.signals.probes))
         for (const auto &body : on.bodies)
-          if (body && (request.body == body->parameters.name ||
-                       (request.name.empty() && body->reduction.request().wheel)))
+          if (body && !body->parameters.rolls() &&
+              (request.body == body->parameters.name ||
+               (request.name.empty() && body->reduction.request().wheel)))
             body->reduction.surface_shapes();
       reduce_bodies(on.bodies, true);
       return do_transient;

@@ -15,6 +15,13 @@ namespace vibrocontact
       if (!bodies[b])
         continue;
       MeshedBody &body = *bodies[b];
+      if (body.parameters.rolls())
+      {
+        if (body.reduction.request().wheel && !requests.empty())
+          run_log().line("no probes on " + body.parameters.name +
+                         ": what rolls is known by poles at its contact points");
+        continue;
+      }
       const auto surface = [&]() -> const SurfaceShapes &
       { return unreduced.empty() ? body.reduction.surface_shapes() : unreduced[b]; };
       std::vector<ProbeRequest> own;
