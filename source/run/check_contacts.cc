@@ -305,6 +305,10 @@ namespace vibrocontact
 
   void check_speed_of_road(const BodyParameters &body, const RoadParameters &road)
   {
+    if (body.rolls() && body.is_revolved())
+      throw InputError(body.name + "/" + body.body_type().section +
+                       "/Rotation is true, which quasi-static rolling, stability and transient know, but "
+                       "modal convolution takes the wheel at rest: leave it out.");
     if (body.rolls() && road.speed == 0)
       throw InputError(body.name +
                        "/Ring/Rolling is true, but Road/Speed is 0: the poles of a rolling ring need a "

@@ -181,10 +181,6 @@ namespace vibrocontact
         if (!body.is_revolved())
           continue;
         std::vector<std::string> own = needs;
-        if (body.rolls() && parameters.scene.runs("modal convolution"))
-          throw InputError(body.name + "/" + body.body_type().section +
-                           "/Rotation is true, which quasi-static rolling, stability and transient know, but "
-                           "Analyses lists modal convolution: leave one of them out.");
         if (parameters.scene.runs("frequency response") &&
             (responding.empty() || std::count(responding.begin(), responding.end(), body.name) > 0))
           own.push_back("the analysis frequency response");

@@ -130,7 +130,7 @@ namespace vibrocontact
     const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
     std::vector<std::string> with_modes;
     for (const BodyParameters &body : bodies)
-      if (body.vibrates())
+      if (body.vibrates() && !body.is_known_by_poles())
         with_modes.push_back(body.name);
     std::sort(with_modes.begin(), with_modes.end());
     check_perturbed_body(transient, with_modes);
