@@ -79,8 +79,8 @@ namespace vibrocontact
       for (unsigned int i = 0; i < data.n_entries(); ++i)
         for (unsigned int l = 0; l < n; ++l)
         {
-          B(l, i) = data.values[i][l].real();
-          B(n + l, i) = data.values[i][l].imag();
+          B(l, i) = data.weight_of(l) * data.values[i][l].real();
+          B(n + l, i) = data.weight_of(l) * data.values[i][l].imag();
         }
       return B;
     }
@@ -122,9 +122,9 @@ namespace vibrocontact
     DenseMatrix A(2 * n_lines, n + rules.direct);
     for (unsigned int c = 0; c < n; ++c)
       for (unsigned int l = 0; l < 2 * n_lines; ++l)
-        A(l, c) = basis(l, kept[c]);
+        A(l, c) = data.weight_of(l % n_lines) * basis(l, kept[c]);
     for (unsigned int l = 0; rules.direct && l < n_lines; ++l)
-      A(l, n) = 1;
+      A(l, n) = data.weight_of(l);
 
     // imaginary residues have no initial value anyway
     const bool zero = rules.zero_initial_value && !rules.real_amplitudes;
@@ -185,10 +185,13 @@ namespace vibrocontact
     std::vector<double> errors;
     for (unsigned int i = 0; i < data.n_entries(); ++i)
     {
-      std::vector<Complex> values;
-      for (const double omega : data.omega)
-        values.push_back(fit.value(i, omega));
-      errors.push_back(band_error(data.omega, data.values[i], values));
+      std::vector<Complex> exact, values;
+      for (unsigned int l = 0; l < data.omega.size(); ++l)
+      {
+        exact.push_back(data.weight_of(l) * data.values[i][l]);
+        values.push_back(data.weight_of(l) * fit.value(i, data.omega[l]));
+      }
+      errors.push_back(band_error(data.omega, exact, values));
     }
     return errors;
   }

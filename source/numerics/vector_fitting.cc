@@ -61,12 +61,12 @@ namespace vibrocontact
       return result;
     }
 
-    double mean_magnitude(const std::vector<Complex> &values)
+    double mean_magnitude(const Spectra &data, const unsigned int entry)
     {
       double sum = 0;
-      for (const Complex &value : values)
-        sum += std::abs(value);
-      return sum > 0 ? sum / values.size() : 1;
+      for (unsigned int l = 0; l < data.omega.size(); ++l)
+        sum += data.weight_of(l) * std::abs(data.values[entry][l]);
+      return sum > 0 ? sum / data.omega.size() : 1;
     }
 
     /// Zeros of sum_k c_k phi_k + d.
@@ -108,16 +108,17 @@ namespace vibrocontact
     double size = 0;
     for (unsigned int i = 0; i < data.n_entries(); ++i)
     {
-      const double weight = 1 / mean_magnitude(data.values[i]);
+      const double size_of_entry = mean_magnitude(data, i);
+      const auto weight = [&](const unsigned int l) { return data.weight_of(l) / size_of_entry; };
       columns = 0;
       for (unsigned int c = 0; c < own.n(); ++c)
         for (unsigned int l = 0; l < 2 * n_lines; ++l)
-          columns(l, c) = weight * own(l, c);
+          columns(l, c) = weight(l % n_lines) * own(l, c);
       for (unsigned int l = 0; l < n_lines; ++l)
       {
         if (rules.direct)
-          columns(l, n_own - 1) = weight;
-        const Complex value = -weight * data.values[i][l];
+          columns(l, n_own - 1) = weight(l);
+        const Complex value = -weight(l) * data.values[i][l];
         size += std::norm(value);
         for (unsigned int c = 0; c < n_block; ++c)
         {

@@ -138,6 +138,14 @@ namespace vibrocontact
     return load<DirectResponse>(file_name(body, "direct", key), key, is_host, communicator);
   }
 
+  std::optional<TrackReduction> ReductionCache::load_track(const std::string &body,
+                                                           const std::string &key) const
+  {
+    if (folder.empty())
+      return {};
+    return load<TrackReduction>(file_name(body, "track", key), key, is_host, communicator);
+  }
+
   void ReductionCache::save(const std::string &body, const std::string &key,
                             const ResponseReduction &part) const
   {
@@ -155,6 +163,12 @@ namespace vibrocontact
   {
     if (!folder.empty() && is_host)
       save_on_host(file_name(body, "direct", key), key, part);
+  }
+
+  void ReductionCache::save(const std::string &body, const std::string &key, const TrackReduction &part) const
+  {
+    if (!folder.empty() && is_host)
+      save_on_host(file_name(body, "track", key), key, part);
   }
 
   void ReductionCache::save(const std::string &key, const StaticReduction &part) const

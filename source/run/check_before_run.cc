@@ -151,7 +151,7 @@ namespace vibrocontact
       for (const SweepCase &one : sweep.cases)
         for (unsigned int k = 0; k < one.keys.size(); ++k)
         {
-          if (!seen.insert(one.keys[k]).second)
+          if (one.parameters.scene.bodies[k].is_periodic_rail() || !seen.insert(one.keys[k]).second)
             continue;
           const auto body = meshed_body(one.parameters, one.keys[k], k);
           if (!body->parameters.is_solid())

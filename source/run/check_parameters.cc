@@ -86,14 +86,27 @@ namespace vibrocontact
                            "frequency or Count, or set Method to direct");
     }
 
-    /// A track without ends is known by its receptances alone.
-    void check_periodic_rails(const Scene &scene)
+    void check_periodic_rails(const Parameters &parameters)
     {
-      for (const BodyParameters &body : scene.bodies)
-        for (const std::string &analysis : scene.analyses)
-          if (body.description->periodic_rail() && analysis != "frequency response")
+      // no poles follow its constant losses well enough to move in time
+      const std::vector<std::string> taken = {"frequency response", "quasi-static rolling", "stability"};
+      for (const BodyParameters &body : parameters.scene.bodies)
+      {
+        if (!body.is_periodic_rail())
+          continue;
+        for (const std::string &analysis : parameters.scene.analyses)
+          if (std::count(taken.begin(), taken.end(), analysis) == 0)
             throw InputError(body.name + "/Rail/Model is periodic, which the analysis \"" + analysis +
                              "\" does not take; set it to solid or leave the analysis out.");
+        for (const ContactParameters &one : parameters.contacts.all)
+          if (parameters.has_contact() && one.quadrature == "consistent")
+            throw InputError(one.section + "/Quadrature is consistent, but " + body.name +
+                             "/Rail/Model is periodic, which knows tractions that are constant on each cell "
+                             "only: set it to lumped.");
+        for (const auto &[section, model] : unreduced_models(parameters))
+          throw InputError(body.name + "/Rail/Model is periodic, but " + section + "/Model = " + model +
+                           " needs elements of the whole body: set it to solid.");
+      }
     }
 
     void check_road_friction(const Parameters &parameters)
@@ -225,7 +238,7 @@ namespace vibrocontact
   void Parameters::check() const
   {
     scene.check();
-    check_periodic_rails(scene);
+    check_periodic_rails(*this);
     check_contacts(*this);
     for (const auto &[name, mode] : modes)
       mode.check(name + "/Modes");

@@ -1,3 +1,4 @@
+#include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/memory.h>
@@ -45,11 +46,26 @@ namespace vibrocontact
                                         parameters.output.cache_directory, MPI_COMM_WORLD);
   }
 
+  std::unique_ptr<TrackBody> track_body(const Parameters &parameters, const std::string &key,
+                                        const unsigned int k)
+  {
+    const BodyParameters &body = parameters.scene.bodies[k];
+    const std::vector<ContactPlace> places = parameters.places(k);
+    if (!body.is_periodic_rail() || places.empty())
+      return nullptr;
+    return std::make_unique<TrackBody>(body, places.front().grid, key, parameters.output.cache_directory,
+                                       MPI_COMM_WORLD);
+  }
+
   MeshedBodies meshed_bodies(const Parameters &parameters, const DeclaredParameters &declared)
   {
     MeshedBodies bodies;
     for (unsigned int k = 0; k < parameters.scene.bodies.size(); ++k)
-      bodies.push_back(meshed_body(parameters, reduction_key(parameters, declared, k), k));
+    {
+      const std::string key = reduction_key(parameters, declared, k);
+      bodies.push_back(meshed_body(parameters, key, k));
+      bodies.tracks.push_back(track_body(parameters, key, k));
+    }
     return bodies;
   }
 
@@ -68,6 +84,9 @@ namespace vibrocontact
         if ((with_modes || body->parameters.rolls()) && body->reduction.request().modes.any())
           body->reduction.modal();
       }
+    for (const auto &track : bodies.tracks)
+      if (track)
+        with_modes ? track->moving() : track->at_rest();
   }
 
   namespace
@@ -205,6 +224,17 @@ namespace vibrocontact
         if (body->parameters.is_revolved())
           result[body->parameters.name]["rotation"] = body->parameters.rolls();
       }
+    for (const auto &track : bodies.tracks)
+      if (track && !track->fit_json().is_null())
+        result[track->parameters.name] = {{"fit", track->fit_json()}};
     return result;
+  }
+
+  void write_track_fits(const MeshedBodies &bodies, const std::string &folder)
+  {
+    for (const auto &track : bodies.tracks)
+      if (track)
+        if (const std::optional<Table> table = track->fit_table())
+          on_first_rank([&] { table->write(folder + "/receptance_fit_" + track->parameters.name + ".csv"); });
   }
 } // namespace vibrocontact

@@ -57,6 +57,8 @@ namespace vibrocontact
         meshed = bodies[k]->reduction.reduced(with_modes || parameters.scene.bodies[k].rolls());
         scale_damping(*meshed, parameters.modes.at(parameters.scene.bodies[k].name));
       }
+      if (k < bodies.tracks.size() && bodies.tracks[k])
+        meshed = with_modes ? bodies.tracks[k]->moving() : bodies.tracks[k]->at_rest();
       std::optional<ReducedBody> body = body_of_contact(parameters, std::move(meshed), measured, k);
       pair->bodies.push_back({&parameters.scene.bodies[k], body ? &pair->reduced[k] : nullptr});
       if (body)

@@ -277,6 +277,7 @@ namespace vibrocontact
       throw;
     }
     results.reductions = reductions_json(bodies);
+    write_track_fits(bodies, folder);
     finish(tables.analyses, parameters.output.figures, record, results, clock);
     if (results.stopped_by != 0)
       return 128 + results.stopped_by;

@@ -107,8 +107,11 @@ namespace vibrocontact
       if (sweep.columns.empty())
         sweep.columns = column_names(sweep.entries, declared);
       for (unsigned int k = 0; k < one.parameters.scene.bodies.size(); ++k)
+      {
+        const BodyParameters &body = one.parameters.scene.bodies[k];
         one.keys.push_back(
-            one.parameters.scene.bodies[k].is_meshed() ? reduction_key(one.parameters, declared, k) : "");
+            body.is_meshed() || body.is_periodic_rail() ? reduction_key(one.parameters, declared, k) : "");
+      }
     }
 
     SweepCases cases_of(const AnalysisType &type, const Parameters &parameters, const ParameterFile &file,
@@ -193,6 +196,10 @@ namespace vibrocontact
         const ReductionRequest &own = of_the_file[k]->reduction.request();
         known[reduction_text(k, own.key, own.modes)] = of_the_file[k];
       }
+    std::map<std::string, std::shared_ptr<TrackBody>> known_tracks;
+    for (const auto &track : of_the_file.tracks)
+      if (track)
+        known_tracks[track->key()] = track;
     std::vector<MeshedBodies> result;
     for (const SweepCase &one : sweep.cases)
     {
@@ -200,7 +207,15 @@ namespace vibrocontact
       for (unsigned int k = 0; k < one.keys.size(); ++k)
       {
         std::shared_ptr<MeshedBody> body;
-        if (!one.keys[k].empty())
+        std::shared_ptr<TrackBody> track;
+        if (one.parameters.scene.bodies[k].is_periodic_rail())
+        {
+          std::shared_ptr<TrackBody> &there = known_tracks[one.keys[k]];
+          if (!there)
+            there = track_body(one.parameters, one.keys[k], k);
+          track = there;
+        }
+        else if (!one.keys[k].empty())
         {
           const ModeParameters &modes = one.parameters.modes.at(one.parameters.scene.bodies[k].name);
           std::shared_ptr<MeshedBody> &there = known[reduction_text(k, one.keys[k], modes)];
@@ -209,6 +224,7 @@ namespace vibrocontact
           body = there;
         }
         result.back().push_back(body);
+        result.back().tracks.push_back(track);
       }
     }
     return result;

@@ -89,8 +89,8 @@ namespace vibrocontact
   {
     using Patterns::Double;
     prm.add_parameter("Model", model,
-                      "solid: the section extruded over a length; periodic: infinite on equal supports, for "
-                      "harmonic motion alone. Units: none.",
+                      "solid: the section extruded over a length; periodic: infinite on equal supports, by "
+                      "finite elements of the section alone. Units: none.",
                       Patterns::Selection("solid|periodic"));
     section.declare_parameters(prm, "lateral, height; outline of the right half");
     prm.add_parameter("Length", length, "Length of the rail; the contact is at its middle. Units: m.",
@@ -121,6 +121,15 @@ namespace vibrocontact
                       Double(0));
     prm.add_parameter("Ballast loss factor", ballast_loss_factor,
                       "Hysteretic loss factor of the ballast. Units: none.", Double(0, 10));
+    prm.add_parameter(
+        "Pole pairs", n_pole_pairs,
+        "Model periodic in contact: number of pairs of poles near its receptance, from which its "
+        "roots are sought. Units: none.",
+        Patterns::Integer(4, 60));
+    prm.add_parameter("Fitted up to", fitted_up_to,
+                      "Model periodic in contact: highest frequency at which these poles follow its "
+                      "receptance. Units: Hz.",
+                      Double(200, 20000));
   }
 
   void RailParameters::read_ahead(const ParameterFile &file, const std::string &section)
@@ -272,6 +281,8 @@ namespace vibrocontact
                            "Pad length, Pad loss factor, Sleeper mass");
       entries.add_if(sleeper_mass > 0, "there is a Sleeper mass", section,
                      "Ballast stiffness x, Ballast stiffness y, Ballast stiffness z, Ballast loss factor");
+      entries.add_if(use.contact && use.motion, "the rail moves in a contact", section,
+                     "Pole pairs, Fitted up to");
       return true;
     }
     entries.add(section, "Length, Contact division, Coarse division, Growth, Fine length");

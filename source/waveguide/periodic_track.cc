@@ -30,7 +30,7 @@ namespace vibrocontact
   {
     /// The pad's slice has forces of 1 N between sleeper and foot as its last three loads, the sleeper held. It moves by r:
     /// the pad then pushes with c = k r, and (k + D) r = k d, d the foot's mean motion, D sleeper and ballast.
-    Slice on_sleeper(const Slice &pad, const TrackSupport &support, const double omega)
+    Slice on_sleeper(const Slice &pad, const TrackSupport &support, const Complex omega)
     {
       const unsigned int n = pad.n_loads() - 3, n_ends = pad.stiffness.m();
       ComplexMatrix Y(3, 3), sleeper(3, n_ends + n);
@@ -79,7 +79,7 @@ namespace vibrocontact
     }
   } // namespace
 
-  Slice PeriodicTrack::span(const double omega, const double x, const std::vector<AxialLoad> &loads,
+  Slice PeriodicTrack::span(const Complex omega, const double x, const std::vector<AxialLoad> &loads,
                             const double loss) const
   {
     const unsigned int m = section.matrices.n_shapes();
@@ -162,7 +162,7 @@ namespace vibrocontact
     return join(join(pieces(begin, pad_begin, between, loads), pad), pieces(pad_end, end, between, loads));
   }
 
-  PeriodicTrack::AtFrequency PeriodicTrack::at(const double omega) const
+  PeriodicTrack::AtFrequency PeriodicTrack::at(const Complex omega) const
   {
     AtFrequency result;
     result.omega = omega;

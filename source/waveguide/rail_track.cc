@@ -1,12 +1,10 @@
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/scene/section_manifolds.h>
-#include <vibrocontact/waveguide/plane_section.h>
+#include <vibrocontact/waveguide/rail_section.h>
 #include <vibrocontact/waveguide/rail_track.h>
 #include <vibrocontact/waveguide/track_loads.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <sstream>
 
 namespace vibrocontact
@@ -34,49 +32,6 @@ namespace vibrocontact
 
     /// Places far away cost a span each; the waves are gone by then.
     constexpr double farthest = 100;
-
-    /// The section of a rail with its elements.
-    struct RailSection
-    {
-      RailSection(const BodyParameters &body, const RailParameters &rail)
-          : mesh(make_mesh(body, rail, crown_height)),
-            elements(*mesh, materials(body), rail.section.element_degree)
-      {
-      }
-
-      static std::vector<ElasticMaterial> materials(const BodyParameters &body)
-      {
-        std::vector<ElasticMaterial> result;
-        for (const auto &group : body.materials)
-          result.push_back(group.second);
-        if (result.empty())
-          result.push_back(body.material);
-        return result;
-      }
-
-      static std::unique_ptr<Triangulation<2>> make_mesh(const BodyParameters &body,
-                                                         const RailParameters &rail, double &crown_height)
-      {
-        const SectionOutline outline = rail.section.read_outline();
-        std::vector<SectionOutline::Row> crown;
-        for (const auto &row : outline.rows)
-          if (row.part == "crown")
-            crown.push_back(row);
-        if (crown.empty())
-          throw InputError("The section outline of " + body.name +
-                           " has no part crown: name the curves of the running surface so.");
-        crown_height = CrownManifold::height(crown, rail.lateral_position);
-        std::vector<std::string> groups;
-        for (const auto &group : body.materials)
-          groups.push_back(group.first);
-        return plane_section(rail.section.read_mesh(outline, true, {body.name, groups}), outline);
-      }
-
-      /// above the underside, at the contact [m]
-      double crown_height = 0;
-      const std::unique_ptr<Triangulation<2>> mesh;
-      const SectionElements elements;
-    };
 
     void check_places(const SectionElements &elements, const RailParameters &rail,
                       const std::vector<TrackPlace> &places, const double width)
@@ -112,15 +67,7 @@ namespace vibrocontact
     check_places(elements, rail, places, width);
     n_dofs = elements.n_dofs();
 
-    track.spacing = rail.sleeper_spacing;
-    track.first_support = rail.contact_at == "support" ? 0 : rail.sleeper_spacing / 2;
-    track.support.pad_stiffness = {{rail.pad_stiffness_x, rail.pad_stiffness_y, rail.pad_stiffness_z}};
-    track.support.pad_loss = rail.pad_loss_factor;
-    track.support.pad_length = rail.pad_length;
-    track.support.sleeper_mass = rail.sleeper_mass;
-    track.support.ballast_stiffness = {
-        {rail.ballast_stiffness_x, rail.ballast_stiffness_y, rail.ballast_stiffness_z}};
-    track.support.ballast_loss = rail.ballast_loss_factor;
+    track = supports_of_track(rail);
 
     const double middle = rail.lateral_position, height = section.crown_height;
     std::vector<Vector<double>> on_section;

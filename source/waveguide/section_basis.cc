@@ -20,28 +20,6 @@ namespace vibrocontact
     // wavenumber of the norm [rad/m]
     const double kappa = 30;
 
-    /// K0 + k K1 - k K1^T + square K2 - omega^2 M + springs, the coupling with the sign of its row in real form
-    void section_stiffness(const SectionElements &elements, const double k, const double square,
-                           const bool real_form, const double omega, const SparseMatrix<double> &springs,
-                           SparseMatrix<double> &K)
-    {
-      K.copy_from(elements.stiffness[0]);
-      K.add(square, elements.stiffness[2]);
-      K.add(-omega * omega, elements.mass);
-      if (!springs.empty())
-        K.add(1, springs);
-      if (k != 0)
-        for (auto entry = elements.stiffness[1].begin(); entry != elements.stiffness[1].end(); ++entry)
-          if (entry->value() != 0)
-          {
-            const auto r = entry->row(), c = entry->column();
-            const auto sign = [&](const unsigned int row)
-            { return real_form && elements.dof_direction[row] != 0 ? -1. : 1.; };
-            K.add(r, c, sign(r) * k * entry->value());
-            K.add(c, r, -sign(c) * k * entry->value());
-          }
-    }
-
     using Vectors = std::vector<Vector<double>>;
 
     /// motion -= its part in orthonormal shapes
@@ -127,8 +105,10 @@ namespace vibrocontact
           // a free section has no answer at rest to forces that do not vary along the axis
           if ((supported && springs.empty()) || (!supported && k == 0 && share == 0))
             continue;
-          section_stiffness(elements, k, square, real_form, share * highest,
-                            supported ? springs : SparseMatrix<double>(), K);
+          elements.motion_stiffness(k, square, real_form, K);
+          K.add(-std::pow(share * highest, 2), elements.mass);
+          if (supported)
+            K.add(1, springs);
           SparseDirectUMFPACK inverse;
           inverse.initialize(K);
           for (const Vector<double> &load : loads)

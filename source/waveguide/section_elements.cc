@@ -196,6 +196,22 @@ namespace vibrocontact
         }
   }
 
+  void SectionElements::motion_stiffness(const double k, const double square, const bool real_form,
+                                         SparseMatrix<double> &into) const
+  {
+    into.copy_from(stiffness[0]);
+    into.add(square, stiffness[2]);
+    const auto sign = [&](const unsigned int row) { return real_form && dof_direction[row] != 0 ? -1. : 1.; };
+    if (k != 0)
+      for (auto entry = stiffness[1].begin(); entry != stiffness[1].end(); ++entry)
+        if (entry->value() != 0)
+        {
+          const auto r = entry->row(), c = entry->column();
+          into.add(r, c, sign(r) * k * entry->value());
+          into.add(c, r, -sign(c) * k * entry->value());
+        }
+  }
+
   std::array<double, 2> SectionElements::extent(const types::boundary_id boundary) const
   {
     std::array<double, 2> result = {{1e300, -1e300}};

@@ -70,7 +70,7 @@ namespace vibrocontact
     }
   } // namespace
 
-  SectionAtFrequency::SectionAtFrequency(const SectionMatrices &section, const double omega,
+  SectionAtFrequency::SectionAtFrequency(const SectionMatrices &section, const Complex omega,
                                          const ComplexMatrix &springs)
       : K0(section.n_shapes(), section.n_shapes()), K1(K0), K2(K0)
   {
@@ -86,7 +86,7 @@ namespace vibrocontact
       add(K0, springs, 0, 0, 1.);
   }
 
-  SectionAtFrequency::SectionAtFrequency(const SectionMatrices &section, const double omega,
+  SectionAtFrequency::SectionAtFrequency(const SectionMatrices &section, const Complex omega,
                                          const double loss, const ComplexMatrix &springs)
       : SectionAtFrequency(section, omega, springs)
   {

@@ -1,10 +1,10 @@
 // Harmonic response with hysteretic loss: direct solution against a closed form and against dense LAPACK, modal
 // response against the direct one; on any number of ranks.
 
-#include <vibrocontact/analyses/frequency_response/frequency_refinement.h>
 #include <vibrocontact/analyses/frequency_response/frequency_response.h>
 #include <vibrocontact/fe/bar_elements.h>
 #include <vibrocontact/fe/beam_elements.h>
+#include <vibrocontact/numerics/frequency_refinement.h>
 #include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/reduction_parts.h>
 

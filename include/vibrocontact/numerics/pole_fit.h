@@ -14,6 +14,10 @@ namespace vibrocontact
     std::vector<double> omega;
     /// one list per entry, as long as omega
     std::vector<std::vector<std::complex<double>>> values;
+    /// what a difference counts at each line, in all sums over lines; empty: 1
+    std::vector<double> weight = {};
+
+    double weight_of(const unsigned int line) const { return weight.empty() ? 1. : weight[line]; }
 
     unsigned int n_entries() const { return values.size(); }
   };
@@ -68,7 +72,7 @@ namespace vibrocontact
   /// E of Eq. 9: integral of |other - exact| over that of |exact|, by trapezoids over omega.
   double band_error(const std::vector<double> &omega, const std::vector<std::complex<double>> &exact,
                     const std::vector<std::complex<double>> &other);
-  /// E of Eq. 9 per entry: integral of |G - fit| over that of |G|, by trapezoids over the data's axis.
+  /// E of Eq. 9 per entry: integral of |G - fit| over that of |G|, both with the lines' weights, by trapezoids over the axis.
   std::vector<double> fit_errors(const Spectra &data, const PoleFit &fit);
   /// That of the worst entry.
   double worst_error(const Spectra &data, const PoleFit &fit);

@@ -5,6 +5,7 @@
 #include <vibrocontact/reduction/reduction_parts.h>
 #include <vibrocontact/reduction/response_reduction.h>
 #include <vibrocontact/reduction/surface_shapes.h>
+#include <vibrocontact/waveguide/track_reduction.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -119,6 +120,24 @@ namespace vibrocontact
     }
 
     template <typename Archive, typename Part>
+    void visit_track(Archive &archive, Part &part)
+    {
+      archive("n_dofs", part.n_dofs);
+      archive("n_shapes", part.n_shapes);
+      archive("radius_m", part.radius);
+      archive("bed_m_N", part.bed);
+      archive("motions", part.motions);
+      archive("at_rest_m_N", part.at_rest);
+      archive("at_once_m_N", part.at_once);
+      archive("on_bed_m_N", part.on_bed);
+      archive("surface_height_m", part.surface_height);
+      archive("frequency_Hz", part.frequency);
+      archive("real_m_N", part.real);
+      archive("imaginary_m_N", part.imaginary);
+      archive("seconds", part.seconds);
+    }
+
+    template <typename Archive, typename Part>
     void visit(Archive &archive, Part &part)
     {
       using Kind = std::remove_const_t<Part>;
@@ -132,6 +151,8 @@ namespace vibrocontact
         visit_response(archive, part);
       else if constexpr (std::is_same_v<Kind, DirectResponse>)
         visit_direct(archive, part);
+      else if constexpr (std::is_same_v<Kind, TrackReduction>)
+        visit_track(archive, part);
       else if constexpr (std::is_same_v<Kind, DenseMatrix>)
         archive("attachment_mass", part);
       else

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/run/meshed_body.h>
 #include <vibrocontact/run/parameters.h>
+#include <vibrocontact/run/track_body.h>
 
 #include <nlohmann/json.hpp>
 
@@ -12,7 +13,12 @@ namespace vibrocontact
 {
   /// The meshed bodies of a scene in its order, null for the others. Cases of a sweep share those that are equal; their
   /// damping factors, which come in after the reduction, are those of the case's parameters.
-  using MeshedBodies = std::vector<std::shared_ptr<MeshedBody>>;
+  struct MeshedBodies : std::vector<std::shared_ptr<MeshedBody>>
+  {
+    using std::vector<std::shared_ptr<MeshedBody>>::vector;
+    /// periodic rails in contact in the scene's order, null for other bodies; empty: there is none
+    std::vector<std::shared_ptr<TrackBody>> tracks;
+  };
 
   /// The key of the reduction of meshed body k of the scene; see body_key().
   std::string reduction_key(const Parameters &parameters, const DeclaredParameters &declared, unsigned int k);
@@ -20,6 +26,9 @@ namespace vibrocontact
   /// Prepares meshed body k, null if it has no mesh; nothing is made yet. It refers to `parameters`.
   std::unique_ptr<MeshedBody> meshed_body(const Parameters &parameters, const std::string &key,
                                           unsigned int k);
+
+  /// Prepares periodic rail k in its contact, null if it is none or touches nothing; nothing is made yet.
+  std::unique_ptr<TrackBody> track_body(const Parameters &parameters, const std::string &key, unsigned int k);
 
   /// All of them.
   MeshedBodies meshed_bodies(const Parameters &parameters, const DeclaredParameters &declared);
@@ -40,6 +49,9 @@ namespace vibrocontact
 
   /// `reductions` in results.json, an object per meshed body: stages_s (wall seconds of each stage that this
   /// run did, none if all was cached) and ranks[], each with its owned dofs and its peak memory so far.
-  /// Collective.
+  /// Of periodic rails `fit`: pairs of poles, errors. Collective.
   nlohmann::ordered_json reductions_json(const MeshedBodies &bodies);
+
+  /// receptance_fit_<body>.csv of each periodic rail that moved in a contact. Rank 0 writes.
+  void write_track_fits(const MeshedBodies &bodies, const std::string &folder);
 } // namespace vibrocontact

@@ -60,10 +60,12 @@ namespace vibrocontact
     bool rolls() const { return description->rolls(); }
     /// known between its own contact points alone, by modes or by Green's functions
     bool is_green() const { return description->has_own_points(); }
-    /// of these, what has poles and no real modes
-    bool is_known_by_poles() const { return description->measured() || rolls(); }
+    /// a rail without ends, known by its receptance
+    bool is_periodic_rail() const { return description->periodic_rail() != nullptr; }
+    /// what has poles and no real modes
+    bool is_known_by_poles() const { return description->measured() || rolls() || is_periodic_rail(); }
     /// has modes or poles, in which it moves
-    bool vibrates() const { return is_meshed() || is_green(); }
+    bool vibrates() const { return is_meshed() || is_green() || is_periodic_rail(); }
     /// Whether its material or its supports take energy.
     bool has_loss() const { return material_loss_factor() > 0 || description->has_loss(); }
     /// of the material, of several the one that loses most; 0 if it has none [-]

@@ -77,7 +77,7 @@ namespace vibrocontact
     virtual const ElementBody *elements() const { return nullptr; }
     /// modes or poles in closed form, known at its own contact points alone
     virtual const PointBody *at_points() const { return nullptr; }
-    /// a rail without ends on equal supports, known by its frequency response alone
+    /// a rail without ends on equal supports, known by its receptance
     virtual const RailParameters *periodic_rail() const { return nullptr; }
     /// data or poles from a file, known at their points alone
     virtual const IdentifiedParameters *measured() const { return nullptr; }

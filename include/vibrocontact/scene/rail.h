@@ -16,8 +16,8 @@ namespace vibrocontact
   ///
   /// Boundaries: foot (underside), contact (the crown), end left, end right, surface (all else).
   ///
-  /// Or, Model = periodic, without ends: its section on infinitely many equal supports, in harmonic motion alone
-  /// (waveguide/periodic_track.h). It is then no solid, and sleepers on ballast may carry the pads.
+  /// Or, Model = periodic, without ends: its section on infinitely many equal supports (waveguide/periodic_track.h), in
+  /// contact by poles that are fitted to its receptance. It is then no solid, and sleepers on ballast may carry the pads.
   struct RailParameters : SolidBody, RailSupports
   {
     /// solid or periodic
@@ -33,6 +33,9 @@ namespace vibrocontact
     /// periodic: mass of a sleeper under one rail, 0: pads on rigid ground [kg]; its ballast in x, y, z [N/m]
     double sleeper_mass = 0, ballast_stiffness_x = 0, ballast_stiffness_y = 0, ballast_stiffness_z = 0;
     double ballast_loss_factor = 0;
+    /// periodic, in contact: pairs of poles near its receptance, up to a frequency, from which roots are sought [Hz]
+    unsigned int n_pole_pairs = 24;
+    double fitted_up_to = 6000;
 
     bool is_periodic() const { return model == "periodic"; }
     void read_ahead(const ParameterFile &file, const std::string &section) override;
@@ -46,6 +49,12 @@ namespace vibrocontact
     unsigned int mesh_degree() const override { return section.element_degree; }
     bool has_groups() const override { return true; }
     const RailParameters *periodic_rail() const override { return is_periodic() ? this : nullptr; }
+    ContactPlaces contact_places() const override
+    {
+      return is_periodic() ? ContactPlaces::own : SolidBody::contact_places();
+    }
+    bool lies_below() const override { return is_periodic(); }
+    bool may_stand_for_half_space() const override { return !is_periodic(); }
     bool has_loss() const override { return supports_lose_energy(); }
   };
 

@@ -56,15 +56,15 @@ namespace vibrocontact
     double element_length = 0.04;
     unsigned int degree = 4;
 
-    /// An unloaded span and what follows at its ends, at one frequency.
+    /// An unloaded span and what follows at its ends, at one frequency; complex: omega = -i s of motion e^{st}, Re s >= 0.
     struct AtFrequency
     {
-      double omega = 0; ///< [rad/s]
+      std::complex<double> omega = 0; ///< [rad/s]
       Slice span;
       InfiniteEnds ends;
     };
     /// @throws ConvergenceError if nothing takes energy
-    AtFrequency at(double omega) const;
+    AtFrequency at(std::complex<double> omega) const;
 
     /// Motions at loads anywhere under each of them [m/N].
     ComplexMatrix receptance(const AtFrequency &at, const std::vector<AxialLoad> &loads) const;
@@ -78,7 +78,8 @@ namespace vibrocontact
     /// The span about a support at x, from half a spacing before it to half a spacing behind. Loads that are not in it do
     /// nothing.
     /// @param loss loss factor of the rail in place of its materials'; negative: theirs
-    Slice span(double omega, double x, const std::vector<AxialLoad> &loads, double loss = -1) const;
+    Slice span(std::complex<double> omega, double x, const std::vector<AxialLoad> &loads,
+               double loss = -1) const;
 
   private:
     /// the numbers of the first and the last span that is loaded

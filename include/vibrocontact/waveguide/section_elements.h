@@ -50,6 +50,11 @@ namespace vibrocontact
     void boundary_springs(dealii::types::boundary_id boundary, unsigned int direction,
                           dealii::SparseMatrix<double> &into) const;
 
+    /// Stiffness of motions that go along x as e^{kx} or e^{ikx}, K0 + square K2 +- k (K1 - K1^T), without springs.
+    /// @param square k^2 of waves, -k^2 of motions that grow @param real_form for waves: unknowns are q, of axial dofs
+    /// -i q, and forces f, of axial dofs i f, so that all is real and symmetric
+    void motion_stiffness(double k, double square, bool real_form, dealii::SparseMatrix<double> &into) const;
+
     /// smallest and largest y of a boundary [m]
     std::array<double, 2> extent(dealii::types::boundary_id boundary) const;
 

@@ -42,14 +42,14 @@ namespace vibrocontact
   };
 
   /// Complex dynamic stiffness of the section per length: K0 + i H0 - w^2 M, with springs to the ground beside it, and
-  /// K1 + i H1, K2 + i H2.
+  /// K1 + i H1, K2 + i H2. A complex w = -i s is growing motion e^{st}, whose losses stay those of the stiffness alone.
   struct SectionAtFrequency
   {
     /// @param springs complex, added to K0 [N/m^2]; empty: none
-    SectionAtFrequency(const SectionMatrices &section, double omega,
+    SectionAtFrequency(const SectionMatrices &section, std::complex<double> omega,
                        const ComplexMatrix &springs = ComplexMatrix());
     /// @param loss loss factor in place of those of the materials
-    SectionAtFrequency(const SectionMatrices &section, double omega, double loss,
+    SectionAtFrequency(const SectionMatrices &section, std::complex<double> omega, double loss,
                        const ComplexMatrix &springs = ComplexMatrix());
 
     ComplexMatrix K0, K1, K2;

@@ -1,4 +1,3 @@
-#include <vibrocontact/analyses/frequency_response/frequency_refinement.h>
 #include <vibrocontact/analyses/frequency_response/frequency_response_output.h>
 #include <vibrocontact/analyses/frequency_response/run_frequency_response.h>
 #include <vibrocontact/analyses/frequency_response/run_green_functions.h>
@@ -10,6 +9,7 @@
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/fe/nearest_dof.h>
 #include <vibrocontact/fe/trace_assembly.h>
+#include <vibrocontact/numerics/frequency_refinement.h>
 #include <vibrocontact/reduction/reduction_cache.h>
 #include <vibrocontact/run/entries_of_contact.h>
 

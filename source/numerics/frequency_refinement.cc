@@ -1,4 +1,4 @@
-#include <vibrocontact/analyses/frequency_response/frequency_refinement.h>
+#include <vibrocontact/numerics/frequency_refinement.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,8 @@ namespace vibrocontact
   namespace
   {
     constexpr double least_bend = 5e-3;
+
+    using Receptance = std::vector<std::complex<double>>;
 
     /// At each frequency the largest over the driving points; none at the first and the last.
     std::vector<double> bends(const std::vector<double> &frequency, const std::vector<Receptance> &receptance)

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <vibrocontact/analyses/frequency_response/frequency_response.h>
-
+#include <complex>
 #include <vector>
 
 namespace vibrocontact
@@ -16,5 +15,6 @@ namespace vibrocontact
   /// @param n_most at most that many are returned
   /// @return [Hz] ascending, between the given ones; empty if the response is smooth
   std::vector<double> frequencies_between(const std::vector<double> &frequency,
-                                          const std::vector<Receptance> &receptance, unsigned int n_most);
+                                          const std::vector<std::vector<std::complex<double>>> &receptance,
+                                          unsigned int n_most);
 } // namespace vibrocontact

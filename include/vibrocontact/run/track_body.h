@@ -1,0 +1,64 @@
+#pragma once
+
+#include <vibrocontact/base/table.h>
+#include <vibrocontact/bodies/receptance_fit.h>
+#include <vibrocontact/bodies/reduced_body.h>
+#include <vibrocontact/reduction/reduction_cache.h>
+#include <vibrocontact/scene/body.h>
+#include <vibrocontact/waveguide/track_in_contact.h>
+
+#include <nlohmann/json.hpp>
+
+#include <complex>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace vibrocontact
+{
+  /// A periodic rail of a scene in its contact, made when first asked for or found in the cache. Every member but the
+  /// constructor is collective.
+  class TrackBody
+  {
+  public:
+    /// @param grid of its contact @param key everything that determines it, as text
+    TrackBody(const BodyParameters &body, const ContactGrid &grid, const std::string &key,
+              const std::string &cache_directory, MPI_Comm communicator);
+
+    /// At rest: its elastic compliance alone, no poles.
+    ReducedBody at_rest();
+    /// Moving: poles fitted to its receptance. @throws InputError if no passive ones are near it
+    ReducedBody moving();
+
+    /// What the track adds to the rest of moving(), exactly, at any s with Im s > 0: motions() X(s) motions()^T, for as long as
+    /// this body lives. [m/N]
+    std::function<ComplexMatrix(const std::complex<double> &)> beside_rest();
+    /// 3 n x 6
+    const DenseMatrix &motions() { return reduction().motions; }
+
+    /// Its receptance beside what the poles make of it, a row per frequency; empty if nothing has asked for poles.
+    std::optional<Table> fit_table() const;
+    /// Pairs, errors, passivity; null if nothing has asked for poles.
+    nlohmann::ordered_json fit_json() const;
+
+    const std::string &key() const { return own_key; }
+
+    const BodyParameters &parameters;
+
+  private:
+    const RailParameters &rail() const { return *parameters.description->periodic_rail(); }
+    const TrackInContact &track();
+    const TrackReduction &reduction();
+    const ReceptanceFit &fit();
+    void solve_at(const std::vector<double> &frequency, TrackReduction &into);
+
+    const ContactGrid grid;
+    const std::string own_key;
+    const ReductionCache cache;
+    const MPI_Comm communicator;
+    std::unique_ptr<const TrackInContact> made;
+    std::optional<TrackReduction> reduced;
+    std::optional<ReceptanceFit> fitted;
+  };
+} // namespace vibrocontact

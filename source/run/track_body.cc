@@ -1,0 +1,270 @@
+#include <vibrocontact/base/dense_operations.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/base/shared_cases.h>
+#include <vibrocontact/numerics/frequency_refinement.h>
+#include <vibrocontact/run/track_body.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    constexpr double two_pi = 2 * dealii::numbers::PI;
+    /// frequencies at first, evenly over their logarithm, and in all, where curves bend most
+    constexpr unsigned int first_frequencies = 32, all_frequencies = 96;
+    /// the poles follow from here on [Hz]
+    constexpr double lowest_frequency = 50;
+    /// a passive model that differs by more from the fit is another body [-]
+    constexpr double most_change = 0.05;
+
+    /// B (R - R_bed) B^T
+    void add_smooth(const TrackReduction &track, DenseMatrix R, DenseMatrix &compliance)
+    {
+      R.add(-1., track.on_bed);
+      const DenseMatrix BR = product(track.motions, R);
+      BR.mTmult(compliance, track.motions, true);
+    }
+
+    ComplexMatrix at_points(const DenseMatrix &motions, const ComplexMatrix &shapes)
+    {
+      ComplexMatrix result(motions.m(), shapes.n());
+      for (unsigned int k = 0; k < shapes.n(); ++k)
+        for (unsigned int i = 0; i < motions.m(); ++i)
+          for (unsigned int j = 0; j < motions.n(); ++j)
+            result(i, k) += motions(i, j) * shapes(j, k);
+      return result;
+    }
+  } // namespace
+
+  TrackBody::TrackBody(const BodyParameters &body, const ContactGrid &grid, const std::string &key,
+                       const std::string &cache_directory, const MPI_Comm communicator)
+      : parameters(body), grid(grid), own_key(key), cache(cache_directory, communicator),
+        communicator(communicator)
+  {
+  }
+
+  const TrackInContact &TrackBody::track()
+  {
+    if (!made)
+    {
+      TrackInContact::Settings settings;
+      settings.up_to = 1.2 * rail().fitted_up_to;
+      made = std::make_unique<const TrackInContact>(parameters, rail(), grid, settings);
+    }
+    return *made;
+  }
+
+  void TrackBody::solve_at(const std::vector<double> &frequency, TrackReduction &into)
+  {
+    const TrackInContact &track = this->track();
+    const unsigned int before = into.frequency.size();
+    DenseMatrix real(before + frequency.size(), 36), imaginary(real);
+    std::vector<double> all = into.frequency;
+    all.insert(all.end(), frequency.begin(), frequency.end());
+    std::sort(all.begin(), all.end());
+    const auto place = [&](const double f)
+    { return std::lower_bound(all.begin(), all.end(), f) - all.begin(); };
+    for (unsigned int k = 0; k < before; ++k)
+      for (unsigned int i = 0; i < 36; ++i)
+      {
+        real(place(into.frequency[k]), i) = into.real(k, i);
+        imaginary(place(into.frequency[k]), i) = into.imaginary(k, i);
+      }
+    const auto solve = [&](const unsigned int k)
+    {
+      const ComplexMatrix R = track.receptance(two_pi * frequency[k]);
+      std::vector<double> outcome;
+      for (unsigned int i = 0; i < 6; ++i)
+        for (unsigned int j = 0; j < 6; ++j)
+        {
+          outcome.push_back(R(i, j).real());
+          outcome.push_back(R(i, j).imag());
+        }
+      return outcome;
+    };
+    Progress progress(parameters.name + ": frequencies of the track", frequency.size());
+    share_cases<std::vector<double>>(
+        frequency.size(), 1, [&] { return std::function<std::vector<double>(unsigned int)>(solve); },
+        [&](const unsigned int k, const std::function<std::vector<double>()> &outcome)
+        {
+          const std::vector<double> numbers = outcome();
+          for (unsigned int i = 0; i < 36; ++i)
+          {
+            real(place(frequency[k]), i) = numbers[2 * i];
+            imaginary(place(frequency[k]), i) = numbers[2 * i + 1];
+          }
+          progress.advance();
+        },
+        communicator);
+    into.frequency = all;
+    into.real = real;
+    into.imaginary = imaginary;
+  }
+
+  const TrackReduction &TrackBody::reduction()
+  {
+    if (!reduced)
+      reduced = cache.load_track(parameters.name, own_key);
+    if (!reduced)
+    {
+      dealii::Timer timer;
+      const Log::Part part("Periodic track " + parameters.name);
+      const TrackInContact &track = this->track();
+      TrackReduction result;
+      result.n_dofs = track.n_section_dofs();
+      result.n_shapes = track.n_shapes();
+      result.radius = track.radius();
+      result.motions = track.motions;
+      result.at_rest = track.at_rest();
+      result.at_once = track.at_once();
+      result.on_bed = track.on_bed();
+      result.bed = track.bed_compliance();
+      result.surface_height = track.surface_height();
+      std::vector<double> first;
+      for (unsigned int k = 0; k < first_frequencies; ++k)
+        first.push_back(lowest_frequency *
+                        std::pow(rail().fitted_up_to / lowest_frequency, k / (first_frequencies - 1.)));
+      solve_at(first, result);
+      while (result.frequency.size() < all_frequencies)
+      {
+        std::vector<std::vector<std::complex<double>>> values;
+        for (unsigned int k = 0; k < result.frequency.size(); ++k)
+        {
+          values.emplace_back();
+          for (unsigned int i = 0; i < 36; ++i)
+            values.back().emplace_back(result.real(k, i), result.imaginary(k, i));
+        }
+        const unsigned int left = all_frequencies - result.frequency.size();
+        const std::vector<double> more =
+            frequencies_between(result.frequency, values, std::max(left / 3, std::min(left, 8u)));
+        if (more.empty())
+          break;
+        solve_at(more, result);
+      }
+      result.seconds = timer.wall_time();
+      run_log().value("dofs of the section", result.n_dofs);
+      run_log().value("shapes of the section", result.n_shapes);
+      run_log().line("compliance of " + std::to_string(result.bed.m()) + " rows and receptance at " +
+                     std::to_string(result.frequency.size()) + " frequencies: " + time_text(result.seconds));
+      cache.save(parameters.name, own_key, result);
+      reduced = std::move(result);
+    }
+    return *reduced;
+  }
+
+  const ReceptanceFit &TrackBody::fit()
+  {
+    if (fitted)
+      return *fitted;
+    dealii::Timer timer;
+    const TrackReduction &track = reduction();
+    ReceptanceLines lines;
+    for (unsigned int k = 0; k < track.frequency.size(); ++k)
+    {
+      lines.omega.push_back(two_pi * track.frequency[k]);
+      lines.values.emplace_back(6, 6);
+      for (unsigned int i = 0; i < 36; ++i)
+        lines.values.back()(i / 6, i % 6) = {track.real(k, i), track.imaginary(k, i)};
+    }
+    fitted = fit_receptance(lines, track.at_rest, track.at_once, rail().n_pole_pairs);
+    run_log().line(parameters.name + ": " + std::to_string(rail().n_pole_pairs) +
+                   " pole pairs follow its receptance within " + percent_text(fitted->worst_error(), 2) +
+                   " (worst at " + number_text(track.frequency[fitted->worst_line()]) +
+                   " Hz): " + time_text(timer.wall_time()));
+    if (!fitted->passivity.is_passive() || fitted->passivity.change > most_change)
+      throw InputError("The poles that stand for " + parameters.name + " give energy to forces (" +
+                       percent_text(fitted->passivity.gain_before, 2) + " of the receptance), and " +
+                       (fitted->passivity.is_passive() ? "passive ones would differ from them by " +
+                                                             percent_text(fitted->passivity.change, 2)
+                                                       : "no passive ones were found near them") +
+                       ": change " + parameters.name + "/Rail/Pole pairs or Fitted up to.");
+    return *fitted;
+  }
+
+  ReducedBody TrackBody::at_rest()
+  {
+    const TrackReduction &track = reduction();
+    ReducedBody body;
+    body.name = parameters.name;
+    body.grid = grid;
+    body.n_dofs = track.n_dofs;
+    body.residual = track.bed;
+    add_smooth(track, track.at_rest, body.residual);
+    body.trace.reinit(3 * grid.n_points(), 0);
+    body.residual_load.assign(3 * grid.n_points(), 0.);
+    body.surface_height = track.surface_height;
+    // the ground does not move
+    body.lifting.assign(3 * grid.n_points(), 0.);
+    return body;
+  }
+
+  ReducedBody TrackBody::moving()
+  {
+    const BodyInContact &poles = fit().body;
+    const TrackReduction &track = reduction();
+    ReducedBody body = at_rest();
+    body.residual = track.bed;
+    add_smooth(track, poles.residual, body.residual);
+    body.poles = poles.poles;
+    body.pole_load = poles.pole_load;
+    body.right = at_points(track.motions, poles.right);
+    body.left = at_points(track.motions, poles.left);
+    for (unsigned int k = 0; k < body.n_poles(); ++k)
+      body.labels.push_back("pole " + std::to_string(k + 1));
+    return body;
+  }
+
+  std::function<ComplexMatrix(const std::complex<double> &)> TrackBody::beside_rest()
+  {
+    const TrackInContact &track = this->track();
+    const DenseMatrix &rest = fit().body.residual;
+    return [&track, &rest](const std::complex<double> &s)
+    {
+      ComplexMatrix X = track.receptance(std::complex<double>(0, -1) * s);
+      for (unsigned int i = 0; i < 6; ++i)
+        for (unsigned int j = 0; j < 6; ++j)
+          X(i, j) -= rest(i, j);
+      return X;
+    };
+  }
+
+  std::optional<Table> TrackBody::fit_table() const
+  {
+    if (!fitted)
+      return {};
+    Table table({"frequency_Hz", "lateral_real_m_N", "lateral_imaginary_m_N", "vertical_real_m_N",
+                 "vertical_imaginary_m_N", "fitted_lateral_real_m_N", "fitted_lateral_imaginary_m_N",
+                 "fitted_vertical_real_m_N", "fitted_vertical_imaginary_m_N", "error"},
+                {"Receptance of the contact patch of " + parameters.name + " as a whole, and its poles",
+                 "error: the largest of all six motions, over their size"});
+    for (unsigned int k = 0; k < reduced->frequency.size(); ++k)
+    {
+      const ComplexMatrix G = receptance(fitted->body, two_pi * reduced->frequency[k]);
+      table.add_row({reduced->frequency[k], reduced->real(k, 7), reduced->imaginary(k, 7),
+                     reduced->real(k, 14), reduced->imaginary(k, 14), G(1, 1).real(), G(1, 1).imag(),
+                     G(2, 2).real(), G(2, 2).imag(), fitted->error[k]});
+    }
+    return table;
+  }
+
+  nlohmann::ordered_json TrackBody::fit_json() const
+  {
+    if (!fitted)
+      return nullptr;
+    return {{"pole_pairs", rail().n_pole_pairs},
+            {"states", fitted->body.n_poles()},
+            {"up_to_Hz", rail().fitted_up_to},
+            {"worst_error", fitted->worst_error()},
+            {"worst_error_at_Hz", reduced->frequency[fitted->worst_line()]},
+            {"gain_before_passivity", fitted->passivity.gain_before},
+            {"change_by_passivity", fitted->passivity.change},
+            {"converged", fitted->converged}};
+  }
+} // namespace vibrocontact

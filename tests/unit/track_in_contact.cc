@@ -1,0 +1,97 @@
+// A periodic rail at the points of a contact: what the choices of its reduction change.
+
+#include <vibrocontact/waveguide/track_in_contact.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <iostream>
+
+using namespace vibrocontact;
+using dealii::numbers::PI;
+
+namespace
+{
+  BodyParameters rail_body()
+  {
+    BodyParameters body("rail", "rail");
+    body.material.young_modulus = 205e9;
+    body.material.poisson_ratio = 0.3;
+    body.material.density = 7800;
+    body.material.loss_factor = 0.02;
+    return body;
+  }
+
+  ContactGrid grid_of(const unsigned int n_x, const unsigned int n_y, const double spacing)
+  {
+    ContactGrid grid;
+    grid.n_x = n_x;
+    grid.n_y = n_y;
+    grid.spacing_x = grid.spacing_y = spacing;
+    grid.x_first = -0.5 * (n_x - 1) * spacing;
+    grid.y_first = -0.5 * (n_y - 1) * spacing;
+    return grid;
+  }
+
+  double largest(const DenseMatrix &A)
+  {
+    double value = 0;
+    for (unsigned int j = 0; j < A.n(); ++j)
+      for (unsigned int i = 0; i < A.m(); ++i)
+        value = std::max(value, std::abs(A(i, j)));
+    return value;
+  }
+
+  double distance(const DenseMatrix &A, const DenseMatrix &B)
+  {
+    DenseMatrix difference = A;
+    difference.add(-1., B);
+    return largest(difference) / largest(B);
+  }
+} // namespace
+
+TEST(TrackInContact, CompliancePastTheSectionsWavesIsTheHalfSpaces)
+{
+  // where the section hands over to the half-space hardly matters, more for elements that are too stiff for short waves
+  RailParameters rail;
+  rail.section.element_degree = 3;
+  const BodyParameters body = rail_body();
+  const RailSection section(body, rail);
+  const ContactGrid grid = grid_of(7, 5, 2e-3);
+  const auto compliance = [&](const double shortest) {
+    return crown_compliance(section.elements, {{1e9, 1e9, 4e9}}, 0, grid, {205e9, 0.3}, {shortest, 6});
+  };
+  const DenseMatrix W = compliance(80), shorter = compliance(160), longer = compliance(60);
+  std::cout << "change of the largest entry, 160 and 60 instead of 80 rad/m: " << distance(shorter, W) << ", "
+            << distance(longer, W) << std::endl;
+  EXPECT_LT(distance(shorter, W), 4e-3);
+  EXPECT_LT(distance(longer, W), 2e-3);
+}
+
+TEST(TrackInContact, SmoothPartDoesNotDependOnThePatch)
+{
+  RailParameters rail;
+  rail.model = "periodic";
+  rail.contact_at = "support";
+  const BodyParameters body = rail_body();
+  TrackInContact::Settings settings;
+  const TrackInContact small(body, rail, grid_of(7, 5, 2e-3), settings),
+      large(body, rail, grid_of(11, 9, 2e-3), settings);
+  for (const double frequency : {334., 1061., 3414.})
+  {
+    const ComplexMatrix one = small.receptance(2 * PI * frequency),
+                        other = large.receptance(2 * PI * frequency);
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const double change = std::abs(one(d, d) - other(d, d)) / std::abs(one(d, d));
+      std::cout << frequency << " Hz, direction " << d << ": " << change << std::endl;
+      EXPECT_LT(change, 1e-2);
+    }
+    // it takes energy, and what it does is reciprocal
+    EXPECT_LT(one(2, 2).imag(), 0);
+    EXPECT_LT(std::abs(one(1, 3) - one(3, 1)), 1e-12 * std::abs(one(1, 1)));
+  }
+}
