@@ -134,6 +134,13 @@ namespace vibrocontact
                                                                          : HalfSpacePair(rigid, half_space));
     }
 
+    void add_in_rows(const DenseMatrix &W, const PlacedContacts::Rows &own, DenseMatrix &flexibility)
+    {
+      for (unsigned int j = 0; j < own.rows.size(); ++j)
+        for (unsigned int i = 0; i < own.rows.size(); ++i)
+          flexibility(own.rows[i], own.rows[j]) += own.sign[i] * own.sign[j] * W(i, j);
+    }
+
     void uncouple(const ContactSections &sections, const PlacedContacts &contacts, DenseMatrix &flexibility)
     {
       const unsigned int n = flexibility.m() / 3;
@@ -216,6 +223,17 @@ namespace vibrocontact
     return interface;
   }
 
+  DenseMatrix brought_flexibility(const std::vector<ContactBody> &bodies, const unsigned int b,
+                                  const ContactSections &sections, const PlacedContacts &contacts)
+  {
+    const PlacedContacts::Rows own = contacts.rows_of(b);
+    const unsigned int n = contacts.n_points();
+    DenseMatrix result(3 * n, 3 * n);
+    add_in_rows(residual_flexibility(bodies[b], own, sections, contacts), own, result);
+    uncouple(sections, contacts, result);
+    return result;
+  }
+
   ContactPair contact_pair(const std::vector<ContactBody> &bodies, const ContactSections &sections,
                            const PlacedContacts &contacts)
   {
@@ -234,20 +252,11 @@ namespace vibrocontact
       const PlacedContacts::Rows own = contacts.rows_of(b);
       const unsigned int n_own = own.rows.size();
       const DenseMatrix W = residual_flexibility(bodies[b], own, sections, contacts);
-      const auto add_to = [&](DenseMatrix &flexibility)
-      {
-        for (unsigned int j = 0; j < n_own; ++j)
-          for (unsigned int i = 0; i < n_own; ++i)
-            flexibility(own.rows[i], own.rows[j]) += own.sign[i] * own.sign[j] * W(i, j);
-      };
-      add_to(pair.residual);
+      add_in_rows(W, own, pair.residual);
       if (has_own_flexibility(bodies[b], own, sections, contacts) && bodies[b].reduced->relaxation > 0 &&
           has_rest(*bodies[b].reduced))
-      {
-        pair.relaxing.push_back({b + 1, bodies[b].reduced->relaxation, DenseMatrix(3 * n, 3 * n)});
-        add_to(pair.relaxing.back().flexibility);
-        uncouple(sections, contacts, pair.relaxing.back().flexibility);
-      }
+        pair.relaxing.push_back(
+            {b + 1, bodies[b].reduced->relaxation, brought_flexibility(bodies, b, sections, contacts)});
       if (b == 0)
         for (unsigned int i = 0; i < 3 * n; ++i)
           pair.force_residual.push_back(n_own > 0 ? pair.residual(i, own.rows[0]) : 0.);

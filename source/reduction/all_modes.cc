@@ -122,6 +122,7 @@ namespace vibrocontact
     const unsigned int n_kept = body.omega.size(), n = all.omega.size();
     const ModalReduction modal = modal_reduction(system, all);
     body.trace = modal.trace;
+    body.loss = DenseMatrix();
     body.modal_load = modal.load;
     body.participation = modal.participation;
     for (unsigned int k = n_kept; k < n; ++k)

@@ -145,6 +145,7 @@ namespace vibrocontact
     body.trace = trace;
     body.participation = participation;
     body.residual.reinit(n);
+    body.loss = DenseMatrix();
     std::fill(body.residual_load.begin(), body.residual_load.end(), 0.);
     return body;
   }

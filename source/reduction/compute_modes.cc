@@ -6,6 +6,7 @@
 #include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/krylov_schur.h>
 #include <vibrocontact/reduction/orient_modes.h>
+#include <vibrocontact/reduction/projected_matrix.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -225,5 +226,18 @@ namespace vibrocontact
       zeta[i] = (force * modes.shapes[i]) / (2 * modes.omega[i] * modes.omega[i]);
     }
     return zeta;
+  }
+
+  DenseMatrix coupling_loss(const SecondOrderSystem &system, const Modes &modes)
+  {
+    constexpr double least_coupling = 1e-6;
+    if (!system.has_loss || modes.shapes.empty())
+      return DenseMatrix();
+    const DenseMatrix loss = projected_matrix(system.loss_stiffness, modes.shapes);
+    for (unsigned int j = 0; j < loss.n(); ++j)
+      for (unsigned int i = 0; i < j; ++i)
+        if (std::abs(loss(i, j)) > least_coupling * std::sqrt(std::abs(loss(i, i) * loss(j, j))))
+          return loss;
+    return DenseMatrix();
   }
 } // namespace vibrocontact

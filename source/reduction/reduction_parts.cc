@@ -115,13 +115,18 @@ namespace vibrocontact
     ModalReduction result = modal_reduction(system, modes);
     const unsigned int n = modes.omega.size();
     result.damping_ratio = strain_energy_damping(system, modes);
+    result.loss = coupling_loss(system, modes);
     if (wheel)
     {
       const auto labels = wheel_labels(system, modes, *wheel);
       result.labels = unique_texts(labels);
       const std::vector<double> by_diameters = wheel_damping(labels, parameters);
       for (unsigned int i = 0; i < n; ++i)
+      {
         result.damping_ratio[i] += by_diameters[i];
+        if (result.loss.m() > 0)
+          result.loss(i, i) += 2 * by_diameters[i] * modes.omega[i] * modes.omega[i];
+      }
     }
     else
       for (unsigned int i = 0; i < n; ++i)
@@ -168,6 +173,7 @@ namespace vibrocontact
     AssertThrow(modal->trace.m() == n && modal->n_rigid_modes == n_rigid, dealii::ExcInternalError());
     body.omega = modal->omega;
     body.damping_ratio = modal->damping_ratio;
+    body.loss = modal->loss;
     body.labels = modal->labels;
     body.trace = modal->trace;
     body.modal_load = modal->load;

@@ -1,6 +1,7 @@
 #include <vibrocontact/base/memory.h>
 #include <vibrocontact/base/petsc_check.h>
 #include <vibrocontact/base/shared_cases.h>
+#include <vibrocontact/reduction/projected_matrix.h>
 #include <vibrocontact/reduction/response_reduction.h>
 
 #include <deal.II/base/mpi.h>
@@ -19,25 +20,6 @@ namespace vibrocontact
 
   namespace
   {
-    /// V^T A V
-    DenseMatrix projected(const dealii::PETScWrappers::MPI::SparseMatrix &matrix,
-                          const std::vector<Vector> &vectors)
-    {
-      const unsigned int n = vectors.size();
-      DenseMatrix result(n);
-      std::vector<Vec> all(vectors.begin(), vectors.end());
-      for (unsigned int j = 0; j < n; ++j)
-      {
-        Vector product(vectors[j]);
-        matrix.vmult(product, vectors[j]);
-        petsc_check(VecMDot(product, n, all.data(), &result(0, j)), "VecMDot");
-      }
-      for (unsigned int j = 0; j < n; ++j)
-        for (unsigned int i = 0; i < j; ++i)
-          result(i, j) = result(j, i) = (result(i, j) + result(j, i)) / 2;
-      return result;
-    }
-
     /// Makes `candidate` orthogonal in M to the vectors and of unit length; false if nothing is left of it.
     bool orthonormalise(const SecondOrderSystem &system, const std::vector<Vector> &vectors,
                         Vector &candidate)
@@ -96,7 +78,7 @@ namespace vibrocontact
       std::vector<double> omega(n);
       if (n == 0)
         return omega;
-      DenseMatrix stiffness = projected(system.stiffness, basis);
+      DenseMatrix stiffness = projected_matrix(system.stiffness, basis);
       dealii::FullMatrix<double> turn;
       DenseVector squares;
       stiffness.compute_eigenvalues_symmetric(0., 1e300, 0., squares, turn);
@@ -145,7 +127,7 @@ namespace vibrocontact
 
     result.loss.reinit(vectors.size(), vectors.size());
     if (system.has_loss)
-      result.loss = projected(system.loss_stiffness, vectors);
+      result.loss = projected_matrix(system.loss_stiffness, vectors);
     // a wheel's ratios by nodal diameters (Eq. 23) come on top of what its material loses
     for (unsigned int k = 0; k < n && wheel; ++k)
       result.loss(k, k) = 2 * damping_ratio[k] * modes.omega[k] * modes.omega[k];

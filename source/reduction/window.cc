@@ -69,6 +69,7 @@ namespace vibrocontact
     part.n_rigid_modes = body.n_rigid_modes;
     part.omega = body.omega;
     part.damping_ratio = body.damping_ratio;
+    part.loss = body.loss;
     part.labels = body.labels;
     part.modal_load = body.modal_load;
     part.participation = body.participation;

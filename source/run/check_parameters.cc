@@ -203,6 +203,29 @@ namespace vibrocontact
       }
     }
 
+    /// What Stability/Loss = hysteretic knows of each body.
+    void check_hysteretic_loss(const Parameters &parameters)
+    {
+      if (!parameters.scene.runs("stability") || !parameters.stability.is_hysteretic())
+        return;
+      for (const BodyParameters &body : parameters.scene.bodies)
+      {
+        if (!body.is_meshed())
+          continue;
+        if (parameters.modes.at(body.name).stiffness_damping > 0)
+          throw InputError(body.name + "/Modes/Stiffness damping is viscous, beside which Stability/Loss = "
+                                       "hysteretic takes no body of finite elements: leave it out, or set "
+                                       "Loss to viscous.");
+        if (body.is_revolved() &&
+            std::any_of(body.materials.begin(), body.materials.end(),
+                        [&](const auto &group)
+                        { return group.second.loss_factor != body.materials.begin()->second.loss_factor; }))
+          throw InputError(body.name + "/" + body.body_type().section +
+                           "/Model is harmonics, of which Stability/Loss = hysteretic knows one loss factor "
+                           "for all materials: give them the same, or set Model to solid.");
+      }
+    }
+
     void check_sweep(const Parameters &parameters)
     {
       const ParameterSweep &sweep = parameters.sweeps.at("stability");
@@ -369,6 +392,7 @@ namespace vibrocontact
           "Stability/Second count knows constant friction only: take the Contact/Friction law coulomb (a "
           "Static friction ratio of 1) or leave the count out.");
     check_harmonics(*this);
+    check_hysteretic_loss(*this);
     for (const auto &[section, model] : unreduced_models(*this))
       for (const BodyParameters &body : scene.bodies)
         if (body.description->lies_on_half_space() || body.is_green())

@@ -72,6 +72,8 @@ namespace vibrocontact
   void scale_damping(ReducedBody &body, const ModeParameters &modes)
   {
     body.damping_ratio = modes.scaled(body.damping_ratio, body.omega);
+    if (body.loss.m() > 0)
+      body.loss *= modes.damping_factor;
     body.relaxation = modes.stiffness_damping;
   }
 
@@ -193,6 +195,8 @@ namespace vibrocontact
       if (contact_grid)
         print_contact_grid(contact.grid);
     }
+    if (parameters.scene.runs("stability"))
+      run_log().value("loss of the bodies in stability", parameters.stability.loss);
     if (!picture_folder.empty())
     {
       run_log().block("Picture of the scene");

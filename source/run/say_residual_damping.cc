@@ -1,5 +1,6 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/coupled_bodies/hysteretic_loss.h>
 #include <vibrocontact/coupled_bodies/residual_damping.h>
 #include <vibrocontact/run/say_residual_damping.h>
 
@@ -126,5 +127,27 @@ namespace vibrocontact
       if (reduced[k])
         in_the_middle.push_back({k, reduced[k], reduced[k]->grid.n_points() / 2, reduced[k]->relaxation});
     say(parameters, in_the_middle, further, std::move(frequencies), key, relaxes, results);
+  }
+
+  void say_hysteretic_rests(const Parameters &parameters, Results &results)
+  {
+    std::string elastic;
+    bool any = false;
+    for (const BodyParameters &body : parameters.scene.bodies)
+    {
+      const std::optional<double> eta = loss_factor_of_rest(body);
+      any = any || !eta || *eta > 0;
+      if (!eta)
+        elastic += (elastic.empty() ? "" : ", ") + body.name;
+    }
+    if (!any)
+      return;
+    results.analyses["stability"]["residual_damping"] = {{"taken", elastic.empty()}};
+    if (elastic.empty())
+      return;
+    results.warnings.push_back("What the modes leave out of " + elastic +
+                               " stays elastic in stability, since the materials have several loss factors; "
+                               "keep more modes.");
+    run_log().warning(results.warnings.back());
   }
 } // namespace vibrocontact

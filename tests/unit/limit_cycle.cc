@@ -5,7 +5,7 @@
 #include "flutter.h"
 
 #include <vibrocontact/analyses/transient/transient.h>
-#include <vibrocontact/coupled_bodies/linearised_contact.h>
+#include <vibrocontact/coupled_bodies/stability_roots.h>
 #include <vibrocontact/numerics/cycle_measure.h>
 #include <vibrocontact/numerics/growth_fit.h>
 #include <vibrocontact/numerics/spectrum.h>

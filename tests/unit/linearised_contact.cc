@@ -6,7 +6,7 @@
 
 #include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/analyses/transient/transient_hub.h>
-#include <vibrocontact/coupled_bodies/linearised_contact.h>
+#include <vibrocontact/coupled_bodies/stability_roots.h>
 #include <vibrocontact/coupled_bodies/suspended_pair.h>
 
 #include <gtest/gtest.h>

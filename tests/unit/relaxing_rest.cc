@@ -9,8 +9,8 @@
 #include <vibrocontact/analyses/stability/root_count.h>
 #include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/coupled_bodies/inertial_contact.h>
-#include <vibrocontact/coupled_bodies/linearised_contact.h>
 #include <vibrocontact/coupled_bodies/sliding_frame.h>
+#include <vibrocontact/coupled_bodies/stability_roots.h>
 
 #include <gtest/gtest.h>
 

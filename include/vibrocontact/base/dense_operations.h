@@ -10,9 +10,11 @@ namespace vibrocontact
   // deal.II refuses empty matrices, which bodies without modes and contacts without sliding points have.
 
   /// a b
-  inline DenseMatrix product(const DenseMatrix &a, const DenseMatrix &b)
+  template <typename Number>
+  dealii::LAPACKFullMatrix<Number> product(const dealii::LAPACKFullMatrix<Number> &a,
+                                           const dealii::LAPACKFullMatrix<Number> &b)
   {
-    DenseMatrix c(a.m(), b.n());
+    dealii::LAPACKFullMatrix<Number> c(a.m(), b.n());
     if (a.m() > 0 && a.n() > 0 && b.n() > 0)
       a.mmult(c, b);
     return c;
@@ -34,8 +36,9 @@ namespace vibrocontact
   }
 
   /// into += factor * block, at a row and a column of `into`
-  inline void add_block(DenseMatrix &into, const DenseMatrix &block, const unsigned int row,
-                        const unsigned int column, const double factor = 1)
+  template <typename Number>
+  void add_block(dealii::LAPACKFullMatrix<Number> &into, const dealii::LAPACKFullMatrix<Number> &block,
+                 const unsigned int row, const unsigned int column, const double factor = 1)
   {
     for (unsigned int j = 0; j < block.n(); ++j)
       for (unsigned int i = 0; i < block.m(); ++i)

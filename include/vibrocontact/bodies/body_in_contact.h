@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/base/dense.h>
+#include <vibrocontact/base/complex_dense.h>
 
 #include <algorithm>
 #include <complex>
@@ -9,8 +9,6 @@
 
 namespace vibrocontact
 {
-  using ComplexMatrix = dealii::LAPACKFullMatrix<std::complex<double>>;
-
   /// A linear body between some rows (displacements at its contact points, at places of forces, at probes), as contacts and
   /// their analyses see it. It moves by real modes, by poles or by both, and has a rest that follows forces at once:
   ///

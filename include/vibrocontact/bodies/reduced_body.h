@@ -37,6 +37,9 @@ namespace vibrocontact
     std::vector<double> surface_height;
     /// of a body that turns past its contact points, with modes (bodies/rolling_modes.h); null: it does not
     std::shared_ptr<const FlowReduction> flow = nullptr;
+    /// Phi^T H Phi of the hysteretic loss H = sum of eta_e K_e, n_modes square, if loss factors differ and so couple the modes;
+    /// empty: diagonal, 2 zeta w^2 [1/s^2]
+    DenseMatrix loss = DenseMatrix();
   };
 
   /// Adds Psi diag(w^-2) Psi^T, what modes answer to static forces [m/N]; trace 3 n x n_modes.

@@ -104,6 +104,10 @@ namespace vibrocontact
   /// answer to loads stay. Without normal-tangential coupling W~'s blocks between the directions are zero.
   ContactPair contact_pair(const std::vector<ContactBody> &bodies, const ContactSections &sections,
                            const PlacedContacts &contacts);
+  /// What body b (from 0) brings to W~, its own flexibility or that which Contact/Local flexibility puts in its place;
+  /// 3 n square [m/N].
+  DenseMatrix brought_flexibility(const std::vector<ContactBody> &bodies, unsigned int b,
+                                  const ContactSections &sections, const PlacedContacts &contacts);
   /// W~ over a step of h, in which rests relax by the backward difference (doc/theory.md, "Damping of what the modes leave
   /// out"): sum of h W / (h + beta) and of what follows at once, r(h) = this R + sum of beta W s(0) / (h + beta); 3 n
   /// square [m/N]. For h = 0 what follows at once alone.

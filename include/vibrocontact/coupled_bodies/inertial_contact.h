@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/coupled_bodies/contact_pair.h>
-#include <vibrocontact/coupled_bodies/linearised_contact.h>
+#include <vibrocontact/coupled_bodies/stability_roots.h>
 
 #include <string>
 #include <vector>

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <vibrocontact/coupled_bodies/contact_pair.h>
+#include <vibrocontact/coupled_bodies/hysteretic_loss.h>
 #include <vibrocontact/coupled_bodies/rolling_equilibrium.h>
 
-#include <complex>
-#include <string>
 #include <vector>
 
 namespace vibrocontact
@@ -24,6 +23,9 @@ namespace vibrocontact
 
   /// W~ of the pair and, on the diagonal of its gaps, what the normal law yields at the equilibrium; 3 n square [m/N].
   DenseMatrix compliance_of_contact(const ContactPair &pair, const RollingEquilibrium &equilibrium);
+
+  /// W~ with loss and what the normal law yields at the equilibrium; 3 n square [m/N].
+  ComplexMatrix compliance_of_contact(const HystereticLoss &loss, const RollingEquilibrium &equilibrium);
 
   /// How the gaps of some points close where the hub of body 1 moves down [-].
   std::vector<double> gaps_by_approach(const ContactPair &pair, const std::vector<unsigned int> &points);
@@ -59,57 +61,8 @@ namespace vibrocontact
   DenseMatrix linearised_contact(const ContactPair &pair, const CreepScheme &scheme,
                                  const RollingEquilibrium &equilibrium, const LinearisationOptions &options);
 
-  /// A complex eigenvalue lambda = growth + i 2 pi frequency of a linearised contact.
-  struct StabilityRoot
-  {
-    /// [Hz] >= 0, [1/s]
-    double frequency = 0, growth = 0;
-    /// Re(lambda) / Im(lambda); positive: unstable
-    double divergence_rate = 0;
-    /// the free mode with the largest share of its energy, and that share
-    std::string label;
-    double share = 0;
-    /// the free mode that the root began as, see RootPaths; empty if not followed
-    std::string path;
-    /// modal amplitudes, then those of the poles as if they were modes; n_modes + n_poles
-    std::vector<std::complex<double>> shape;
-
-    template <typename Archive>
-    void serialize(Archive &archive, const unsigned int)
-    {
-      archive &frequency &growth &divergence_rate &label &share &path &shape;
-    }
-  };
-
-  /// Eigenvalues of a real matrix, and right eigenvectors (x, A x = lambda x) as dgeev lays them out (conjugate
-  /// pairs in two columns); left ones (y, y^H A = lambda y^H) if they are asked for.
-  /// @throws ConvergenceError if LAPACK finds none
-  struct Eigenvalues
-  {
-    std::vector<std::complex<double>> values;
-    DenseMatrix vectors, left;
-    /// of eigenvalue k with a positive (or no) imaginary part
-    std::complex<double> component(const unsigned int i, const unsigned int k) const
-    {
-      return {vectors(i, k), values[k].imag() > 0 ? vectors(i, k + 1) : 0.};
-    }
-    std::complex<double> left_component(const unsigned int i, const unsigned int k) const
-    {
-      return {left(i, k), values[k].imag() > 0 ? left(i, k + 1) : 0.};
-    }
-  };
-  Eigenvalues eigenvalues(DenseMatrix matrix, bool with_left_vectors = false);
-
-  /// A root of given modal amplitudes: its name is that of the free mode with the largest share of
-  /// sum (w^2 + |lambda|^2) |q|^2.
-  StabilityRoot named_root(const std::complex<double> &lambda, std::vector<std::complex<double>> amplitudes,
-                           const std::vector<double> &omega, const std::vector<std::string> &labels);
-  /// Whether a root is listed: frequency > 0, or growth without oscillation.
-  bool is_listed(const std::complex<double> &lambda);
-  /// By ascending frequency (of equal ones the faster growing first), those without oscillation last.
-  void sort_roots(std::vector<StabilityRoot> &roots);
-
-  /// All roots with frequency > 0 by ascending frequency (one of each conjugate pair), then those without
-  /// oscillation that grow. @throws ConvergenceError if LAPACK finds no eigenvalues
-  std::vector<StabilityRoot> stability_roots(const ContactPair &pair, DenseMatrix linearised);
+  /// x' = A x of linearised_contact() with loss, about motions e^(s t) with Im s > 0. The states are the same.
+  ComplexMatrix linearised_contact(const ContactPair &pair, const HystereticLoss &loss,
+                                   const CreepScheme &scheme, const RollingEquilibrium &equilibrium,
+                                   const LinearisationOptions &options);
 } // namespace vibrocontact

@@ -28,4 +28,8 @@ namespace vibrocontact
   /// Modal damping ratios from the hysteretic loss: zeta = phi^T K'' phi / (2 w^2); 0 for rigid modes and
   /// lossless bodies.
   std::vector<double> strain_energy_damping(const SecondOrderSystem &system, const Modes &modes);
+
+  /// phi_i^T K'' phi_j of the hysteretic loss; empty if it couples no modes (to 1e-6 of its diagonal): the body has one loss
+  /// factor or none [1/s^2]
+  DenseMatrix coupling_loss(const SecondOrderSystem &system, const Modes &modes);
 } // namespace vibrocontact

@@ -70,6 +70,7 @@ namespace vibrocontact
       archive("omega_rad_s", part.omega);
       archive("damping_ratio", part.damping_ratio);
       archive("labels", part.labels);
+      archive("loss_1_s2", part.loss);
       archive("trace", part.trace);
       archive("load", part.load);
       archive("participation", part.participation);

@@ -37,6 +37,8 @@ namespace vibrocontact
     /// [rad/s], [-], names; n_modes
     std::vector<double> omega, damping_ratio;
     std::vector<std::string> labels;
+    /// see ReducedBody::loss
+    DenseMatrix loss = DenseMatrix();
     /// P_c Phi, 3 n x n_modes [1/sqrt(kg)]; no rows without contact
     DenseMatrix trace;
     /// Phi^T F [N/sqrt(kg)]

@@ -10,6 +10,7 @@
 #include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/say_residual_damping.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -95,9 +96,12 @@ namespace vibrocontact
   {
     const auto prepared = prepare_pair(parameters, bodies, measured, true);
     run_log().block("Stability");
-    const ContactPair pair =
-        contact_pair(prepared->bodies, parameters.contacts, parameters.placed_contacts());
+    ContactPair pair = contact_pair(prepared->bodies, parameters.contacts, parameters.placed_contacts());
+    std::optional<HystereticLoss> loss;
+    if (parameters.stability.is_hysteretic())
+      loss = take_hysteretic_loss(pair, prepared->bodies, parameters.contacts, parameters.placed_contacts());
     run_log().value("modes", pair.n_modes());
+    run_log().value("loss of the bodies", parameters.stability.loss);
     const RootFinder roots_about = root_finder(parameters, bodies, *prepared, pair);
     Progress progress("stability cases", rolling_cases(parameters.rolling, parameters.contacts).size());
     const auto finished = [&](const StabilityResult &result)
@@ -110,13 +114,16 @@ namespace vibrocontact
     run_log().value("hub", hub_text(rolling.hub));
     const std::vector<StabilityResult> all =
         stability(parameters.stability, rolling, parameters.contacts, parameters.contact_solver, pair,
-                  finished, roots_about);
+                  finished, roots_about, loss ? &*loss : nullptr);
     StabilityOutcome outcome;
+    outcome.loss = parameters.stability.loss;
     outcome.results = all;
     on_first_rank([&] { stability_table(outcome).write(folder + "/stability.csv"); });
     results.analyses["stability"] = stability_json(outcome);
     add_contacts(outcome, pair.interface.contacts, results.analyses["stability"]);
-    if (parameters.stability.is_reduced())
+    if (loss)
+      say_hysteretic_rests(parameters, results);
+    else if (parameters.stability.is_reduced())
       say_residual_damping(parameters, *prepared, pair, frequencies_that_matter(all.front()), "stability",
                            results, parameters.stability.options().residual_rate);
     if (parameters.output.fields)
@@ -139,6 +146,12 @@ namespace vibrocontact
       const std::string by_paper = "Stability/Linearisation is paper", rolling = "Rolling/Speed is above 0",
                         across = "the bodies move across the slip";
       entries.add(section, "Model, Second count");
+      entries.add_if(std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
+                                 [](const BodyParameters &body) {
+                                   return body.is_meshed() &&
+                                          (body.has_loss() || body.description->is_wheel());
+                                 }),
+                     "a body of finite elements has a loss factor", section, "Loss");
       entries.add_if(rolls || !plane, rolling + " or " + across, section, "Linearisation");
       entries.add_if(paper && !plane, by_paper + " and " + across, section, "Lateral damping");
       entries.add_if(paper && rolls, by_paper + " and " + rolling, section, "Convective slip");

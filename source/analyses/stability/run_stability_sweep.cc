@@ -28,8 +28,10 @@ namespace vibrocontact
     }
 
     /// @param reduced_bodies null for bodies without mesh
+    /// @param loss gets what Stability/Loss = hysteretic takes out of the damping ratios
     ContactPair pair_of_case(const SweepCase &one, const std::optional<MeasuredData> &measured,
-                             const std::vector<const ReducedBody *> &reduced_bodies)
+                             const std::vector<const ReducedBody *> &reduced_bodies,
+                             std::optional<HystereticLoss> &loss)
     {
       const Parameters &parameters = one.parameters;
       const PlacedContacts contacts = contacts_of_case(one);
@@ -60,7 +62,10 @@ namespace vibrocontact
         own[k] = body_of_contact(parameters, std::move(meshed), measured, k);
         bodies.push_back({&body, own[k] ? &*own[k] : nullptr});
       }
-      return contact_pair(bodies, parameters.contacts, contacts);
+      ContactPair pair = contact_pair(bodies, parameters.contacts, contacts);
+      if (parameters.stability.is_hysteretic())
+        loss = take_hysteretic_loss(pair, bodies, parameters.contacts, contacts);
+      return pair;
     }
 
     /// A case with what its roots are followed by.
@@ -81,13 +86,16 @@ namespace vibrocontact
     SolvedCase solve(const SweepCase &one, const std::optional<MeasuredData> &measured,
                      const std::vector<const ReducedBody *> &reduced)
     {
-      const ContactPair pair = pair_of_case(one, measured, reduced);
+      std::optional<HystereticLoss> loss;
+      const ContactPair pair = pair_of_case(one, measured, reduced, loss);
       RollingParameters rolling = one.parameters.rolling;
       rolling.hub = one.parameters.hub();
       SolvedCase solved;
-      solved.result = stability(one.parameters.stability, rolling, one.parameters.contacts,
-                                one.parameters.contact_solver, pair, [](const StabilityResult &) {})
-                          .front();
+      solved.result =
+          stability(
+              one.parameters.stability, rolling, one.parameters.contacts, one.parameters.contact_solver, pair,
+              [](const StabilityResult &) {}, {}, loss ? &*loss : nullptr)
+              .front();
       const ContactPair &moving = solved.result.suspended ? *solved.result.suspended : pair;
       solved.labels = moving.labels;
       solved.omega = moving.frequencies();
@@ -123,6 +131,7 @@ namespace vibrocontact
       {
         outcome.entries = sweep.entries;
         outcome.columns = sweep.columns;
+        outcome.loss = on.parameters.stability.loss;
         run_log().block("Stability");
         if (!sweep.left_out.empty())
         {
@@ -202,9 +211,12 @@ namespace vibrocontact
 
       void finish() override
       {
-        say_residual_damping(sweep.cases.front().parameters, reduced.front(), 0.,
-                             frequencies_that_matter(outcome.results.front()), "stability", on.results,
-                             sweep.cases.front().parameters.stability.options().residual_rate);
+        if (on.parameters.stability.is_hysteretic())
+          say_hysteretic_rests(on.parameters, on.results);
+        else
+          say_residual_damping(sweep.cases.front().parameters, reduced.front(), 0.,
+                               frequencies_that_matter(outcome.results.front()), "stability", on.results,
+                               sweep.cases.front().parameters.stability.options().residual_rate);
         on_first_rank(
             [&]
             {

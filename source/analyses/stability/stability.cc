@@ -18,6 +18,12 @@ namespace vibrocontact
                       "residual attachment "
                       "responses keep theirs; finite elements: all dofs, for small scenes. Units: none.",
                       Selection("reduced|attachment inertia|finite elements"));
+    prm.add_parameter("Loss", loss,
+                      "How bodies of finite elements lose energy. viscous: by the damping ratios that their "
+                      "loss factors make of "
+                      "each mode, as in time; hysteretic: by the loss factors themselves, which couple the "
+                      "modes and damp what they leave out. Units: none.",
+                      Selection("viscous|hysteretic"));
     prm.add_parameter(
         "Linearisation", linearisation,
         "consistent: slip direction per point, transport V d/dx and the rate of the residual displacements, "
@@ -52,6 +58,12 @@ namespace vibrocontact
     if (!is_reduced() && second_count)
       throw InputError("Stability/Model is " + model +
                        ", but Second count is that of the reduced model: set it to reduced or leave it out.");
+    if (is_hysteretic() && !is_reduced())
+      throw InputError("Stability/Loss is hysteretic, which is that of the reduced model, but Model is " +
+                       model + ": set it to reduced, or Loss to viscous.");
+    if (is_hysteretic() && linearisation != "consistent")
+      throw InputError("Stability/Loss is hysteretic, which the paper's linearisation does not know: set "
+                       "Linearisation to consistent, or Loss to viscous.");
     if (second_count && linearisation != "consistent")
       throw InputError("Stability/Second count is for the consistent linearisation: set Linearisation to "
                        "consistent, or Second count to false.");
@@ -90,7 +102,8 @@ namespace vibrocontact
     /// Closed points that nothing yields move with the modes, whose mass is theirs.
     std::vector<StabilityRoot> reduced_roots(const ContactPair &pair, const CreepScheme &scheme,
                                              const RollingEquilibrium &about,
-                                             const LinearisationOptions &options)
+                                             const LinearisationOptions &options,
+                                             const HystereticLoss *const loss)
     {
       const DenseMatrix W = compliance_of_contact(pair, about);
       unsigned int n_closed = 0, n_rigid = 0;
@@ -99,8 +112,14 @@ namespace vibrocontact
         n_closed += about.contact.R[i] > 0;
         n_rigid += about.contact.R[i] > 0 && W(i, i) == 0;
       }
+      if (n_rigid == 0 && loss)
+        return hysteretic_roots(pair, *loss, scheme, about, options);
       if (n_rigid == 0)
         return stability_roots(pair, linearised_contact(pair, scheme, about, options));
+      if (loss)
+        throw InputError("A closed contact point has mass and nothing that yields, which Stability/Loss "
+                         "hysteretic does not take: set it to viscous, or give Contact/Normal law one that "
+                         "yields.");
       if (pair.hub || n_rigid < n_closed || pair.n_poles() > 0)
         throw InputError(
             "A closed contact point has mass and nothing that yields, which Stability takes with a "
@@ -114,7 +133,7 @@ namespace vibrocontact
                                          const RollingParameters &rolling, const ContactSections &contact,
                                          const ContactSolverParameters &solver, const ContactPair &pair,
                                          const std::function<void(const StabilityResult &)> &finished,
-                                         const RootFinder &roots_about)
+                                         const RootFinder &roots_about, const HystereticLoss *loss)
   {
     const CreepScheme &scheme = find_creep_scheme(contact.first().creep_scheme);
     std::vector<StabilityResult> results;
@@ -128,6 +147,9 @@ namespace vibrocontact
     if (rolling.hub == "suspended")
       suspended = std::make_shared<const ContactPair>(suspended_pair(pair, rolling.suspension, {0, 0, 0}));
     const ContactPair &moving = suspended ? *suspended : pair;
+    std::optional<HystereticLoss> own_loss;
+    if (suspended && loss)
+      loss = &own_loss.emplace(suspended_loss(*loss, *suspended->hub));
     const auto linearise = [&](const RollingResult &equilibrium, const ContactProblem &problem)
     {
       if (!equilibrium.solution.converged)
@@ -147,12 +169,12 @@ namespace vibrocontact
           equilibrium.solution, problem.friction_law, problem.normal_law, rolling.creepage.speed,
           rolling.hub == "massless" || (rolling.hub == "none" && problem.force_given()));
       result.roots =
-          roots_about ? roots_about(about) : reduced_roots(moving, scheme, about, parameters.options());
+          roots_about ? roots_about(about) : reduced_roots(moving, scheme, about, parameters.options(), loss);
       if (result.roots.empty())
         throw ConvergenceError("No root of the linearised contact oscillates or grows: keep more modes.");
       result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       if (parameters.second_count)
-        result.second_count = count_unstable_roots(pair, scheme, about, result.roots);
+        result.second_count = count_unstable_roots(pair, scheme, about, result.roots, loss);
       results.push_back(std::move(result));
       finished(results.back());
     };

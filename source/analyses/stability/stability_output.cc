@@ -184,6 +184,7 @@ namespace vibrocontact
   nlohmann::ordered_json stability_json(const StabilityOutcome &outcome)
   {
     nlohmann::ordered_json result = {{"roots", "stability.csv"},
+                                     {"loss", outcome.loss},
                                      {"least_divergence_rate", least_divergence_rate},
                                      {"unstable", nlohmann::ordered_json::array()},
                                      {"cases", nlohmann::ordered_json::array()}};

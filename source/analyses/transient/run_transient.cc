@@ -246,6 +246,7 @@ namespace vibrocontact
     const DynamicState &state = march.state;
     results.analyses["transient"] = transient_json(result, state, pair.interface.contacts);
     results.analyses["transient"]["friction"] = parameters.largest_friction();
+    results.analyses["transient"]["loss"] = "viscous";
     results.analyses["transient"]["hub"] = applied_hub;
     if (hub.place > 0)
       results.analyses["transient"]["hub_displacement_m"] = hub.place;

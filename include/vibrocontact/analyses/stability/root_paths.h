@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/coupled_bodies/linearised_contact.h>
+#include <vibrocontact/coupled_bodies/stability_roots.h>
 
 #include <string>
 #include <vector>

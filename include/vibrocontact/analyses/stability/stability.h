@@ -1,8 +1,8 @@
 #pragma once
 
 #include <vibrocontact/analyses/stability/root_count.h>
-#include <vibrocontact/coupled_bodies/linearised_contact.h>
 #include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
+#include <vibrocontact/coupled_bodies/stability_roots.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -21,6 +21,10 @@ namespace vibrocontact
     /// and residual attachment modes), "finite elements"
     std::string model = "reduced";
     bool is_reduced() const { return model == "reduced"; }
+    /// what stands for the loss of elements and of modes damped by number: "viscous", the diagonal of its projection on the
+    /// modes as damping ratios; "hysteretic", see HystereticLoss
+    std::string loss = "viscous";
+    bool is_hysteretic() const { return loss == "hysteretic"; }
     /// "consistent": all of the step's equations linearised; "paper": K_c and C_b of Lai et al. 2018, Eqs
     /// 19-22
     std::string linearisation = "consistent";
@@ -83,11 +87,13 @@ namespace vibrocontact
   /// RollingParameters::hub says, on the modes
   /// of the pair, or by `roots_about` unless that is empty. The equilibria are those of the pair in any case:
   /// all models have the same static compliance.
+  /// @param loss of the pair; null: its damping ratios are all that damps
   /// @throws InputError if an equilibrium is not in full sliding and sticking points are not asked for;
   /// ConvergenceError if an equilibrium does not converge
   std::vector<StabilityResult> stability(const StabilityParameters &parameters,
                                          const RollingParameters &rolling, const ContactSections &contact,
                                          const ContactSolverParameters &solver, const ContactPair &pair,
                                          const std::function<void(const StabilityResult &)> &finished,
-                                         const RootFinder &roots_about = {});
+                                         const RootFinder &roots_about = {},
+                                         const HystereticLoss *loss = nullptr);
 } // namespace vibrocontact

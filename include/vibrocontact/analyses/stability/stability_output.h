@@ -14,6 +14,8 @@ namespace vibrocontact
   /// values are empty.
   struct StabilityOutcome
   {
+    /// StabilityParameters::loss
+    std::string loss;
     /// swept entries, e.g. Contact/Lateral position, and their columns, e.g. lateral_position_m
     std::vector<std::string> entries, columns;
     std::vector<StabilityResult> results;

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vibrocontact/coupled_bodies/contact_receptance.h>
+
+#include <complex>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// A root of F(s) x = 0.
+  struct ContactRoot
+  {
+    /// [1/s]
+    std::complex<double> s;
+    /// forces (N, z), largest component 1
+    std::vector<std::complex<double>> x;
+    /// |F x| / (|F| |x|) with rows and columns of F scaled to 1 [-]
+    double residual = 0;
+    unsigned int iterations = 0;
+  };
+
+  /// Newton's iteration of the nonlinear eigenproblem, bordered by a fixed combination of the unknowns,
+  ///
+  ///   [ F(s)   F'(s) x ] [ dx ]     [ F(s) x ]
+  ///   [ c^H    0       ] [ ds ] = - [ 0      ],      c^H x = 1,
+  ///
+  /// of second order at a simple root. Rows and columns are scaled by the F of the start.
+  /// @param x at the start; empty: the direction in which F(start) is nearest to singular, by inverse iteration
+  /// @throws ConvergenceError if s does not settle to 1e-12 of its size in 30 iterations
+  ContactRoot contact_root(const ContactReceptance &F, const std::complex<double> &start,
+                           std::vector<std::complex<double>> x = {});
+} // namespace vibrocontact

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vibrocontact/coupled_bodies/contact_pair.h>
+
+#include <optional>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// Hysteretic loss of the bodies of a pair, K + j H with H = sum of eta_e K_e over elements and supports, which does not
+  /// grow with the frequency:
+  ///
+  ///   (s^2 + s diag(2 zeta w) + diag(w^2) + j Phi^T H Phi) q = Psi^T R,      du = Psi q + W~ R
+  ///
+  /// H stands on the modes in full: pads and rail have loss factors of their own, so that it couples them. Modes damped by
+  /// number (Eq. 23) have 2 zeta w^2 on its diagonal. W~ of a body has its material's loss factor, W~ / (1 + j eta).
+  ///
+  /// The equations hold for s with Im s > 0 alone; a motion with Im s < 0 needs K - j H, which has the conjugate roots. Of K + j H
+  /// the roots of the lower half plane are spurious: every mode makes one near -j w + eta w / 2, which would grow. Motions
+  /// without oscillation, s real, have the elastic stiffness K, as a loss of energy per cycle says nothing of them.
+  ///
+  /// Viscous damping stays viscous: ratios of bodies without mesh (oscillators, rings), poles, a suspension's dampers.
+  struct HystereticLoss
+  {
+    /// Phi^T H Phi over the modes of the pair; n_modes square [1/s^2]
+    DenseMatrix modal;
+    /// W~ with its loss; 3 n square [m/N]
+    ComplexMatrix residual;
+  };
+
+  /// eta of a body's share of W~; none if its materials have several: then this share stays elastic
+  std::optional<double> loss_factor_of_rest(const BodyParameters &body);
+
+  /// The loss of a pair that contact_pair() made of the same; takes it out of the pair's damping ratios, which stay viscous.
+  /// @throws InputError if a body is damped by C = beta K as well
+  HystereticLoss take_hysteretic_loss(ContactPair &pair, const std::vector<ContactBody> &bodies,
+                                      const ContactSections &sections, const PlacedContacts &contacts);
+
+  /// The loss in the modes of suspended_pair().
+  HystereticLoss suspended_loss(const HystereticLoss &held, const SuspendedHub &hub);
+} // namespace vibrocontact

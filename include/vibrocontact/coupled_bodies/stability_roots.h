@@ -1,0 +1,72 @@
+#pragma once
+
+#include <vibrocontact/coupled_bodies/linearised_contact.h>
+
+#include <complex>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// A complex eigenvalue lambda = growth + i 2 pi frequency of a linearised contact.
+  struct StabilityRoot
+  {
+    /// [Hz] >= 0, [1/s]
+    double frequency = 0, growth = 0;
+    /// Re(lambda) / Im(lambda); positive: unstable
+    double divergence_rate = 0;
+    /// the free mode with the largest share of its energy, and that share
+    std::string label;
+    double share = 0;
+    /// the free mode that the root began as, see RootPaths; empty if not followed
+    std::string path;
+    /// modal amplitudes, then those of the poles as if they were modes; n_modes + n_poles
+    std::vector<std::complex<double>> shape;
+
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &frequency &growth &divergence_rate &label &share &path &shape;
+    }
+  };
+
+  /// Eigenvalues of a real matrix, and right eigenvectors (x, A x = lambda x) as dgeev lays them out (conjugate
+  /// pairs in two columns); left ones (y, y^H A = lambda y^H) if they are asked for.
+  /// @throws ConvergenceError if LAPACK finds none
+  struct Eigenvalues
+  {
+    std::vector<std::complex<double>> values;
+    DenseMatrix vectors, left;
+    /// of eigenvalue k with a positive (or no) imaginary part
+    std::complex<double> component(const unsigned int i, const unsigned int k) const
+    {
+      return {vectors(i, k), values[k].imag() > 0 ? vectors(i, k + 1) : 0.};
+    }
+    std::complex<double> left_component(const unsigned int i, const unsigned int k) const
+    {
+      return {left(i, k), values[k].imag() > 0 ? left(i, k + 1) : 0.};
+    }
+  };
+  Eigenvalues eigenvalues(DenseMatrix matrix, bool with_left_vectors = false);
+
+  /// A root of given modal amplitudes: its name is that of the free mode with the largest share of
+  /// sum (w^2 + |lambda|^2) |q|^2.
+  StabilityRoot named_root(const std::complex<double> &lambda, std::vector<std::complex<double>> amplitudes,
+                           const std::vector<double> &omega, const std::vector<std::string> &labels);
+  /// Whether a root is listed: frequency > 0, or growth without oscillation.
+  bool is_listed(const std::complex<double> &lambda);
+  /// By ascending frequency (of equal ones the faster growing first), those without oscillation last.
+  void sort_roots(std::vector<StabilityRoot> &roots);
+
+  /// All roots with frequency > 0 by ascending frequency (one of each conjugate pair), then those without
+  /// oscillation that grow. @throws ConvergenceError if LAPACK finds no eigenvalues
+  std::vector<StabilityRoot> stability_roots(const ContactPair &pair, DenseMatrix linearised);
+
+  /// All roots with Im s > 0, complete (zgeev), by ascending frequency, then those of the elastic bodies that grow without
+  /// oscillation. Nearer to the real axis than 1e-3 |Re s| a root is the image of one without oscillation and not listed.
+  /// @throws ConvergenceError if LAPACK finds no eigenvalues
+  std::vector<StabilityRoot> hysteretic_roots(const ContactPair &pair, const HystereticLoss &loss,
+                                              const CreepScheme &scheme,
+                                              const RollingEquilibrium &equilibrium,
+                                              const LinearisationOptions &options);
+} // namespace vibrocontact

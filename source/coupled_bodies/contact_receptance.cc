@@ -1,0 +1,251 @@
+#include <vibrocontact/base/dense_operations.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/coupled_bodies/contact_receptance.h>
+#include <vibrocontact/coupled_bodies/pair_motion.h>
+#include <vibrocontact/coupled_bodies/patch_shapes.h>
+#include <vibrocontact/coupled_bodies/sliding_frame.h>
+#include <vibrocontact/numerics/complex_eigenvectors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace vibrocontact
+{
+  using Complex = std::complex<double>;
+
+  namespace
+  {
+    /// F has to see what the eigenvalues see
+    constexpr double shape_tolerance = 1e-11;
+
+    /// left diag(1 / (s^2 + damping s + stiffness)) right
+    struct ModalSum
+    {
+      ComplexMatrix left, right;
+      std::vector<Complex> stiffness;
+      std::vector<double> damping;
+
+      /// sum of weights of its terms; n_shapes square
+      ComplexMatrix weighted(const std::function<Complex(unsigned int)> &weight) const
+      {
+        ComplexMatrix scaled = left;
+        for (unsigned int k = 0; k < scaled.n(); ++k)
+        {
+          const Complex factor = weight(k);
+          for (unsigned int i = 0; i < scaled.m(); ++i)
+            scaled(i, k) *= factor;
+        }
+        return product(scaled, right);
+      }
+      Complex denominator(const unsigned int k, const Complex &s) const
+      {
+        return s * s + damping[k] * s + stiffness[k];
+      }
+      ComplexMatrix value(const Complex &s) const
+      {
+        return weighted([&](const unsigned int k) { return 1. / denominator(k, s); });
+      }
+      ComplexMatrix derivative(const Complex &s) const
+      {
+        return weighted(
+            [&](const unsigned int k)
+            {
+              const Complex d = denominator(k, s);
+              return -(2. * s + damping[k]) / (d * d);
+            });
+      }
+    };
+
+    ComplexMatrix transposed(const ComplexMatrix &matrix)
+    {
+      ComplexMatrix result(matrix.n(), matrix.m());
+      for (unsigned int j = 0; j < matrix.n(); ++j)
+        for (unsigned int i = 0; i < matrix.m(); ++i)
+          result(j, i) = matrix(i, j);
+      return result;
+    }
+
+    /// Goes over to the eigenvectors of diag(w^2) + j H.
+    void diagonalise(const DenseMatrix &H, ModalSum &modes)
+    {
+      const unsigned int m = modes.stiffness.size();
+      ComplexMatrix K(m, m);
+      for (unsigned int j = 0; j < m; ++j)
+      {
+        if (modes.damping[j] != 0)
+          throw InputError("A body with several loss factors has modes with viscous damping as well, which "
+                           "the contact's receptance does not take together.");
+        for (unsigned int i = 0; i < m; ++i)
+          K(i, j) = Complex(0, H(i, j));
+        K(j, j) += modes.stiffness[j];
+      }
+      const ComplexEigenvectors own = complex_eigenvectors(K, "eigenvalues of the modes with loss");
+      modes.left = product(modes.left, own.right);
+      modes.right = product(own.left, modes.right);
+      modes.stiffness = own.values;
+    }
+
+    bool is_diagonal(const DenseMatrix &matrix)
+    {
+      for (unsigned int j = 0; j < matrix.n(); ++j)
+        for (unsigned int i = 0; i < matrix.m(); ++i)
+          if (i != j && matrix(i, j) != 0)
+            return false;
+      return true;
+    }
+  } // namespace
+
+  PatchReceptance modal_receptance(const ContactPair &pair, const unsigned int b, const HystereticLoss *loss)
+  {
+    std::vector<unsigned int> own;
+    for (unsigned int k = 0; k < pair.n_modes(); ++k)
+      if (pair.body[k] == b)
+        own.push_back(k);
+    const unsigned int m = own.size();
+    DenseMatrix trace(pair.trace.m(), m), H(m, m);
+    ModalSum modes;
+    for (unsigned int j = 0; j < m; ++j)
+    {
+      const double w = pair.omega[own[j]];
+      modes.stiffness.emplace_back(w * w);
+      modes.damping.push_back(2 * pair.damping_ratio[own[j]] * w);
+      for (unsigned int i = 0; i < trace.m(); ++i)
+        trace(i, j) = pair.trace(i, own[j]);
+      for (unsigned int i = 0; i < m && loss; ++i)
+        H(i, j) = loss->modal(own[i], own[j]);
+    }
+    PatchShapes shapes = patch_shapes(trace, shape_tolerance);
+    modes.left = entries_as<Complex>(shapes.amplitudes);
+    modes.right = transposed(modes.left);
+    if (!is_diagonal(H))
+      diagonalise(H, modes);
+    else
+      for (unsigned int k = 0; k < m; ++k)
+        modes.stiffness[k] += Complex(0, H(k, k));
+    const auto sum = std::make_shared<const ModalSum>(std::move(modes));
+    return {std::move(shapes.basis), [sum](const Complex &s) { return sum->value(s); },
+            [sum](const Complex &s) { return sum->derivative(s); }};
+  }
+
+  ComplexMatrix ContactReceptance::Rows::at(const Complex &s) const
+  {
+    ComplexMatrix result = constant;
+    result.add(s, linear);
+    return result;
+  }
+
+  ContactReceptance::ContactReceptance(const ContactPair &pair, const CreepScheme &scheme,
+                                       const RollingEquilibrium &equilibrium, const HystereticLoss *loss,
+                                       std::vector<PatchReceptance> further)
+  {
+    const unsigned int n = pair.n_points();
+    const SlidingFrame frame = sliding_frame(equilibrium);
+    const unsigned int c = frame.points.size(), n_z = frame.across.size(),
+                       size = c + n_z + (equilibrium.force_given ? 1 : 0);
+    DenseMatrix E(3 * n, size);
+    add_block(E, frame.normal, 0, 0);
+    add_block(E, forces_along(frame.across, n), 0, c);
+
+    // rows of gap and of V d/dx slip, rows of slip rate
+    const auto split = [&](const ComplexMatrix &response)
+    {
+      const auto constant = [&](const DenseMatrix &part)
+      {
+        DenseMatrix moved = part, rows(size, part.n());
+        convert_to_slip_rows(pair.interface.contacts, scheme, equilibrium.speed, moved);
+        for (unsigned int j = 0; j < part.n(); ++j)
+          for (unsigned int k = 0; k < c; ++k)
+            rows(k, j) = part(frame.points[k], j);
+        add_block(rows, rows_along(moved, frame.across, n), c, 0);
+        return rows;
+      };
+      const auto linear = [&](const DenseMatrix &part)
+      {
+        DenseMatrix rows(size, part.n());
+        add_block(rows, rows_along(part, frame.across, n), c, 0);
+        return rows;
+      };
+      return Rows{mapped(response, constant), mapped(response, linear)};
+    };
+    const DenseMatrix W = vibrocontact::at_once(compliance_of_contact(pair, equilibrium), pair.relaxing);
+    const ComplexMatrix unknowns = entries_as<Complex>(E);
+    at_once =
+        split(product(loss ? compliance_of_contact(*loss, equilibrium) : entries_as<Complex>(W), unknowns));
+    for (const RelaxingRest &rest : pair.relaxing)
+      rests.push_back({rest.relaxation, split(entries_as<Complex>(product(rest.flexibility, E)))});
+    const unsigned int n_bodies =
+        pair.body.empty() ? 0 : *std::max_element(pair.body.begin(), pair.body.end());
+    for (unsigned int b = 1; b <= n_bodies; ++b)
+      further.push_back(modal_receptance(pair, b, loss));
+    for (PatchReceptance &receptance : further)
+    {
+      const DenseMatrix &basis = receptance.basis;
+      if (basis.n() == 0)
+        continue;
+      DenseMatrix shares(basis.n(), size);
+      basis.Tmmult(shares, E);
+      Rows rows = split(entries_as<Complex>(basis));
+      bodies.push_back({std::move(receptance), std::move(rows), entries_as<Complex>(shares)});
+    }
+    for (unsigned int k = 0; k < n_z; ++k)
+      at_once.constant(c + k, c + k) += frame.mobility[k];
+    const std::vector<double> hub = gaps_by_approach(pair, frame.points);
+    if (equilibrium.force_given)
+      for (unsigned int k = 0; k < c; ++k)
+        at_once.constant(k, size - 1) = at_once.constant(size - 1, k) = hub[k];
+    // slips of what follows forces at once grow as s, gaps that only relax fall as 1 / s
+    power_of_s = pair.relaxing.empty() ? n_z : followed_at_once(W, frame.across, n).size();
+    int n_relaxing = 0;
+    for (const unsigned int i : frame.points)
+      n_relaxing += !pair.relaxing.empty() && W(i, i) == 0;
+    power_of_s -= n_relaxing - (equilibrium.force_given && n_relaxing > 0);
+  }
+
+  ComplexMatrix ContactReceptance::value(const Complex &s) const
+  {
+    ComplexMatrix F = at_once.at(s);
+    for (const Rest &rest : rests)
+      F.add(1. / (1. + rest.relaxation * s), rest.rows.at(s));
+    for (const Body &body : bodies)
+      F.add(1., product(body.rows.at(s), product(body.receptance.value(s), body.shares)));
+    return F;
+  }
+
+  namespace
+  {
+    /// of an analytic function, error (h^4) with h = 1e-3 |s|
+    ComplexMatrix differenced(const PatchReceptance::Function &f, const Complex &s)
+    {
+      const double h = 1e-3 * std::abs(s);
+      ComplexMatrix result = f(s + h);
+      result.add(-1., f(s - h));
+      // the same along the imaginary axis, where the error of third order has the opposite sign
+      result.add(Complex(0, -1), f(s + Complex(0, h)));
+      result.add(Complex(0, 1), f(s - Complex(0, h)));
+      ComplexMatrix scaled(result.m(), result.n());
+      scaled.add(1 / (4 * h), result);
+      return scaled;
+    }
+  } // namespace
+
+  ComplexMatrix ContactReceptance::derivative(const Complex &s) const
+  {
+    ComplexMatrix result = at_once.linear;
+    for (const Rest &rest : rests)
+    {
+      const Complex share = 1. / (1. + rest.relaxation * s);
+      result.add(share, rest.rows.linear);
+      result.add(-rest.relaxation * share * share, rest.rows.at(s));
+    }
+    for (const Body &body : bodies)
+    {
+      const PatchReceptance &G = body.receptance;
+      const ComplexMatrix slope = G.derivative ? G.derivative(s) : differenced(G.value, s);
+      result.add(1., product(body.rows.linear, product(G.value(s), body.shares)));
+      result.add(1., product(body.rows.at(s), product(slope, body.shares)));
+    }
+    return result;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,163 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/coupled_bodies/stability_roots.h>
+#include <vibrocontact/numerics/complex_eigenvectors.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/lac/lapack_templates.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace vibrocontact
+{
+  Eigenvalues eigenvalues(DenseMatrix matrix, const bool with_left_vectors)
+  {
+    const dealii::types::blas_int size = matrix.m();
+    Eigenvalues result;
+    result.vectors.reinit(size);
+    result.left.reinit(with_left_vectors ? size : 1);
+    std::vector<double> real(size), imaginary(size), work(1);
+    dealii::types::blas_int info = 0, n_work = -1;
+    const dealii::types::blas_int n_left = result.left.m();
+    for (unsigned int pass = 0; pass < 2; ++pass)
+    {
+      dealii::geev(with_left_vectors ? "V" : "N", "V", &size, &matrix(0, 0), &size, real.data(),
+                   imaginary.data(), &result.left(0, 0), &n_left, &result.vectors(0, 0), &size, work.data(),
+                   &n_work, &info);
+      if (pass == 0)
+      {
+        n_work = static_cast<dealii::types::blas_int>(work[0]);
+        work.resize(n_work);
+      }
+    }
+    if (info != 0)
+      throw ConvergenceError(
+          "LAPACK found no eigenvalues of the linearised contact (dgeev: " + std::to_string(info) + ").");
+    for (int k = 0; k < size; ++k)
+      result.values.emplace_back(real[k], imaginary[k]);
+    return result;
+  }
+
+  bool is_listed(const std::complex<double> &lambda)
+  {
+    return lambda.imag() > 0 || (lambda.imag() == 0 && lambda.real() > 0);
+  }
+
+  StabilityRoot named_root(const std::complex<double> &lambda, std::vector<std::complex<double>> amplitudes,
+                           const std::vector<double> &omega, const std::vector<std::string> &labels)
+  {
+    StabilityRoot root;
+    root.frequency = lambda.imag() / (2 * dealii::numbers::PI);
+    root.growth = lambda.real();
+    root.divergence_rate = lambda.imag() > 0 ? lambda.real() / lambda.imag() : 0;
+    double sum = 0, largest = 0;
+    for (unsigned int i = 0; i < amplitudes.size(); ++i)
+    {
+      const double energy = std::norm(amplitudes[i]) * (omega[i] * omega[i] + std::norm(lambda));
+      sum += energy;
+      if (energy > largest)
+      {
+        largest = energy;
+        root.label = labels[i];
+      }
+    }
+    root.share = sum > 0 ? largest / sum : 0;
+    root.shape = std::move(amplitudes);
+    return root;
+  }
+
+  void sort_roots(std::vector<StabilityRoot> &roots)
+  {
+    const auto still = std::stable_partition(roots.begin(), roots.end(),
+                                             [](const StabilityRoot &root) { return root.frequency > 0; });
+    std::stable_sort(roots.begin(), still,
+                     [](const StabilityRoot &a, const StabilityRoot &b)
+                     { return a.frequency < b.frequency; });
+    // roots that differ by growth alone, as undamped ones that couple do: round-off does not choose
+    for (auto first = roots.begin(); first != still;)
+    {
+      const double above = first->frequency * (1 + 1e-7);
+      const auto last =
+          std::find_if(first, still, [&](const StabilityRoot &root) { return root.frequency >= above; });
+      std::stable_sort(first, last,
+                       [](const StabilityRoot &a, const StabilityRoot &b) { return a.growth > b.growth; });
+      first = last;
+    }
+  }
+
+  namespace
+  {
+    /// As of a mode of unit mass: free of how right and left shape share their size.
+    double size_of_pole(const BodyInContact &body, const unsigned int k)
+    {
+      double right = 0, left = 0;
+      for (unsigned int i = 0; i < body.right.m(); ++i)
+      {
+        right = std::max(right, std::abs(body.right(i, k)));
+        left = std::max(left, std::abs(body.left(i, k)));
+      }
+      return left > 0 ? std::sqrt(right / (left * 2 * std::abs(body.poles[k]))) : 0;
+    }
+
+    /// A root of the eigenvector with components x(i).
+    StabilityRoot root_of_pair(const ContactPair &pair, const std::vector<double> &omega,
+                               const std::complex<double> &lambda,
+                               const std::function<std::complex<double>(unsigned int)> &x)
+    {
+      std::vector<std::complex<double>> amplitudes;
+      for (unsigned int i = 0; i < pair.n_modes(); ++i)
+        amplitudes.push_back(x(i));
+      for (unsigned int i = 0; i < pair.n_poles(); ++i)
+      {
+        const unsigned int re = 2 * pair.n_modes() + i;
+        const std::complex<double> a = x(re), b = x(re + pair.n_poles());
+        amplitudes.push_back(
+            std::polar(size_of_pole(pair, i) * std::sqrt(2 * (std::norm(a) + std::norm(b))), std::arg(a)));
+      }
+      return named_root(lambda, std::move(amplitudes), omega, pair.labels);
+    }
+  } // namespace
+
+  std::vector<StabilityRoot> stability_roots(const ContactPair &pair, DenseMatrix linearised)
+  {
+    const Eigenvalues lambda = eigenvalues(std::move(linearised));
+    const std::vector<double> omega = pair.frequencies();
+    std::vector<StabilityRoot> roots;
+    for (unsigned int k = 0; k < lambda.values.size(); ++k)
+    {
+      // gaps that are not closed decay by 1 / beta
+      const bool is_closing = std::any_of(
+          pair.relaxing.begin(), pair.relaxing.end(),
+          [&](const RelaxingRest &rest) { return std::abs(lambda.values[k] * rest.relaxation + 1.) < 1e-6; });
+      if (is_listed(lambda.values[k]) && !is_closing)
+        roots.push_back(root_of_pair(pair, omega, lambda.values[k],
+                                     [&](const unsigned int i) { return lambda.component(i, k); }));
+    }
+    sort_roots(roots);
+    return roots;
+  }
+
+  std::vector<StabilityRoot> hysteretic_roots(const ContactPair &pair, const HystereticLoss &loss,
+                                              const CreepScheme &scheme,
+                                              const RollingEquilibrium &equilibrium,
+                                              const LinearisationOptions &options)
+  {
+    constexpr double least_oscillation = 1e-3;
+    const ComplexEigenvectors lambda =
+        complex_eigenvectors(linearised_contact(pair, loss, scheme, equilibrium, options),
+                             "eigenvalues of the linearised contact");
+    const std::vector<double> omega = pair.frequencies();
+    std::vector<StabilityRoot> roots;
+    for (unsigned int k = 0; k < lambda.values.size(); ++k)
+      if (lambda.values[k].imag() > least_oscillation * std::abs(lambda.values[k].real()))
+        roots.push_back(root_of_pair(pair, omega, lambda.values[k],
+                                     [&](const unsigned int i) { return lambda.right(i, k); }));
+    for (StabilityRoot &root : stability_roots(pair, linearised_contact(pair, scheme, equilibrium, options)))
+      if (root.frequency == 0)
+        roots.push_back(std::move(root));
+    sort_roots(roots);
+    return roots;
+  }
+} // namespace vibrocontact
