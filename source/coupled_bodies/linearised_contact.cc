@@ -50,7 +50,7 @@ namespace vibrocontact
     template <typename Number>
     Matrix<Number> difference(Matrix<Number> a, const Matrix<Number> &b)
     {
-      if (a.m() > 0 && a.n() > 0)
+      if (b.m() > 0 && b.n() > 0)
         a.add(-1., b);
       return a;
     }
