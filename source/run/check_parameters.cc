@@ -103,6 +103,14 @@ namespace vibrocontact
             throw InputError(one.section + "/Quadrature is consistent, but " + body.name +
                              "/Rail/Model is periodic, which knows tractions that are constant on each cell "
                              "only: set it to lumped.");
+        if (parameters.scene.runs("stability") && !parameters.stability.is_hysteretic())
+          throw InputError(body.name +
+                           "/Rail/Model is periodic, whose losses are no damping ratios of modes, "
+                           "but Stability/Loss is viscous: set it to hysteretic.");
+        if (parameters.lateral_sweep())
+          throw InputError(
+              "Stability/Sweep sweeps Contact/Lateral position, which " + body.name +
+              "/Rail/Model = periodic does not take: sweep another entry or set Model to solid.");
         for (const auto &[section, model] : unreduced_models(parameters))
           throw InputError(body.name + "/Rail/Model is periodic, but " + section + "/Model = " + model +
                            " needs elements of the whole body: set it to solid.");

@@ -43,6 +43,23 @@ namespace vibrocontact
     throw dealii::ExcInternalError();
   }
 
+  std::vector<ExactReceptance> exact_receptances(const MeshedBodies &bodies, const PlacedContacts &contacts)
+  {
+    std::vector<ExactReceptance> result;
+    for (unsigned int k = 0; k < bodies.tracks.size(); ++k)
+      if (TrackBody *const track = bodies.tracks[k].get())
+      {
+        const PlacedContacts::Rows own = contacts.rows_of(k);
+        const DenseMatrix &motions = track->motions();
+        DenseMatrix basis(3 * contacts.n_points(), motions.n());
+        for (unsigned int j = 0; j < motions.n(); ++j)
+          for (unsigned int i = 0; i < own.rows.size(); ++i)
+            basis(own.rows[i], j) = own.sign[i] * motions(i, j);
+        result.push_back({basis, track->beside_rest(), track->by_poles()});
+      }
+    return result;
+  }
+
   std::unique_ptr<const PreparedPair> prepare_pair(const Parameters &parameters, const MeshedBodies &bodies,
                                                    const std::optional<MeasuredData> &measured,
                                                    const bool with_modes)

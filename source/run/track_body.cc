@@ -108,16 +108,18 @@ namespace vibrocontact
     into.imaginary = imaginary;
   }
 
-  const TrackReduction &TrackBody::reduction()
+  const TrackReduction &TrackBody::reduction(const bool with_lines)
   {
     if (!reduced)
       reduced = cache.load_track(parameters.name, own_key);
+    if (reduced && (!with_lines || !reduced->frequency.empty()))
+      return *reduced;
+    dealii::Timer timer;
+    const Log::Part part("Periodic track " + parameters.name);
+    const TrackInContact &track = this->track();
     if (!reduced)
     {
-      dealii::Timer timer;
-      const Log::Part part("Periodic track " + parameters.name);
-      const TrackInContact &track = this->track();
-      TrackReduction result;
+      TrackReduction &result = reduced.emplace();
       result.n_dofs = track.n_section_dofs();
       result.n_shapes = track.n_shapes();
       result.radius = track.radius();
@@ -127,36 +129,46 @@ namespace vibrocontact
       result.on_bed = track.on_bed();
       result.bed = track.bed_compliance();
       result.surface_height = track.surface_height();
-      std::vector<double> first;
-      for (unsigned int k = 0; k < first_frequencies; ++k)
-        first.push_back(lowest_frequency *
-                        std::pow(rail().fitted_up_to / lowest_frequency, k / (first_frequencies - 1.)));
-      solve_at(first, result);
-      while (result.frequency.size() < all_frequencies)
-      {
-        std::vector<std::vector<std::complex<double>>> values;
-        for (unsigned int k = 0; k < result.frequency.size(); ++k)
-        {
-          values.emplace_back();
-          for (unsigned int i = 0; i < 36; ++i)
-            values.back().emplace_back(result.real(k, i), result.imaginary(k, i));
-        }
-        const unsigned int left = all_frequencies - result.frequency.size();
-        const std::vector<double> more =
-            frequencies_between(result.frequency, values, std::max(left / 3, std::min(left, 8u)));
-        if (more.empty())
-          break;
-        solve_at(more, result);
-      }
-      result.seconds = timer.wall_time();
       run_log().value("dofs of the section", result.n_dofs);
       run_log().value("shapes of the section", result.n_shapes);
-      run_log().line("compliance of " + std::to_string(result.bed.m()) + " rows and receptance at " +
-                     std::to_string(result.frequency.size()) + " frequencies: " + time_text(result.seconds));
-      cache.save(parameters.name, own_key, result);
-      reduced = std::move(result);
+      run_log().line("compliance of " + std::to_string(result.bed.m()) +
+                     " rows: " + time_text(timer.wall_time()));
     }
+    if (with_lines)
+    {
+      const double before = timer.wall_time();
+      solve_all_frequencies(*reduced);
+      run_log().line("receptance at " + std::to_string(reduced->frequency.size()) +
+                     " frequencies: " + time_text(timer.wall_time() - before));
+    }
+    reduced->seconds += timer.wall_time();
+    cache.save(parameters.name, own_key, *reduced);
     return *reduced;
+  }
+
+  void TrackBody::solve_all_frequencies(TrackReduction &into)
+  {
+    std::vector<double> first;
+    for (unsigned int k = 0; k < first_frequencies; ++k)
+      first.push_back(lowest_frequency *
+                      std::pow(rail().fitted_up_to / lowest_frequency, k / (first_frequencies - 1.)));
+    solve_at(first, into);
+    while (into.frequency.size() < all_frequencies)
+    {
+      std::vector<std::vector<std::complex<double>>> values;
+      for (unsigned int k = 0; k < into.frequency.size(); ++k)
+      {
+        values.emplace_back();
+        for (unsigned int i = 0; i < 36; ++i)
+          values.back().emplace_back(into.real(k, i), into.imaginary(k, i));
+      }
+      const unsigned int left = all_frequencies - into.frequency.size();
+      const std::vector<double> more =
+          frequencies_between(into.frequency, values, std::max(left / 3, std::min(left, 8u)));
+      if (more.empty())
+        return;
+      solve_at(more, into);
+    }
   }
 
   const ReceptanceFit &TrackBody::fit()
@@ -164,7 +176,7 @@ namespace vibrocontact
     if (fitted)
       return *fitted;
     dealii::Timer timer;
-    const TrackReduction &track = reduction();
+    const TrackReduction &track = reduction(true);
     ReceptanceLines lines;
     for (unsigned int k = 0; k < track.frequency.size(); ++k)
     {
@@ -190,7 +202,7 @@ namespace vibrocontact
 
   ReducedBody TrackBody::at_rest()
   {
-    const TrackReduction &track = reduction();
+    const TrackReduction &track = reduction(false);
     ReducedBody body;
     body.name = parameters.name;
     body.grid = grid;
@@ -208,7 +220,7 @@ namespace vibrocontact
   ReducedBody TrackBody::moving()
   {
     const BodyInContact &poles = fit().body;
-    const TrackReduction &track = reduction();
+    const TrackReduction &track = reduction(false);
     ReducedBody body = at_rest();
     body.residual = track.bed;
     add_smooth(track, poles.residual, body.residual);
@@ -231,6 +243,23 @@ namespace vibrocontact
       for (unsigned int i = 0; i < 6; ++i)
         for (unsigned int j = 0; j < 6; ++j)
           X(i, j) -= rest(i, j);
+      return X;
+    };
+  }
+
+  std::function<ComplexMatrix(const std::complex<double> &)> TrackBody::by_poles()
+  {
+    const BodyInContact &poles = fit().body;
+    return [&poles](const std::complex<double> &s)
+    {
+      ComplexMatrix X(6, 6);
+      for (unsigned int k = 0; k < poles.n_poles(); ++k)
+        for (unsigned int i = 0; i < 6; ++i)
+          for (unsigned int j = 0; j < 6; ++j)
+          {
+            const std::complex<double> residue = poles.right(i, k) * poles.left(j, k);
+            X(i, j) += residue / (s - poles.poles[k]) + std::conj(residue) / (s - std::conj(poles.poles[k]));
+          }
       return X;
     };
   }

@@ -2,11 +2,22 @@
 
 #include <vibrocontact/coupled_bodies/contact_pair.h>
 
+#include <complex>
+#include <functional>
 #include <optional>
 #include <vector>
 
 namespace vibrocontact
 {
+  /// A body whose receptance at the contact is known at any frequency; the pair has it by poles near that (a periodic rail).
+  struct ExactReceptance
+  {
+    /// 3 n x rank, in the rows of the pair [-]
+    DenseMatrix basis;
+    /// What it adds to the pair's W~ between its shapes, and what the poles make of that; rank square [m/N], Im s > 0
+    std::function<ComplexMatrix(const std::complex<double> &)> at, by_poles;
+  };
+
   /// Hysteretic loss of the bodies of a pair, K + j H with H = sum of eta_e K_e over elements and supports, which does not
   /// grow with the frequency:
   ///
@@ -26,6 +37,8 @@ namespace vibrocontact
     DenseMatrix modal;
     /// W~ with its loss; 3 n square [m/N]
     ComplexMatrix residual;
+    /// bodies of which no modes are known
+    std::vector<ExactReceptance> exact = {};
   };
 
   /// eta of a body's share of W~; none if its materials have several: then this share stays elastic

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/bodies/road_rows.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
+#include <vibrocontact/coupled_bodies/hysteretic_loss.h>
 #include <vibrocontact/run/measured_data.h>
 #include <vibrocontact/run/prepare_bodies.h>
 
@@ -25,6 +26,9 @@ namespace vibrocontact
   std::optional<ReducedBody> body_of_contact(const Parameters &parameters, std::optional<ReducedBody> meshed,
                                              const std::optional<MeasuredData> &measured,
                                              unsigned int number);
+
+  /// Of its periodic rails, in the rows of the contacts; they refer to `bodies`.
+  std::vector<ExactReceptance> exact_receptances(const MeshedBodies &bodies, const PlacedContacts &contacts);
 
   /// Reduces the bodies of the scene (or finds them in the cache), with their modes or for a static
   /// analysis. Collective.

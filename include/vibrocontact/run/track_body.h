@@ -34,8 +34,10 @@ namespace vibrocontact
     /// What the track adds to the rest of moving(), exactly, at any s with Im s > 0: motions() X(s) motions()^T, for as long as
     /// this body lives. [m/N]
     std::function<ComplexMatrix(const std::complex<double> &)> beside_rest();
+    /// The same by the poles.
+    std::function<ComplexMatrix(const std::complex<double> &)> by_poles();
     /// 3 n x 6
-    const DenseMatrix &motions() { return reduction().motions; }
+    const DenseMatrix &motions() { return reduction(false).motions; }
 
     /// Its receptance beside what the poles make of it, a row per frequency; empty if nothing has asked for poles.
     std::optional<Table> fit_table() const;
@@ -49,8 +51,10 @@ namespace vibrocontact
   private:
     const RailParameters &rail() const { return *parameters.description->periodic_rail(); }
     const TrackInContact &track();
-    const TrackReduction &reduction();
+    /// at rest; with_lines: with receptances over frequency
+    const TrackReduction &reduction(bool with_lines);
     const ReceptanceFit &fit();
+    void solve_all_frequencies(TrackReduction &into);
     void solve_at(const std::vector<double> &frequency, TrackReduction &into);
 
     const ContactGrid grid;

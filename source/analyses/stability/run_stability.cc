@@ -99,7 +99,10 @@ namespace vibrocontact
     ContactPair pair = contact_pair(prepared->bodies, parameters.contacts, parameters.placed_contacts());
     std::optional<HystereticLoss> loss;
     if (parameters.stability.is_hysteretic())
+    {
       loss = take_hysteretic_loss(pair, prepared->bodies, parameters.contacts, parameters.placed_contacts());
+      loss->exact = exact_receptances(bodies, parameters.placed_contacts());
+    }
     run_log().value("modes", pair.n_modes());
     run_log().value("loss of the bodies", parameters.stability.loss);
     const RootFinder roots_about = root_finder(parameters, bodies, *prepared, pair);
@@ -147,9 +150,11 @@ namespace vibrocontact
                         across = "the bodies move across the slip";
       entries.add(section, "Model, Second count");
       entries.add_if(std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
-                                 [](const BodyParameters &body) {
-                                   return body.is_meshed() &&
-                                          (body.has_loss() || body.description->is_wheel());
+                                 [](const BodyParameters &body)
+                                 {
+                                   return body.is_periodic_rail() ||
+                                          (body.is_meshed() &&
+                                           (body.has_loss() || body.description->is_wheel()));
                                  }),
                      "a body of finite elements has a loss factor", section, "Loss");
       entries.add_if(rolls || !plane, rolling + " or " + across, section, "Linearisation");

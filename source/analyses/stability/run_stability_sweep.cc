@@ -31,7 +31,7 @@ namespace vibrocontact
     /// @param loss gets what Stability/Loss = hysteretic takes out of the damping ratios
     ContactPair pair_of_case(const SweepCase &one, const std::optional<MeasuredData> &measured,
                              const std::vector<const ReducedBody *> &reduced_bodies,
-                             std::optional<HystereticLoss> &loss)
+                             const MeshedBodies &meshed_bodies, std::optional<HystereticLoss> &loss)
     {
       const Parameters &parameters = one.parameters;
       const PlacedContacts contacts = contacts_of_case(one);
@@ -57,14 +57,17 @@ namespace vibrocontact
         }
         else if (reduced)
           meshed = *reduced;
-        if (meshed)
+        if (meshed && body.is_meshed())
           scale_damping(*meshed, parameters.modes.at(body.name));
         own[k] = body_of_contact(parameters, std::move(meshed), measured, k);
         bodies.push_back({&body, own[k] ? &*own[k] : nullptr});
       }
       ContactPair pair = contact_pair(bodies, parameters.contacts, contacts);
       if (parameters.stability.is_hysteretic())
+      {
         loss = take_hysteretic_loss(pair, bodies, parameters.contacts, contacts);
+        loss->exact = exact_receptances(meshed_bodies, contacts);
+      }
       return pair;
     }
 
@@ -84,10 +87,10 @@ namespace vibrocontact
     };
 
     SolvedCase solve(const SweepCase &one, const std::optional<MeasuredData> &measured,
-                     const std::vector<const ReducedBody *> &reduced)
+                     const std::vector<const ReducedBody *> &reduced, const MeshedBodies &bodies)
     {
       std::optional<HystereticLoss> loss;
-      const ContactPair pair = pair_of_case(one, measured, reduced, loss);
+      const ContactPair pair = pair_of_case(one, measured, reduced, bodies, loss);
       RollingParameters rolling = one.parameters.rolling;
       rolling.hub = one.parameters.hub();
       SolvedCase solved;
@@ -154,11 +157,17 @@ namespace vibrocontact
               all_reduced[body] = body->reduction.reduced(true);
             reduced[k][b] = &all_reduced[body];
           }
+          else if (TrackBody *const track = b < bodies[k].tracks.size() ? bodies[k].tracks[b].get() : nullptr)
+          {
+            if (all_tracks.count(track) == 0)
+              all_tracks[track] = track->moving();
+            reduced[k][b] = &all_tracks[track];
+          }
       }
 
       PackedCase compute(const unsigned int k) override
       {
-        return dealii::Utilities::pack(solve(sweep.cases[k], on.measured, reduced[k]), false);
+        return dealii::Utilities::pack(solve(sweep.cases[k], on.measured, reduced[k], bodies[k]), false);
       }
 
       void take(const unsigned int k, const std::function<PackedCase()> &computed) override
@@ -231,6 +240,7 @@ namespace vibrocontact
       const SweepCases &sweep;
       const std::vector<MeshedBodies> bodies;
       std::map<const MeshedBody *, ReducedBody> all_reduced;
+      std::map<const TrackBody *, ReducedBody> all_tracks;
       /// of each case, its bodies
       std::vector<std::vector<const ReducedBody *>> reduced;
       StabilityOutcome outcome;
