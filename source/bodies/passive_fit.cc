@@ -113,10 +113,9 @@ namespace vibrocontact
     class Unknowns
     {
     public:
-      Unknowns(const Spectra &data, const PoleFit &fit, const ResidueRules &rules)
+      Unknowns(const std::vector<double> &omega, const PoleFit &fit, const ResidueRules &rules)
           : poles(fit.poles), direct(rules.direct)
       {
-        const std::vector<double> &omega = data.omega;
         for (unsigned int k = 0; k < poles.size(); ++k)
         {
           const bool real = poles[k].imag() == 0;
@@ -130,14 +129,11 @@ namespace vibrocontact
         }
         // beyond the band the mobility counts, too
         constexpr unsigned int n_beyond = 100;
-        std::vector<double> lines = omega, weights;
-        for (unsigned int l = 0; l < omega.size(); ++l)
-          weights.push_back(data.weight_of(l));
+        std::vector<double> lines = omega, weights(omega.size(), 1.);
         for (unsigned int k = 1; k <= n_beyond; ++k)
         {
           lines.push_back(omega.back() * std::pow(300., double(k) / n_beyond));
-          weights.push_back(0.1 * data.weight_of(omega.size() - 1) * lines.back() / omega.back() *
-                            std::sqrt(double(omega.size()) / n_beyond));
+          weights.push_back(0.1 * lines.back() / omega.back() * std::sqrt(double(omega.size()) / n_beyond));
         }
         const unsigned int n = kept.size() + direct, n_lines = lines.size();
         const DenseMatrix basis = pole_basis(lines, poles);
@@ -246,7 +242,7 @@ namespace vibrocontact
     if (peaks.empty())
       return result;
 
-    const Unknowns unknowns(data, fit, rules);
+    const Unknowns unknowns(data.omega, fit, rules);
     std::vector<double> uses(n_entries, 0.), multipliers;
     for (const unsigned int entry : map.entry)
       ++uses[entry];

@@ -167,8 +167,7 @@ namespace vibrocontact
         for (Complex &value : data.values[map.entry[i * n + j]])
           value -= D(i, j);
     fit = fit_residues(data, fit.poles);
-    result.passivity = nearest_passive_fit(data, fit, map, ResidueRules());
-    result.body = identified_model(result.passivity.fit, map, 1e-9).model;
+    result.body = identified_model(fit, map, 1e-9).model;
 
     result.body.residual = D;
     DenseMatrix X = at_rest;

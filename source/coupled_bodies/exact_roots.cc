@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
 
 namespace vibrocontact
 {
@@ -61,19 +62,32 @@ namespace vibrocontact
         return result;
       }
     };
+    void name_after_mode(const ContactPair &pair, const Complex &s, StabilityRoot &root)
+    {
+      const StabilityRoot named = named_root(s, {root.shape.begin(), root.shape.begin() + pair.n_modes()},
+                                             pair.omega, pair.labels_of_modes());
+      root.label = named.label;
+      root.share = named.share;
+    }
+
+    std::set<std::string> labels_of_fits(const ContactPair &pair, const HystereticLoss &loss)
+    {
+      std::set<std::string> result;
+      for (unsigned int k = 0; k < pair.n_poles(); ++k)
+        for (const ExactReceptance &body : loss.exact)
+          if (pair.body_of_pole[k] == body.body)
+            result.insert(pair.labels[pair.n_modes() + k]);
+      return result;
+    }
   } // namespace
 
   double make_exact(std::vector<StabilityRoot> &roots, const ContactPair &pair, const CreepScheme &scheme,
                     const RollingEquilibrium &equilibrium, const HystereticLoss &loss)
   {
-    std::vector<unsigned int> order;
-    for (unsigned int k = 0; k < roots.size(); ++k)
-      if (roots[k].frequency > 0)
-        order.push_back(k);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](const unsigned int a, const unsigned int b)
-                     { return roots[a].divergence_rate > roots[b].divergence_rate; });
-    order.resize(std::min<std::size_t>(order.size(), n_exact_roots));
+    std::stable_sort(roots.begin(), roots.end(),
+                     [](const StabilityRoot &a, const StabilityRoot &b)
+                     { return a.divergence_rate > b.divergence_rate; });
+    const std::set<std::string> of_fits = labels_of_fits(pair, loss);
     std::vector<std::shared_ptr<Line>> lines;
     std::vector<PatchReceptance> by_lines;
     for (const ExactReceptance &body : loss.exact)
@@ -95,37 +109,67 @@ namespace vibrocontact
         line->share = share;
       return contact_root(F, s, x);
     };
-    double largest_change = 0;
-    std::vector<Complex> found;
-    for (const unsigned int k : order)
+    const auto found_from = [&](const Complex &start)
     {
-      StabilityRoot &root = roots[k];
-      const Complex start(root.growth, two_pi * root.frequency);
       put_lines(start);
       ContactRoot at = root_with(0, start, {});
       for (unsigned int i = 1; i <= n_shares; ++i)
         at = root_with(double(i) / n_shares, at.s, at.x);
       for (Complex before = start; std::abs(at.s - before) > straight * std::abs(before);)
       {
+        if (!(std::abs(at.s - start) < farthest * std::abs(start)))
+          throw ConvergenceError("It leads elsewhere.");
         before = at.s;
         put_lines(before);
         at = root_with(1, before, at.x);
       }
-      const Complex s = at.s;
-      if (!(std::abs(s - start) < farthest * std::abs(start)))
+      return at.s;
+    };
+
+    double largest_change = 0;
+    std::vector<Complex> found;
+    std::vector<StabilityRoot> kept;
+    for (StabilityRoot &root : roots)
+    {
+      const bool of_fit = of_fits.count(root.label) > 0;
+      if (root.frequency == 0 || found.size() >= n_exact_roots ||
+          root.divergence_rate < least_exact_divergence)
+      {
+        if (!of_fit)
+          kept.push_back(std::move(root));
+        continue;
+      }
+      Complex s;
+      try
+      {
+        s = found_from({root.growth, two_pi * root.frequency});
+      }
+      catch (const ConvergenceError &)
+      {
+        if (of_fit)
+          continue;
         throw ConvergenceError("The root of " + root.label + " near " + number_text(root.frequency) +
                                " Hz is not found with the exact receptance: ask for more pairs of poles.");
-      for (const Complex &other : found)
-        if (std::abs(s - other) < equal * std::abs(s))
-          throw ConvergenceError("Two roots near " + number_text(root.frequency) +
-                                 " Hz become one with the exact receptance: ask for more pairs of poles.");
+      }
+      const bool known =
+          std::any_of(found.begin(), found.end(),
+                      [&](const Complex &other) { return std::abs(s - other) < equal * std::abs(s); });
+      if (known && of_fit)
+        continue;
+      if (known)
+        throw ConvergenceError("Two roots near " + number_text(root.frequency) +
+                               " Hz become one with the exact receptance: ask for more pairs of poles.");
       found.push_back(s);
       if (root.growth > 0 || s.real() > 0)
         largest_change = std::max(largest_change, std::abs(s.real() - root.growth));
       root.frequency = s.imag() / two_pi;
       root.growth = s.real();
       root.divergence_rate = s.real() / s.imag();
+      if (of_fit)
+        name_after_mode(pair, s, root);
+      kept.push_back(std::move(root));
     }
+    roots = std::move(kept);
     sort_roots(roots);
     return largest_change;
   }

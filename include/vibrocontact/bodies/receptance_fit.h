@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/bodies/passive_fit.h>
+#include <vibrocontact/bodies/identified_model.h>
 
 #include <vector>
 
@@ -19,7 +19,6 @@ namespace vibrocontact
   {
     /// its rows are those of the receptances
     BodyInContact body;
-    PassiveFit passivity;
     /// on each line, the largest |fit_ij - G_ij| / sqrt(|G_ii| |G_jj|) [-]
     std::vector<double> error;
     bool converged = true;
@@ -29,9 +28,10 @@ namespace vibrocontact
     unsigned int worst_line() const;
   };
 
-  /// Poles, made passive (passive_fit.h), for receptances that no poles have: constant hysteretic loss is not causal. Every line
-  /// counts by its relative error, below 100 Hz less. At rest the body answers as it does elastically, not as its losses continued to 0 Hz: the
-  /// difference X moves as slowly as no analysis sees,
+  /// Poles near receptances that no poles have: constant hysteretic loss is not causal. They are where roots are sought from
+  /// (coupled_bodies/exact_roots.h), no body to move in time: nothing keeps them from giving energy to forces. Every line counts by
+  /// its relative error, below 100 Hz less. At rest the body answers as it does elastically, not as its losses continued to 0 Hz:
+  /// the difference X moves as slowly as no analysis sees,
   ///
   ///   G(s) = fit(s) + X a / (s + a),     a = 2 pi 0.1 Hz,   X = G_rest - fit(0)
   ///

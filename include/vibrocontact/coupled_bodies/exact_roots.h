@@ -10,13 +10,17 @@ namespace vibrocontact
   /// How many roots are put into the exact receptance, those with the largest divergence rate first: an evaluation costs as
   /// much as a hundred of the poles'.
   constexpr unsigned int n_exact_roots = 12;
+  /// Roots that decay faster, as a share of their angular frequency, stay those of the poles.
+  constexpr double least_exact_divergence = -5e-3;
 
   /// Puts the fitted roots that are nearest to instability in the contact's own equations with HystereticLoss::exact
-  /// (contact_receptance.h) in place of the poles, and brings frequency and growth up to date; shapes and names stay. The poles turn into the exact
-  /// receptance in steps, so that no root is mistaken for its neighbour. About each root
-  /// the receptance is taken as linear in s, again where the root has moved by more than it is linear. Sorts the roots.
+  /// (contact_receptance.h) in place of the poles, and brings frequency and growth up to date; shapes stay. The poles
+  /// turn into the exact receptance in steps, so that no root is mistaken for its neighbour. About each root the receptance is
+  /// taken as linear in s, again where the root has moved by more than it is linear. Roots named after a pole of such a body are
+  /// where its fit has a pole, which the body itself need not have: those that the exact receptance does not have are dropped, the
+  /// rest of them as well; those that it has are named after the mode with the largest share. Sorts the roots.
   /// @return largest change of a growth rate among roots that are unstable before or after [1/s]
-  /// @throws ConvergenceError if a root is not found again, or two become one
+  /// @throws ConvergenceError if a root of a mode is not found again, or two become one
   double make_exact(std::vector<StabilityRoot> &roots, const ContactPair &pair, const CreepScheme &scheme,
                     const RollingEquilibrium &equilibrium, const HystereticLoss &loss);
 } // namespace vibrocontact

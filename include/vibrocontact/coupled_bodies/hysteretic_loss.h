@@ -12,6 +12,8 @@ namespace vibrocontact
   /// A body whose receptance at the contact is known at any frequency; the pair has it by poles near that (a periodic rail).
   struct ExactReceptance
   {
+    /// counted from 1 in the order of Bodies
+    unsigned int body;
     /// 3 n x rank, in the rows of the pair [-]
     DenseMatrix basis;
     /// What it adds to the pair's W~ between its shapes, and what the poles make of that; rank square [m/N], Im s > 0

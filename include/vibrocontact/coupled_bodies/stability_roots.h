@@ -63,8 +63,7 @@ namespace vibrocontact
   std::vector<StabilityRoot> stability_roots(const ContactPair &pair, DenseMatrix linearised);
 
   /// All roots with Im s > 0, complete (zgeev), by ascending frequency, then those of the elastic bodies that grow without
-  /// oscillation. Nearer to the real axis than 1e-3 |Re s| a root is the image of one without oscillation and not listed. With
-  /// exact receptances the roots begin as those of the poles near these and are put into them by make_exact() (exact_roots.h).
+  /// oscillation. Nearer to the real axis than 1e-3 |Re s| a root is the image of one without oscillation and not listed.
   /// @throws ConvergenceError if LAPACK finds no eigenvalues
   std::vector<StabilityRoot> hysteretic_roots(const ContactPair &pair, const HystereticLoss &loss,
                                               const CreepScheme &scheme,

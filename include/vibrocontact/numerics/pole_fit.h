@@ -14,7 +14,7 @@ namespace vibrocontact
     std::vector<double> omega;
     /// one list per entry, as long as omega
     std::vector<std::vector<std::complex<double>>> values;
-    /// what a difference counts at each line, in all sums over lines; empty: 1
+    /// what a difference counts at each line, for poles, residues and their errors; empty: 1
     std::vector<double> weight = {};
 
     double weight_of(const unsigned int line) const { return weight.empty() ? 1. : weight[line]; }

@@ -28,7 +28,7 @@ namespace vibrocontact
 
     /// At rest: its elastic compliance alone, no poles.
     ReducedBody at_rest();
-    /// Moving: poles fitted to its receptance. @throws InputError if no passive ones are near it
+    /// Moving: poles near its receptance.
     ReducedBody moving();
 
     /// What the track adds to the rest of moving(), exactly, at any s with Im s > 0: motions() X(s) motions()^T, for as long as
@@ -41,7 +41,7 @@ namespace vibrocontact
 
     /// Its receptance beside what the poles make of it, a row per frequency; empty if nothing has asked for poles.
     std::optional<Table> fit_table() const;
-    /// Pairs, errors, passivity; null if nothing has asked for poles.
+    /// Pairs and errors; null if nothing has asked for poles.
     nlohmann::ordered_json fit_json() const;
 
     const std::string &key() const { return own_key; }

@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/stability/stability.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/coupled_bodies/exact_roots.h>
 #include <vibrocontact/coupled_bodies/inertial_contact.h>
 #include <vibrocontact/coupled_bodies/suspended_pair.h>
 
@@ -113,7 +114,12 @@ namespace vibrocontact
         n_rigid += about.contact.R[i] > 0 && W(i, i) == 0;
       }
       if (n_rigid == 0 && loss)
-        return hysteretic_roots(pair, *loss, scheme, about, options);
+      {
+        std::vector<StabilityRoot> roots = hysteretic_roots(pair, *loss, scheme, about, options);
+        if (!loss->exact.empty())
+          make_exact(roots, pair, scheme, about, *loss);
+        return roots;
+      }
       if (n_rigid == 0)
         return stability_roots(pair, linearised_contact(pair, scheme, about, options));
       if (loss)
