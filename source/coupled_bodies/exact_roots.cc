@@ -21,6 +21,9 @@ namespace vibrocontact
     constexpr double step = 1e-4, straight = 2e-4, farthest = 0.02, equal = 1e-10;
     /// in which the poles turn into the exact receptance
     constexpr unsigned int n_shares = 5;
+    /// of |s|: how far the root of the eigenproblem may be from one of the contact's equations with the same poles
+    constexpr double same_equations = 1e-6;
+    constexpr unsigned int most_lines = 20;
 
     /// Of a body about some s: value + slope (s - about), exact and by its poles, and the share of the former.
     struct Line
@@ -81,8 +84,8 @@ namespace vibrocontact
     }
   } // namespace
 
-  double make_exact(std::vector<StabilityRoot> &roots, const ContactPair &pair, const CreepScheme &scheme,
-                    const RollingEquilibrium &equilibrium, const HystereticLoss &loss)
+  void make_exact(std::vector<StabilityRoot> &roots, const ContactPair &pair, const CreepScheme &scheme,
+                  const RollingEquilibrium &equilibrium, const HystereticLoss &loss)
   {
     std::stable_sort(roots.begin(), roots.end(),
                      [](const StabilityRoot &a, const StabilityRoot &b)
@@ -113,11 +116,14 @@ namespace vibrocontact
     {
       put_lines(start);
       ContactRoot at = root_with(0, start, {});
+      if (!(std::abs(at.s - start) < same_equations * std::abs(start)))
+        throw ConvergenceError("The contact's own equations do not have it by the poles.");
       for (unsigned int i = 1; i <= n_shares; ++i)
         at = root_with(double(i) / n_shares, at.s, at.x);
+      unsigned int n_lines = 0;
       for (Complex before = start; std::abs(at.s - before) > straight * std::abs(before);)
       {
-        if (!(std::abs(at.s - start) < farthest * std::abs(start)))
+        if (++n_lines > most_lines || !(std::abs(at.s - start) < farthest * std::abs(start)))
           throw ConvergenceError("It leads elsewhere.");
         before = at.s;
         put_lines(before);
@@ -126,14 +132,29 @@ namespace vibrocontact
       return at.s;
     };
 
-    double largest_change = 0;
+    double least_divergence = least_exact_divergence, up_to = 1e300;
+    for (const ExactReceptance &body : loss.exact)
+    {
+      // where waves still decay along the body
+      least_divergence = std::max(least_divergence, -body.loss / 4);
+      up_to = std::min(up_to, body.up_to);
+    }
     std::vector<Complex> found;
     std::vector<StabilityRoot> kept;
     for (StabilityRoot &root : roots)
     {
       const bool of_fit = of_fits.count(root.label) > 0;
-      if (root.frequency == 0 || found.size() >= n_exact_roots ||
-          root.divergence_rate < least_exact_divergence)
+      const bool grows = root.growth > 0;
+      if (root.frequency == 0 && of_fit && grows)
+        throw ConvergenceError("The poles near the receptance of " +
+                               root.label.substr(0, root.label.find(':')) +
+                               " make a root that grows without oscillation: change its Pole pairs.");
+      if (root.frequency > up_to && grows)
+        throw ConvergenceError("The root of " + root.label + " at " + number_text(root.frequency) +
+                               " Hz grows by poles that end at " + number_text(up_to) +
+                               " Hz: raise Fitted up to, or keep fewer modes.");
+      if (root.frequency == 0 || root.frequency > up_to || root.divergence_rate < least_divergence ||
+          (found.size() >= n_exact_roots && !grows))
       {
         if (!of_fit)
           kept.push_back(std::move(root));
@@ -144,12 +165,13 @@ namespace vibrocontact
       {
         s = found_from({root.growth, two_pi * root.frequency});
       }
-      catch (const ConvergenceError &)
+      catch (const ConvergenceError &error)
       {
         if (of_fit)
           continue;
         throw ConvergenceError("The root of " + root.label + " near " + number_text(root.frequency) +
-                               " Hz is not found with the exact receptance: ask for more pairs of poles.");
+                               " Hz is not found with the exact receptance: change Pole pairs. " +
+                               error.what());
       }
       const bool known =
           std::any_of(found.begin(), found.end(),
@@ -158,10 +180,8 @@ namespace vibrocontact
         continue;
       if (known)
         throw ConvergenceError("Two roots near " + number_text(root.frequency) +
-                               " Hz become one with the exact receptance: ask for more pairs of poles.");
+                               " Hz become one with the exact receptance: change Pole pairs.");
       found.push_back(s);
-      if (root.growth > 0 || s.real() > 0)
-        largest_change = std::max(largest_change, std::abs(s.real() - root.growth));
       root.frequency = s.imag() / two_pi;
       root.growth = s.real();
       root.divergence_rate = s.real() / s.imag();
@@ -171,6 +191,5 @@ namespace vibrocontact
     }
     roots = std::move(kept);
     sort_roots(roots);
-    return largest_change;
   }
 } // namespace vibrocontact

@@ -107,6 +107,27 @@ namespace vibrocontact
           throw InputError(body.name +
                            "/Rail/Model is periodic, whose losses are no damping ratios of modes, "
                            "but Stability/Loss is viscous: set it to hysteretic.");
+        // the contact's own equations, in which its roots are sought, know no more
+        if (parameters.scene.runs("stability"))
+        {
+          for (const BodyParameters &other : parameters.scene.bodies)
+            if (other.is_known_by_poles() && !other.is_periodic_rail())
+              throw InputError(body.name +
+                               "/Rail/Model is periodic, beside which stability takes bodies by modes "
+                               "only, but " +
+                               other.name +
+                               ", which rolls or is identified, is known by poles: set Model to solid.");
+          for (const ContactParameters &one : parameters.contacts.all)
+            if (one.law_of_friction()->depends_on_speed())
+              throw InputError(body.name +
+                               "/Rail/Model is periodic, beside which stability takes constant friction "
+                               "only: take the Contact/Friction law coulomb (a Static friction ratio of "
+                               "1) or set Model to solid.");
+          if (parameters.hub() == "suspended")
+            throw InputError(body.name +
+                             "/Rail/Model is periodic, beside which stability takes no suspended hub: "
+                             "set Rolling/Hub to held or massless, or Model to solid.");
+        }
         if (parameters.lateral_sweep())
           throw InputError(
               "Stability/Sweep sweeps Contact/Lateral position, which " + body.name +

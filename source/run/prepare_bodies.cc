@@ -140,6 +140,9 @@ namespace vibrocontact
 
   void check_meshes(const Parameters &parameters, const MeshedBodies &bodies, const bool all)
   {
+    for (const auto &track : bodies.tracks)
+      if (track)
+        track->check();
     double kept = 0, peak = 0;
     for (const auto &body : bodies)
       if (body)

@@ -55,7 +55,8 @@ namespace vibrocontact
         for (unsigned int j = 0; j < motions.n(); ++j)
           for (unsigned int i = 0; i < own.rows.size(); ++i)
             basis(own.rows[i], j) = own.sign[i] * motions(i, j);
-        result.push_back({k + 1, basis, track->beside_rest(), track->by_poles()});
+        result.push_back({k + 1, basis, track->beside_rest(), track->by_poles(),
+                          track->parameters.material_loss_factor(), track->highest_frequency()});
       }
     return result;
   }

@@ -132,17 +132,18 @@ namespace vibrocontact
   void say_hysteretic_rests(const Parameters &parameters, Results &results)
   {
     std::string elastic;
-    bool any = false;
+    bool any = false, by_poles = false;
     for (const BodyParameters &body : parameters.scene.bodies)
     {
       const std::optional<double> eta = loss_factor_of_rest(body);
       any = any || !eta || *eta > 0;
+      by_poles = by_poles || (body.is_known_by_poles() && eta.value_or(1) > 0);
       if (!eta)
         elastic += (elastic.empty() ? "" : ", ") + body.name;
     }
     if (!any)
       return;
-    results.analyses["stability"]["residual_damping"] = {{"taken", elastic.empty()}};
+    results.analyses["stability"]["residual_damping"] = {{"taken", elastic.empty() && !by_poles}};
     if (elastic.empty())
       return;
     results.warnings.push_back("What the modes leave out of " + elastic +

@@ -5,6 +5,7 @@
 #include <vibrocontact/base/shared_cases.h>
 #include <vibrocontact/numerics/frequency_refinement.h>
 #include <vibrocontact/run/track_body.h>
+#include <vibrocontact/waveguide/track_loads.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/timer.h>
@@ -46,6 +47,21 @@ namespace vibrocontact
       : parameters(body), grid(grid), own_key(key), cache(cache_directory, communicator),
         communicator(communicator)
   {
+  }
+
+  void TrackBody::check() const
+  {
+    const RailSection section(parameters, rail());
+    check_patch(section.elements,
+                rail().lateral_position + grid.y_first + (grid.n_y - 1) * grid.spacing_y / 2,
+                grid.n_y * grid.spacing_y);
+    for (const auto &group : parameters.materials)
+      if (group.second.young_modulus != parameters.materials.front().second.young_modulus ||
+          group.second.poisson_ratio != parameters.materials.front().second.poisson_ratio)
+        throw InputError(parameters.name + "/Rail/Model is periodic, which takes the groups " +
+                         parameters.materials.front().first + " and " + group.first +
+                         " in a contact with equal Young modulus and Poisson ratio only: give them the same, "
+                         "or set Model to solid.");
   }
 
   const TrackInContact &TrackBody::track()

@@ -7,8 +7,8 @@
 
 namespace vibrocontact
 {
-  /// How many roots are put into the exact receptance, those with the largest divergence rate first: an evaluation costs as
-  /// much as a hundred of the poles'.
+  /// How many roots are put into the exact receptance, those with the largest divergence rate first, and all that grow: an
+  /// evaluation costs as much as a hundred of the poles'.
   constexpr unsigned int n_exact_roots = 12;
   /// Roots that decay faster, as a share of their angular frequency, stay those of the poles.
   constexpr double least_exact_divergence = -5e-3;
@@ -19,8 +19,8 @@ namespace vibrocontact
   /// taken as linear in s, again where the root has moved by more than it is linear. Roots named after a pole of such a body are
   /// where its fit has a pole, which the body itself need not have: those that the exact receptance does not have are dropped, the
   /// rest of them as well; those that it has are named after the mode with the largest share. Sorts the roots.
-  /// @return largest change of a growth rate among roots that are unstable before or after [1/s]
-  /// @throws ConvergenceError if a root of a mode is not found again, or two become one
-  double make_exact(std::vector<StabilityRoot> &roots, const ContactPair &pair, const CreepScheme &scheme,
-                    const RollingEquilibrium &equilibrium, const HystereticLoss &loss);
+  /// @pre constant friction, a hub without dampers, no other body by poles: the contact's own equations know these alone
+  /// @throws ConvergenceError if a root of a mode is not found again, or two become one, or one grows above the poles' band
+  void make_exact(std::vector<StabilityRoot> &roots, const ContactPair &pair, const CreepScheme &scheme,
+                  const RollingEquilibrium &equilibrium, const HystereticLoss &loss);
 } // namespace vibrocontact

@@ -16,8 +16,11 @@ namespace vibrocontact
     unsigned int body;
     /// 3 n x rank, in the rows of the pair [-]
     DenseMatrix basis;
-    /// What it adds to the pair's W~ between its shapes, and what the poles make of that; rank square [m/N], Im s > 0
+    /// What it adds to the pair's W~ between its shapes, and what the poles make of that; rank square [m/N], Im s > 0 and
+    /// Re s > -loss |s| / 2, behind which its waves no longer decay
     std::function<ComplexMatrix(const std::complex<double> &)> at, by_poles;
+    /// smallest loss factor of what carries its waves [-]; where its poles end [Hz]
+    double loss = 0, up_to = 0;
   };
 
   /// Hysteretic loss of the bodies of a pair, K + j H with H = sum of eta_e K_e over elements and supports, which does not

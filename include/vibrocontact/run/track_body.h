@@ -17,8 +17,8 @@
 
 namespace vibrocontact
 {
-  /// A periodic rail of a scene in its contact, made when first asked for or found in the cache. Every member but the
-  /// constructor is collective.
+  /// A periodic rail of a scene in its contact, made when first asked for or found in the cache. Collective are at_rest() and
+  /// moving(), all else once moving() has returned is not.
   class TrackBody
   {
   public:
@@ -31,7 +31,11 @@ namespace vibrocontact
     /// Moving: poles near its receptance.
     ReducedBody moving();
 
-    /// What the track adds to the rest of moving(), exactly, at any s with Im s > 0: motions() X(s) motions()^T, for as long as
+    /// What is wrong with the rail's section or the patch on it. @throws InputError
+    void check() const;
+    /// up to which its poles follow [Hz]
+    double highest_frequency() const { return rail().fitted_up_to; }
+    /// What the track adds to the rest of moving(), exactly, at any s with Im s > 0 and Re s not far below 0: motions() X(s) motions()^T, for as long as
     /// this body lives. [m/N]
     std::function<ComplexMatrix(const std::complex<double> &)> beside_rest();
     /// The same by the poles.

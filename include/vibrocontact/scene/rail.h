@@ -17,7 +17,7 @@ namespace vibrocontact
   /// Boundaries: foot (underside), contact (the crown), end left, end right, surface (all else).
   ///
   /// Or, Model = periodic, without ends: its section on infinitely many equal supports (waveguide/periodic_track.h), in
-  /// contact by poles that are fitted to its receptance. It is then no solid, and sleepers on ballast may carry the pads.
+  /// contact by its receptance, roots being sought from poles near that. It is then no solid, and sleepers on ballast may carry the pads.
   struct RailParameters : SolidBody, RailSupports
   {
     /// solid or periodic

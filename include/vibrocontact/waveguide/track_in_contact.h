@@ -16,7 +16,7 @@ namespace vibrocontact
   /// W the compliance of the rail on an even elastic bed (crown_compliance.h), R receptances of the track for the six motions
   /// of the patch as a whole (track_loads.h), R_bed those of the rail on the bed at rest. What supports, inertia and losses add
   /// to the rail on its bed varies over lengths of waves: over a patch of a few centimetres it is a rigid motion. The indentation
-  /// near the points, which is none, stands in W and drops out of the difference.
+  /// near the points is no rigid motion; it stands in W and cancels in R - R_bed.
   class TrackInContact
   {
   public:

@@ -160,7 +160,10 @@ namespace vibrocontact
           else if (TrackBody *const track = b < bodies[k].tracks.size() ? bodies[k].tracks[b].get() : nullptr)
           {
             if (all_tracks.count(track) == 0)
+            {
               all_tracks[track] = track->moving();
+              track->beside_rest(); // its elements, before ranks part
+            }
             reduced[k][b] = &all_tracks[track];
           }
       }
