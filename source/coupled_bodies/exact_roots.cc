@@ -185,6 +185,7 @@ namespace vibrocontact
       root.frequency = s.imag() / two_pi;
       root.growth = s.real();
       root.divergence_rate = s.real() / s.imag();
+      root.exact = true;
       if (of_fit)
         name_after_mode(pair, s, root);
       kept.push_back(std::move(root));

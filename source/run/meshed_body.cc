@@ -27,6 +27,9 @@ namespace vibrocontact
       // what turns is made of the modes at rest
       if (entry.section == body + "/Wheel" && entry.name == "Rotation")
         continue;
+      // poles are fitted to what is kept
+      if (entry.section == body + "/Rail" && entry.name == "Pole pairs")
+        continue;
       // a file that is written changes nothing of the body
       const std::string value = entry.name == "Write mesh" ? "" : entry.value;
       key << entry.section.substr(body.size()) << "/" << entry.name << "=" << value;

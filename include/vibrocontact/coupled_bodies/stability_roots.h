@@ -18,6 +18,8 @@ namespace vibrocontact
     /// the free mode with the largest share of its energy, and that share
     std::string label;
     double share = 0;
+    /// whether it is a root with what poles only stand for (exact_roots.h)
+    bool exact = false;
     /// the free mode that the root began as, see RootPaths; empty if not followed
     std::string path;
     /// modal amplitudes, then those of the poles as if they were modes; n_modes + n_poles
@@ -26,7 +28,7 @@ namespace vibrocontact
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &frequency &growth &divergence_rate &label &share &path &shape;
+      archive &frequency &growth &divergence_rate &label &share &exact &path &shape;
     }
   };
 

@@ -12,6 +12,8 @@
 
 namespace vibrocontact
 {
+  struct WaveMode;
+
   /// The reductions of a body of revolution, one eigenproblem and one static problem for each number n of waves around its
   /// axle (fe/revolved_section.h). The axle is parallel to y at the height of the tread's radius over the contact.
   ///
@@ -19,7 +21,8 @@ namespace vibrocontact
   /// along x (contact/short_waves.h), above the wave number (N + 1/2) / r. Both take the mean displacement of a cell under
   /// the mean traction of another one, as solid bodies do (fe/contact_trace.h).
   ///
-  /// Every rank reduces its own share of the n. All members are collective.
+  /// Every rank reduces its own share of the n. All members are collective. Static answers are in revolved_reduction.cc, modes of
+  /// the section for each n in revolved_waves.cc, those of the body in revolved_modes.cc.
   class RevolvedReduction
   {
   public:
@@ -53,8 +56,6 @@ namespace vibrocontact
     SurfaceShapes surface() const;
 
   private:
-    struct WaveMode;
-
     /// Contact rows (3 n_points) by those of the section, component c of row j of cells as [c n_y + j]; n = 0: both families
     DenseMatrix around(unsigned int n, bool odd) const;
     /// From normal and tangent of the tread at each point to z and x.

@@ -69,6 +69,15 @@ namespace vibrocontact
       return text;
     }
 
+    bool some_are_exact(const StabilityOutcome &outcome)
+    {
+      for (const StabilityResult &result : outcome.results)
+        for (const StabilityRoot &root : result.roots)
+          if (root.exact)
+            return true;
+      return false;
+    }
+
     using Cells = std::vector<Table::Cell>;
 
     Cells joined(Cells a, const Cells &b)
@@ -98,11 +107,16 @@ namespace vibrocontact
       columns.push_back(outcome.columns[k]);
     if (!outcome.columns.empty())
       columns.push_back("root");
-    Table table(columns,
-                {"Complex eigenvalues about the rolling equilibrium of each case; " + unstable_if(),
-                 "divergence_rate: real over imaginary part; label: the free mode with the largest share of "
-                 "the energy" +
-                     std::string(outcome.columns.empty() ? "" : "; root: the one that its path began as")});
+    const bool marked = some_are_exact(outcome);
+    if (marked)
+      columns.push_back("receptance");
+    Table table(
+        columns,
+        {"Complex eigenvalues about the rolling equilibrium of each case; " + unstable_if(),
+         "divergence_rate: real over imaginary part; label: the free mode with the largest share of "
+         "the energy" +
+             std::string(outcome.columns.empty() ? "" : "; root: the one that its path began as") +
+             (marked ? "; receptance: what the root takes of bodies without modes, exact or by poles" : "")});
     for (unsigned int k = 0; k < outcome.results.size(); ++k)
     {
       const StabilityResult &result = outcome.results[k];
@@ -124,6 +138,8 @@ namespace vibrocontact
           cells.push_back(outcome.values[k][s]);
         if (!outcome.columns.empty())
           cells.push_back(root.path);
+        if (marked)
+          cells.push_back(root.exact ? "exact" : "poles");
         table.add_row(cells);
       }
     }
