@@ -121,6 +121,10 @@ namespace vibrocontact
                       Double(0));
     prm.add_parameter("Ballast loss factor", ballast_loss_factor,
                       "Hysteretic loss factor of the ballast. Units: none.", Double(0, 10));
+    prm.add_parameter("Contact offset", contact_offset,
+                      "Model periodic: how far the contact stands beyond the place that Contact at names, "
+                      "along x, for a sweep over a span. Units: m.",
+                      Double());
     prm.add_parameter(
         "Pole pairs", n_pole_pairs,
         "Model periodic in contact: number of pairs of poles near its receptance, from which its "
@@ -150,6 +154,10 @@ namespace vibrocontact
       text << path << "/Pad length is 0: a rail of finite elements needs pads of some length; give 0.15 m.";
     else if (is_periodic() && has_pads() && !(pad_length < sleeper_spacing))
       text << path << "/Pad length (" << pad_length << " m) must be below Sleeper spacing ("
+           << sleeper_spacing << " m).";
+    else if (is_periodic() && has_pads() && std::abs(contact_offset) > sleeper_spacing)
+      text << path << "/Contact offset is " << contact_offset
+           << " m, more than a span: give one between -Sleeper spacing and Sleeper spacing ("
            << sleeper_spacing << " m).";
     else if (is_periodic() && sleeper_mass > 0 &&
              !(ballast_stiffness_x > 0 && ballast_stiffness_y > 0 && ballast_stiffness_z > 0))
@@ -277,8 +285,10 @@ namespace vibrocontact
                          "Lateral position");
     if (is_periodic())
     {
-      entries.add(section, "Pad stiffness x, Pad stiffness y, Pad stiffness z, Contact at, Sleeper spacing, "
-                           "Pad length, Pad loss factor, Sleeper mass");
+      entries.add(
+          section,
+          "Pad stiffness x, Pad stiffness y, Pad stiffness z, Contact at, Contact offset, Sleeper spacing, "
+          "Pad length, Pad loss factor, Sleeper mass");
       entries.add_if(sleeper_mass > 0, "there is a Sleeper mass", section,
                      "Ballast stiffness x, Ballast stiffness y, Ballast stiffness z, Ballast loss factor");
       entries.add_if(use.contact && use.motion, "the rail moves in a contact", section,

@@ -55,7 +55,7 @@ namespace vibrocontact
   {
     PeriodicTrack track;
     track.spacing = rail.sleeper_spacing;
-    track.first_support = rail.contact_at == "support" ? 0 : rail.sleeper_spacing / 2;
+    track.first_support = (rail.contact_at == "support" ? 0 : rail.sleeper_spacing / 2) - rail.contact_offset;
     track.support.pad_stiffness = {{rail.pad_stiffness_x, rail.pad_stiffness_y, rail.pad_stiffness_z}};
     track.support.pad_loss = rail.pad_loss_factor;
     track.support.pad_length = rail.pad_length;

@@ -12,16 +12,18 @@ from scene import Check, entries, run, section, table
 check = Check()
 
 
-def wheel(name, pairs, ranks=1, **rolling):
+def wheel(name, pairs, ranks=1, contact={"Contact_at": "support"}, sweep=()):
+    swept = [section("Sweep", "set Entry = rail/Rail/Contact offset", f"set Values = {', '.join(map(str, sweep))}")] if sweep else []
+    analyses = "stability" if sweep else "quasi-static rolling, stability"
     text = "\n".join([
-        "set Bodies = wheel, rail", "set Analyses = quasi-static rolling, stability",
+        "set Bodies = wheel, rail", "set Analyses = " + analyses,
         section("wheel", "set Type = wheel", section("Wheel", entries(Model="harmonics", Element_degree=2)),
                 section("Modes", entries(Upper_frequency=4000))),
         section("rail", "set Type = rail", section("Material", entries(Loss_factor=0.02)),
-                section("Rail", entries(Model="periodic", Contact_at="support", Pole_pairs=pairs))),
+                section("Rail", entries(Model="periodic", Pole_pairs=pairs, **contact))),
         section("Contact", entries(Friction_coefficient=0.3, Grid_spacing=2.5e-3, Lateral_position=-10e-3)),
-        section("Rolling", entries(Hub_displacement=0.2e-3, Speed=10, Lateral_creepage=-0.01, **rolling)),
-        section("Stability", entries(Loss="hysteretic"))])
+        section("Rolling", entries(Hub_displacement=0.2e-3, Speed=10, Lateral_creepage=-0.01)),
+        section("Stability", entries(Loss="hysteretic"), *swept)])
     return run(name, text, ranks, may_doubt=True)
 
 
@@ -52,4 +54,17 @@ for a, b, c in zip(nearest(folder, 6), nearest(folder_o, 6), nearest(folder_2, 6
     check.near("growth with other poles", b["growth_1_s"], a["growth_1_s"], 1e-7, size)
     check.near("frequency on two ranks", c["frequency_Hz"], a["frequency_Hz"], 1e-9)
     check.near("growth on two ranks", c["growth_1_s"], a["growth_1_s"], 1e-9, size)
+
+
+# a contact half a span beyond mid-span stands over a support; the mean over the sweep is that of its cases
+offset, _ = wheel("offset", 24, contact={"Contact_at": "mid-span", "Contact_offset": 0.3}, sweep=[0.28, 0.3])
+paths = [{root["root"]: root["growth_1_s"] for root in case["unstable"]} for case in offset["stability"]["cases"]]
+over_support = sorted(root["growth_1_s"] for root in one["stability"]["unstable"])
+check.near("growth with an offset", sum(abs(a - b) for a, b in zip(sorted(paths[1].values()), over_support)), 0, 1e-6)
+check.near("number with an offset", len(paths[1]), len(over_support), 1e-9)
+means = {root["root"]: root["growth_1_s"] for root in offset["stability"]["mean_growth"]}
+both = [path for path in paths[0] if path in paths[1]]
+check.near("paths that grow in both cases", len(both) > 0, True, 1e-9)
+for path in both:
+    check.near("mean growth", means[path], (paths[0][path] + paths[1][path]) / 2, 1e-12)
 check.end()

@@ -176,6 +176,27 @@ TEST(PeriodicTrack, smooth_shapes_stand_for_all_dofs)
   }
 }
 
+// Whether the load stands 0.13 m further or the supports 0.13 m before.
+TEST(PeriodicTrack, supports_before_the_load)
+{
+  const Rail rail(2, 0.1);
+  const double omega = 2 * PI * 600;
+  PeriodicTrack before = rail.track;
+  before.first_support -= 0.13;
+  const auto receptance = [&](const PeriodicTrack &track, const double x)
+  {
+    return track.receptance(track.at(omega), {patch(rail.elements, rail.shapes, x, 0, 0.08, 0.02, 2),
+                                              patch(rail.elements, rail.shapes, x + 0.3, 0, 0.08, 0.02, 1)});
+  };
+  const ComplexMatrix there = receptance(rail.track, 0.13), here = receptance(before, 0),
+                      elsewhere = receptance(rail.track, 0);
+  for (unsigned int j = 0; j < 2; ++j)
+  {
+    EXPECT_LT(std::abs(here(j, j) / there(j, j) - 1.), 1e-9);
+    EXPECT_GT(std::abs(elsewhere(j, j) / there(j, j) - 1.), 1e-3);
+  }
+}
+
 // Ballast that does not give way is rigid ground, whatever the sleeper's mass; a sleeper in flight is carried by its mass alone.
 TEST(PeriodicTrack, sleepers_at_their_limits)
 {

@@ -30,6 +30,8 @@ namespace vibrocontact
     /// the fine divisions reach this far to either side of the contact [m]
     double fine_length = 0.016;
     ContactRefinement refinement;
+    /// periodic: how far the contact stands beyond where RailSupports::contact_at says, along x [m]
+    double contact_offset = 0;
     /// periodic: mass of a sleeper under one rail, 0: pads on rigid ground [kg]; its ballast in x, y, z [N/m]
     double sleeper_mass = 0, ballast_stiffness_x = 0, ballast_stiffness_y = 0, ballast_stiffness_z = 0;
     double ballast_loss_factor = 0;

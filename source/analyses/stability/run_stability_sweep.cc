@@ -223,6 +223,7 @@ namespace vibrocontact
 
       void finish() override
       {
+        add_mean_growth(outcome, on.results.analyses["stability"]);
         if (on.parameters.stability.is_hysteretic())
           say_hysteretic_rests(on.parameters, on.results);
         else

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -78,6 +79,20 @@ namespace vibrocontact
       return false;
     }
 
+    /// Those that are unstable somewhere, or nearest to it where nothing is.
+    std::set<std::string> paths_that_matter(const StabilityOutcome &outcome)
+    {
+      std::set<std::string> result;
+      for (const StabilityResult &one : outcome.results)
+      {
+        for (const StabilityRoot *const root : one.unstable())
+          result.insert(root->path);
+        if (one.unstable().empty())
+          result.insert(one.nearest().path);
+      }
+      return result;
+    }
+
     using Cells = std::vector<Table::Cell>;
 
     Cells joined(Cells a, const Cells &b)
@@ -148,14 +163,7 @@ namespace vibrocontact
 
   Table stability_sweep_table(const StabilityOutcome &outcome)
   {
-    std::set<std::string> wanted;
-    for (const StabilityResult &result : outcome.results)
-    {
-      for (const StabilityRoot *const root : result.unstable())
-        wanted.insert(root->path);
-      if (result.unstable().empty())
-        wanted.insert(result.nearest().path);
-    }
+    const std::set<std::string> wanted = paths_that_matter(outcome);
     Table table(joined(joined({"case"}, outcome.columns),
                        {"root", "frequency_Hz", "growth_1_s", "divergence_rate", "label", "share"}),
                 {"Paths of the roots that are unstable in some case of the sweep, or the nearest of a stable "
@@ -170,6 +178,41 @@ namespace vibrocontact
               joined(joined({double(k)}, outcome.values[k]),
                      {root.path, root.frequency, root.growth, root.divergence_rate, root.label, root.share}));
     return table;
+  }
+
+  void add_mean_growth(const StabilityOutcome &outcome, nlohmann::ordered_json &json)
+  {
+    nlohmann::ordered_json result = nlohmann::ordered_json::array();
+    std::vector<double> at;
+    for (const auto &values : outcome.values)
+      if (values.size() == 1 && std::holds_alternative<double>(values[0]))
+        at.push_back(std::get<double>(values[0]));
+    const std::size_t n = at.size();
+    if (n < 2 || n != outcome.results.size() || !outcome.left_out.empty() ||
+        std::adjacent_find(at.begin(), at.end(), std::greater_equal<>()) != at.end())
+      return;
+    for (const std::string &path : paths_that_matter(outcome))
+    {
+      double sum = 0;
+      const StabilityRoot *before = nullptr;
+      for (std::size_t k = 0; k < n; ++k)
+      {
+        const auto &roots = outcome.results[k].roots;
+        const auto here = std::find_if(roots.begin(), roots.end(),
+                                       [&](const StabilityRoot &root) { return root.path == path; });
+        if (here == roots.end())
+        {
+          before = nullptr;
+          break;
+        }
+        if (before)
+          sum += (at[k] - at[k - 1]) * (before->growth + here->growth) / 2;
+        before = &*here;
+      }
+      if (before)
+        result.push_back({{"root", path}, {"growth_1_s", sum / (at.back() - at.front())}});
+    }
+    json["mean_growth"] = result;
   }
 
   Table stability_map_table(const StabilityOutcome &outcome)
@@ -311,6 +354,9 @@ namespace vibrocontact
         lines.push_back("the fastest: " + root_text(*fastest) + case_text(*fastest_case));
       else if (nearest)
         lines.push_back("nearest to growing: " + root_text(*nearest) + case_text(*nearest_case));
+      if (const Json *const most = largest(list(stability, "mean_growth"), "growth_1_s", 1))
+        lines.push_back("averaged over the sweep: " +
+                        text("growth %+.4g 1/s, ", number(*most, "growth_1_s")) + word(*most, "root"));
       if (const std::size_t n = list(stability, "left_out").size(); n > 0)
         lines.push_back(std::to_string(n) + " cases are left out, see left_out in results.json");
       return lines;

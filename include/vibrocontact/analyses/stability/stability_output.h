@@ -43,6 +43,10 @@ namespace vibrocontact
                     nlohmann::ordered_json &json);
   /// Brings it up to date after more cases.
   void add_new_cases(const StabilityOutcome &outcome, nlohmann::ordered_json &json);
+  /// `mean_growth` of a sweep of one entry through ascending numbers without gaps: the mean over its range (trapezoids) of the
+  /// growth of each path in stability_sweep.csv [1/s]. Over a span of a track it is by how much a motion grows in passing, over
+  /// the time of that, if it follows the root: if the passage takes many periods.
+  void add_mean_growth(const StabilityOutcome &outcome, nlohmann::ordered_json &json);
 
   /// What the terminal ends with about analyses.stability of results.json, see Answer.
   std::vector<std::string> stability_answer(const nlohmann::ordered_json &stability);
