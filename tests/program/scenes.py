@@ -30,6 +30,8 @@ BODIES = {
                         "Layer/Element degree = 1", "Modes/Count = 6"], "rigid", True, "0.0166667, 0, 0"),
     "rail, periodic": ("rail", ["Material/Loss factor = 0.01", "Rail/Model = periodic", "Rail/Element degree = 1"], "rigid", True,
                        "0, 0"),
+    "wheel by harmonics": ("wheel", ["Wheel/Model = harmonics", "Wheel/Element degree = 1", "Wheel/Harmonics = 10",
+                                     "Modes/Upper frequency = 1000"], "rigid", True, None),
     "ring of elements": ("ring", RING + ["Ring/Model = beam elements", "Modes/Upper frequency = 300"], "rigid", True,
                          "0, 0, 0"),
     "ring of elements, rolling": ("ring", RING + ["Ring/Model = beam elements", "Ring/Rolling = true",
@@ -60,6 +62,8 @@ def entries(analysis, kind, rubs, place, speed):
                                   f"Contact/Half width = {size[1]}"]
     # its tip is wide along x alone
     grid += ["Contact/Strip length = 0.004", "other/Rigid/Radius x = 0.1"] if kind == "blade" else []
+    # its tread is straight along y
+    grid += ["other/Rigid/Radius x = 0.1", "other/Rigid/Radius y = 0.1"] if kind == "wheel" and analysis != "modes" else []
     pair = grid + PRESSED + [f"Rolling/Speed = {speed}", f"Contact/Friction coefficient = {0.3 if rubs else 0}"]
     # a frictionless bar does not slide
     pair += ["Rolling/Sliding velocity x = 0.1"] if rubs or kind == "identified" else []
