@@ -15,7 +15,7 @@ namespace vibrocontact
   {
     /// of |G|: eigenvalues below count as zero
     constexpr double gain_tolerance = 1e-7;
-    constexpr unsigned int most_rounds = 40;
+    constexpr unsigned int most_rounds = 100;
 
     /// Im G of a fit at one frequency.
     struct ImaginaryPart
@@ -30,9 +30,26 @@ namespace vibrocontact
     ImaginaryPart imaginary_part(const PoleFit &fit, const EntryMap &map, const double omega)
     {
       const unsigned int n = map.n_rows;
+      // one division a pole for all entries
+      std::vector<Complex> upper, lower;
+      for (const Complex &pole : fit.poles)
+      {
+        upper.push_back(1. / (Complex(0, omega) - pole));
+        lower.push_back(1. / (Complex(0, omega) - std::conj(pole)));
+      }
       std::vector<Complex> values;
       for (unsigned int e = 0; e < fit.residues.size(); ++e)
-        values.push_back(fit.value(e, omega));
+      {
+        double real = fit.direct[e], imaginary = 0;
+        for (unsigned int k = 0; k < fit.poles.size(); ++k)
+        {
+          const double a = fit.residues[e][k].real(), b = fit.residues[e][k].imag();
+          const Complex sum = upper[k] + lower[k], difference = upper[k] - lower[k];
+          real += a * sum.real() - b * difference.imag();
+          imaginary += a * sum.imag() + b * difference.real();
+        }
+        values.emplace_back(real, imaginary);
+      }
       ImaginaryPart result;
       DenseMatrix imaginary(n, n);
       for (unsigned int i = 0; i < n; ++i)
@@ -113,7 +130,7 @@ namespace vibrocontact
     class Unknowns
     {
     public:
-      Unknowns(const std::vector<double> &omega, const PoleFit &fit, const ResidueRules &rules)
+      Unknowns(const Spectra &data, const PoleFit &fit, const ResidueRules &rules)
           : poles(fit.poles), direct(rules.direct)
       {
         for (unsigned int k = 0; k < poles.size(); ++k)
@@ -129,7 +146,10 @@ namespace vibrocontact
         }
         // beyond the band the mobility counts, too
         constexpr unsigned int n_beyond = 100;
-        std::vector<double> lines = omega, weights(omega.size(), 1.);
+        const std::vector<double> &omega = data.omega;
+        std::vector<double> lines = omega, weights;
+        for (unsigned int l = 0; l < omega.size(); ++l)
+          weights.push_back(data.weight_of(l));
         for (unsigned int k = 1; k <= n_beyond; ++k)
         {
           lines.push_back(omega.back() * std::pow(300., double(k) / n_beyond));
@@ -242,11 +262,12 @@ namespace vibrocontact
     if (peaks.empty())
       return result;
 
-    const Unknowns unknowns(data.omega, fit, rules);
+    const Unknowns unknowns(data, fit, rules);
     std::vector<double> uses(n_entries, 0.), multipliers;
     for (const unsigned int entry : map.entry)
       ++uses[entry];
     std::vector<Inequality> inequalities;
+    DenseMatrix K;
     for (; !peaks.empty() && result.n_rounds < most_rounds; ++result.n_rounds)
     {
       for (const double omega : peaks)
@@ -285,14 +306,20 @@ namespace vibrocontact
           inequalities.push_back(one);
         }
       }
-      const unsigned int m = inequalities.size();
-      DenseMatrix K(m, m);
+      const unsigned int m = inequalities.size(), known = K.m();
+      const DenseMatrix before = K;
+      K.reinit(m, m);
       std::vector<double> h(m);
       for (unsigned int a = 0; a < m; ++a)
       {
         h[a] = inequalities[a].surplus;
         for (unsigned int b = 0; b <= a; ++b)
         {
+          if (a < known)
+          {
+            K(a, b) = K(b, a) = before(a, b);
+            continue;
+          }
           double weights = 0, rows = 0;
           for (unsigned int e = 0; e < n_entries; ++e)
             weights += uses[e] > 0 ? inequalities[a].weights[e] * inequalities[b].weights[e] / uses[e] : 0.;

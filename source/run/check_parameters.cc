@@ -88,8 +88,8 @@ namespace vibrocontact
 
     void check_periodic_rails(const Parameters &parameters)
     {
-      // no poles follow its constant losses well enough to move in time
-      const std::vector<std::string> taken = {"frequency response", "quasi-static rolling", "stability"};
+      const std::vector<std::string> taken = {"frequency response", "quasi-static rolling", "stability",
+                                              "transient"};
       for (const BodyParameters &body : parameters.scene.bodies)
       {
         if (!body.is_periodic_rail())
@@ -103,30 +103,41 @@ namespace vibrocontact
             throw InputError(one.section + "/Quadrature is consistent, but " + body.name +
                              "/Rail/Model is periodic, which knows tractions that are constant on each cell "
                              "only: set it to lumped.");
-        if (parameters.scene.runs("stability") && !parameters.stability.is_hysteretic())
+        const bool in_time = parameters.scene.runs("transient"),
+                   by_poles = in_time || !parameters.stability.is_hysteretic();
+        for (const auto &[analysis, sweep] : parameters.sweeps)
+          if (by_poles && sweep.any() && (analysis == "stability" || analysis == "transient"))
+            throw InputError(body.name +
+                             "/Rail/Model is periodic, which a sweep takes in stability with "
+                             "Stability/Loss = hysteretic alone, but the analysis " +
+                             analysis + " sweeps " + sweep.first.entry +
+                             ": set it to hysteretic and leave "
+                             "the analysis transient out, or set Model to solid.");
+        if (in_time && parameters.rolling.normal_force.empty() && parameters.rolling.hub_displacement.empty())
           throw InputError(body.name +
-                           "/Rail/Model is periodic, whose losses are no damping ratios of modes, "
-                           "but Stability/Loss is viscous: set it to hysteretic.");
+                           "/Rail/Model is periodic, whose poles in time follow it about the roots of a "
+                           "rolling equilibrium: give Rolling/Normal force or Rolling/Hub displacement.");
         // the contact's own equations, in which its roots are sought, know no more
-        if (parameters.scene.runs("stability"))
+        if (parameters.scene.runs("stability") || in_time)
         {
           for (const BodyParameters &other : parameters.scene.bodies)
             if (other.is_known_by_poles() && !other.is_periodic_rail())
-              throw InputError(body.name +
-                               "/Rail/Model is periodic, beside which stability takes bodies by modes "
-                               "only, but " +
-                               other.name +
-                               ", which rolls or is identified, is known by poles: set Model to solid.");
+              throw InputError(
+                  body.name +
+                  "/Rail/Model is periodic, beside which stability and time take bodies by modes "
+                  "only, but " +
+                  other.name + ", which rolls or is identified, is known by poles: set Model to solid.");
           for (const ContactParameters &one : parameters.contacts.all)
             if (one.law_of_friction()->depends_on_speed())
-              throw InputError(body.name +
-                               "/Rail/Model is periodic, beside which stability takes constant friction "
-                               "only: take the Contact/Friction law coulomb (a Static friction ratio of "
-                               "1) or set Model to solid.");
+              throw InputError(
+                  body.name +
+                  "/Rail/Model is periodic, beside which stability and time take constant friction "
+                  "only: take the Contact/Friction law coulomb (a Static friction ratio of "
+                  "1) or set Model to solid.");
           if (parameters.hub() == "suspended")
-            throw InputError(body.name +
-                             "/Rail/Model is periodic, beside which stability takes no suspended hub: "
-                             "set Rolling/Hub to held or massless, or Model to solid.");
+            throw InputError(
+                body.name + "/Rail/Model is periodic, beside which stability and time take no suspended hub: "
+                            "set Rolling/Hub to held or massless, or Model to solid.");
         }
         if (parameters.lateral_sweep())
           throw InputError(

@@ -241,7 +241,7 @@ namespace vibrocontact
   {
     for (const auto &track : bodies.tracks)
       if (track)
-        if (const std::optional<Table> table = track->fit_table())
-          on_first_rank([&] { table->write(folder + "/receptance_fit_" + track->parameters.name + ".csv"); });
+        for (const auto &[name, table] : track->fit_tables())
+          on_first_rank([&, &name = name, &table = table] { table.write(folder + "/" + name + ".csv"); });
   }
 } // namespace vibrocontact

@@ -63,7 +63,8 @@ namespace vibrocontact
 
   std::unique_ptr<const PreparedPair> prepare_pair(const Parameters &parameters, const MeshedBodies &bodies,
                                                    const std::optional<MeasuredData> &measured,
-                                                   const bool with_modes)
+                                                   const bool with_modes,
+                                                   const std::vector<FrequencyBand> *const in_time)
   {
     auto pair = std::make_unique<PreparedPair>();
     pair->reduced.resize(bodies.size());
@@ -76,7 +77,9 @@ namespace vibrocontact
         scale_damping(*meshed, parameters.modes.at(parameters.scene.bodies[k].name));
       }
       if (k < bodies.tracks.size() && bodies.tracks[k])
-        meshed = with_modes ? bodies.tracks[k]->moving() : bodies.tracks[k]->at_rest();
+        meshed = in_time      ? bodies.tracks[k]->in_time(*in_time)
+                 : with_modes ? bodies.tracks[k]->moving()
+                              : bodies.tracks[k]->at_rest();
       std::optional<ReducedBody> body = body_of_contact(parameters, std::move(meshed), measured, k);
       pair->bodies.push_back({&parameters.scene.bodies[k], body ? &pair->reduced[k] : nullptr});
       if (body)

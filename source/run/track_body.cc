@@ -22,6 +22,7 @@ namespace vibrocontact
     constexpr unsigned int first_frequencies = 32, all_frequencies = 96;
     /// the poles follow from here on [Hz]
     constexpr double lowest_frequency = 50;
+    constexpr unsigned int lines_of_band = 9;
 
     /// B (R - R_bed) B^T
     void add_smooth(const TrackReduction &track, DenseMatrix R, DenseMatrix &compliance)
@@ -29,6 +30,35 @@ namespace vibrocontact
       R.add(-1., track.on_bed);
       const DenseMatrix BR = product(track.motions, R);
       BR.mTmult(compliance, track.motions, true);
+    }
+
+    ReceptanceLines receptance_lines(const TrackReduction &track)
+    {
+      ReceptanceLines lines;
+      for (unsigned int k = 0; k < track.frequency.size(); ++k)
+      {
+        lines.omega.push_back(two_pi * track.frequency[k]);
+        lines.values.emplace_back(6, 6);
+        for (unsigned int i = 0; i < 36; ++i)
+          lines.values.back()(i / 6, i % 6) = {track.real(k, i), track.imaginary(k, i)};
+      }
+      return lines;
+    }
+
+    Table table_of(const TrackReduction &track, const ReceptanceFit &fit, const std::string &title)
+    {
+      Table table({"frequency_Hz", "lateral_real_m_N", "lateral_imaginary_m_N", "vertical_real_m_N",
+                   "vertical_imaginary_m_N", "fitted_lateral_real_m_N", "fitted_lateral_imaginary_m_N",
+                   "fitted_vertical_real_m_N", "fitted_vertical_imaginary_m_N", "error"},
+                  {title, "error: the largest of all six motions, over their size"});
+      for (unsigned int k = 0; k < track.frequency.size(); ++k)
+      {
+        const ComplexMatrix G = receptance(fit.body, two_pi * track.frequency[k]);
+        table.add_row({track.frequency[k], track.real(k, 7), track.imaginary(k, 7), track.real(k, 14),
+                       track.imaginary(k, 14), G(1, 1).real(), G(1, 1).imag(), G(2, 2).real(), G(2, 2).imag(),
+                       fit.error[k]});
+      }
+      return table;
     }
 
     ComplexMatrix at_points(const DenseMatrix &motions, const ComplexMatrix &shapes)
@@ -191,15 +221,7 @@ namespace vibrocontact
       return *fitted;
     dealii::Timer timer;
     const TrackReduction &track = reduction(true);
-    ReceptanceLines lines;
-    for (unsigned int k = 0; k < track.frequency.size(); ++k)
-    {
-      lines.omega.push_back(two_pi * track.frequency[k]);
-      lines.values.emplace_back(6, 6);
-      for (unsigned int i = 0; i < 36; ++i)
-        lines.values.back()(i / 6, i % 6) = {track.real(k, i), track.imaginary(k, i)};
-    }
-    fitted = fit_receptance(lines, track.at_rest, track.at_once, rail().n_pole_pairs);
+    fitted = fit_receptance(receptance_lines(track), track.at_rest, track.at_once, rail().n_pole_pairs);
     run_log().line(parameters.name + ": " + std::to_string(rail().n_pole_pairs) +
                    " pole pairs follow its receptance within " + percent_text(fitted->worst_error(), 2) +
                    " (worst at " + number_text(track.frequency[fitted->worst_line()]) +
@@ -224,9 +246,9 @@ namespace vibrocontact
     return body;
   }
 
-  ReducedBody TrackBody::moving()
+  ReducedBody TrackBody::by(const ReceptanceFit &fit)
   {
-    const BodyInContact &poles = fit().body;
+    const BodyInContact &poles = fit.body;
     const TrackReduction &track = reduction(false);
     ReducedBody body = at_rest();
     body.residual = track.bed;
@@ -238,6 +260,53 @@ namespace vibrocontact
     for (unsigned int k = 0; k < body.n_poles(); ++k)
       body.labels.push_back("pole " + std::to_string(k + 1));
     return body;
+  }
+
+  ReducedBody TrackBody::moving()
+  {
+    return by(fit());
+  }
+
+  ReducedBody TrackBody::in_time(const std::vector<FrequencyBand> &bands)
+  {
+    if (timed && timed->bands == bands)
+      return by(timed->fit);
+    dealii::Timer timer;
+    InTime next;
+    next.bands = bands;
+    next.lines = reduction(true);
+    std::vector<double> more;
+    for (const FrequencyBand &band : bands)
+      for (unsigned int k = 0; k < lines_of_band; ++k)
+      {
+        // the ends are in the band in spite of rounding
+        const double beside = (1 - 1e-12) * (2. * k / (lines_of_band - 1) - 1);
+        more.push_back((band.middle() + beside * (band.to - band.from) / 2) / two_pi);
+      }
+    std::sort(more.begin(), more.end());
+    more.erase(std::unique(more.begin(), more.end()), more.end());
+    solve_at(more, next.lines);
+    next.fit = passive_receptance_fit(receptance_lines(next.lines), next.bands, next.lines.at_rest,
+                                      next.lines.at_once, rail().n_pole_pairs);
+    if (!next.fit.passive)
+      throw InputError(parameters.name + ": " + std::to_string(rail().n_pole_pairs) +
+                       " pairs of poles near its receptance cannot be made to take energy from every force, "
+                       "so that it cannot "
+                       "move in time: change " +
+                       parameters.name + "/Rail/Pole pairs.");
+    timed = std::move(next);
+    run_log().line(parameters.name + " in time: " + std::to_string(rail().n_pole_pairs) +
+                   " pole pairs follow its receptance within " +
+                   percent_text(timed->worst_error_in_bands(), 2) + " in " + std::to_string(bands.size()) +
+                   " bands, " + percent_text(timed->fit.worst_error(), 2) +
+                   " elsewhere, and take energy at all frequencies: " + time_text(timer.wall_time()));
+    return by(timed->fit);
+  }
+
+  double TrackBody::InTime::worst_error_in_bands() const
+  {
+    const std::vector<double> worst = errors_in_bands(fit, receptance_lines(lines), bands);
+    return worst.empty() ? 0. : *std::max_element(worst.begin(), worst.end());
   }
 
   std::function<ComplexMatrix(const std::complex<double> &)> TrackBody::beside_rest()
@@ -271,34 +340,46 @@ namespace vibrocontact
     };
   }
 
-  std::optional<Table> TrackBody::fit_table() const
+  std::map<std::string, Table> TrackBody::fit_tables() const
   {
-    if (!fitted)
-      return {};
-    Table table({"frequency_Hz", "lateral_real_m_N", "lateral_imaginary_m_N", "vertical_real_m_N",
-                 "vertical_imaginary_m_N", "fitted_lateral_real_m_N", "fitted_lateral_imaginary_m_N",
-                 "fitted_vertical_real_m_N", "fitted_vertical_imaginary_m_N", "error"},
-                {"Receptance of the contact patch of " + parameters.name + " as a whole, and its poles",
-                 "error: the largest of all six motions, over their size"});
-    for (unsigned int k = 0; k < reduced->frequency.size(); ++k)
-    {
-      const ComplexMatrix G = receptance(fitted->body, two_pi * reduced->frequency[k]);
-      table.add_row({reduced->frequency[k], reduced->real(k, 7), reduced->imaginary(k, 7),
-                     reduced->real(k, 14), reduced->imaginary(k, 14), G(1, 1).real(), G(1, 1).imag(),
-                     G(2, 2).real(), G(2, 2).imag(), fitted->error[k]});
-    }
-    return table;
+    std::map<std::string, Table> tables;
+    const std::string title =
+        "Receptance of the contact patch of " + parameters.name + " as a whole, and its ";
+    if (fitted)
+      tables.insert({"receptance_fit_" + parameters.name, table_of(*reduced, *fitted, title + "poles")});
+    if (timed)
+      tables.insert(
+          {"receptance_in_time_" + parameters.name,
+           table_of(timed->lines, timed->fit, title + "passive poles, with which it moves in time")});
+    return tables;
   }
 
   nlohmann::ordered_json TrackBody::fit_json() const
   {
     if (!fitted)
       return nullptr;
-    return {{"pole_pairs", rail().n_pole_pairs},
-            {"states", fitted->body.n_poles()},
-            {"up_to_Hz", rail().fitted_up_to},
-            {"worst_error", fitted->worst_error()},
-            {"worst_error_at_Hz", reduced->frequency[fitted->worst_line()]},
-            {"converged", fitted->converged}};
+    nlohmann::ordered_json json = {{"pole_pairs", rail().n_pole_pairs},
+                                   {"states", fitted->body.n_poles()},
+                                   {"up_to_Hz", rail().fitted_up_to},
+                                   {"worst_error", fitted->worst_error()},
+                                   {"worst_error_at_Hz", reduced->frequency[fitted->worst_line()]},
+                                   {"converged", fitted->converged}};
+    if (timed)
+    {
+      nlohmann::ordered_json bands = nlohmann::ordered_json::array();
+      for (const FrequencyBand &band : timed->bands)
+        bands.push_back({{"from_Hz", band.from / two_pi},
+                         {"to_Hz", band.to / two_pi},
+                         {"aimed_error", band.aimed_error}});
+      json["in_time"] = {{"states", timed->fit.body.n_poles()},
+                         {"bands", bands},
+                         {"worst_error_in_bands", timed->worst_error_in_bands()},
+                         {"worst_error", timed->fit.worst_error()},
+                         {"worst_error_at_Hz", timed->lines.frequency[timed->fit.worst_line()]},
+                         {"change_to_be_passive", timed->fit.change},
+                         {"passive", timed->fit.passive},
+                         {"converged", timed->fit.converged}};
+    }
+    return json;
   }
 } // namespace vibrocontact

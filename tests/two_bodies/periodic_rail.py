@@ -12,9 +12,9 @@ from scene import Check, entries, run, section, table
 check = Check()
 
 
-def wheel(name, pairs, ranks=1, contact={"Contact_at": "support"}, sweep=()):
+def wheel(name, pairs, ranks=1, contact={"Contact_at": "support"}, sweep=(), march=0):
     swept = [section("Sweep", "set Entry = rail/Rail/Contact offset", f"set Values = {', '.join(map(str, sweep))}")] if sweep else []
-    analyses = "stability" if sweep else "quasi-static rolling, stability"
+    analyses = "transient" if march else "stability" if sweep else "quasi-static rolling, stability"
     text = "\n".join([
         "set Bodies = wheel, rail", "set Analyses = " + analyses,
         section("wheel", "set Type = wheel", section("Wheel", entries(Model="harmonics", Element_degree=2)),
@@ -23,7 +23,8 @@ def wheel(name, pairs, ranks=1, contact={"Contact_at": "support"}, sweep=()):
                 section("Rail", entries(Model="periodic", Pole_pairs=pairs, **contact))),
         section("Contact", entries(Friction_coefficient=0.3, Grid_spacing=2.5e-3, Lateral_position=-10e-3)),
         section("Rolling", entries(Hub_displacement=0.2e-3, Speed=10, Lateral_creepage=-0.01)),
-        section("Stability", entries(Loss="hysteretic"), *swept)])
+        section("Transient", entries(Time_step=1e-5, End_time=march, Perturbed_mode="wheel:axial(0,2)", Perturbation=1e-9)) if march
+        else section("Stability", entries(Loss="hysteretic"), *swept)])
     return run(name, text, ranks, may_doubt=True)
 
 
@@ -55,6 +56,24 @@ for a, b, c in zip(nearest(folder, 6), nearest(folder_o, 6), nearest(folder_2, 6
     check.near("frequency on two ranks", c["frequency_Hz"], a["frequency_Hz"], 1e-9)
     check.near("growth on two ranks", c["growth_1_s"], a["growth_1_s"], 1e-9, size)
 
+
+# in time: poles that take energy at all frequencies, right about the roots that grow; what starts grows as they do
+for ranks in (1, 2):
+    moving, folder_t = wheel(f"in_time_{ranks}", 24, ranks, march=0.03)
+    with open(f"{folder_t}/results.json", encoding="utf-8") as file:
+        fit = json.load(file)["reductions"]["rail"]["fit"]["in_time"]
+    check.near("passive", fit["passive"], True, 1e-9)
+    check.near("error in the bands below 1.5 %", fit["worst_error_in_bands"] < 0.015, True, 1e-9)
+    roots = moving["transient"]["roots_beside_rail"]
+    check.near("roots that grow", len(roots), sum(row["growth_1_s"] > 0 for row in nearest(folder, 6)), 1e-9)
+    for root in roots:
+        check.near(f"growth of {root['label']} in time", root["growth_in_time_1_s"], root["growth_1_s"], 0.03)
+    if ranks == 1:
+        impulse = moving["transient"]["impulse_Ns"]
+    check.near("impulse", moving["transient"]["impulse_Ns"], impulse, 1e-10)
+    check.near("the equilibrium holds", impulse / 0.03, force(one), 1e-4)
+    energy = moving["transient"]["energy"]
+    check.near("energy imbalance", energy["imbalance_J"], 0, 1e-3, energy["friction_J"])
 
 # a contact half a span beyond mid-span stands over a support; the mean over the sweep is that of its cases
 offset, _ = wheel("offset", 24, contact={"Contact_at": "mid-span", "Contact_offset": 0.3}, sweep=[0.28, 0.3])

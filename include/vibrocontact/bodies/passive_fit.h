@@ -23,7 +23,7 @@ namespace vibrocontact
   /// frequency, beyond the band as well. On a grid (lines, around the poles, to 1000 times the last line and pole) the
   /// peaks of the largest eigenvalue are sought; each with its vector v gives one linear inequality for the residues,
   ///
-  ///   v^T Im (G + dG)(omega) v <= 0,      min sum over lines |dG|^2,
+  ///   v^T Im (G + dG)(omega) v <= 0,      min sum over lines |weight dG|^2,
   ///
   /// which collect over the rounds until none is violated (Grivet-Talocia & Gustavsen 2015, Passive Macromodeling, ch. 10;
   /// here by the dual problem with non-negative multipliers, whose matrix is the size of the inequalities). Beyond

@@ -14,6 +14,22 @@ namespace vibrocontact
     std::vector<ComplexMatrix> values;
   };
 
+  /// Where a fit has to be right.
+  struct FrequencyBand
+  {
+    /// [rad/s]
+    double from, to;
+    /// as ReceptanceFit::error; a fit that stays below is good enough
+    double aimed_error = 0.005;
+
+    bool holds(const double omega) const { return omega >= from && omega <= to; }
+    double middle() const { return (from + to) / 2; }
+    bool operator==(const FrequencyBand &other) const
+    {
+      return from == other.from && to == other.to && aimed_error == other.aimed_error;
+    }
+  };
+
   /// A body by poles that stands for receptances over a band.
   struct ReceptanceFit
   {
@@ -22,6 +38,9 @@ namespace vibrocontact
     /// on each line, the largest |fit_ij - G_ij| / sqrt(|G_ii| |G_jj|) [-]
     std::vector<double> error;
     bool converged = true;
+    /// what it took to make it passive, rms over the rms of all lines [-]; and whether it is, by test_passivity()
+    double change = 0;
+    bool passive = false;
 
     double worst_error() const;
     /// @param line into `error`, that of the worst
@@ -41,4 +60,15 @@ namespace vibrocontact
   /// contact stays well posed [m/N]
   ReceptanceFit fit_receptance(const ReceptanceLines &lines, const DenseMatrix &at_rest,
                                const DenseMatrix &at_once, unsigned int n_pairs);
+
+  /// The same as a body to move in time. Lines in the bands and rest count in full, others only as much as keeps the poles off them
+  /// from going astray; the residues then change as little as makes the body passive (passive_fit.h), which test_passivity() proves
+  /// at all frequencies. What is missing to the elastic compliance moves slowly as far as that takes energy, and else
+  /// belongs to the direct term. Bands with a larger error than aimed at count more in the next of at most five fits. `passive` says whether there is such a fit.
+  ReceptanceFit passive_receptance_fit(const ReceptanceLines &lines, const std::vector<FrequencyBand> &bands,
+                                       const DenseMatrix &at_rest, const DenseMatrix &at_once,
+                                       unsigned int n_pairs);
+  /// The worst `error` of the lines in each band.
+  std::vector<double> errors_in_bands(const ReceptanceFit &fit, const ReceptanceLines &lines,
+                                      const std::vector<FrequencyBand> &bands);
 } // namespace vibrocontact

@@ -32,7 +32,10 @@ namespace vibrocontact
 
   /// Reduces the bodies of the scene (or finds them in the cache), with their modes or for a static
   /// analysis. Collective.
+  /// @param in_time bands in which periodic rails have to be right in time, see TrackBody::in_time(); null: they have the poles from
+  /// which their roots are sought
   std::unique_ptr<const PreparedPair> prepare_pair(const Parameters &parameters, const MeshedBodies &bodies,
                                                    const std::optional<MeasuredData> &measured,
-                                                   bool with_modes);
+                                                   bool with_modes,
+                                                   const std::vector<FrequencyBand> *in_time = nullptr);
 } // namespace vibrocontact

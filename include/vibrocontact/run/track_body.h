@@ -11,14 +11,16 @@
 
 #include <complex>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vibrocontact
 {
-  /// A periodic rail of a scene in its contact, made when first asked for or found in the cache. Collective are at_rest() and
-  /// moving(), all else once moving() has returned is not.
+  /// A periodic rail of a scene in its contact, made when first asked for or found in the cache. Collective are at_rest(),
+  /// moving() and in_time(), all else once moving() has returned is not.
   class TrackBody
   {
   public:
@@ -30,6 +32,10 @@ namespace vibrocontact
     ReducedBody at_rest();
     /// Moving: poles near its receptance.
     ReducedBody moving();
+
+    /// Moving in time: passive poles near its receptance, in these bands above all. Collective.
+    /// @throws InputError if no poles near it are passive
+    ReducedBody in_time(const std::vector<FrequencyBand> &bands);
 
     /// What is wrong with the rail's section or the patch on it. @throws InputError
     void check() const;
@@ -43,9 +49,10 @@ namespace vibrocontact
     /// 3 n x 6
     const DenseMatrix &motions() { return reduction(false).motions; }
 
-    /// Its receptance beside what the poles make of it, a row per frequency; empty if nothing has asked for poles.
-    std::optional<Table> fit_table() const;
-    /// Pairs and errors; null if nothing has asked for poles.
+    /// Its receptance beside what poles make of it, a row per frequency, by the names of the tables; empty if nothing has asked
+    /// for poles.
+    std::map<std::string, Table> fit_tables() const;
+    /// Pairs and errors, of the poles in time as well; null if nothing has asked for poles.
     nlohmann::ordered_json fit_json() const;
 
     const std::string &key() const { return own_key; }
@@ -58,6 +65,7 @@ namespace vibrocontact
     /// at rest; with_lines: with receptances over frequency
     const TrackReduction &reduction(bool with_lines);
     const ReceptanceFit &fit();
+    ReducedBody by(const ReceptanceFit &poles);
     void solve_all_frequencies(TrackReduction &into);
     void solve_at(const std::vector<double> &frequency, TrackReduction &into);
 
@@ -68,5 +76,16 @@ namespace vibrocontact
     std::unique_ptr<const TrackInContact> made;
     std::optional<TrackReduction> reduced;
     std::optional<ReceptanceFit> fitted;
+
+    /// Poles in time, the lines that they follow and what they follow closely.
+    struct InTime
+    {
+      std::vector<FrequencyBand> bands;
+      TrackReduction lines;
+      ReceptanceFit fit;
+
+      double worst_error_in_bands() const;
+    };
+    std::optional<InTime> timed;
   };
 } // namespace vibrocontact

@@ -1,3 +1,4 @@
+#include <vibrocontact/analyses/stability/pair_in_time.h>
 #include <vibrocontact/analyses/stability/run_stability.h>
 #include <vibrocontact/analyses/stability/sparse_roots.h>
 #include <vibrocontact/analyses/stability/stability_output.h>
@@ -94,7 +95,10 @@ namespace vibrocontact
   void run_stability(const Parameters &parameters, const MeshedBodies &bodies,
                      const std::optional<MeasuredData> &measured, const std::string &folder, Results &results)
   {
-    const auto prepared = prepare_pair(parameters, bodies, measured, true);
+    const PairInTime in_time = parameters.stability.is_hysteretic()
+                                   ? PairInTime{prepare_pair(parameters, bodies, measured, true)}
+                                   : prepare_pair_in_time(parameters, bodies, measured);
+    const PreparedPair *const prepared = in_time.prepared.get();
     run_log().block("Stability");
     ContactPair pair = contact_pair(prepared->bodies, parameters.contacts, parameters.placed_contacts());
     std::optional<HystereticLoss> loss;
@@ -124,6 +128,8 @@ namespace vibrocontact
     on_first_rank([&] { stability_table(outcome).write(folder + "/stability.csv"); });
     results.analyses["stability"] = stability_json(outcome);
     add_contacts(outcome, pair.interface.contacts, results.analyses["stability"]);
+    if (!in_time.roots.is_null())
+      results.analyses["stability"]["roots_beside_rail"] = in_time.roots;
     if (loss)
       say_hysteretic_rests(parameters, results);
     else if (parameters.stability.is_reduced())

@@ -1,3 +1,4 @@
+#include <vibrocontact/analyses/stability/pair_in_time.h>
 #include <vibrocontact/analyses/transient/check_transient.h>
 #include <vibrocontact/analyses/transient/drive.h>
 #include <vibrocontact/analyses/transient/judge_transient.h>
@@ -17,7 +18,6 @@
 #include <vibrocontact/marching/sound.h>
 #include <vibrocontact/output/verdict.h>
 #include <vibrocontact/run/entries_of_contact.h>
-#include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/say_residual_damping.h>
 #include <vibrocontact/run/swept_runs.h>
 #include <vibrocontact/run/unreduced_pair.h>
@@ -54,15 +54,16 @@ namespace vibrocontact
 
     ContactPair transient_pair(const Parameters &parameters, const MeshedBodies &bodies,
                                const std::optional<MeasuredData> &measured, std::vector<Probe> &probes,
-                               std::unique_ptr<const PreparedPair> &prepared)
+                               PairInTime &prepared)
     {
       UnreducedPair unreduced;
       if (!parameters.transient.is_reduced())
         unreduced = prepare_unreduced_pair(parameters, bodies);
       probes = transient_probes(parameters, bodies, unreduced.surfaces);
-      prepared = unreduced.prepared ? std::move(unreduced.prepared)
-                                    : prepare_pair(parameters, bodies, measured, true);
-      ContactPair pair = contact_pair(prepared->bodies, parameters.contacts, parameters.placed_contacts());
+      prepared = unreduced.prepared ? PairInTime{std::move(unreduced.prepared)}
+                                    : prepare_pair_in_time(parameters, bodies, measured);
+      ContactPair pair =
+          contact_pair(prepared.prepared->bodies, parameters.contacts, parameters.placed_contacts());
       for (Probe &probe : probes)
         for (unsigned int b = 0; b < bodies.size(); ++b)
           if (parameters.scene.bodies[b].name == probe.body)
@@ -181,7 +182,7 @@ namespace vibrocontact
   {
     const TransientParameters &own = parameters.transient;
     std::vector<Probe> probes;
-    std::unique_ptr<const PreparedPair> prepared;
+    PairInTime prepared;
     const auto held =
         std::make_shared<const ContactPair>(transient_pair(parameters, bodies, measured, probes, prepared));
     run_log().block("Transient");
@@ -248,6 +249,8 @@ namespace vibrocontact
     results.analyses["transient"]["friction"] = parameters.largest_friction();
     results.analyses["transient"]["loss"] = "viscous";
     results.analyses["transient"]["hub"] = applied_hub;
+    if (!prepared.roots.is_null())
+      results.analyses["transient"]["roots_beside_rail"] = prepared.roots;
     if (hub.place > 0)
       results.analyses["transient"]["hub_displacement_m"] = hub.place;
     const Creepage creepage = drive(state.time).creepage;
@@ -264,8 +267,8 @@ namespace vibrocontact
                            results.analyses["transient"]);
         });
     print(result);
-    say_residual_damping(parameters, *prepared, pair, dominant_frequencies(results.analyses["transient"]),
-                         "transient", results);
+    say_residual_damping(parameters, *prepared.prepared, pair,
+                         dominant_frequencies(results.analyses["transient"]), "transient", results);
     judge_transient(result, companion ? &companion->errors : nullptr, results.stopped_by != 0, results);
   }
 
