@@ -11,6 +11,7 @@ figures/frequency_response.png  mobilities of the driving points over frequency,
 figures/green_functions_<body>.png frequency and impulse responses of a body known by its Green's functions, as in Fig. 5 of Meftah & Duhamel
 figures/identification.png      receptances given, fitted by poles, and their differences
 figures/stabilisation_chart.png identified poles over their number
+figures/receptance_fit_<body>.png, receptance_in_time_<body>.png  a periodic rail and its poles, with their error over frequency
 figures/response.png            periodic motions along a branch, stable and unstable, as in Fig. 12 of Jones & Legrand
 figures/stability_sweep.png     divergence rates along a sweep of one entry
 figures/stability_map.png       number of unstable roots and each one's divergence rate over a sweep of two entries
@@ -62,6 +63,7 @@ except ImportError:
 from plots.compare import plot_comparison_of_runs
 from plots.contact import plot_centre_line, plot_curves, plot_patch
 from plots.periodic import plot_periodic
+from plots.rail import plot_rails
 from plots.response import plot_frequency_response, plot_identification
 from plots.response_curve import plot_response_curve
 from plots.scene import plot_scene
@@ -100,6 +102,7 @@ def main():
     plot_curves(folder, cases)
     if "frequency_response" in analyses:
         plot_frequency_response(folder, analyses["frequency_response"])
+    plot_rails(folder, results.get("reductions", {}))
     if analyses.get("identification"):
         plot_identification(folder, analyses["identification"])
     if "response" in analyses:
