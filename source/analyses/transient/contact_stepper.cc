@@ -17,6 +17,20 @@ namespace vibrocontact
     constexpr double nearby_share = 0.1;
     /// steps after which W~ R is computed anew: the round-off of its changes grows with the steps^(3/2)
     constexpr unsigned int longest_without_search = 64;
+
+    /// shapes^T forces of complex shapes, whose parts stand side by side as 2 Re, -2 Im
+    std::vector<std::complex<double>> shares(const DenseMatrix &parts, const DenseVector &forces)
+    {
+      const unsigned int n = parts.n() / 2;
+      std::vector<std::complex<double>> result(n);
+      if (n == 0)
+        return result;
+      DenseVector both(2 * n);
+      parts.Tvmult(both, forces);
+      for (unsigned int k = 0; k < n; ++k)
+        result[k] = {both[k] / 2, -both[n + k] / 2};
+      return result;
+    }
   } // namespace
 
   ContactStepper::ContactStepper(const ContactPair &pair, const CreepScheme &scheme,
@@ -223,13 +237,23 @@ namespace vibrocontact
                                  const std::vector<std::complex<double>> &feed, DenseVector &displacements,
                                  DenseVector *const velocities) const
   {
-    for (unsigned int k = 0; k < states.size(); ++k)
-      for (unsigned int i = 0; i < displacements.size(); ++i)
+    const unsigned int n = states.size();
+    if (n == 0)
+      return;
+    DenseVector parts(2 * n);
+    const auto add = [&](const auto &state, DenseVector &to)
+    {
+      for (unsigned int k = 0; k < n; ++k)
       {
-        displacements[i] += 2 * (matrices.right(i, k) * states[k]).real();
-        if (velocities)
-          (*velocities)[i] += 2 * (matrices.right(i, k) * (pair.poles[k] * states[k] + feed[k])).real();
+        const std::complex<double> z = state(k);
+        parts[k] = z.real();
+        parts[n + k] = z.imag();
       }
+      matrices.by_poles.vmult(to, parts, true);
+    };
+    add([&](const unsigned int k) { return states[k]; }, displacements);
+    if (velocities)
+      add([&](const unsigned int k) { return pair.poles[k] * states[k] + feed[k]; }, *velocities);
   }
 
   // modes under the forces of the beginning of the step and the constant loads
@@ -398,13 +422,10 @@ namespace vibrocontact
       if (pair.n_modes() > 0)
         matrices.shapes.amplitudes.Tvmult(state.modal_force, c_n);
     }
+    state.pole_force = shares(matrices.into_poles, c_n);
+    state.pole_reaction = shares(matrices.by_poles, c_n);
     for (unsigned int k = 0; k < pair.n_poles(); ++k)
-    {
-      state.pole_force[k] = 0;
-      for (unsigned int i = 0; i < c_n.size(); ++i)
-        state.pole_force[k] += matrices.left(i, k) * c_n[i];
       state.z[k] = z[k] + pole_steps.now[k] * state.pole_force[k];
-    }
     if (damper.acts())
     {
       DenseVector by_force(pair.n_modes());

@@ -57,9 +57,13 @@ namespace vibrocontact
     state.residual_change.reinit(3 * n);
     state.modal_force.reinit(n_modes);
     state.pole_force.assign(pair.n_poles(), 0.);
+    state.pole_reaction.assign(pair.n_poles(), 0.);
     for (unsigned int k = 0; k < pair.n_poles(); ++k)
       for (unsigned int i = 0; i < 3 * n; ++i)
+      {
         state.pole_force[k] += pair.left(i, k) * state.R[i];
+        state.pole_reaction[k] += pair.right(i, k) * state.R[i];
+      }
     DenseVector tangential(n_modes), forces(state.R);
     if (n_modes > 0)
     {

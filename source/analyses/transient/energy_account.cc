@@ -21,13 +21,8 @@ namespace vibrocontact
     {
       constexpr double rounding = 1e-10;
       double work = 0;
-      for (unsigned int i = 0; i < state.R.size() && pair.n_poles() > 0; ++i)
-      {
-        double moved = 0;
-        for (unsigned int k = 0; k < pair.n_poles(); ++k)
-          moved += 2 * (pair.right(i, k) * state.z[k]).real();
-        work += std::abs(state.R[i] * moved);
-      }
+      for (unsigned int k = 0; k < pair.n_poles(); ++k)
+        work += 2 * std::abs(state.pole_reaction[k] * state.z[k]);
       return pair.n_poles() > 0 ? std::max(std::abs(taken), rounding * work) : 0;
     }
   } // namespace
@@ -152,8 +147,7 @@ namespace vibrocontact
     for (unsigned int k = 0; k < pair.n_poles(); ++k)
     {
       const std::complex<double> dz = 2. * (after.z[k] - before.z[k]);
-      for (unsigned int i = 0; i < 3 * n; ++i)
-        account.damping += (before.R[i] + after.R[i]) / 2 * (pair.right(i, k) * dz).real();
+      account.damping += ((before.pole_reaction[k] + after.pole_reaction[k]) / 2. * dz).real();
       if (mean_force != 0 && pair.body_of_pole[k] == 1)
       {
         const double taken = mean_force * (pair.right(0, k) * dz).real();

@@ -73,9 +73,24 @@ namespace vibrocontact
       return result;
     }
 
+    /// 2 Re beside -2 Im
+    DenseMatrix parts_of(const ComplexMatrix &shapes)
+    {
+      const unsigned int n = shapes.n();
+      DenseMatrix result(shapes.m(), 2 * n);
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int i = 0; i < shapes.m(); ++i)
+        {
+          result(i, k) = 2 * shapes(i, k).real();
+          result(i, n + k) = -2 * shapes(i, k).imag();
+        }
+      return result;
+    }
+
     /// Numbers of their own for the gradients of the poles, behind those of the shapes: what moves through them is no
     /// displacement of the points, and no force feeds it.
-    void add_gradients(const BodyInContact &body, StepMatrices &matrices)
+    void add_gradients(const BodyInContact &body, StepMatrices &matrices, ComplexMatrix &right,
+                       ComplexMatrix &left)
     {
       std::vector<unsigned int> along;
       for (unsigned int i = 0; i < body.gradient.m(); ++i)
@@ -97,15 +112,15 @@ namespace vibrocontact
       };
       matrices.shapes.basis = extended(matrices.shapes.basis, true);
       matrices.shapes.amplitudes = extended(matrices.shapes.amplitudes, false);
-      matrices.left = extended(matrices.left, false);
-      matrices.right = extended(matrices.right, false);
+      left = extended(left, false);
+      right = extended(right, false);
       matrices.by_displacement = extended(matrices.by_displacement, true);
       matrices.by_velocity = extended(matrices.by_velocity, true);
       for (unsigned int j = 0; j < along.size(); ++j)
       {
         matrices.by_displacement(along[j], rank + j) = matrices.speed;
         for (unsigned int k = 0; k < body.n_poles(); ++k)
-          matrices.right(rank + j, k) = body.gradient(along[j], k);
+          right(rank + j, k) = body.gradient(along[j], k);
       }
     }
 
@@ -144,10 +159,11 @@ namespace vibrocontact
     result.residual_flexibility = result.response = rest_over_step(body, h);
     result.shapes = patch_shapes(all_shapes(body), patch_shape_tolerance);
     PatchShapes &shapes = result.shapes;
+    ComplexMatrix right, left;
     if (body.n_poles() > 0)
     {
-      result.right = in_terms_of(shapes.basis, body.right);
-      result.left = in_terms_of(shapes.basis, body.left);
+      right = in_terms_of(shapes.basis, body.right);
+      left = in_terms_of(shapes.basis, body.left);
       shapes.amplitudes.reinit(shapes.rank(), body.n_modes());
       if (body.n_modes() > 0)
         shapes.basis.Tmmult(shapes.amplitudes, body.trace);
@@ -158,7 +174,7 @@ namespace vibrocontact
       std::fill_n(&result.by_velocity(0, k), n, 0.);
     if (body.gradient.m() > 0)
     {
-      add_gradients(body, result);
+      add_gradients(body, result, right, left);
       result.residual_gradient = body.residual_gradient;
     }
     const HubDamper damper(hub, steps);
@@ -172,14 +188,17 @@ namespace vibrocontact
     for (unsigned int k = 0; k < body.n_poles(); ++k)
       for (unsigned int j = 0; j < shapes.rank(); ++j)
       {
-        const std::complex<double> to = 2. * result.left(j, k);
+        const std::complex<double> to = 2. * left(j, k);
         for (unsigned int i = 0; i < shapes.rank(); ++i)
         {
-          const std::complex<double> residue = result.right(i, k) * to;
+          const std::complex<double> residue = right(i, k) * to;
           result.displacement_gain(i, j) += (residue * pole_steps.now[k]).real();
           result.velocity_gain(i, j) += (residue * (body.poles[k] * pole_steps.now[k] + 1.)).real();
         }
       }
+
+    result.by_poles = parts_of(right);
+    result.into_poles = parts_of(left);
 
     DenseMatrix &A = result.response;
     convert_to_slip_rows(contacts, scheme, speed, A);

@@ -21,6 +21,7 @@ namespace vibrocontact
       file("state/modal_force", state.modal_force);
       file("state/poles", state.z);
       file("state/pole_force", state.pole_force);
+      file("state/pole_reaction", state.pole_reaction);
       file("state/hub_acceleration", state.hub_acceleration);
       file("state/force", state.force);
       file("state/friction_power", state.friction_power);

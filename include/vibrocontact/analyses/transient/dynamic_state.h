@@ -24,8 +24,8 @@ namespace vibrocontact
     DenseVector force_change, residual_change;
     /// Psi^T R [N/sqrt(kg)]; n_modes
     DenseVector modal_force;
-    /// states of the poles, and what contact and exciting force feed into them, left^T R; n_poles
-    std::vector<std::complex<double>> z, pole_force;
+    /// states of the poles, what the contact feeds into them, left^T R, and right^T R, by which they work; n_poles
+    std::vector<std::complex<double>> z, pole_force, pole_reaction;
     /// powers of the tangential forces [W]: dissipated by friction (>= 0), given to the bodies by the
     /// creepage and by the transport -V R . du/dx
     double friction_power = 0, creepage_power = 0, transport_power = 0;

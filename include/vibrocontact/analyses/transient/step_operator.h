@@ -30,8 +30,9 @@ namespace vibrocontact
     /// Gap and slip by displacements of the shapes (their normal rows, V d/dx of their tangential rows), and
     /// by velocities (tangential rows); 3 n x rank
     DenseMatrix by_displacement, by_velocity;
-    /// right and left shapes of the poles in terms of the shapes; rank x n_poles
-    ComplexMatrix right, left;
+    /// right and left shapes of the poles in terms of the shapes, 2 Re beside -2 Im, so that states as Re z above Im z move
+    /// the shapes by by_poles; rank x 2 n_poles
+    DenseMatrix by_poles, into_poles;
     /// of the shapes, for a force at the end of the step: amplitudes diag(g1) amplitudes^T less what the dampers of
     /// the hub take, and 2 Re right diag(now) left^T, displacement [s^2/kg] and velocity [s/kg]; rank square
     DenseMatrix displacement_gain, velocity_gain;
