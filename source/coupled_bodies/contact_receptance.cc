@@ -177,6 +177,7 @@ namespace vibrocontact
       rests.push_back({rest.relaxation, split(entries_as<Complex>(product(rest.flexibility, E)))});
     const unsigned int n_bodies =
         pair.body.empty() ? 0 : *std::max_element(pair.body.begin(), pair.body.end());
+    const std::size_t n_further = further.size();
     for (unsigned int b = 1; b <= n_bodies; ++b)
       further.push_back(modal_receptance(pair, b, loss));
     for (PatchReceptance &receptance : further)
@@ -184,6 +185,8 @@ namespace vibrocontact
       const DenseMatrix &basis = receptance.basis;
       if (basis.n() == 0)
         continue;
+      if (&receptance == further.data() + n_further)
+        first = bodies.size();
       DenseMatrix shares(basis.n(), size);
       basis.Tmmult(shares, E);
       Rows rows = split(entries_as<Complex>(basis));
@@ -205,12 +208,27 @@ namespace vibrocontact
 
   ComplexMatrix ContactReceptance::value(const Complex &s) const
   {
+    return value_without(bodies.size(), s);
+  }
+
+  ComplexMatrix ContactReceptance::value_without(const std::size_t left_out, const Complex &s) const
+  {
     ComplexMatrix F = at_once.at(s);
     for (const Rest &rest : rests)
       F.add(1. / (1. + rest.relaxation * s), rest.rows.at(s));
-    for (const Body &body : bodies)
-      F.add(1., product(body.rows.at(s), product(body.receptance.value(s), body.shares)));
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      if (const Body &body = bodies[b]; b != left_out)
+        F.add(1., product(body.rows.at(s), product(body.receptance.value(s), body.shares)));
     return F;
+  }
+
+  ComplexMatrix ContactReceptance::seen_by_first(const Complex &s) const
+  {
+    const Body &body = bodies.at(first);
+    ComplexMatrix F = value_without(first, s), rows = body.rows.at(s);
+    F.compute_lu_factorization();
+    F.solve(rows);
+    return product(body.shares, rows);
   }
 
   namespace

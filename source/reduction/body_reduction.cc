@@ -77,6 +77,14 @@ namespace vibrocontact
       else
         modal_part.reset();
     }
+    if (modal_part && maker.revolve)
+    {
+      std::optional<RevolvedShapes> section = cache.load_section(asked.body, modes_key());
+      if (section && section->omega == modal_part->omega)
+        section_part = std::make_shared<const RevolvedShapes>(std::move(*section));
+      else
+        modal_part.reset();
+    }
     if (modal_part)
       run_log().line(asked.body + ": modes found in the cache");
   }
@@ -118,10 +126,13 @@ namespace vibrocontact
       dealii::Timer timer;
       surface.emplace();
       FlowReduction flow;
-      modal_part = waves.modes(asked.modes, *asked.wheel, *surface, asked.flows ? &flow : nullptr);
+      RevolvedShapes section;
+      modal_part = waves.modes(asked.modes, *asked.wheel, *surface, section, asked.flows ? &flow : nullptr);
       timings.emplace_back("modes", timer.wall_time());
       cache.save(asked.body, modes_key(), *modal_part);
       cache.save(asked.body, modes_key(), *surface);
+      section_part = std::make_shared<const RevolvedShapes>(std::move(section));
+      cache.save(asked.body, modes_key(), *section_part);
       if (asked.flows)
       {
         flow_part = std::make_shared<const FlowReduction>(std::move(flow));
@@ -194,7 +205,10 @@ namespace vibrocontact
     const bool moves = with_modes && asked.modes.any();
     ReducedBody body = combine(statics(), moves ? &modal() : nullptr);
     if (moves)
+    {
       body.flow = flow_part;
+      body.section = section_part;
+    }
     return body;
   }
 

@@ -114,6 +114,14 @@ namespace vibrocontact
     return load<SurfaceShapes>(file_name(body, "shapes", key), key, is_host, communicator);
   }
 
+  std::optional<RevolvedShapes> ReductionCache::load_section(const std::string &body,
+                                                             const std::string &key) const
+  {
+    if (folder.empty())
+      return {};
+    return load<RevolvedShapes>(file_name(body, "section", key), key, is_host, communicator);
+  }
+
   std::optional<FlowReduction> ReductionCache::load_flow(const std::string &body,
                                                          const std::string &key) const
   {
@@ -151,6 +159,12 @@ namespace vibrocontact
   {
     if (!folder.empty() && is_host)
       save_on_host(file_name(body, "response", key), key, part);
+  }
+
+  void ReductionCache::save(const std::string &body, const std::string &key, const RevolvedShapes &part) const
+  {
+    if (!folder.empty() && is_host)
+      save_on_host(file_name(body, "section", key), key, part);
   }
 
   void ReductionCache::save(const std::string &body, const std::string &key, const FlowReduction &part) const

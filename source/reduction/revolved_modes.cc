@@ -16,7 +16,8 @@ namespace vibrocontact
   } // namespace
 
   ModalReduction RevolvedReduction::modes(const ModeParameters &parameters, const WheelFrame &frame,
-                                          SurfaceShapes &shapes, FlowReduction *const flow) const
+                                          SurfaceShapes &shapes, RevolvedShapes &on_section,
+                                          FlowReduction *const flow) const
   {
     dealii::Timer timer;
     const std::vector<WaveMode> modes = all_modes(parameters, frame, flow != nullptr);
@@ -31,7 +32,6 @@ namespace vibrocontact
         if (odd && mode.n == 0)
           continue;
         result.omega.push_back(mode.omega);
-        result.damping_ratio.push_back(mode.damping_ratio);
         labels.push_back({mode.family, mode.nodal_circles, mode.n});
         result.load.push_back(mode.load[odd]);
         participations.push_back(odd ? &mode.odd : &mode.even);
@@ -53,10 +53,9 @@ namespace vibrocontact
     for (unsigned int k = 0; k < traces.size(); ++k)
       std::copy(traces[k].begin(), traces[k].end(), &result.trace(0, k));
     result.labels = unique_texts(labels);
-    const std::vector<double> by_diameters = wheel_damping(labels, parameters);
-    for (unsigned int k = 0; k < n_modes; ++k)
-      result.damping_ratio[k] += by_diameters[k];
+    result.damping_ratio = wheel_damping(labels, parameters);
     shapes = surface_shapes(modes);
+    on_section = revolved_shapes(modes);
     if (flow)
       *flow = flow_of(modes);
     result.seconds = timer.wall_time();
@@ -103,6 +102,38 @@ namespace vibrocontact
         }
       }
     return flow;
+  }
+
+  RevolvedShapes RevolvedReduction::revolved_shapes(const std::vector<WaveMode> &modes) const
+  {
+    RevolvedShapes result;
+    for (const auto &point : section->boundary(0).points)
+      result.points.insert(result.points.end(), {point[0], point[1]});
+    for (const RevolvedSection::Part &part : section->parts())
+      result.cells.insert(result.cells.end(), {part.centre[0], part.centre[1], double(part.material)});
+    std::vector<const WaveMode *> each;
+    for (const WaveMode &mode : modes)
+      for (int odd = 0; odd < (mode.n == 0 ? 1 : 2); ++odd)
+      {
+        each.push_back(&mode);
+        result.omega.push_back(mode.omega);
+        result.waves.push_back(mode.n);
+        result.odd.push_back(odd);
+        result.shapes.insert(result.shapes.end(), mode.boundary.begin(), mode.boundary.end());
+      }
+    const unsigned int n_parts = result.n_cells();
+    for (unsigned int l = 0; l < each.size(); ++l)
+      for (unsigned int k = 0; k <= l; ++k)
+      {
+        if (result.waves[k] != result.waves[l] || result.odd[k] != result.odd[l])
+          continue;
+        result.first.push_back(k);
+        result.second.push_back(l);
+        const std::size_t n_of_n = each[k]->energies.size() / n_parts;
+        for (unsigned int part = 0; part < n_parts; ++part)
+          result.energies.push_back(each[k]->energies[part * n_of_n + each[l]->number]);
+      }
+    return result;
   }
 
   SurfaceShapes RevolvedReduction::surface() const

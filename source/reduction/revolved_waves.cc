@@ -65,7 +65,7 @@ namespace vibrocontact
     Flexibility flexibility(*system);
     const Modes modes = compute_modes(*system, flexibility, parameters);
     const auto rotation = stretched ? section->rotation(n, *stretched) : nullptr;
-    const std::vector<double> damping_ratio = strain_energy_damping(*system, modes);
+    const std::vector<std::vector<double>> energies = section->energies_of_parts(n, modes.shapes);
     const std::vector<TraceRow> boundary = section->boundary(n).rows;
     const auto &places = section->positions();
     const auto &components = section->components();
@@ -95,7 +95,10 @@ namespace vibrocontact
       if (rotation)
         add_rotation(*rotation, modes, mode);
       mode.omega = modes.omega[k];
-      mode.damping_ratio = damping_ratio[k];
+      const auto n_modes = modes.omega.size();
+      for (const std::vector<double> &of_part : energies)
+        mode.energies.insert(mode.energies.end(), of_part.begin() + k * n_modes,
+                             of_part.begin() + (k + 1) * n_modes);
       mode.orthonormality_error = modes.orthonormality_error;
       mode.residual = modes.residual;
       mode.tread = values_of(tread_rows, shape);

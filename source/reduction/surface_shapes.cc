@@ -1,5 +1,7 @@
 #include <vibrocontact/reduction/surface_shapes.h>
 
+#include <algorithm>
+
 namespace vibrocontact
 {
   SurfaceShapes surface_shapes(const SurfaceTrace &surface, const Modes &modes)
@@ -18,6 +20,28 @@ namespace vibrocontact
     {
       const std::vector<double> values = contact_trace(rows, shape);
       result.shapes.insert(result.shapes.end(), values.begin(), values.end());
+    }
+    return result;
+  }
+
+  SurfaceShapes mixed_shapes(const SurfaceShapes &shapes, const DenseMatrix &mixing,
+                             const std::vector<double> &omega)
+  {
+    if (mixing.m() == 0)
+      return shapes;
+    const std::size_t n_values = shapes.points.size();
+    SurfaceShapes result;
+    result.points = shapes.points;
+    result.quads = shapes.quads;
+    result.omega = omega;
+    std::vector<double> sum(n_values);
+    for (unsigned int e = 0; e < mixing.n(); ++e)
+    {
+      std::fill(sum.begin(), sum.end(), 0.);
+      for (unsigned int k = 0; k < mixing.m(); ++k)
+        for (std::size_t i = 0; i < n_values; ++i)
+          sum[i] += mixing(k, e) * shapes.shapes[n_values * k + i];
+      result.shapes.insert(result.shapes.end(), sum.begin(), sum.end());
     }
     return result;
   }

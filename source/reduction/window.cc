@@ -74,6 +74,7 @@ namespace vibrocontact
     part.modal_load = body.modal_load;
     part.participation = body.participation;
     part.flow = body.flow;
+    part.section = body.section;
     part.trace.reinit(3 * n, body.trace.n());
     for (unsigned int k = 0; k < body.trace.n(); ++k)
       for (unsigned int r = 0; r < 3 * n; ++r)

@@ -256,20 +256,32 @@ namespace vibrocontact
           throw InputError(body.name + "/Modes/Stiffness damping is viscous, beside which Stability/Loss = "
                                        "hysteretic takes no body of finite elements: leave it out, or set "
                                        "Loss to viscous.");
-        if (body.is_revolved() &&
-            std::any_of(body.materials.begin(), body.materials.end(),
-                        [&](const auto &group)
-                        { return group.second.loss_factor != body.materials.begin()->second.loss_factor; }))
-          throw InputError(body.name + "/" + body.body_type().section +
-                           "/Model is harmonics, of which Stability/Loss = hysteretic knows one loss factor "
-                           "for all materials: give them the same, or set Model to solid.");
       }
+    }
+
+    /// What Stability/Roots = of body 1 takes.
+    void check_roots_of_body_1(const Parameters &parameters)
+    {
+      const BodyParameters &body = parameters.scene.bodies[0];
+      const std::string is = "Stability/Roots is of body 1, ";
+      if (!parameters.scene.runs("stability") || !parameters.stability.are_of_body_1())
+        return;
+      if (!parameters.sweeps.at("stability").any())
+        throw InputError(is + "which is for variants: give them in Stability/Sweep, or set Roots to all.");
+      if (!body.is_revolved() || body.rolls())
+        throw InputError(is + "which is for a wheel with Model = harmonics that does not rotate, but " +
+                         body.name + " is none: set Roots to all.");
+      if (parameters.rolling.hub != "held" || !parameters.scene.contacts.empty() ||
+          parameters.sweeps.at("stability").sweeps(ParameterSweep::lateral_position))
+        throw InputError(is +
+                         "which takes a held hub in one contact that stays in its place: set Roots to all.");
     }
 
     void check_sweep(const Parameters &parameters)
     {
       const ParameterSweep &sweep = parameters.sweeps.at("stability");
       parameters.stability.check();
+      check_roots_of_body_1(parameters);
       if (!sweep.any())
         return;
       check_sweep_model("Stability", parameters.stability);

@@ -19,6 +19,8 @@ namespace vibrocontact
   {
     std::ostringstream key;
     key.precision(17);
+    const DeclaredParameters::Entry *const model = parameters.find(body + "/Wheel", "Model");
+    const bool by_harmonics = model && model->value == "harmonics";
     for (const DeclaredParameters::Entry &entry : parameters.entries)
     {
       const bool own = entry.section == body || entry.section.rfind(body + "/", 0) == 0;
@@ -29,6 +31,11 @@ namespace vibrocontact
         continue;
       // poles are fitted to what is kept
       if (entry.section == body + "/Rail" && entry.name == "Pole pairs")
+        continue;
+      // of a wheel by harmonics losses come in after its reduction, as dampers do (reduction/damped_wheel.h)
+      const bool is_damper = entry.section.rfind(body + "/Wheel/Damper", 0) == 0 || entry.name == "Dampers";
+      const bool is_loss = entry.section.rfind(body + "/Material", 0) == 0 && entry.name == "Loss factor";
+      if (by_harmonics && (is_damper || is_loss))
         continue;
       // a file that is written changes nothing of the body
       const std::string value = entry.name == "Write mesh" ? "" : entry.value;

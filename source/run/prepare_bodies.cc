@@ -6,6 +6,7 @@
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/output/scene_picture.h>
 #include <vibrocontact/output/scene_summary.h>
+#include <vibrocontact/reduction/damped_wheel.h>
 #include <vibrocontact/reduction/reduction_cost.h>
 #include <vibrocontact/run/prepare_bodies.h>
 
@@ -69,12 +70,52 @@ namespace vibrocontact
     return bodies;
   }
 
-  void scale_damping(ReducedBody &body, const ModeParameters &modes)
+  void add_damping(ReducedBody &body, const BodyParameters &parameters, const ModeParameters &modes,
+                   const bool with_dampers)
   {
+    const RevolvedShapes *const section = body.section.get();
+    if (section && parameters.material_loss_factor() > 0)
+      add_loss(body, loss_of_parts(*section, loss_of_materials(*section, parameters)));
     body.damping_ratio = modes.scaled(body.damping_ratio, body.omega);
     if (body.loss.m() > 0)
       body.loss *= modes.damping_factor;
     body.relaxation = modes.stiffness_damping;
+    const std::vector<WheelDamper> *const dampers = parameters.description->wheel_dampers();
+    if (!with_dampers || !section || !dampers || dampers->empty())
+      return;
+    const std::vector<double> layers = loss_of_layers(*section, *dampers);
+    if (std::any_of(layers.begin(), layers.end(), [](const double loss) { return loss > 0; }))
+      add_loss(body, loss_of_parts(*section, layers));
+    const std::string path = parameters.name + "/" + parameters.body_type().section + "/Damper";
+    body = with_attached(std::move(body), attached_masses(*section, *dampers, path));
+  }
+
+  ReducedBody free_modes(MeshedBody &body)
+  {
+    const ModalReduction &modal = body.reduction.modal();
+    ReducedBody result;
+    result.name = body.parameters.name;
+    result.n_rigid_modes = modal.n_rigid_modes;
+    result.omega = modal.omega;
+    result.damping_ratio = modal.damping_ratio;
+    result.labels = modal.labels;
+    result.modal_load = modal.load;
+    result.participation = modal.participation;
+    result.loss = modal.loss;
+    result.trace.reinit(0, modal.omega.size());
+    result.section = body.reduction.revolved_shapes();
+    add_damping(result, body.parameters, body.reduction.request().modes);
+    return result;
+  }
+
+  SurfaceShapes shapes_of_modes(MeshedBody &body)
+  {
+    const SurfaceShapes &shapes = body.reduction.surface_shapes();
+    const std::vector<WheelDamper> *const dampers = body.parameters.description->wheel_dampers();
+    if (!dampers || dampers->empty())
+      return shapes;
+    const ReducedBody modes = free_modes(body);
+    return mixed_shapes(shapes, modes.mixing, modes.omega);
   }
 
   void reduce_bodies(const MeshedBodies &bodies, const bool with_modes)

@@ -1,5 +1,6 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/scene/gmsh_file.h>
 #include <vibrocontact/scene/mesh_quality.h>
 #include <vibrocontact/scene/revolved_mesh.h>
@@ -78,6 +79,21 @@ namespace vibrocontact
                       "rotation and one against it (Model = harmonics). false: it stands still there, as in "
                       "the paper. Units: none.",
                       Patterns::Bool());
+    dampers_entry.clear();
+    for (const WheelDamper &damper : dampers)
+      dampers_entry += (dampers_entry.empty() ? "" : ", ") + damper.name;
+    prm.add_parameter("Dampers", dampers_entry,
+                      "Names of what damps the wheel besides its materials, separated by commas (Model = "
+                      "harmonics). Section Damper then holds a subsection of each name. Units: none.",
+                      Patterns::Anything());
+    prm.enter_subsection("Damper");
+    for (WheelDamper &damper : dampers)
+    {
+      prm.enter_subsection(damper.name);
+      damper.declare_parameters(prm);
+      prm.leave_subsection();
+    }
+    prm.leave_subsection();
     prm.add_parameter(
         "Write mesh", write_mesh,
         "gmsh file to write the coarse hexahedra and named boundaries to, y as in the section; empty: "
@@ -102,6 +118,17 @@ namespace vibrocontact
   {
     section.check(path);
     refinement.check(path);
+    for (const WheelDamper &damper : dampers)
+    {
+      damper.check(path + "/Damper/" + damper.name);
+      if (!is_by_harmonics())
+        throw InputError(path + "/Dampers lists " + damper.name +
+                         ", which a wheel of solid elements does not take: set Model to harmonics.");
+      if (rotation && !damper.is_layer())
+        throw InputError(path + "/Dampers lists " + damper.name + ", a " + damper.kind +
+                         ", which would pass the contact with the turning wheel: set Rotation to false, or "
+                         "leave it out.");
+    }
     std::ostringstream text;
     if (!(contact_division >= 1e-4 * scale) || !(coarse_division >= contact_division))
       text << path << "/Contact division (" << contact_division << " m) must be " << 1e-4 * scale
@@ -254,6 +281,16 @@ namespace vibrocontact
     // a wheel's section costs little; 0.05 % of its frequencies to 8 kHz with the shipped one
     if (is_by_harmonics())
       this->section.element_degree = 3;
+    dampers.clear();
+    const std::vector<std::string> names = split_list(file.raw_value(section, "Dampers"));
+    for (const std::string &name : names)
+    {
+      if (std::count(names.begin(), names.end(), name) > 1 || name.find('/') != std::string::npos)
+        throw InputError(file.where(section, "Dampers") + ": the name \"" + name +
+                         "\" is listed twice or has a / in it, which separates sections");
+      dampers.emplace_back();
+      dampers.back().name = name;
+    }
   }
 
   bool WheelParameters::add_entries(EntriesRead &entries, const std::string &section,
@@ -264,6 +301,11 @@ namespace vibrocontact
                    "Write mesh, Contact division, Coarse division, Growth, Fine length");
     entries.add_if(is_by_harmonics() && use.contact, "Model is harmonics and the body is in contact", section,
                    "Harmonics, Contact cell size, Rotation");
+    const std::string damped = "Model is harmonics and the body moves";
+    entries.add_if(is_by_harmonics() && use.motion, damped, section, "Dampers");
+    for (const WheelDamper &damper : dampers)
+      entries.add_if(is_by_harmonics() && use.motion, damped, section + "/Damper/" + damper.name,
+                     damper.entries());
     if (!is_by_harmonics())
       refinement.add_entries(entries, section, use);
     return true;

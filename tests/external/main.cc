@@ -188,7 +188,7 @@ namespace
       throw InputError("Analyses lists wave speed, but " + on.parameters.scene.bodies[0].name +
                        " is no rod: make it one.");
     run_log().block("Wave speed");
-    const ModalResult modes = modal_analysis(on.bodies[0]->reduction);
+    const ModalResult modes = modal_analysis(*on.bodies[0]);
     const double omega = 2 * M_PI * modes.frequencies_Hz.at(own.mode - 1), n = body->divisions,
                  speed = omega * body->length / n / (2 * std::sin((2 * own.mode - 1) * M_PI / (4 * n)));
     run_log().value("wave speed", speed, "m/s");

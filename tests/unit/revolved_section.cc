@@ -140,7 +140,8 @@ TEST(RevolvedSection, ShippedWheel)
   ModeParameters wanted;
   wanted.upper_frequency = 8000;
   SurfaceShapes shapes;
-  const ModalReduction modes = wheel(parameters, nullptr).modes(wanted, WheelFrame(), shapes);
+  RevolvedShapes on_section;
+  const ModalReduction modes = wheel(parameters, nullptr).modes(wanted, WheelFrame(), shapes, on_section);
   EXPECT_EQ(modes.omega.size(), 101u);
   const std::vector<std::pair<std::string, double>> table = {
       {"axial(0,1)", 136.3},  {"axial(0,2)", 334.1},  {"axial(0,3)", 918.0}, {"axial(0,4)", 1670.1},

@@ -72,7 +72,8 @@ namespace
     parameters.upper_frequency = 8000;
     Disc result;
     SurfaceShapes shapes;
-    const ModalReduction modes = waves.modes(parameters, {rim, 0.08}, shapes, &result.flow);
+    RevolvedShapes on_section;
+    const ModalReduction modes = waves.modes(parameters, {rim, 0.08}, shapes, on_section, &result.flow);
     result.at_rest = combine(waves.statics(), &modes);
     for (unsigned int k = 0; k < modes.omega.size(); ++k)
       result.at_rest.damping_ratio[k] = mass_damping / (2 * modes.omega[k]);

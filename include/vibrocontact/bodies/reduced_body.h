@@ -10,6 +10,7 @@
 namespace vibrocontact
 {
   struct FlowReduction;
+  struct RevolvedShapes;
 
   /// A body at its contact points, three rows each as contact_row(), in global axes, under forces on it: free-interface
   /// modes plus residual attachment responses (Lai et al. 2018, Eqs 8-14; doc/theory.md, "Meshed bodies and their
@@ -37,6 +38,10 @@ namespace vibrocontact
     std::vector<double> surface_height;
     /// of a body that turns past its contact points, with modes (bodies/rolling_modes.h); null: it does not
     std::shared_ptr<const FlowReduction> flow = nullptr;
+    /// of a body of revolution by harmonics, with modes (reduction/revolved_shapes.h); null: any other body
+    std::shared_ptr<const RevolvedShapes> section = nullptr;
+    /// amplitudes of the modes of its reduction per amplitude of its modes, n x n_modes; empty: they are the same
+    DenseMatrix mixing = DenseMatrix();
     /// Phi^T H Phi of the hysteretic loss H = sum of eta_e K_e, n_modes square, if loss factors differ and so couple the modes;
     /// empty: diagonal, 2 zeta w^2 [1/s^2]
     DenseMatrix loss = DenseMatrix();

@@ -48,6 +48,15 @@ namespace vibrocontact
     /// dF/ds; analytic of modes and rests, of functions without a derivative by central differences of fourth order
     ComplexMatrix derivative(const std::complex<double> &s) const;
     unsigned int size() const { return at_once.constant.m(); }
+    /// T(s), what all but body 1 answers at its patch shapes: with R_1(s) and S_1 rows and shares of these shapes, G_1 their
+    /// receptance, F = F' + R_1 G_1 S_1,
+    ///
+    ///   T = S_1 F'^-1 R_1,     det F = det F' det(1 + G_1 T)
+    ///
+    /// so that forces T y on body 1 hold a motion y of its patch up. Rank of basis_of_first() square [N/m].
+    ComplexMatrix seen_by_first(const std::complex<double> &s) const;
+    /// The patch shapes of body 1, 3 n x rank. @pre it has modes
+    const DenseMatrix &basis_of_first() const { return bodies.at(first).receptance.basis; }
     /// p of det F ~ s^p at infinity
     int power() const { return power_of_s; }
 
@@ -75,5 +84,10 @@ namespace vibrocontact
     std::vector<Rest> rests;
     std::vector<Body> bodies;
     int power_of_s = 0;
+    /// place of body 1 among the bodies
+    std::size_t first = -1;
+
+    /// F(s) but for one of the bodies
+    ComplexMatrix value_without(std::size_t left_out, const std::complex<double> &s) const;
   };
 } // namespace vibrocontact

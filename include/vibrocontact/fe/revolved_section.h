@@ -90,6 +90,17 @@ namespace vibrocontact
     };
     Boundary boundary(unsigned int n) const;
 
+    /// An element of the section.
+    struct Part
+    {
+      dealii::Point<2> centre;
+      dealii::types::material_id material;
+    };
+    std::vector<Part> parts() const;
+    /// phi_k^T K_e phi_l of each part e, around the axle, at [part][n_shapes k + l] (revolved_parts.cc).
+    std::vector<std::vector<double>>
+    energies_of_parts(unsigned int n, const std::vector<dealii::PETScWrappers::MPI::Vector> &shapes) const;
+
     /// Support point (a, r) and component of each dof.
     const std::vector<dealii::Point<2>> &positions() const { return places; }
     const std::vector<unsigned char> &components() const { return directions; }

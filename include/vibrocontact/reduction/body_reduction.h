@@ -48,6 +48,12 @@ namespace vibrocontact
     const ModalReduction &modal();
     /// The reduced body; without modes W~ is the whole static compliance.
     ReducedBody reduced(bool with_modes);
+    /// The modes on the section of a body that is solved by harmonics; null: it is not.
+    std::shared_ptr<const RevolvedShapes> revolved_shapes()
+    {
+      modal();
+      return section_part;
+    }
     /// Mass of the attachment responses, P_c G M G P_c^T (reduction/attachment_inertia.h).
     DenseMatrix attachment_mass();
     /// The shapes themselves: not kept in the cache, computed if this run has not yet done so.
@@ -92,6 +98,7 @@ namespace vibrocontact
     std::optional<StaticReduction> static_part;
     std::optional<ModalReduction> modal_part;
     std::shared_ptr<const FlowReduction> flow_part;
+    std::shared_ptr<const RevolvedShapes> section_part;
     std::unique_ptr<Modes> mode_shapes;
     std::optional<SurfaceShapes> surface;
     std::vector<std::pair<std::string, double>> timings;

@@ -4,6 +4,7 @@
 #include <vibrocontact/reduction/flow_reduction.h>
 #include <vibrocontact/reduction/reduction_parts.h>
 #include <vibrocontact/reduction/response_reduction.h>
+#include <vibrocontact/reduction/revolved_shapes.h>
 #include <vibrocontact/reduction/surface_shapes.h>
 #include <vibrocontact/waveguide/track_reduction.h>
 
@@ -86,6 +87,20 @@ namespace vibrocontact
     }
 
     template <typename Archive, typename Part>
+    void visit_section(Archive &archive, Part &part)
+    {
+      archive("omega_rad_s", part.omega);
+      archive("waves", part.waves);
+      archive("odd", part.odd);
+      archive("points_m", part.points);
+      archive("shapes", part.shapes);
+      archive("cells", part.cells);
+      archive("first", part.first);
+      archive("second", part.second);
+      archive("energies_1_s2", part.energies);
+    }
+
+    template <typename Archive, typename Part>
     void visit_flow(Archive &archive, Part &part)
     {
       archive("angular_frequencies_rad_s", part.omega);
@@ -146,6 +161,8 @@ namespace vibrocontact
         visit_static(archive, part);
       else if constexpr (std::is_same_v<Kind, SurfaceShapes>)
         visit_shapes(archive, part);
+      else if constexpr (std::is_same_v<Kind, RevolvedShapes>)
+        visit_section(archive, part);
       else if constexpr (std::is_same_v<Kind, FlowReduction>)
         visit_flow(archive, part);
       else if constexpr (std::is_same_v<Kind, ResponseReduction>)

@@ -3,6 +3,7 @@
 #include <vibrocontact/reduction/flow_reduction.h>
 #include <vibrocontact/reduction/reduction_parts.h>
 #include <vibrocontact/reduction/response_reduction.h>
+#include <vibrocontact/reduction/revolved_shapes.h>
 #include <vibrocontact/reduction/surface_shapes.h>
 #include <vibrocontact/waveguide/track_reduction.h>
 
@@ -12,7 +13,7 @@
 namespace vibrocontact
 {
   /// Reductions kept between runs, one HDF5 file each: `<folder>/<body>-static-<hash>.h5`,
-  /// `...-modes-<hash>.h5` and, with the key of the modes, `...-shapes-<hash>.h5` and `...-flow-<hash>.h5`; for the
+  /// `...-modes-<hash>.h5` and, with the key of the modes, `...-shapes-<hash>.h5`, `...-section-<hash>.h5` and `...-flow-<hash>.h5`; for the
   /// frequency response `...-response-<hash>.h5` and `...-direct-<hash>.h5`; for periodic rails `...-track-<hash>.h5`.
   ///
   /// The key is everything that determines the contents, as text; the hash is of key and formulation version
@@ -28,6 +29,7 @@ namespace vibrocontact
     std::optional<StaticReduction> load_static(const std::string &body, const std::string &key) const;
     std::optional<ModalReduction> load_modal(const std::string &body, const std::string &key) const;
     std::optional<SurfaceShapes> load_shapes(const std::string &body, const std::string &key) const;
+    std::optional<RevolvedShapes> load_section(const std::string &body, const std::string &key) const;
     std::optional<FlowReduction> load_flow(const std::string &body, const std::string &key) const;
     std::optional<ResponseReduction> load_response(const std::string &body, const std::string &key) const;
     std::optional<TrackReduction> load_track(const std::string &body, const std::string &key) const;
@@ -35,6 +37,7 @@ namespace vibrocontact
     void save(const std::string &key, const StaticReduction &part) const;
     void save(const std::string &body, const std::string &key, const ModalReduction &part) const;
     void save(const std::string &body, const std::string &key, const SurfaceShapes &part) const;
+    void save(const std::string &body, const std::string &key, const RevolvedShapes &part) const;
     void save(const std::string &body, const std::string &key, const FlowReduction &part) const;
     void save(const std::string &body, const std::string &key, const ResponseReduction &part) const;
     void save(const std::string &body, const std::string &key, const DirectResponse &part) const;
@@ -44,7 +47,7 @@ namespace vibrocontact
     std::optional<DenseMatrix> load_attachment_mass(const std::string &body, const std::string &key) const;
     void save_attachment_mass(const std::string &body, const std::string &key, const DenseMatrix &mass) const;
 
-    /// File of a part: `kind` is "static", "modes", "shapes", "flow", "response", "direct", "track" or "inertia".
+    /// File of a part: `kind` is "static", "modes", "shapes", "section", "flow", "response", "direct", "track" or "inertia".
     std::string file_name(const std::string &body, const std::string &kind, const std::string &key) const;
 
   private:

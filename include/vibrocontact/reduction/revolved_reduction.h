@@ -4,6 +4,7 @@
 #include <vibrocontact/contact/half_space.h>
 #include <vibrocontact/fe/revolved_section.h>
 #include <vibrocontact/reduction/reduction_parts.h>
+#include <vibrocontact/reduction/revolved_shapes.h>
 #include <vibrocontact/reduction/surface_shapes.h>
 
 #include <memory>
@@ -44,10 +45,11 @@ namespace vibrocontact
                       double lateral_position, const std::optional<Contact> &contact, MPI_Comm communicator);
 
     StaticReduction statics() const;
-    /// Every mode of n > 0 is two, even and odd. With shapes on the surface.
+    /// Every mode of n > 0 is two, even and odd. With shapes on the surface and on the section. Losses of materials are not
+    /// in it: they follow from the section (reduction/damped_wheel.h).
     /// @param flow what a rotation does to the modes; null: it is not asked for
     ModalReduction modes(const ModeParameters &parameters, const WheelFrame &frame, SurfaceShapes &shapes,
-                         FlowReduction *flow = nullptr) const;
+                         RevolvedShapes &on_section, FlowReduction *flow = nullptr) const;
 
     unsigned int n_section_dofs() const { return section->n_dofs(); }
     /// of the compliance; 0 without contact
@@ -69,6 +71,7 @@ namespace vibrocontact
                                     bool rotates) const;
     FlowReduction flow_of(const std::vector<WaveMode> &modes) const;
     SurfaceShapes surface_shapes(const std::vector<WaveMode> &modes) const;
+    RevolvedShapes revolved_shapes(const std::vector<WaveMode> &modes) const;
 
     const std::unique_ptr<const RevolvedSection> section;
     const std::string name;

@@ -39,6 +39,10 @@ namespace vibrocontact
   /// The modes at the points of the surface. Collective.
   SurfaceShapes surface_shapes(const SurfaceTrace &surface, const Modes &modes);
 
+  /// The shapes of combinations of the modes. @param mixing their amplitudes, n_modes x n; empty: the shapes themselves
+  SurfaceShapes mixed_shapes(const SurfaceShapes &shapes, const DenseMatrix &mixing,
+                             const std::vector<double> &omega);
+
   /// Displacements of all points, ordered as SurfaceShapes::points [m], for amplitudes of the body's modes
   /// [m sqrt(kg)]; n_modes. For a complex root call it with the real and with the imaginary part.
   std::vector<double> surface_displacement(const SurfaceShapes &shapes,

@@ -13,8 +13,8 @@ namespace vibrocontact
   struct WaveMode
   {
     unsigned int n = 0;
-    /// angular frequency [rad/s]; ratio of the materials' damping; errors of the eigenproblem of its n [-]
-    double omega = 0, damping_ratio = 0, orthonormality_error = 0, residual = 0;
+    /// angular frequency [rad/s]; errors of the eigenproblem of its n [-]
+    double omega = 0, orthonormality_error = 0, residual = 0;
     /// see WheelLabel
     std::string family;
     unsigned int nodal_circles = 0;
@@ -26,12 +26,14 @@ namespace vibrocontact
     /// that of Omega^2; none without rotation
     unsigned int number = 0;
     std::vector<double> coriolis, of_square;
+    /// strain energy of each part of the section with each mode of n, [part * modes of n + number], see RevolvedSection
+    std::vector<double> energies;
 
     template <typename Archive>
     void serialize(Archive &archive, unsigned int)
     {
-      archive &n &omega &damping_ratio &orthonormality_error &residual &family &nodal_circles &tread &boundary
-          &load &even &odd &number &coriolis &of_square;
+      archive &n &omega &orthonormality_error &residual &family &nodal_circles &tread &boundary &load &even
+          &odd &number &coriolis &of_square &energies;
     }
   };
 

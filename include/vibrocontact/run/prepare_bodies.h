@@ -36,8 +36,15 @@ namespace vibrocontact
   /// Reduces the bodies or finds them in the cache, so that whoever asks for them later needs no other rank. Collective.
   void reduce_bodies(const MeshedBodies &bodies, bool with_modes);
 
-  /// The damping ratios of a reduced body by its Damping factor and Stiffness damping, by which its rest relaxes.
-  void scale_damping(ReducedBody &body, const ModeParameters &modes);
+  /// What comes in after the reduction of a meshed body: the losses of the materials of a wheel by harmonics, Damping factor and
+  /// Stiffness damping (by which its rest relaxes), and a wheel's dampers.
+  void add_damping(ReducedBody &body, const BodyParameters &parameters, const ModeParameters &modes,
+                   bool with_dampers = true);
+
+  /// The modes of a body without contact, with all that damps it. Collective.
+  ReducedBody free_modes(MeshedBody &body);
+  /// These modes on its surface, which its dampers' masses are no part of. Collective.
+  SurfaceShapes shapes_of_modes(MeshedBody &body);
 
   /// Makes the meshes and lays the contact grid on them, so that what is wrong there is said before the
   /// expensive steps. Bodies whose reduction is in the cache have passed already and are only made if `all`.

@@ -39,6 +39,7 @@ namespace vibrocontact
   struct ReducedBody;
   struct RevolvedMesh;
   struct SecondOrderSystem;
+  struct WheelDamper;
 
   /// Where contacts of a body may lie.
   enum class ContactPlaces
@@ -158,6 +159,8 @@ namespace vibrocontact
     virtual bool follows_lateral_position() const { return false; }
 
     // Bodies of revolution.
+    /// what damps it besides its materials (reduction/damped_wheel.h); null: it knows none
+    virtual const std::vector<WheelDamper> *wheel_dampers() const { return nullptr; }
     /// turns about an axle: its modes have labels and Eq. 23's damping
     virtual bool is_wheel() const { return false; }
     /// The outline of a wheel's section. Reads the file.

@@ -3,6 +3,7 @@
 #include <vibrocontact/scene/body_description.h>
 #include <vibrocontact/scene/contact_refinement.h>
 #include <vibrocontact/scene/section_parameters.h>
+#include <vibrocontact/scene/wheel_damper.h>
 
 #include <utility>
 
@@ -29,6 +30,8 @@ namespace vibrocontact
     unsigned int n_harmonics = 40;
     /// turns past the contact with the speed of rolling: its modes become waves around the axle
     bool rotation = false;
+    /// what damps it besides its materials, by harmonics
+    std::vector<WheelDamper> dampers;
     /// gmsh file to write the coarse mesh to; empty: none
     std::string write_mesh;
     /// similar wheels: all lengths times this factor
@@ -38,6 +41,8 @@ namespace vibrocontact
     /// the fine divisions reach this far to either side of the contact [m]
     double fine_length = 0.016;
     ContactRefinement refinement;
+    /// names of the dampers as written
+    std::string dampers_entry;
 
     void declare_parameters(dealii::ParameterHandler &prm) override;
     void check(const std::string &path) const override;
@@ -55,6 +60,7 @@ namespace vibrocontact
     RevolvedMesh make_section(const MeshRequest &request) const override;
     BodyMesh<3> make_mesh(const MeshRequest &request) const override;
     void hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const override;
+    const std::vector<WheelDamper> *wheel_dampers() const override { return &dampers; }
     unsigned int mesh_degree() const override { return section.element_degree; }
     bool has_groups() const override { return true; }
     bool is_wheel() const override { return true; }

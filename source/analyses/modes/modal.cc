@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/modes/modal.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/run/prepare_bodies.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/numbers.h>
@@ -9,21 +10,23 @@
 
 namespace vibrocontact
 {
-  ModalResult modal_analysis(BodyReduction &body)
+  ModalResult modal_analysis(MeshedBody &meshed)
   {
+    BodyReduction &body = meshed.reduction;
     Assert(body.request().modes.any(), dealii::ExcInternalError());
     const ModalReduction &modal = body.modal();
+    const ReducedBody modes = free_modes(meshed);
     ModalResult result;
     result.body = body.request().body;
-    result.labels = modal.labels;
-    result.damping_ratio = body.request().modes.scaled(modal.damping_ratio, modal.omega);
+    result.labels = modes.labels;
+    result.damping_ratio = modes.damping_ratio;
     result.n_dofs = modal.n_dofs;
     result.n_rigid_modes = modal.n_rigid_modes;
     result.seconds = modal.seconds;
     result.orthonormality_error = modal.orthonormality_error;
     result.residual = modal.residual;
     result.stages = body.stages();
-    for (const double omega : modal.omega)
+    for (const double omega : modes.omega)
       result.frequencies_Hz.push_back(omega / (2 * dealii::numbers::PI));
 
     Log &log = run_log();

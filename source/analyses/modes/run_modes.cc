@@ -7,6 +7,7 @@
 #include <vibrocontact/output/field_writer.h>
 #include <vibrocontact/output/surface_fields.h>
 #include <vibrocontact/run/entries_of_contact.h>
+#include <vibrocontact/run/prepare_bodies.h>
 
 #include <filesystem>
 
@@ -29,7 +30,7 @@ namespace vibrocontact
     /// Of a body that is known on its surface alone.
     void write_surface_shapes(MeshedBody &body, const ModalResult &modes, const std::string &folder)
     {
-      const SurfaceShapes &shapes = body.reduction.surface_shapes();
+      const SurfaceShapes shapes = shapes_of_modes(body);
       const std::string set = "mode_" + body.parameters.name;
       on_first_rank(
           [&]
@@ -94,7 +95,7 @@ namespace vibrocontact
   {
     const std::string &name = body.parameters.name;
     run_log().block("Modes of " + name);
-    const ModalResult modes = modal_analysis(body.reduction);
+    const ModalResult modes = modal_analysis(body);
     results.analyses["modes"][name] = modal_json(modes);
     on_first_rank([&] { modal_table(modes).write(folder + "/modes_" + name + ".csv"); });
     if (fields && body.parameters.is_solid())

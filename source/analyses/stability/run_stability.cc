@@ -155,6 +155,7 @@ namespace vibrocontact
       const std::string by_paper = "Stability/Linearisation is paper", rolling = "Rolling/Speed is above 0",
                         across = "the bodies move across the slip";
       entries.add(section, "Model, Second count");
+      entries.add_if(parameters.stability.is_hysteretic(), "Stability/Loss is hysteretic", section, "Roots");
       entries.add_if(std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
                                  [](const BodyParameters &body)
                                  {

@@ -1,3 +1,4 @@
+#include <vibrocontact/analyses/stability/damper_variants.h>
 #include <vibrocontact/analyses/stability/root_paths.h>
 #include <vibrocontact/analyses/stability/run_stability.h>
 #include <vibrocontact/analyses/stability/stability_output.h>
@@ -10,6 +11,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <map>
 #include <optional>
@@ -29,9 +32,11 @@ namespace vibrocontact
 
     /// @param reduced_bodies null for bodies without mesh
     /// @param loss gets what Stability/Loss = hysteretic takes out of the damping ratios
+    /// @param with_dampers of a wheel
     ContactPair pair_of_case(const SweepCase &one, const std::optional<MeasuredData> &measured,
                              const std::vector<const ReducedBody *> &reduced_bodies,
-                             const MeshedBodies &meshed_bodies, std::optional<HystereticLoss> &loss)
+                             const MeshedBodies &meshed_bodies, std::optional<HystereticLoss> &loss,
+                             const bool with_dampers = true)
     {
       const Parameters &parameters = one.parameters;
       const PlacedContacts contacts = contacts_of_case(one);
@@ -58,7 +63,7 @@ namespace vibrocontact
         else if (reduced)
           meshed = *reduced;
         if (meshed && body.is_meshed())
-          scale_damping(*meshed, parameters.modes.at(body.name));
+          add_damping(*meshed, body, parameters.modes.at(body.name), with_dampers);
         own[k] = body_of_contact(parameters, std::move(meshed), measured, k);
         bodies.push_back({&body, own[k] ? &*own[k] : nullptr});
       }
@@ -104,6 +109,46 @@ namespace vibrocontact
       solved.omega = moving.frequencies();
       return solved;
     }
+
+    /// What cases share that differ by the dampers of body 1 alone.
+    struct SharedScene
+    {
+      SolvedCase equilibrium;
+      std::unique_ptr<DamperVariants> variants;
+
+      SharedScene(const SweepCase &one, const std::optional<MeasuredData> &measured,
+                  const std::vector<const ReducedBody *> &reduced, const MeshedBodies &bodies)
+      {
+        const Parameters &parameters = one.parameters;
+        std::optional<HystereticLoss> loss;
+        const ContactPair pair = pair_of_case(one, measured, reduced, bodies, loss, false);
+        RollingParameters rolling = parameters.rolling;
+        rolling.hub = parameters.hub();
+        const CreepScheme &scheme = find_creep_scheme(parameters.contact().creep_scheme);
+        const auto roots_about = [&](const RollingEquilibrium &about)
+        {
+          variants = std::make_unique<DamperVariants>(pair, *loss, scheme, about, reduced.front()->section);
+          return variants->roots(parameters.scene.bodies[0]);
+        };
+        equilibrium.result =
+            stability(
+                parameters.stability, rolling, parameters.contacts, parameters.contact_solver, pair,
+                [](const StabilityResult &) {}, roots_about, &*loss)
+                .front();
+        equilibrium.labels = variants->bare_body().labels;
+        equilibrium.omega = variants->bare_body().omega;
+      }
+
+      SolvedCase solve(const SweepCase &one)
+      {
+        const auto begin = std::chrono::steady_clock::now();
+        SolvedCase solved = equilibrium;
+        solved.result.roots = variants->roots(one.parameters.scene.bodies[0]);
+        solved.result.seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        return solved;
+      }
+    };
 
     void print(const std::string &text, const StabilityResult &result)
     {
@@ -170,7 +215,16 @@ namespace vibrocontact
 
       PackedCase compute(const unsigned int k) override
       {
-        return dealii::Utilities::pack(solve(sweep.cases[k], on.measured, reduced[k], bodies[k]), false);
+        const SweepCase &one = sweep.cases[k];
+        if (!one.parameters.stability.are_of_body_1())
+          return dealii::Utilities::pack(solve(one, on.measured, reduced[k], bodies[k]), false);
+        const std::string dampers = one.parameters.scene.bodies[0].name + "/Wheel/Damper/";
+        const bool same_scene =
+            std::all_of(sweep.entries.begin(), sweep.entries.end(),
+                        [&](const std::string &entry) { return entry.rfind(dampers, 0) == 0; });
+        if (!shared || !same_scene)
+          shared = std::make_unique<SharedScene>(one, on.measured, reduced[k], bodies[k]);
+        return dealii::Utilities::pack(shared->solve(one), false);
       }
 
       void take(const unsigned int k, const std::function<PackedCase()> &computed) override
@@ -247,6 +301,7 @@ namespace vibrocontact
       std::map<const TrackBody *, ReducedBody> all_tracks;
       /// of each case, its bodies
       std::vector<std::vector<const ReducedBody *>> reduced;
+      std::unique_ptr<SharedScene> shared;
       StabilityOutcome outcome;
       RootPaths paths, begin_of_row;
       bool row_has_begun = false;

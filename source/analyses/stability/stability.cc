@@ -25,6 +25,11 @@ namespace vibrocontact
                       "each mode, as in time; hysteretic: by the loss factors themselves, which couple the "
                       "modes and damp what they leave out. Units: none.",
                       Selection("viscous|hysteretic"));
+    prm.add_parameter("Roots", roots,
+                      "all: complete; of body 1: those near modes of a wheel by harmonics and of its dampers "
+                      "(Loss = hysteretic), a hundred times faster for variants of the dampers in a Sweep. "
+                      "Units: none.",
+                      Selection("all|of body 1"));
     prm.add_parameter(
         "Linearisation", linearisation,
         "consistent: slip direction per point, transport V d/dx and the rate of the residual displacements, "
@@ -65,6 +70,10 @@ namespace vibrocontact
     if (is_hysteretic() && linearisation != "consistent")
       throw InputError("Stability/Loss is hysteretic, which the paper's linearisation does not know: set "
                        "Linearisation to consistent, or Loss to viscous.");
+    if (are_of_body_1() && (!is_hysteretic() || second_count))
+      throw InputError(
+          "Stability/Roots is of body 1, which is for Loss = hysteretic without Second count: set Roots "
+          "to all, or these.");
     if (second_count && linearisation != "consistent")
       throw InputError("Stability/Second count is for the consistent linearisation: set Linearisation to "
                        "consistent, or Second count to false.");

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <memory>
 
 namespace vibrocontact
 {
@@ -59,6 +60,7 @@ namespace vibrocontact
       fastest.resize(most_shapes);
     }
     const SuspendedHub *const hub = result.suspended ? result.suspended->hub.get() : nullptr;
+    std::vector<std::unique_ptr<SurfaceShapes>> surfaces(bodies.size());
     unsigned int number = 0;
     for (const StabilityRoot *const root : result.unstable())
     {
@@ -98,7 +100,9 @@ namespace vibrocontact
             real.push_back(amplitudes[i].real());
             imaginary.push_back(amplitudes[i].imag());
           }
-        const SurfaceShapes &surface = bodies[k]->reduction.surface_shapes();
+        if (!surfaces[k])
+          surfaces[k] = std::make_unique<SurfaceShapes>(shapes_of_modes(*bodies[k]));
+        const SurfaceShapes &surface = *surfaces[k];
         shapes.push_back({bodies[k].get(), &surface, surface_displacement(surface, real),
                           surface_displacement(surface, imaginary)});
         for (unsigned int i = 0; i < shapes.back().real.size(); ++i)

@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/transient/transient_probes.h>
 #include <vibrocontact/base/log.h>
 
+#include <optional>
 #include <sstream>
 
 namespace vibrocontact
@@ -22,8 +23,13 @@ namespace vibrocontact
                          ": what rolls is known by poles at its contact points");
         continue;
       }
+      std::optional<SurfaceShapes> own_shapes;
       const auto surface = [&]() -> const SurfaceShapes &
-      { return unreduced.empty() ? body.reduction.surface_shapes() : unreduced[b]; };
+      {
+        if (unreduced.empty() && !own_shapes)
+          own_shapes = shapes_of_modes(body);
+        return unreduced.empty() ? *own_shapes : unreduced[b];
+      };
       std::vector<ProbeRequest> own;
       for (const ProbeRequest &request : requests)
         if (request.name.empty() && body.reduction.request().wheel)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/reduction/body_reduction.h>
+#include <vibrocontact/run/meshed_body.h>
 
 #include <string>
 #include <utility>
@@ -26,5 +26,5 @@ namespace vibrocontact
   };
 
   /// Modes of one body, printed to the log as well.
-  ModalResult modal_analysis(BodyReduction &body);
+  ModalResult modal_analysis(MeshedBody &body);
 } // namespace vibrocontact

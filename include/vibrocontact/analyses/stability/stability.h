@@ -25,6 +25,10 @@ namespace vibrocontact
     /// modes as damping ratios; "hysteretic", see HystereticLoss
     std::string loss = "viscous";
     bool is_hysteretic() const { return loss == "hysteretic"; }
+    /// "all", complete; "of body 1": those near modes of body 1 and of its dampers, with what all else answers kept from one
+    /// variant of its dampers to the next (coupled_bodies/body_roots.h)
+    std::string roots = "all";
+    bool are_of_body_1() const { return roots == "of body 1"; }
     /// "consistent": all of the step's equations linearised; "paper": K_c and C_b of Lai et al. 2018, Eqs
     /// 19-22
     std::string linearisation = "consistent";

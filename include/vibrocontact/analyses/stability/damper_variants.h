@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vibrocontact/coupled_bodies/body_roots.h>
+
+#include <memory>
+
+namespace vibrocontact
+{
+  /// The roots of one scene with many dampers on body 1 in turn: its equilibrium, which no damper changes, its wheel without
+  /// dampers and what all else answers are made once (coupled_bodies/body_roots.h).
+  class DamperVariants
+  {
+  public:
+    /// @param pair, loss of the scene without dampers @param section of body 1
+    DamperVariants(const ContactPair &pair, const HystereticLoss &loss, const CreepScheme &scheme,
+                   const RollingEquilibrium &equilibrium, std::shared_ptr<const RevolvedShapes> section);
+
+    /// With the dampers that the body's parameters list.
+    std::vector<StabilityRoot> roots(const BodyParameters &body);
+    const BareBody &bare_body() const { return bare; }
+
+  private:
+    const std::shared_ptr<const RevolvedShapes> section;
+    AnswerOfRest rest;
+    BareBody bare;
+  };
+} // namespace vibrocontact

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <vibrocontact/coupled_bodies/contact_receptance.h>
+#include <vibrocontact/coupled_bodies/stability_roots.h>
+#include <vibrocontact/reduction/damped_wheel.h>
+
+#include <complex>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// What all but body 1 answers at its patch, T(s) of ContactReceptance::seen_by_first(), as polynomials of s over short pieces
+  /// of the imaginary axis: made where it is asked for, halved until they hold to 1e-6, and kept. An evaluation
+  /// costs a thousandth of the contact's equations.
+  class AnswerOfRest
+  {
+  public:
+    explicit AnswerOfRest(std::shared_ptr<const ContactReceptance> equations)
+        : equations(std::move(equations))
+    {
+    }
+    /// @param s next to the imaginary axis
+    ComplexMatrix at(const std::complex<double> &s);
+    const DenseMatrix &basis() const { return equations->basis_of_first(); }
+    unsigned int n_evaluations() const { return evaluations; }
+
+  private:
+    struct Piece
+    {
+      double from, to;
+      std::vector<double> nodes, weights;
+      std::vector<ComplexMatrix> values;
+      ComplexMatrix at(const std::complex<double> &s) const;
+    };
+    const Piece &piece_of(double frequency);
+    Piece made(double from, double to);
+
+    const std::shared_ptr<const ContactReceptance> equations;
+    /// by the end of their interval [rad/s]
+    std::map<double, Piece> pieces;
+    unsigned int evaluations = 0;
+  };
+
+  /// Body 1 without its dampers, at rest in its contact.
+  struct BareBody
+  {
+    /// [rad/s]; Phi^T H Phi [1/s^2]; amplitudes of the patch shapes, rank x n_modes [1/sqrt(kg)]
+    std::vector<double> omega;
+    DenseMatrix loss, amplitudes;
+    std::vector<std::string> labels;
+  };
+
+  /// The roots of a linearised contact near the modes of body 1 and its dampers, with hysteretic loss,
+  ///
+  ///   (s^2 + diag(w^2) + j H + A^T T(s) A + fixed masses m s^2 b b^T) q + sum k (1 + j eta) b (b^T q - x) = 0
+  ///   m s^2 x + k (1 + j eta) (x - b^T q) = 0
+  ///
+  /// A: amplitudes of the patch shapes. T does not know the dampers: its equilibrium has none of their forces. For every band of
+  /// frequencies in which own motions lie, the modes far from it follow at s what is near,
+  ///
+  ///   (s^2 + diag(lambda) + V_l P(s) V_r) v = 0,     v = (q near, sqrt(m) x),     P = C (1 + G C)^-1,   C = diag(T, k, m s^2),
+  ///
+  /// G their receptance, and P hardly depends on s. All eigenvalues with P at the band's middle are found at once, so that none
+  /// near it is missed; those nearest to instability are then iterated with P at the root. Other roots (of what body 1 hardly
+  /// moves in) are not looked for.
+  /// @param with layers' loss H added in `loss`; block by block of pairs that it couples
+  /// @return at most n_wanted, those with the largest divergence rates, and all that grow
+  std::vector<StabilityRoot> roots_of_body(AnswerOfRest &rest, const BareBody &body,
+                                           const std::vector<AttachedMass> &masses,
+                                           unsigned int n_wanted = 16);
+} // namespace vibrocontact

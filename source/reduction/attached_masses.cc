@@ -1,0 +1,174 @@
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/fe/make_elastic_body.h>
+#include <vibrocontact/reduction/damped_wheel.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// how far a damper may be from the nearest point of the section, as a share of its largest radius
+    constexpr double farthest_place = 0.03;
+
+    constexpr const char *directions[3] = {"axial", "radial", "circumferential"};
+
+    unsigned int place_of(const RevolvedShapes &section, const WheelDamper &damper, const std::string &path)
+    {
+      unsigned int nearest = 0;
+      double distance = 1e300, largest = 0;
+      for (unsigned int i = 0; i < section.n_points(); ++i)
+      {
+        const double a = section.points[2 * i], r = section.points[2 * i + 1],
+                     here = std::hypot(a - damper.axial, r - damper.radius);
+        largest = std::max(largest, r);
+        if (here < distance)
+        {
+          distance = here;
+          nearest = i;
+        }
+      }
+      if (distance > farthest_place * largest)
+        throw InputError(path + "/" + damper.name + " has its place at axial position " +
+                         number_text(damper.axial) + " m, radius " + number_text(damper.radius) +
+                         " m, which is not on the wheel: the nearest point of its section is at " +
+                         number_text(section.points[2 * nearest]) + " m, " +
+                         number_text(section.points[2 * nearest + 1]) + " m.");
+      return nearest;
+    }
+
+    /// What multiplies W, U or V of a mode at an angle.
+    double around(const RevolvedShapes &section, const unsigned int mode, const unsigned int component,
+                  const double theta)
+    {
+      const int n = section.waves[mode];
+      const double c = std::cos(n * theta), s = std::sin(n * theta);
+      if (n == 0)
+        return component == 2 ? -1 : 1;
+      if (component == 2)
+        return section.odd[mode] ? -c : s;
+      return section.odd[mode] ? s : c;
+    }
+
+    void add_absorbers(const RevolvedShapes &section, const WheelDamper &damper, const unsigned int point,
+                       std::vector<AttachedMass> &all)
+    {
+      for (unsigned int k = 0; k < damper.number; ++k)
+      {
+        const double theta = dealii::numbers::PI * (damper.first_angle / 180 + 2. * k / damper.number);
+        // along x, y, z: axial, radial, circumferential
+        const std::array<double, 3> axes[3] = {
+            {{0, 1, 0}}, {{std::sin(theta), 0, -std::cos(theta)}}, {{std::cos(theta), 0, std::sin(theta)}}};
+        for (unsigned int c = 0; c < 3; ++c)
+        {
+          AttachedMass one;
+          one.label = damper.name + " " + std::to_string(k + 1);
+          one.mass = damper.mass;
+          one.along = axes[c];
+          if (damper.direction == directions[c])
+          {
+            one.omega = 2 * dealii::numbers::PI * damper.frequency;
+            one.loss_factor = damper.loss_factor;
+          }
+          for (unsigned int mode = 0; mode < section.n_modes(); ++mode)
+            one.motion.push_back(section.value(point, c, mode) * around(section, mode, c, theta));
+          all.push_back(std::move(one));
+        }
+      }
+    }
+
+    void add_ring(const RevolvedShapes &section, const WheelDamper &damper, const unsigned int point,
+                  std::vector<AttachedMass> &all)
+    {
+      const int highest =
+          section.waves.empty() ? -1 : *std::max_element(section.waves.begin(), section.waves.end());
+      for (int n = 0; n <= highest; ++n)
+        for (int odd = 0; odd < (n == 0 ? 1 : 2); ++odd)
+          for (unsigned int c = 0; c < 3; ++c)
+          {
+            AttachedMass one;
+            one.label = damper.name + " n=" + std::to_string(n) + (odd ? "#2" : "");
+            one.mass = n == 0 ? damper.mass : damper.mass / 2;
+            if (damper.direction == directions[c])
+            {
+              one.omega = 2 * dealii::numbers::PI * damper.frequency;
+              one.loss_factor = damper.loss_factor;
+            }
+            if (n == 0 && c == 0)
+              one.along[1] = 1;
+            // means of a unit translation times the shape, over the mean square of the latter
+            if (n == 1 && c == 1)
+              one.along = odd ? std::array<double, 3>{{1, 0, 0}} : std::array<double, 3>{{0, 0, -1}};
+            if (n == 1 && c == 2)
+              one.along = odd ? std::array<double, 3>{{1, 0, 0}} : std::array<double, 3>{{0, 0, 1}};
+            for (unsigned int mode = 0; mode < section.n_modes(); ++mode)
+            {
+              const bool own = section.waves[mode] == n && section.odd[mode] == odd;
+              const double sign = c == 2 && (n == 0 || odd) ? -1 : 1;
+              one.motion.push_back(own ? sign * section.value(point, c, mode) : 0.);
+            }
+            all.push_back(std::move(one));
+          }
+    }
+  } // namespace
+
+  std::vector<AttachedMass> attached_masses(const RevolvedShapes &section,
+                                            const std::vector<WheelDamper> &dampers, const std::string &path)
+  {
+    std::vector<AttachedMass> all;
+    for (const WheelDamper &damper : dampers)
+    {
+      if (damper.is_layer())
+        continue;
+      const unsigned int point = place_of(section, damper, path);
+      if (damper.mass == 0)
+        continue;
+      if (damper.is_ring())
+        add_ring(section, damper, point, all);
+      else
+        add_absorbers(section, damper, point, all);
+    }
+    return all;
+  }
+
+  DenseMatrix loss_of_parts(const RevolvedShapes &section, const std::vector<double> &loss_factor)
+  {
+    const unsigned int n = section.n_modes(), n_cells = section.n_cells();
+    DenseMatrix result(n, n);
+    for (std::size_t pair = 0; pair < section.first.size(); ++pair)
+    {
+      double sum = 0;
+      for (unsigned int cell = 0; cell < n_cells; ++cell)
+        sum += loss_factor[cell] * section.energies[pair * n_cells + cell];
+      result(section.first[pair], section.second[pair]) = result(section.second[pair], section.first[pair]) =
+          sum;
+    }
+    return result;
+  }
+
+  std::vector<double> loss_of_materials(const RevolvedShapes &section, const BodyParameters &body)
+  {
+    const ElasticModel<3> model = elastic_model(body);
+    std::vector<double> result;
+    for (unsigned int cell = 0; cell < section.n_cells(); ++cell)
+      result.push_back(model.material_of(section.cells[3 * cell + 2]).loss_factor);
+    return result;
+  }
+
+  std::vector<double> loss_of_layers(const RevolvedShapes &section, const std::vector<WheelDamper> &dampers)
+  {
+    std::vector<double> result(section.n_cells(), 0.);
+    for (const WheelDamper &damper : dampers)
+      for (unsigned int cell = 0; cell < section.n_cells() && damper.is_layer(); ++cell)
+      {
+        const double r = section.cells[3 * cell + 1];
+        if (r > damper.inner_radius && r < damper.outer_radius)
+          result[cell] += damper.loss_factor;
+      }
+    return result;
+  }
+} // namespace vibrocontact
