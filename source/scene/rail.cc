@@ -281,8 +281,8 @@ namespace vibrocontact
 
   bool RailParameters::add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const
   {
-    entries.add(section, "Model, Section mesh, Section outline, Section refinements, Element degree, "
-                         "Lateral position");
+    this->section.add_entries(entries, section);
+    entries.add(section, "Model, Lateral position");
     if (is_periodic())
     {
       entries.add(

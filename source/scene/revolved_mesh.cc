@@ -18,6 +18,15 @@ namespace vibrocontact
     for (unsigned int k = 0; k < outline.rows.size(); ++k)
       if (outline.rows[k].is_arc)
         result->set_manifold(1 + k, PolarManifold<2>(outline.rows[k].centre));
+    // edges between two regions that share an arc
+    for (const auto &cell : result->active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (!cell->at_boundary(f) && cell->neighbor(f)->material_id() != cell->material_id())
+        {
+          const unsigned int k = outline.find({cell->face(f)->vertex(0), cell->face(f)->vertex(1)});
+          if (k < outline.rows.size() && outline.rows[k].is_arc)
+            cell->face(f)->set_manifold_id(1 + k);
+        }
     for (const auto &face : result->active_face_iterators())
       if (face->at_boundary())
       {

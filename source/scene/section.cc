@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 namespace vibrocontact
@@ -20,72 +19,6 @@ namespace vibrocontact
   std::string mesh_directory()
   {
     return data_directory() + "/meshes";
-  }
-
-  SectionOutline SectionOutline::read(const std::string &file, const double scale)
-  {
-    std::ifstream stream(file);
-    if (!stream)
-      throw InputError("Cannot read the section outline " + file + "; give the path of an existing file.");
-    SectionOutline outline;
-    outline.tolerance *= scale;
-    std::string line;
-    for (unsigned int number = 1; std::getline(stream, line); ++number)
-    {
-      if (line.empty() || line[0] == '#')
-        continue;
-      std::istringstream fields(line);
-      std::string kind, part;
-      double v[7];
-      fields >> kind;
-      for (double &x : v)
-        fields >> x;
-      fields >> part;
-      if (!fields || (kind != "line" && kind != "arc"))
-        throw InputError("Line " + std::to_string(number) + " of the section outline " + file +
-                         " is no curve; it must read: line|arc a1 b1 a2 b2 ac bc R part (mm).");
-      const double mm = 1e-3 * scale;
-      Row row;
-      row.is_arc = kind == "arc";
-      row.start = Point<2>(mm * v[0], mm * v[1]);
-      row.end = Point<2>(mm * v[2], mm * v[3]);
-      row.centre = Point<2>(mm * v[4], mm * v[5]);
-      row.radius = mm * v[6];
-      row.part = part;
-      outline.rows.push_back(row);
-    }
-    if (outline.rows.empty())
-      throw InputError("The section outline " + file +
-                       " holds no curve; it needs rows such as: line|arc a1 b1 a2 b2 ac bc R part (mm).");
-    return outline;
-  }
-
-  bool SectionOutline::contains(const Row &row, const Point<2> &p) const
-  {
-    const Tensor<1, 2> chord = row.end - row.start;
-    const double along = (p - row.start) * chord / chord.norm_square();
-    if (along < -tolerance / chord.norm() || along > 1 + tolerance / chord.norm())
-      return false;
-    const Tensor<1, 2> normal({-chord[1] / chord.norm(), chord[0] / chord.norm()});
-    if (!row.is_arc)
-      return std::abs((p - row.start) * normal) < tolerance;
-    // The shorter arc lies on the side of the chord away from the centre.
-    const double side = (p - row.start) * normal, centre_side = (row.centre - row.start) * normal;
-    return std::abs(p.distance(row.centre) - row.radius) < tolerance &&
-           (side * centre_side <= 0 || std::abs(side) < tolerance);
-  }
-
-  unsigned int SectionOutline::find(const std::vector<Point<2>> &points) const
-  {
-    for (unsigned int k = 0; k < rows.size(); ++k)
-    {
-      bool all = true;
-      for (const Point<2> &p : points)
-        all = all && contains(rows[k], p);
-      if (all)
-        return k;
-    }
-    return rows.size();
   }
 
   namespace
@@ -128,7 +61,13 @@ namespace vibrocontact
                                 const SectionOutline &outline, const bool mirrored,
                                 const GroupMaterials &materials)
   {
-    const GmshFile gmsh = GmshFile::read_section(file);
+    return make(GmshFile::read_section(file), file, scale, refinements, outline, mirrored, materials);
+  }
+
+  SectionMesh SectionMesh::make(const GmshFile &gmsh, const std::string &file, const double scale,
+                                const unsigned int refinements, const SectionOutline &outline,
+                                const bool mirrored, const GroupMaterials &materials)
+  {
     const std::vector<unsigned int> numbers = material_numbers(gmsh.cells, materials, file);
     std::vector<Point<2>> nodes;
     for (const Point<3> &node : gmsh.nodes)

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/scene/drawn_section.h>
 #include <vibrocontact/scene/section_parameters.h>
 
 namespace vibrocontact
@@ -12,9 +13,12 @@ namespace vibrocontact
                       FileName());
     prm.add_parameter(
         "Section outline", outline,
-        "Outline of the section, lines and arcs (see meshes/README.md); empty: the one that comes "
-        "with the program. Units: none.",
+        "Outline of the section, lines and arcs or corners (see meshes/README.md); empty: the one that comes "
+        "with the program. Given without Section mesh it is meshed by gmsh. Units: none.",
         FileName());
+    prm.add_parameter("Section cell size", cell_size,
+                      "Size of the cells of an outline that is given without Section mesh. Units: m.",
+                      Double(1e-4));
     prm.add_parameter("Section refinements", refinements, "Halvings of the section's cells. Units: none.",
                       Integer(0, 3));
     prm.add_parameter("Element degree", element_degree,
@@ -23,11 +27,15 @@ namespace vibrocontact
 
   void SectionParameters::check(const std::string &section) const
   {
-    if (mesh.empty() != outline.empty())
+    if (!mesh.empty() && outline.empty())
       throw InputError(section +
-                       (mesh.empty() ? "/Section outline is given without Section mesh"
-                                     : "/Section mesh is given without Section outline") +
-                       ": give both or none.");
+                       "/Section mesh is given without Section outline: give both, or the outline alone.");
+  }
+
+  void SectionParameters::add_entries(EntriesRead &entries, const std::string &section) const
+  {
+    entries.add(section, "Section mesh, Section outline, Section refinements, Element degree");
+    entries.add_if(is_drawn(), "Section outline is given without Section mesh", section, "Section cell size");
   }
 
   SectionOutline SectionParameters::read_outline(const double scale) const
@@ -39,6 +47,9 @@ namespace vibrocontact
   SectionMesh SectionParameters::read_mesh(const SectionOutline &outline_read, const bool mirrored,
                                            const GroupMaterials &materials, const double scale) const
   {
+    if (is_drawn())
+      return SectionMesh::make(mesh_outline(outline_read, cell_size, mirrored, outline), outline, 1.,
+                               refinements, outline_read, mirrored, materials);
     return SectionMesh::read(mesh.empty() ? mesh_directory() + "/" + built_in + "_section.msh" : mesh, scale,
                              refinements, outline_read, mirrored, materials);
   }

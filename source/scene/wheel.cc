@@ -162,6 +162,10 @@ namespace vibrocontact
           return row.start[1] + t * (row.end[1] - row.start[1]);
       }
     const auto [low, high] = tread_limits(outline);
+    if (low > high)
+      throw InputError(
+          "The outline of the wheel's section has no straight line that is called tread, so that nothing "
+          "can touch the wheel: give one this part.");
     std::ostringstream text;
     text << "Contact/Lateral position " << lateral_position
          << " m is not on the wheel's tread; give one between " << low << " and " << high << " m.";
@@ -296,11 +300,15 @@ namespace vibrocontact
   bool WheelParameters::add_entries(EntriesRead &entries, const std::string &section,
                                     const BodyUse &use) const
   {
-    entries.add(section, "Section mesh, Section outline, Section refinements, Element degree, Scale, Model");
+    this->section.add_entries(entries, section);
+    entries.add(section, "Scale, Model");
     entries.add_if(!is_by_harmonics(), "Model is solid", section,
                    "Write mesh, Contact division, Coarse division, Growth, Fine length");
+    entries.add_if(is_by_harmonics() && (use.contact || use.points),
+                   "Model is harmonics and the body is in contact or responds to forces", section,
+                   "Harmonics");
     entries.add_if(is_by_harmonics() && use.contact, "Model is harmonics and the body is in contact", section,
-                   "Harmonics, Contact cell size, Rotation");
+                   "Contact cell size, Rotation");
     const std::string damped = "Model is harmonics and the body moves";
     entries.add_if(is_by_harmonics() && use.motion, damped, section, "Dampers");
     for (const WheelDamper &damper : dampers)

@@ -10,11 +10,15 @@
 
 namespace vibrocontact
 {
+  struct GmshFile;
+
   /// Outline of a cross-section: lines and circular arcs in coordinates (a, b), each belonging to a named
   /// part.
   ///
   /// Wheel: a axial, b radius. Rail: a lateral (right half, mirrored), b height above the underside.
-  /// The files in meshes/ hold one row per curve, in mm; here everything is in metres.
+  /// The files in meshes/ hold one row per curve, in mm; here everything is in metres. A file whose name ends in .csv holds
+  /// one row per corner instead, `a, b, rounding radius, part[, region]`, each polygon closed: the part is that of the edge
+  /// to the next corner, a rounding is an arc tangent to both edges.
   class SectionOutline
   {
   public:
@@ -25,6 +29,8 @@ namespace vibrocontact
       dealii::Point<2> start, end, centre;
       double radius = 0;
       std::string part;
+      /// that this curve bounds: of several materials, each is drawn by itself
+      std::string region;
     };
 
     /// @throws InputError if the file is missing or a row is not a curve.
@@ -56,6 +62,10 @@ namespace vibrocontact
     static SectionMesh read(const std::string &file, const double scale, const unsigned int refinements,
                             const SectionOutline &outline, const bool mirrored,
                             const GroupMaterials &materials);
+    /// The same of cells that are there already. @param file where they come from, for messages
+    static SectionMesh make(const GmshFile &gmsh, const std::string &file, const double scale,
+                            const unsigned int refinements, const SectionOutline &outline,
+                            const bool mirrored, const GroupMaterials &materials);
   };
 
   /// Folder of the meshes that come with the program.

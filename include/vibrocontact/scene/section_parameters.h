@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/base/entries_read.h>
 #include <vibrocontact/scene/section.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -15,17 +16,21 @@ namespace vibrocontact
     /// <name>_outline.txt): wheel, rail_60e1
     explicit SectionParameters(const std::string &built_in) : built_in(built_in) {}
 
-    /// files; empty: the section that comes with the program
+    /// files; both empty: the section that comes with the program; an outline alone is meshed by gmsh (scene/drawn_section.h)
     std::string mesh, outline;
+    /// of the cells of an outline that is given alone [m]
+    double cell_size = 0.015;
     /// halvings of the section's cells
     unsigned int refinements = 0;
     /// polynomial degree of the displacements
     unsigned int element_degree = 2;
 
-    /// Entries `Section mesh`, `Section outline`, `Section refinements`, `Element degree`.
+    /// Entries `Section mesh`, `Section outline`, `Section cell size`, `Section refinements`, `Element degree`.
     /// @param coordinates what the two coordinates of the section are, for the reader of the file
     void declare_parameters(dealii::ParameterHandler &prm, const std::string &coordinates);
     void check(const std::string &section) const;
+    void add_entries(EntriesRead &entries, const std::string &section) const;
+    bool is_drawn() const { return mesh.empty() && !outline.empty(); }
 
     /// @param scale factor on all lengths
     SectionOutline read_outline(double scale = 1) const;
