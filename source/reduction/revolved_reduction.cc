@@ -2,6 +2,7 @@
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/contact/short_waves.h>
+#include <vibrocontact/reduction/revolved_point.h>
 #include <vibrocontact/reduction/revolved_reduction.h>
 #include <vibrocontact/reduction/wave_mode.h>
 
@@ -48,35 +49,11 @@ namespace vibrocontact
                    half = (std::asin((grid.x(i) + grid.spacing_x / 2) / radius) -
                            std::asin((grid.x(i) - grid.spacing_x / 2) / radius)) /
                           2;
-      // means over the cell of cos(m theta), sin(m theta)
-      const auto cosine = [&](const int m)
-      { return m == 0 ? 1. : std::cos(m * theta) * std::sin(m * half) / (m * half); };
-      const auto sine = [&](const int m)
-      { return m == 0 ? 0. : std::sin(m * theta) * std::sin(m * half) / (m * half); };
-      const int m = n;
-      const double cos_cos = (cosine(m + 1) + cosine(m - 1)) / 2,
-                   sin_sin = (cosine(m - 1) - cosine(m + 1)) / 2,
-                   // the first of cos(n theta), sin(n theta), the second of cos(theta), sin(theta)
-          cos_sin = (sine(m + 1) - sine(m - 1)) / 2, sin_cos = (sine(m + 1) + sine(m - 1)) / 2;
-      const unsigned int j = i / grid.n_x, W = j, U = n_y + j, V = 2 * n_y + j;
-      const unsigned int z = contact_row(n_points, 0, i), x = contact_row(n_points, 1, i),
-                         y = contact_row(n_points, 2, i);
-      // e_r = (sin, -cos), e_t = (cos, sin) in x and z
-      if (!odd || n == 0)
+      for (unsigned int component = 0; component < 3; ++component)
       {
-        result(z, U) += -cos_cos;
-        result(x, U) += cos_sin;
-        result(y, W) += cosine(m);
-        result(z, V) += sin_sin;
-        result(x, V) += sin_cos;
-      }
-      if (odd || n == 0)
-      {
-        result(z, U) += -sin_cos;
-        result(x, U) += sin_sin;
-        result(y, W) += sine(m);
-        result(z, V) += -cos_sin;
-        result(x, V) += -cos_cos;
+        const std::array<double, 3> weights = wave_weights(n, odd, theta, half, component);
+        for (unsigned int c = 0; c < 3; ++c)
+          result(contact_row(n_points, component, i), c * n_y + i / grid.n_x) = weights[c];
       }
     }
     return result;

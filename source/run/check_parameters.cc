@@ -228,18 +228,13 @@ namespace vibrocontact
         needs.push_back("the analysis periodic");
       for (const auto &[section, model] : unreduced_models(parameters))
         needs.push_back(section + "/Model = " + model);
-      const std::vector<std::string> responding = split_list(parameters.frequency_response.bodies);
       for (const BodyParameters &body : parameters.scene.bodies)
       {
         if (!body.is_revolved())
           continue;
-        std::vector<std::string> own = needs;
-        if (parameters.scene.runs("frequency response") &&
-            (responding.empty() || std::count(responding.begin(), responding.end(), body.name) > 0))
-          own.push_back("the analysis frequency response");
-        if (!own.empty())
+        if (!needs.empty())
           throw InputError(body.name + "/" + body.body_type().section + "/Model is harmonics, but " +
-                           own.front() + " needs elements of the whole body: set it to solid.");
+                           needs.front() + " needs elements of the whole body: set it to solid.");
       }
     }
 

@@ -7,7 +7,6 @@
 #include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/trace_assembly.h>
 #include <vibrocontact/run/meshed_body.h>
-#include <vibrocontact/scene/revolved_mesh.h>
 
 #include <limits>
 #include <sstream>
@@ -142,8 +141,9 @@ namespace vibrocontact
     if (grid)
       check_side(places.front().above, false);
     ElasticModel<3> model = elastic_model(parameters);
-    const RevolvedMesh mesh = parameters.description->revolved()->make_section(
+    revolved_mesh = parameters.description->revolved()->make_section(
         {parameters.name, lateral_position, places, grid, group_names(parameters), communicator});
+    const RevolvedMesh &mesh = *revolved_mesh;
     model.held = {mesh.held};
     model.gravity[2] = -parameters.loads.gravity;
     std::optional<RevolvedReduction::Contact> contact;
@@ -159,6 +159,12 @@ namespace vibrocontact
     return std::make_unique<RevolvedReduction>(
         std::make_unique<RevolvedSection>(parameters.name, mesh.triangulation, model, mesh.degree),
         parameters.name, mesh.radius, lateral_position, contact, communicator);
+  }
+
+  const RevolvedMesh &MeshedBody::section()
+  {
+    reduction.revolved();
+    return *revolved_mesh;
   }
 
   void MeshedBody::check_contact()

@@ -76,9 +76,12 @@ namespace vibrocontact
                                                const dealii::PETScWrappers::MPI::Vector &stretched) const;
 
     /// Mean of a component over the part of a boundary that lies between two axial positions.
-    /// @throws InputError if the boundary does not reach over all of it
-    TraceRow mean_over(dealii::types::boundary_id boundary, double low, double high,
-                       Component component) const;
+    /// @param what reaches over it, for the message @throws InputError if the boundary does not reach over all of it
+    TraceRow mean_over(dealii::types::boundary_id boundary, double low, double high, Component component,
+                       const std::string &what = "The contact grid") const;
+    /// The components at the node nearest to a place (a, r) of those that are free to move.
+    /// @param what is there, for the log and the message @throws InputError if the place does not lie on the section
+    std::array<TraceRow, 3> node(const dealii::Point<2> &place, const std::string &what) const;
     /// A component at the points: those of the section's boundary, one after the other around it.
     struct Boundary
     {

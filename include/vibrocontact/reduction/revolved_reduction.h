@@ -51,6 +51,7 @@ namespace vibrocontact
     ModalReduction modes(const ModeParameters &parameters, const WheelFrame &frame, SurfaceShapes &shapes,
                          RevolvedShapes &on_section, FlowReduction *flow = nullptr) const;
 
+    const RevolvedSection &elements() const { return *section; }
     unsigned int n_section_dofs() const { return section->n_dofs(); }
     /// of the compliance; 0 without contact
     unsigned int n_waves() const { return contact ? contact->n_harmonics : 0; }

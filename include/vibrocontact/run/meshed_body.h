@@ -3,6 +3,7 @@
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/fe/make_elastic_body.h>
 #include <vibrocontact/reduction/body_reduction.h>
+#include <vibrocontact/scene/revolved_mesh.h>
 
 #include <memory>
 #include <optional>
@@ -35,6 +36,8 @@ namespace vibrocontact
     /// wrong with it is thrown here, before the expensive steps; also a contact surface that looks the wrong
     /// way: down for the first body of a contact, which is above, up for the second. Collective.
     void check_contact();
+    /// Section of a body of revolution, made if need be. Collective.
+    const RevolvedMesh &section();
     /// The body if this run has made it, null otherwise.
     const ElasticBody<3> *made() const { return body.get(); }
 
@@ -47,6 +50,7 @@ namespace vibrocontact
     const MPI_Comm communicator;
     std::unique_ptr<ElasticBody<3>> body;
     std::optional<ContactTrace> trace;
+    std::optional<RevolvedMesh> revolved_mesh;
 
     std::unique_ptr<SecondOrderSystem> assemble();
     std::unique_ptr<RevolvedReduction> revolve();

@@ -1,4 +1,4 @@
-#include <vibrocontact/analyses/frequency_response/frequency_response_output.h>
+#include <vibrocontact/analyses/frequency_response/body_response.h>
 #include <vibrocontact/analyses/frequency_response/run_frequency_response.h>
 #include <vibrocontact/analyses/frequency_response/run_green_functions.h>
 #include <vibrocontact/analyses/frequency_response/track_response.h>
@@ -7,10 +7,7 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
-#include <vibrocontact/fe/nearest_dof.h>
-#include <vibrocontact/fe/trace_assembly.h>
 #include <vibrocontact/numerics/frequency_refinement.h>
-#include <vibrocontact/reduction/reduction_cache.h>
 #include <vibrocontact/run/entries_of_contact.h>
 
 #include <deal.II/base/mpi.h>
@@ -24,148 +21,6 @@ namespace vibrocontact
 {
   namespace
   {
-    using Rows = std::vector<TraceRow>;
-
-    /// How the points move with the dofs of the body.
-    Rows response_rows(MeshedBody &body, const FrequencyResponseParameters &parameters)
-    {
-      const BodyParameters &own = body.parameters;
-      Rows rows;
-      for (const ResponsePoint &point : parameters.parsed_points())
-        if (point.z)
-        {
-          const unsigned int directions[3] = {2, 0, 1};
-          rows.push_back(nearest_dof(body.reduction.system(), {point.x, point.y, *point.z},
-                                     directions[point.component],
-                                     "Frequency response/Points: " + point.name));
-        }
-        else if (own.is_solid())
-        {
-          ContactGrid patch;
-          patch.n_x = patch.n_y = 1;
-          patch.x_first = point.x;
-          patch.y_first = point.y;
-          patch.spacing_x = parameters.load_length;
-          patch.spacing_y = parameters.load_width;
-          rows.push_back(make_contact_trace(body.elastic_body(), patch).rows[point.component]);
-        }
-        else
-        {
-          const std::vector<TraceRow> surface =
-              own.description->surface_rows(own.name, point.x, point.y, parameters.load_length);
-          if (surface.empty())
-            throw InputError("Frequency response/Points: " + own.name + " has no surface for the point " +
-                             point.name + "; give it as name: x, y, z, direction.");
-          rows.push_back(surface[point.component]);
-        }
-      return rows;
-    }
-
-    /// The points as the cache knows them.
-    std::string points_key(const FrequencyResponseParameters &parameters)
-    {
-      std::ostringstream key;
-      key.precision(17);
-      for (const ResponsePoint &point : parameters.parsed_points())
-        key << "point " << point.x << " " << point.y << " " << (point.z ? *point.z : 0.) << " "
-            << bool(point.z) << " " << point.component << "\n";
-      key << "load " << parameters.load_length << " " << parameters.load_width << "\n";
-      return key.str();
-    }
-
-    std::vector<Receptance> receptances(const DirectResponse &direct)
-    {
-      std::vector<Receptance> result(direct.frequency.size(), Receptance(direct.real.n()));
-      for (unsigned int k = 0; k < result.size(); ++k)
-        for (unsigned int i = 0; i < direct.real.n(); ++i)
-          result[k][i] = {direct.real(k, i), direct.imaginary(k, i)};
-      return result;
-    }
-
-    /// One body: what is asked for, from the cache or computed.
-    class BodyResponse
-    {
-    public:
-      BodyResponse(MeshedBody &body, const FrequencyResponseParameters &parameters)
-          : body(body), parameters(parameters),
-            cache(body.reduction.request().cache_directory, MPI_COMM_WORLD),
-            key(body.reduction.request().key + points_key(parameters))
-      {
-      }
-
-      const ResponseReduction &reduction()
-      {
-        const ReductionRequest &request = body.reduction.request();
-        const std::string own_key = key + "Ritz vectors\nmodes " + request.modes.key();
-        if (!reduced)
-        {
-          reduced = cache.load_response(request.body, own_key);
-          if (reduced)
-            run_log().line(request.body + ": response reduction found in the cache");
-        }
-        if (!reduced)
-        {
-          const Modes &modes = body.reduction.shapes();
-          reduced = reduce_response(body.reduction.system(), body.reduction.flexibility(), modes,
-                                    body.reduction.modal().damping_ratio, bool(request.wheel), points());
-          cache.save(request.body, own_key, *reduced);
-          run_log().value("modal loss and static answers", reduced->seconds, "s");
-        }
-        return *reduced;
-      }
-
-      ResponseVariant direct(const std::vector<double> &frequency)
-      {
-        const ReductionRequest &request = body.reduction.request();
-        if (request.wheel)
-          throw InputError("Frequency response: the damping of " + request.body +
-                           " is given by mode, so that its unreduced equations have none; leave Check "
-                           "frequencies out and set Method to modal.");
-        std::ostringstream own_key;
-        own_key.precision(17);
-        own_key << key << "frequencies";
-        for (const double f : frequency)
-          own_key << " " << f;
-        auto found = cache.load_direct(request.body, own_key.str());
-        if (found)
-          run_log().line(request.body + ": direct solutions found in the cache");
-        else
-        {
-          Progress progress("direct solutions of " + request.body, frequency.size());
-          found = solve_directly(body.reduction.system(), points(), frequency, [&] { progress.advance(); });
-          cache.save(request.body, own_key.str(), *found);
-        }
-        run_log().value("direct solutions took", found->seconds / frequency.size(), "s per frequency");
-        return {"direct", 0, frequency, receptances(*found)};
-      }
-
-      ResponseVariant modal(const std::string &method, const double cut, const std::vector<double> &frequency)
-      {
-        const ResponseReduction &modes = reduction();
-        const auto begin = modes.omega.begin(), end = begin + modes.damping_ratio.size();
-        const unsigned int n =
-            (cut > 0 ? std::lower_bound(begin, end, 2 * dealii::numbers::PI * cut) : end) - begin;
-        return {method, n, frequency,
-                method == "hysteretic" ? hysteretic_response(modes, n, frequency)
-                                       : time_domain_response(modes, n, frequency)};
-      }
-
-    private:
-      const Rows &points()
-      {
-        if (rows.empty())
-          rows = response_rows(body, parameters);
-        return rows;
-      }
-
-      MeshedBody &body;
-      const FrequencyResponseParameters &parameters;
-      const ReductionCache cache;
-      const std::string key;
-      std::optional<ResponseReduction> reduced;
-      Rows rows;
-    };
-
     /// The largest maxima and the smallest minima; all of them are in a table.
     void print_extrema(const nlohmann::ordered_json &extrema)
     {
@@ -363,7 +218,7 @@ namespace vibrocontact
     const std::vector<std::string> wanted = split_list(parameters.frequency_response.bodies);
     for (const auto &body : bodies)
       if (body && (wanted.empty() || std::count(wanted.begin(), wanted.end(), body->parameters.name) > 0))
-        response_rows(*body, parameters.frequency_response);
+        BodyResponse::check_points(*body, parameters.frequency_response);
     for (const BodyParameters &body : parameters.scene.bodies)
       if (const RailParameters *const rail = body.description->periodic_rail())
         if (wanted.empty() || std::count(wanted.begin(), wanted.end(), body.name) > 0)

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vibrocontact/analyses/frequency_response/frequency_response_output.h>
+#include <vibrocontact/analyses/frequency_response/revolved_response.h>
+#include <vibrocontact/run/meshed_body.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// The frequency response of one body with elements: what is asked for, from the cache or computed. A body solved by
+  /// harmonics is quickly done and keeps nothing. All members are collective.
+  class BodyResponse
+  {
+  public:
+    /// @throws InputError for points that are not on the body, which is made for it
+    static void check_points(MeshedBody &body, const FrequencyResponseParameters &parameters);
+
+    BodyResponse(MeshedBody &body, const FrequencyResponseParameters &parameters);
+
+    ResponseVariant direct(const std::vector<double> &frequency);
+    /// @param method hysteretic or time domain @param cut modes above are left out, 0: none [Hz]
+    ResponseVariant modal(const std::string &method, double cut, const std::vector<double> &frequency);
+
+  private:
+    const ResponseReduction &reduction();
+    const std::vector<TraceRow> &points();
+    RevolvedResponse &waves();
+
+    MeshedBody &body;
+    const FrequencyResponseParameters &parameters;
+    const ReductionCache cache;
+    const std::string key;
+    std::optional<ResponseReduction> reduced;
+    std::vector<TraceRow> rows;
+    std::optional<RevolvedResponse> by_harmonics;
+  };
+} // namespace vibrocontact
