@@ -49,4 +49,23 @@ namespace vibrocontact
     cost.peak = bytes;
     return cost;
   }
+
+  ReductionCost track_cost(const double n_dofs, const double n_rows, const double n_of_poles,
+                           const double n_of_response)
+  {
+    const double size = n_dofs / 813, number = 8, bytes = 2e8 * size + 2 * number * n_rows * n_rows;
+    ReductionCost cost;
+    const auto frequencies = [&](const std::string &what, const double n, const double seconds)
+    {
+      if (n > 0)
+        cost.stages.push_back(
+            {what + " at " + std::to_string(std::lround(n)) + " frequencies", seconds * size * n, bytes});
+    };
+    if (n_rows > 0)
+      cost.stages.push_back({"compliance of the crown", 2 * size, bytes});
+    frequencies("receptance", n_of_poles, 0.13);
+    frequencies("frequency response", n_of_response, 1.5);
+    cost.peak = bytes;
+    return cost;
+  }
 } // namespace vibrocontact

@@ -46,22 +46,39 @@ namespace vibrocontact
     return result;
   }
 
-  ReducedBody window(const ReducedBody &body, const ContactGrid &grid, const double lateral,
-                     const double height)
+  std::vector<unsigned int> window_rows(const ContactGrid &band, const ContactGrid &grid,
+                                        const double lateral)
   {
     long i_first, j_first;
-    AssertThrow(whole(grid.x_first - body.grid.x_first, grid.spacing_x, i_first) &&
-                    whole(lateral + grid.y_first - body.grid.y_first, grid.spacing_y, j_first) &&
-                    i_first >= 0 && j_first >= 0 && i_first + grid.n_x <= body.grid.n_x &&
-                    j_first + grid.n_y <= body.grid.n_y,
-                dealii::ExcMessage("The window does not lie in the band of body " + body.name + "."));
-    const unsigned int n = grid.n_points();
+    AssertThrow(whole(grid.x_first - band.x_first, grid.spacing_x, i_first) &&
+                    whole(lateral + grid.y_first - band.y_first, grid.spacing_y, j_first) && i_first >= 0 &&
+                    j_first >= 0 && i_first + grid.n_x <= band.n_x && j_first + grid.n_y <= band.n_y,
+                dealii::ExcMessage("The window does not lie in the band of contact points."));
     std::vector<unsigned int> rows;
     for (unsigned int c = 0; c < 3; ++c)
       for (unsigned int j = 0; j < grid.n_y; ++j)
         for (unsigned int i = 0; i < grid.n_x; ++i)
-          rows.push_back(contact_row(body.grid.n_points(), c, body.grid.index(i_first + i, j_first + j)));
+          rows.push_back(contact_row(band.n_points(), c, band.index(i_first + i, j_first + j)));
+    return rows;
+  }
 
+  namespace
+  {
+    ComplexMatrix rows_of(const ComplexMatrix &matrix, const std::vector<unsigned int> &rows)
+    {
+      ComplexMatrix result(rows.size(), matrix.n());
+      for (unsigned int k = 0; k < matrix.n(); ++k)
+        for (unsigned int r = 0; r < rows.size(); ++r)
+          result(r, k) = matrix(rows[r], k);
+      return result;
+    }
+  } // namespace
+
+  ReducedBody window(const ReducedBody &body, const ContactGrid &grid, const double lateral,
+                     const double height)
+  {
+    const std::vector<unsigned int> rows = window_rows(body.grid, grid, lateral);
+    const unsigned int n = grid.n_points();
     ReducedBody part;
     part.name = body.name;
     part.grid = grid;
@@ -75,6 +92,14 @@ namespace vibrocontact
     part.participation = body.participation;
     part.flow = body.flow;
     part.section = body.section;
+    part.relaxation = body.relaxation;
+    part.poles = body.poles;
+    part.pole_load = body.pole_load;
+    if (body.n_poles() > 0)
+    {
+      part.right = rows_of(body.right, rows);
+      part.left = rows_of(body.left, rows);
+    }
     part.trace.reinit(3 * n, body.trace.n());
     for (unsigned int k = 0; k < body.trace.n(); ++k)
       for (unsigned int r = 0; r < 3 * n; ++r)
@@ -86,7 +111,8 @@ namespace vibrocontact
     for (const unsigned int r : rows)
     {
       part.lifting.push_back(body.lifting[r]);
-      part.residual_load.push_back(body.residual_load[r]);
+      if (!body.residual_load.empty())
+        part.residual_load.push_back(body.residual_load[r]);
     }
     for (unsigned int i = 0; i < n; ++i)
       part.surface_height.push_back(body.surface_height[rows[i]] - height);

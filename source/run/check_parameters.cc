@@ -88,8 +88,9 @@ namespace vibrocontact
 
     void check_periodic_rails(const Parameters &parameters)
     {
-      const std::vector<std::string> taken = {"frequency response", "quasi-static rolling", "stability",
-                                              "transient"};
+      // modes are those of the other bodies
+      const std::vector<std::string> taken = {"modes", "frequency response", "quasi-static rolling",
+                                              "stability", "transient"};
       for (const BodyParameters &body : parameters.scene.bodies)
       {
         if (!body.is_periodic_rail())
@@ -139,10 +140,6 @@ namespace vibrocontact
                 body.name + "/Rail/Model is periodic, beside which stability and time take no suspended hub: "
                             "set Rolling/Hub to held or massless, or Model to solid.");
         }
-        if (parameters.lateral_sweep())
-          throw InputError(
-              "Stability/Sweep sweeps Contact/Lateral position, which " + body.name +
-              "/Rail/Model = periodic does not take: sweep another entry or set Model to solid.");
         for (const auto &[section, model] : unreduced_models(parameters))
           throw InputError(body.name + "/Rail/Model is periodic, but " + section + "/Model = " + model +
                            " needs elements of the whole body: set it to solid.");

@@ -2,6 +2,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/memory.h>
+#include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/output/scene_picture.h>
@@ -9,6 +10,7 @@
 #include <vibrocontact/reduction/damped_wheel.h>
 #include <vibrocontact/reduction/reduction_cost.h>
 #include <vibrocontact/run/prepare_bodies.h>
+#include <vibrocontact/waveguide/rail_section.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -179,6 +181,32 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    /// What the periodic rails of a scene cost: in their contact and in frequency responses.
+    void print_tracks(const Parameters &parameters, const MeshedBodies &bodies)
+    {
+      const std::vector<std::string> responding = split_list(parameters.frequency_response.bodies);
+      for (unsigned int k = 0; k < parameters.scene.bodies.size(); ++k)
+      {
+        const BodyParameters &body = parameters.scene.bodies[k];
+        const RailParameters *const rail = body.description->periodic_rail();
+        if (!rail)
+          continue;
+        const unsigned int n_dofs = RailSection(body, *rail).elements.n_dofs();
+        run_log().value("dofs of the section of " + body.name, n_dofs);
+        const TrackBody *const track = bodies.tracks[k].get();
+        const FrequencyResponseParameters &response = parameters.frequency_response;
+        const bool responds =
+            parameters.scene.runs("frequency response") &&
+            (responding.empty() || std::count(responding.begin(), responding.end(), body.name) > 0);
+        print_cost(track_cost(n_dofs, track ? 3 * track->contact_grid().n_points() : 0,
+                              track && parameters.needs_modes() ? TrackBody::n_frequencies : 0,
+                              responds ? response.frequencies().size() + response.n_refined : 0));
+      }
+    }
+  } // namespace
+
   void check_meshes(const Parameters &parameters, const MeshedBodies &bodies, const bool all)
   {
     for (const auto &track : bodies.tracks)
@@ -232,6 +260,7 @@ namespace vibrocontact
             revolved_cost(waves.n_section_dofs(), waves.n_waves(), wants_modes(parameters, *bodies[k])));
       }
     }
+    print_tracks(parameters, bodies);
     for (const PlacedContact &contact : parameters.placed_contacts().all)
     {
       if (!contact.name.empty())

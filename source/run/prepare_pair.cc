@@ -1,7 +1,10 @@
 #include <vibrocontact/bodies/rolling_modes.h>
+#include <vibrocontact/reduction/window.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/road_body.h>
+
+#include <algorithm>
 
 namespace vibrocontact
 {
@@ -51,10 +54,15 @@ namespace vibrocontact
       {
         const PlacedContacts::Rows own = contacts.rows_of(k);
         const DenseMatrix &motions = track->motions();
+        // a wheel whose tread ends has fewer points in contact than the rail, which is in one contact
+        const auto contact =
+            std::find_if(contacts.all.begin(), contacts.all.end(),
+                         [&](const PlacedContact &one) { return one.above == k || one.below == k; });
+        const std::vector<unsigned int> kept = window_rows(track->contact_grid(), contact->grid);
         DenseMatrix basis(3 * contacts.n_points(), motions.n());
         for (unsigned int j = 0; j < motions.n(); ++j)
           for (unsigned int i = 0; i < own.rows.size(); ++i)
-            basis(own.rows[i], j) = own.sign[i] * motions(i, j);
+            basis(own.rows[i], j) = own.sign[i] * motions(kept[i], j);
         result.push_back({k + 1, basis, track->beside_rest(), track->by_poles(),
                           track->parameters.material_loss_factor(), track->highest_frequency()});
       }

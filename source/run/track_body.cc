@@ -19,7 +19,7 @@ namespace vibrocontact
   {
     constexpr double two_pi = 2 * dealii::numbers::PI;
     /// frequencies at first, evenly over their logarithm, and in all, where curves bend most
-    constexpr unsigned int first_frequencies = 32, all_frequencies = 96;
+    constexpr unsigned int first_frequencies = 32;
     /// the poles follow from here on [Hz]
     constexpr double lowest_frequency = 50;
     constexpr unsigned int lines_of_band = 9;
@@ -197,7 +197,7 @@ namespace vibrocontact
       first.push_back(lowest_frequency *
                       std::pow(rail().fitted_up_to / lowest_frequency, k / (first_frequencies - 1.)));
     solve_at(first, into);
-    while (into.frequency.size() < all_frequencies)
+    while (into.frequency.size() < n_frequencies)
     {
       std::vector<std::vector<std::complex<double>>> values;
       for (unsigned int k = 0; k < into.frequency.size(); ++k)
@@ -206,7 +206,7 @@ namespace vibrocontact
         for (unsigned int i = 0; i < 36; ++i)
           values.back().emplace_back(into.real(k, i), into.imaginary(k, i));
       }
-      const unsigned int left = all_frequencies - into.frequency.size();
+      const unsigned int left = n_frequencies - into.frequency.size();
       const std::vector<double> more =
           frequencies_between(into.frequency, values, std::max(left / 3, std::min(left, 8u)));
       if (more.empty())

@@ -56,6 +56,9 @@ namespace vibrocontact
     nlohmann::ordered_json fit_json() const;
 
     const std::string &key() const { return own_key; }
+    const ContactGrid &contact_grid() const { return grid; }
+    /// frequencies that its poles follow
+    static constexpr unsigned int n_frequencies = 96;
 
     const BodyParameters &parameters;
 
