@@ -38,7 +38,29 @@ namespace vibrocontact
         result[k] = (2 * k < n ? 2 : 1) * std::norm(spectrum[k]) / (n * squares);
       return result;
     }
+
+    /// The band about 10^(x / 10) Hz.
+    ThirdOctave third_octave(const int x)
+    {
+      constexpr double nominal[] = {1, 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8};
+      const double half = std::pow(10., 0.05), centre = std::pow(10., 0.1 * x);
+      const int decade = x >= 0 ? x / 10 : -((9 - x) / 10);
+      return {nominal[x - 10 * decade] * std::pow(10., decade), centre, centre / half, centre * half, 0};
+    }
   } // namespace
+
+  std::vector<ThirdOctave> third_octaves_within(const double from, const double to)
+  {
+    std::vector<ThirdOctave> bands;
+    for (int x = std::floor(10 * std::log10(std::max(from, 1e-3)));; ++x)
+    {
+      const ThirdOctave band = third_octave(x);
+      if (band.upper > to)
+        return bands;
+      if (band.lower >= from)
+        bands.push_back(band);
+    }
+  }
 
   double ThirdOctave::level() const
   {
@@ -50,16 +72,11 @@ namespace vibrocontact
     std::vector<ThirdOctave> bands;
     if (signal.size() < 16)
       return bands;
-    constexpr double nominal[] = {1, 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8};
     const double distance = 1 / (signal.size() * signal.step), highest = 0.5 / signal.step;
     const std::vector<double> lines = line_spectrum(signal);
-    const double half = std::pow(10., 0.05);
     for (int x = std::floor(10 * std::log10(distance));; ++x)
     {
-      const int decade = x >= 0 ? x / 10 : -((9 - x) / 10);
-      const double centre = std::pow(10., 0.1 * x);
-      ThirdOctave band = {nominal[x - 10 * decade] * std::pow(10., decade), centre, centre / half,
-                          centre * half, 0};
+      ThirdOctave band = third_octave(x);
       if (band.upper > highest)
         return bands;
       if (band.upper - band.lower < distance)

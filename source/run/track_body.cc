@@ -85,6 +85,8 @@ namespace vibrocontact
     check_patch(section.elements,
                 rail().lateral_position + grid.y_first + (grid.n_y - 1) * grid.spacing_y / 2,
                 grid.n_y * grid.spacing_y);
+    check_on_track(supports_of_track(rail()), grid.x_first - grid.spacing_x / 2,
+                   grid.x_first + (grid.n_x - 0.5) * grid.spacing_x);
     for (const auto &group : parameters.materials)
       if (group.second.young_modulus != parameters.materials.front().second.young_modulus ||
           group.second.poisson_ratio != parameters.materials.front().second.poisson_ratio)

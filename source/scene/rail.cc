@@ -107,20 +107,7 @@ namespace vibrocontact
                       "Length of rail on either side of the contact with the contact division. Units: m.",
                       Double(0));
     refinement.declare_parameters(prm);
-    prm.add_parameter(
-        "Sleeper mass", sleeper_mass,
-        "Model periodic: mass of a sleeper under one rail, which shifts as a rigid body; 0: the "
-        "pads lie on rigid ground. Units: kg.",
-        Double(0));
-    prm.add_parameter("Ballast stiffness x", ballast_stiffness_x,
-                      "Longitudinal stiffness of the ballast under one rail's part of a sleeper. Units: N/m.",
-                      Double(0));
-    prm.add_parameter("Ballast stiffness y", ballast_stiffness_y, "Lateral stiffness of it. Units: N/m.",
-                      Double(0));
-    prm.add_parameter("Ballast stiffness z", ballast_stiffness_z, "Vertical stiffness of it. Units: N/m.",
-                      Double(0));
-    prm.add_parameter("Ballast loss factor", ballast_loss_factor,
-                      "Hysteretic loss factor of the ballast. Units: none.", Double(0, 10));
+    track.declare_parameters(prm);
     prm.add_parameter("Contact offset", contact_offset,
                       "Model periodic: how far the contact stands beyond the place that Contact at names, "
                       "along x, for a sweep over a span. Units: m.",
@@ -147,6 +134,9 @@ namespace vibrocontact
     section.check(path);
     refinement.check(path);
     std::ostringstream text;
+    // about the contact
+    const double reach =
+        track.is_irregular() ? (track.n_supports - 1) / 2. * sleeper_spacing : sleeper_spacing;
     if (!(contact_division >= 1e-4) || !(coarse_division >= contact_division))
       text << path << "/Contact division (" << contact_division
            << " m) must be 1e-4 m or more and not above Coarse division (" << coarse_division << " m).";
@@ -155,19 +145,17 @@ namespace vibrocontact
     else if (is_periodic() && has_pads() && !(pad_length < sleeper_spacing))
       text << path << "/Pad length (" << pad_length << " m) must be below Sleeper spacing ("
            << sleeper_spacing << " m).";
-    else if (is_periodic() && has_pads() && std::abs(contact_offset) > sleeper_spacing)
-      text << path << "/Contact offset is " << contact_offset
-           << " m, more than a span: give one between -Sleeper spacing and Sleeper spacing ("
-           << sleeper_spacing << " m).";
-    else if (is_periodic() && sleeper_mass > 0 &&
-             !(ballast_stiffness_x > 0 && ballast_stiffness_y > 0 && ballast_stiffness_z > 0))
-      text << path << "/Sleeper mass is " << sleeper_mass
-           << " kg, but nothing holds the sleepers in some direction: give Ballast stiffness x, y and z.";
+    else if (is_periodic() && has_pads() && std::abs(contact_offset) > reach)
+      text << path << "/Contact offset is " << contact_offset << " m, more than "
+           << (track.is_irregular() ? "half of what the Supports carry" : "a span") << ": give one between "
+           << -reach << " and " << reach << " m.";
     else if (is_periodic() && !has_pads())
       text << path << "/Model is periodic, but there are no supports: give Pad stiffness x, y and z.";
     if (!text.str().empty())
       throw InputError(text.str());
     RailSupports::check(path);
+    if (is_periodic())
+      track.check(path, *this);
   }
 
   BodyMesh<3> make_rail(const RailParameters &parameters, const ContactGrid *grid, const std::string &name,
@@ -285,12 +273,9 @@ namespace vibrocontact
     entries.add(section, "Model, Lateral position");
     if (is_periodic())
     {
-      entries.add(
-          section,
-          "Pad stiffness x, Pad stiffness y, Pad stiffness z, Contact at, Contact offset, Sleeper spacing, "
-          "Pad length, Pad loss factor, Sleeper mass");
-      entries.add_if(sleeper_mass > 0, "there is a Sleeper mass", section,
-                     "Ballast stiffness x, Ballast stiffness y, Ballast stiffness z, Ballast loss factor");
+      entries.add(section, "Pad stiffness x, Pad stiffness y, Pad stiffness z, Contact at, Contact offset, "
+                           "Sleeper spacing, Pad length, Pad loss factor");
+      track.add_entries(entries, section);
       entries.add_if(use.contact && use.motion, "the rail moves in a contact", section,
                      "Pole pairs, Fitted up to");
       return true;

@@ -1,174 +1,273 @@
+#include <vibrocontact/numerics/complex_eigenvectors.h>
 #include <vibrocontact/waveguide/periodic_track.h>
-#include <vibrocontact/waveguide/plane_section.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 namespace vibrocontact
 {
-  using namespace dealii;
   using Complex = std::complex<double>;
-
-  TrackSection track_section(const SectionElements &elements, const SectionShapes &shapes)
-  {
-    TrackSection result;
-    result.matrices = reduced_section(elements, shapes);
-    const auto [from, to] = elements.extent(section_boundary::foot);
-    result.foot_width = to - from;
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      SparseMatrix<double> springs(elements.pattern);
-      elements.boundary_springs(section_boundary::foot, d, springs);
-      result.foot_springs[d] = reduced_matrix(springs, shapes);
-      result.foot_loads[d] = shapes.reduced(elements.boundary_load(section_boundary::foot, from, to, d));
-    }
-    return result;
-  }
 
   namespace
   {
-    /// The pad's slice has forces of 1 N between sleeper and foot as its last three loads, the sleeper held. It moves by r:
-    /// the pad then pushes with c = k r, and (k + D) r = k d, d the foot's mean motion, D sleeper and ballast.
-    Slice on_sleeper(const Slice &pad, const TrackSupport &support, const Complex omega)
+    constexpr double place_slack = 1e-9;
+
+    DenseVector kept_of(const DenseVector &vector, const std::vector<unsigned int> &kept)
     {
-      const unsigned int n = pad.n_loads() - 3, n_ends = pad.stiffness.m();
-      ComplexMatrix Y(3, 3), sleeper(3, n_ends + n);
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        const Complex k = support.pad_stiffness[d] * Complex(1, support.pad_loss),
-                      D = support.ballast_stiffness[d] * Complex(1, support.ballast_loss) -
-                          omega * omega * support.sleeper_mass;
-        for (unsigned int e = 0; e < 3; ++e)
-          Y(d, e) = (d == e ? (k + D) / (k * k) : 0.) - pad.compliance(n + d, n + e);
-        for (unsigned int i = 0; i < n_ends; ++i)
-          sleeper(d, i) = pad.forces(i, n + d);
-        for (unsigned int j = 0; j < n; ++j)
-          sleeper(d, n_ends + j) = pad.compliance(n + d, j);
-      }
-      const ComplexMatrix motions = sleeper;
-      Y.compute_lu_factorization();
-      Y.solve(sleeper);
-      Slice result;
-      result.stiffness = pad.stiffness;
-      result.forces.reinit(n_ends, n);
-      result.compliance.reinit(n, n);
-      const auto product = [&](const unsigned int a, const unsigned int b)
-      {
-        Complex sum = 0;
-        for (unsigned int d = 0; d < 3; ++d)
-          sum += motions(d, a) * sleeper(d, b);
-        return sum;
-      };
-      for (unsigned int i = 0; i < n_ends; ++i)
-      {
-        for (unsigned int j = 0; j < n_ends; ++j)
-          result.stiffness(i, j) -= product(i, j);
-        for (unsigned int j = 0; j < n; ++j)
-          result.forces(i, j) = pad.forces(i, j) + product(i, n_ends + j);
-      }
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          result.compliance(i, j) = pad.compliance(i, j) + product(n_ends + i, n_ends + j);
+      if (kept.empty())
+        return vector;
+      DenseVector result(kept.size());
+      for (unsigned int i = 0; i < kept.size(); ++i)
+        result(i) = vector(kept[i]);
       return result;
+    }
+
+    DenseMatrix kept_of(const DenseMatrix &matrix, const std::vector<unsigned int> &kept)
+    {
+      DenseMatrix result(kept.size(), kept.size());
+      for (unsigned int i = 0; i < kept.size(); ++i)
+        for (unsigned int j = 0; j < kept.size(); ++j)
+          result(i, j) = matrix(kept[i], kept[j]);
+      return result;
+    }
+
+    TrackSection kept_of(const TrackSection &section, const std::vector<unsigned int> &kept)
+    {
+      if (kept.empty())
+        return section;
+      TrackSection result = section;
+      for (auto *set : {&result.matrices.stiffness, &result.matrices.loss_stiffness, &result.foot_springs})
+        for (DenseMatrix &matrix : *set)
+          matrix = kept_of(matrix, kept);
+      result.matrices.mass = kept_of(section.matrices.mass, kept);
+      result.matrices.axial.clear();
+      for (const unsigned int k : kept)
+        result.matrices.axial.push_back(section.matrices.axial[k]);
+      for (DenseVector &load : result.foot_loads)
+        load = kept_of(load, kept);
+      result.foot_lever = kept_of(section.foot_lever, kept);
+      return result;
+    }
+
+    /// The ends move in these shapes alone.
+    Slice ends_in(const Slice &slice, const std::vector<unsigned int> &kept)
+    {
+      if (kept.empty())
+        return slice;
+      const unsigned int m = slice.n_shapes(), n = kept.size();
+      const auto row = [&](const unsigned int i) { return kept[i % n] + i / n * m; };
+      Slice result;
+      result.stiffness.reinit(2 * n, 2 * n);
+      result.forces.reinit(2 * n, slice.n_loads());
+      result.compliance = slice.compliance;
+      for (unsigned int i = 0; i < 2 * n; ++i)
+      {
+        for (unsigned int j = 0; j < 2 * n; ++j)
+          result.stiffness(i, j) = slice.stiffness(row(i), row(j));
+        for (unsigned int j = 0; j < slice.n_loads(); ++j)
+          result.forces(i, j) = slice.forces(row(i), j);
+      }
+      return result;
+    }
+
+    Slice with_loads(Slice slice, const unsigned int n_loads)
+    {
+      slice.forces.reinit(2 * slice.n_shapes(), n_loads);
+      slice.compliance.reinit(n_loads, n_loads);
+      return slice;
     }
 
     void follow(std::optional<Slice> &whole, const Slice &next)
     {
       whole = whole ? join(*whole, next) : next;
     }
+
+    /// Motion of the far end of a slice under that of its near end, what follows beyond the far end being known:
+    /// (S_ff + Z) q_f = -S_fn q_n.
+    /// @param near, far first dofs of the ends, 0 and m
+    ComplexMatrix across(const Slice &slice, const ComplexMatrix &Z, const unsigned int near,
+                         const unsigned int far)
+    {
+      const unsigned int m = slice.n_shapes();
+      ComplexMatrix middle(m, m), result(m, m);
+      for (unsigned int c = 0; c < m; ++c)
+        for (unsigned int r = 0; r < m; ++r)
+        {
+          middle(r, c) = slice.stiffness(far + r, far + c) + (Z.m() > 0 ? Z(r, c) : Complex(0));
+          result(r, c) = -slice.stiffness(far + r, near + c);
+        }
+      middle.compute_lu_factorization();
+      middle.solve(result);
+      return result;
+    }
+
+    /// Dynamic stiffness of a slice at its near end.
+    ComplexMatrix before(const Slice &slice, const ComplexMatrix &Z, const unsigned int near,
+                         const unsigned int far)
+    {
+      const unsigned int m = slice.n_shapes();
+      const ComplexMatrix motion = across(slice, Z, near, far);
+      ComplexMatrix result(m, m), coupling(m, m);
+      for (unsigned int c = 0; c < m; ++c)
+        for (unsigned int r = 0; r < m; ++r)
+        {
+          result(r, c) = slice.stiffness(near + r, near + c);
+          coupling(r, c) = slice.stiffness(near + r, far + c);
+        }
+      coupling.mmult(result, motion, true);
+      return result;
+    }
   } // namespace
+
+  TrackSpan PeriodicTrack::span_of(const int number) const
+  {
+    const int n = own.size();
+    const auto place = [&](const int j)
+    {
+      if (n == 0)
+        return first_support + j * spacing;
+      return j < 0    ? own.front().place + j * spacing
+             : j >= n ? own.back().place + (j - n + 1) * spacing
+                      : own[j].place;
+    };
+    // equal spans are equally long in spite of rounding
+    TrackSpan span;
+    span.support = place(number);
+    span.begin =
+        number > 0 && number < n ? (place(number - 1) + span.support) / 2 : span.support - spacing / 2;
+    span.end =
+        number >= 0 && number + 1 < n ? (place(number + 1) + span.support) / 2 : span.support + spacing / 2;
+    span.pad_factor = is_own(number) ? own[number].pad_factor : 1;
+    return span;
+  }
+
+  int PeriodicTrack::number_at(const double place) const
+  {
+    if (own.empty())
+      return std::ceil((place - first_support) / spacing - 0.5 - place_slack);
+    if (place <= span_of(0).begin + place_slack)
+      return -1 - int(std::floor((span_of(0).begin - place) / spacing + place_slack));
+    const int n = own.size();
+    for (int j = 0; j < n; ++j)
+      if (place <= span_of(j).end + place_slack)
+        return j;
+    return n - 1 + int(std::ceil((place - span_of(n - 1).end) / spacing - place_slack));
+  }
+
+  std::pair<double, double> PeriodicTrack::reach() const
+  {
+    if (own.empty() || beyond != TrackEnds::free)
+      return {-1e300, 1e300};
+    return {span_of(0).begin, span_of(own.size() - 1).end};
+  }
+
+  PeriodicTrack PeriodicTrack::regular() const
+  {
+    PeriodicTrack result = *this;
+    result.own.clear();
+    result.beyond = TrackEnds::track;
+    return result;
+  }
+
+  TrackSection PeriodicTrack::whole_section(const bool far) const
+  {
+    const TrackSection rail = far ? kept_of(section, far_shapes) : section;
+    return slab ? with_slab(rail, *slab) : rail;
+  }
+
+  std::vector<unsigned int> PeriodicTrack::far_of_whole() const
+  {
+    std::vector<unsigned int> result = far_shapes;
+    const unsigned int m = section.matrices.n_shapes();
+    if (slab && !result.empty())
+      result.insert(result.end(), {m, m + 1});
+    return result;
+  }
+
+  AxialLoad PeriodicTrack::on_whole(const AxialLoad &load) const
+  {
+    AxialLoad result = load;
+    if (slab)
+    {
+      result.constant = with_slab_at_rest(load.constant);
+      result.linear = with_slab_at_rest(load.linear);
+    }
+    return result;
+  }
+
+  ComplexMatrix PeriodicTrack::seat(const Complex omega, const RailPair pair) const
+  {
+    return support.sleeper.any() ? seat_receptance(support.sleeper, omega, pair) : ComplexMatrix();
+  }
 
   Slice PeriodicTrack::span(const Complex omega, const double x, const std::vector<AxialLoad> &loads,
                             const double loss) const
   {
-    const unsigned int m = section.matrices.n_shapes();
-    const double begin = x - spacing / 2, end = x + spacing / 2, pad_begin = x - support.pad_length / 2,
-                 pad_end = x + support.pad_length / 2, slack = 1e-9 * spacing;
-    ComplexMatrix springs(m, m);
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      const Complex per_area =
-          support.pad_stiffness[d] * Complex(1, support.pad_loss) / (section.foot_width * support.pad_length);
-      for (unsigned int c = 0; c < m; ++c)
-        for (unsigned int r = 0; r < m; ++r)
-          springs(r, c) += per_area * section.foot_springs[d](r, c);
-    }
-    const auto at_frequency = [&](const ComplexMatrix &bed)
-    {
-      return loss < 0 ? SectionAtFrequency(section.matrices, omega, bed)
-                      : SectionAtFrequency(section.matrices, omega, loss, bed);
-    };
-    const SectionAtFrequency between = at_frequency(ComplexMatrix()), on_pad = at_frequency(springs);
-
-    std::vector<double> divisions = {begin, pad_begin, pad_end, end};
+    std::vector<AxialLoad> whole_loads;
     for (const AxialLoad &load : loads)
-      for (const double place : {load.centre - load.length / 2, load.centre + load.length / 2})
-        if (place > begin + slack && place < end + slack)
-          divisions.push_back(place);
-    std::sort(divisions.begin(), divisions.end());
-    divisions.erase(std::unique(divisions.begin(), divisions.end(),
-                                [&](const double a, const double b) { return std::abs(a - b) < slack; }),
-                    divisions.end());
-
-    /// pieces between two places; `with` may hold the sleeper's forces beside the loads
-    const auto pieces = [&](const double from, const double to, const SectionAtFrequency &at,
-                            const std::vector<AxialLoad> &with)
-    {
-      std::optional<Slice> whole;
-      for (unsigned int k = 0; k + 1 < divisions.size(); ++k)
-      {
-        const double a = divisions[k], b = divisions[k + 1];
-        if (a < from - slack || b > to + slack)
-          continue;
-        const bool loaded =
-            std::any_of(with.begin(), with.end(),
-                        [&](const AxialLoad &load)
-                        { return load.length > 0 && std::abs((a + b) / 2 - load.centre) < load.length / 2; });
-        std::optional<Slice> piece;
-        if (loaded)
-        {
-          const unsigned int n = std::ceil((b - a) / element_length - 1e-9);
-          for (unsigned int e = 0; e < n; ++e)
-            follow(piece, element_slice(at, a + e * (b - a) / n, (b - a) / n, degree, with));
-        }
-        else
-          piece = uniform_slice(at, b - a, element_length, degree, with.size());
-        for (unsigned int j = 0; j < with.size(); ++j)
-          if (with[j].length == 0 && std::abs(with[j].centre - b) < slack)
-            add_section_load(*piece, j, with[j].constant);
-        follow(whole, *piece);
-      }
-      return *whole;
-    };
-
-    std::vector<AxialLoad> with_sleeper = loads;
-    if (support.sleeper_mass > 0)
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        AxialLoad load;
-        load.centre = x;
-        load.length = support.pad_length;
-        load.constant = section.foot_loads[d];
-        load.constant /= section.foot_width * support.pad_length;
-        load.linear.reinit(m);
-        with_sleeper.push_back(load);
-      }
-    Slice pad = pieces(pad_begin, pad_end, on_pad, with_sleeper);
-    if (support.sleeper_mass > 0)
-      pad = on_sleeper(pad, support, omega);
-    if (support.pad_length > spacing - 2 * slack)
-      return pad;
-    return join(join(pieces(begin, pad_begin, between, loads), pad), pieces(pad_end, end, between, loads));
+      whole_loads.push_back(on_whole(load));
+    return span_slice(whole_section(false), support, seat(omega, pairs.front()),
+                      {x, x - spacing / 2, x + spacing / 2, 1}, {element_length, degree, loss}, omega,
+                      whole_loads);
   }
 
   PeriodicTrack::AtFrequency PeriodicTrack::at(const Complex omega) const
   {
     AtFrequency result;
     result.omega = omega;
-    result.span = span(omega, first_support, {});
-    result.ends = infinite_ends(result.span);
+    const TrackSection far = whole_section(true);
+    const SpanElements elements = {element_length, degree, -1};
+    const bool two_rails = support.sleeper.any() && support.sleeper.beam;
+    for (const RailPair pair : two_rails ? pairs : std::vector<RailPair>{RailPair::antisymmetric})
+    {
+      RailMotion motion;
+      motion.seat = seat(omega, pair);
+      const auto slice = [&](const TrackSpan &span)
+      { return span_slice(far, support, motion.seat, span, elements, omega, {}); };
+      motion.span = slice({first_support, first_support - spacing / 2, first_support + spacing / 2, 1});
+      InfiniteEnds ends;
+      if (own.empty() || beyond == TrackEnds::track)
+        ends = infinite_ends(motion.span);
+      else if (beyond == TrackEnds::rail && omega != 0.)
+        // at rest a rail alone carries nothing
+        ends = infinite_ends(
+            uniform_slice(SectionAtFrequency(far.matrices, omega), spacing, element_length, degree, 0));
+      const unsigned int n = own.size();
+      for (unsigned int k = 0; k < n; ++k)
+      {
+        const TrackSpan span = span_of(k), last = k > 0 ? span_of(k - 1) : TrackSpan();
+        const auto same = [&](const double a, const double b) { return std::abs(a - b) < 1e-12 * spacing; };
+        // spans of a finite track without scatter
+        if (k > 0 && span.pad_factor == last.pad_factor &&
+            same(span.support - span.begin, last.support - last.begin) &&
+            same(span.end - span.support, last.end - last.support))
+          motion.own_spans.push_back(motion.own_spans.back());
+        else
+          motion.own_spans.push_back(slice(span));
+      }
+      const unsigned int m = far.matrices.n_shapes();
+      motion.left = {ends.left};
+      for (unsigned int k = 0; k < n; ++k)
+        motion.left.push_back(before(motion.own_spans[k], motion.left.back(), m, 0));
+      motion.right.resize(n + 1);
+      motion.right[n] = ends.right;
+      for (unsigned int k = n; k-- > 0;)
+        motion.right[k] = before(motion.own_spans[k], motion.right[k + 1], 0, m);
+      result.motions.push_back(std::move(motion));
+    }
     return result;
+  }
+
+  const ComplexMatrix &PeriodicTrack::right_of(const RailMotion &motion, const int number) const
+  {
+    return motion.right[std::clamp<int>(number + 1, 0, own.size())];
+  }
+
+  const ComplexMatrix &PeriodicTrack::left_of(const RailMotion &motion, const int number) const
+  {
+    return motion.left[std::clamp<int>(number, 0, own.size())];
   }
 
   std::pair<int, int> PeriodicTrack::loaded_spans(const std::vector<AxialLoad> &loads) const
@@ -179,107 +278,167 @@ namespace vibrocontact
       from = std::min(from, load.centre - load.length / 2);
       to = std::max(to, load.centre + load.length / 2);
     }
-    // a load on the border of two spans belongs to the left one
-    const double slack = 1e-9;
-    const int first = std::ceil((from - first_support) / spacing - 0.5 - slack);
-    return {first, std::max<int>(first, std::ceil((to - first_support) / spacing - 0.5 - slack))};
+    int first = number_at(from), last = std::max(first, number_at(to));
+    if (!own.empty())
+    {
+      // up to a border beyond which all is known
+      first = std::min<int>(first, own.size());
+      last = std::max(last, -1);
+    }
+    return {first, last};
   }
 
-  Slice PeriodicTrack::loaded_part(const AtFrequency &at, const std::vector<AxialLoad> &loads) const
+  Slice PeriodicTrack::loaded_part(const RailMotion &motion, const Complex omega,
+                                   const std::vector<AxialLoad> &rail_loads) const
   {
+    const TrackSection whole = whole_section(false);
+    std::vector<AxialLoad> loads;
+    for (const AxialLoad &load : rail_loads)
+      loads.push_back(on_whole(load));
     const auto [first, last] = loaded_spans(loads);
-    const double slack = 1e-9;
-    std::optional<Slice> track;
+    // spans with loads in all shapes, up to the next one without
+    std::optional<Slice> track, near;
+    const auto close = [&]
+    {
+      if (near)
+        follow(track, ends_in(*near, far_of_whole()));
+      near.reset();
+    };
     for (int j = first; j <= last; ++j)
     {
-      const double x = first_support + j * spacing;
+      const TrackSpan span = span_of(j);
       const bool loaded = std::any_of(loads.begin(), loads.end(),
                                       [&](const AxialLoad &load)
                                       {
-                                        return load.centre + load.length / 2 > x - spacing / 2 + slack &&
-                                               load.centre - load.length / 2 < x + spacing / 2 + slack;
+                                        return load.centre + load.length / 2 > span.begin + place_slack &&
+                                               load.centre - load.length / 2 < span.end + place_slack;
                                       });
-      Slice next = loaded ? span(at.omega, x, loads) : at.span;
-      if (!loaded)
+      if (loaded)
+        follow(near,
+               span_slice(whole, support, motion.seat, span, {element_length, degree, -1}, omega, loads));
+      else
       {
-        next.forces.reinit(2 * next.n_shapes(), loads.size());
-        next.compliance.reinit(loads.size(), loads.size());
+        close();
+        follow(track, with_loads(unloaded(motion, j), loads.size()));
       }
-      follow(track, next);
     }
+    close();
     return *track;
   }
 
   ComplexMatrix PeriodicTrack::receptance(const AtFrequency &at, const std::vector<AxialLoad> &loads) const
   {
-    return vibrocontact::receptance(loaded_part(at, loads), at.ends.left, at.ends.right);
+    const auto [first, last] = loaded_spans(loads);
+    ComplexMatrix sum(loads.size(), loads.size());
+    for (const RailMotion &motion : at.motions)
+      sum.add(1. / at.motions.size(),
+              vibrocontact::receptance(loaded_part(motion, at.omega, loads), left_of(motion, first),
+                                       right_of(motion, last)));
+    return sum;
   }
 
-  std::vector<Complex> PeriodicTrack::along(const AtFrequency &at, const AxialLoad &load,
-                                            const DenseVector &row, const unsigned int n_spans) const
+  std::vector<std::vector<Complex>> PeriodicTrack::along(const AtFrequency &at,
+                                                         const std::vector<AxialLoad> &loads,
+                                                         const std::vector<DenseVector> &rows,
+                                                         const unsigned int n_spans) const
   {
-    const unsigned int m = section.matrices.n_shapes();
-    const auto observed = [&](const double x)
+    const unsigned int m_all = section.matrices.n_shapes(), n = loads.size();
+    const double centre = loads.front().centre;
+    const auto observed = [&](const double x, const unsigned int j)
     {
       AxialLoad place;
       place.centre = x;
-      place.constant = row;
-      place.linear.reinit(m);
+      place.constant = rows[j];
+      place.linear.reinit(m_all);
       return place;
     };
-    const double last = first_support + loaded_spans({load}).second * spacing, end = last + spacing / 2;
-    std::vector<AxialLoad> loads = {load};
-    while (load.centre + loads.size() * spacing / 4 < end + 1e-9)
-      loads.push_back(observed(load.centre + loads.size() * spacing / 4));
-    const Slice part = loaded_part(at, loads);
-    const ComplexMatrix H = vibrocontact::receptance(part, at.ends.left, at.ends.right);
-    std::vector<Complex> result;
-    for (unsigned int j = 0; j < loads.size(); ++j)
-      result.push_back(H(j, 0));
-
-    // motion of its right end, then from span to span: (S22 + Z) q' = -S21 q
-    const ComplexMatrix q = end_motions(part, at.ends);
-    std::vector<AxialLoad> further;
-    for (unsigned int j = 1; j <= 4; ++j)
-      further.push_back(observed(last + spacing / 2 + j * spacing / 4));
-    const Slice next = span(at.omega, last + spacing, further);
-    ComplexMatrix middle(m, m), across(m, m);
-    for (unsigned int c = 0; c < m; ++c)
-      for (unsigned int r = 0; r < m; ++r)
-      {
-        middle(r, c) = next.stiffness(m + r, m + c) + at.ends.right(r, c);
-        across(r, c) = -next.stiffness(m + r, c);
-      }
-    middle.compute_lu_factorization();
-    middle.solve(across);
-    std::vector<Complex> begin(m), finish(m);
-    for (unsigned int r = 0; r < m; ++r)
-      begin[r] = q(m + r, 0);
-    for (unsigned int k = 0; k < n_spans; ++k)
+    const auto [first, last] = loaded_spans(loads);
+    const auto place = [&](const unsigned int j) { return centre + j * spacing / 4; };
+    unsigned int n_places = 4 * n_spans + 1, n_near = 1;
+    while (n_places > 1 && place(n_places - 1) > reach().second - place_slack)
+      --n_places;
+    while (n_near < n_places && place(n_near) < span_of(last).end + place_slack)
+      ++n_near;
+    std::vector<AxialLoad> near = loads;
+    for (unsigned int j = 1; j < n_near; ++j)
+      for (unsigned int l = 0; l < n; ++l)
+        near.push_back(observed(place(j), l));
+    std::vector<std::vector<Complex>> result(n, std::vector<Complex>(n_places));
+    for (const RailMotion &motion : at.motions)
     {
-      for (unsigned int r = 0; r < m; ++r)
+      const double share = 1. / at.motions.size();
+      const Slice part = loaded_part(motion, at.omega, near);
+      const InfiniteEnds ends = {right_of(motion, last), left_of(motion, first)};
+      const ComplexMatrix H = vibrocontact::receptance(part, ends.left, ends.right);
+      ComplexMatrix q = end_motions(part, ends), begin(part.n_shapes(), n), finish(begin);
+      const unsigned int m = part.n_shapes();
+      for (unsigned int l = 0; l < n; ++l)
       {
-        finish[r] = 0;
-        for (unsigned int c = 0; c < m; ++c)
-          finish[r] += across(r, c) * begin[c];
-      }
-      for (unsigned int j = 0; j < further.size(); ++j)
-      {
-        Complex motion = 0;
+        for (unsigned int j = 0; j < n_near; ++j)
+          result[l][j] += share * H(j * n + l, l);
         for (unsigned int r = 0; r < m; ++r)
-          motion += next.forces(r, j) * begin[r] + next.forces(m + r, j) * finish[r];
-        result.push_back(motion);
+          begin(r, l) = q(m + r, l);
       }
-      begin = finish;
+      // from span to span, equal ones alike
+      std::vector<double> offsets;
+      Slice next;
+      ComplexMatrix over;
+      unsigned int j = n_near;
+      for (int number = last + 1; j < n_places; ++number)
+      {
+        const TrackSpan span = span_of(number);
+        std::vector<AxialLoad> further;
+        std::vector<double> further_offsets;
+        unsigned int end = j;
+        for (; end < n_places && place(end) < span.end + place_slack; ++end)
+        {
+          further_offsets.push_back(place(end) - span.begin);
+          for (unsigned int l = 0; l < n; ++l)
+            further.push_back(observed(place(end), l));
+        }
+        const bool as_before =
+            !is_own(number) && number != last + 1 && !is_own(number - 1) &&
+            std::equal(offsets.begin(), offsets.end(), further_offsets.begin(), further_offsets.end(),
+                       [](const double a, const double b) { return std::abs(a - b) < 1e-9; });
+        if (!as_before)
+        {
+          std::vector<AxialLoad> reduced = further;
+          for (AxialLoad &load : reduced)
+          {
+            load.constant = kept_of(load.constant, far_shapes);
+            load.linear = kept_of(load.linear, far_shapes);
+            load = on_whole(load);
+          }
+          next = span_slice(whole_section(true), support, motion.seat, span, {element_length, degree, -1},
+                            at.omega, reduced);
+          over = across(next, right_of(motion, number), 0, m);
+        }
+        offsets = further_offsets;
+        over.mmult(finish, begin);
+        for (unsigned int k = 0; j < end; ++j, ++k)
+          for (unsigned int l = 0; l < n; ++l)
+            for (unsigned int r = 0; r < m; ++r)
+              result[l][j] += share * (next.forces(r, k * n + l) * begin(r, l) +
+                                       next.forces(m + r, k * n + l) * finish(r, l));
+        begin = finish;
+      }
     }
     return result;
   }
 
-  double track_decay_rate(const std::vector<Complex> &responses, const double step)
+  std::vector<std::vector<Complex>> PeriodicTrack::span_factors(const AtFrequency &at) const
   {
-    double sum = 0;
-    for (unsigned int j = 0; j < responses.size(); ++j)
-      sum += std::norm(responses[j] / responses[0]) * (j == 0 ? step / 2 : step);
-    return 4.343 / sum;
+    std::vector<std::vector<Complex>> result;
+    for (const RailMotion &motion : at.motions)
+    {
+      std::vector<Complex> factors =
+          complex_eigenvectors(across(motion.span, motion.right.back(), 0, motion.span.n_shapes()),
+                               "waves from span to span")
+              .values;
+      std::sort(factors.begin(), factors.end(),
+                [](const Complex &a, const Complex &b) { return std::abs(a) > std::abs(b); });
+      result.push_back(factors);
+    }
+    return result;
   }
 } // namespace vibrocontact

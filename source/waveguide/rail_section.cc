@@ -59,10 +59,38 @@ namespace vibrocontact
     track.support.pad_stiffness = {{rail.pad_stiffness_x, rail.pad_stiffness_y, rail.pad_stiffness_z}};
     track.support.pad_loss = rail.pad_loss_factor;
     track.support.pad_length = rail.pad_length;
-    track.support.sleeper_mass = rail.sleeper_mass;
-    track.support.ballast_stiffness = {
-        {rail.ballast_stiffness_x, rail.ballast_stiffness_y, rail.ballast_stiffness_z}};
-    track.support.ballast_loss = rail.ballast_loss_factor;
+    const TrackSupports &supports = rail.track;
+    Sleeper &sleeper = track.support.sleeper;
+    sleeper.mass = supports.sleeper_mass;
+    sleeper.ballast_stiffness = {
+        {supports.ballast_stiffness_x, supports.ballast_stiffness_y, supports.ballast_stiffness_z}};
+    sleeper.ballast_loss = supports.ballast_loss_factor;
+    if (supports.has_sleeper_beams())
+      sleeper.beam = {supports.sleeper_model == "beam", supports.sleeper_length,
+                      supports.rail_distance,           supports.sleeper_bending_stiffness,
+                      supports.sleeper_shear_stiffness, supports.sleeper_gyration_radius,
+                      supports.sleeper_loss_factor};
+    if (supports.slab_mass > 0)
+      track.slab = {supports.slab_mass,
+                    supports.slab_bending_stiffness,
+                    supports.slab_shear_stiffness,
+                    supports.slab_gyration_radius,
+                    supports.slab_loss_factor,
+                    supports.slab_bed_stiffness,
+                    supports.slab_bed_loss_factor};
+    if (supports.rails != "one loaded")
+      track.pairs = {supports.rails == "symmetric" ? RailPair::symmetric : RailPair::antisymmetric};
+    if (supports.is_irregular())
+    {
+      track.own = irregular_supports(
+          {supports.n_supports, supports.pad_scatter, supports.spacing_scatter, supports.scatter_seed},
+          rail.sleeper_spacing, rail.contact_at == "support");
+      for (OwnSupport &support : track.own)
+        support.place -= rail.contact_offset;
+      track.beyond = supports.beyond == "free end"    ? TrackEnds::free
+                     : supports.beyond == "bare rail" ? TrackEnds::rail
+                                                      : TrackEnds::track;
+    }
     return track;
   }
 } // namespace vibrocontact

@@ -34,8 +34,9 @@ namespace vibrocontact
     constexpr double farthest = 100;
 
     void check_places(const SectionElements &elements, const RailParameters &rail,
-                      const std::vector<TrackPlace> &places, const double width)
+                      const std::vector<TrackPlace> &places, const double length, const double width)
     {
+      const PeriodicTrack track = supports_of_track(rail);
       check_patch(elements, rail.lateral_position, width);
       for (const TrackPlace &place : places)
       {
@@ -46,6 +47,8 @@ namespace vibrocontact
                << " m is far from the contact; give places within " << farthest << " m.";
           throw InputError(text.str());
         }
+        const double reach = place.z ? 0 : length / 2;
+        check_on_track(track, place.x - reach, place.x + reach);
         if (!place.z)
           check_patch(elements, rail.lateral_position + place.y, width);
       }
@@ -53,9 +56,9 @@ namespace vibrocontact
   } // namespace
 
   void check_track_places(const BodyParameters &body, const RailParameters &rail,
-                          const std::vector<TrackPlace> &places, const double width)
+                          const std::vector<TrackPlace> &places, const double length, const double width)
   {
-    check_places(RailSection(body, rail).elements, rail, places, width);
+    check_places(RailSection(body, rail).elements, rail, places, length, width);
   }
 
   RailTrack::RailTrack(const BodyParameters &body, const RailParameters &rail,
@@ -64,7 +67,7 @@ namespace vibrocontact
   {
     const RailSection section(body, rail);
     const SectionElements &elements = section.elements;
-    check_places(elements, rail, places, width);
+    check_places(elements, rail, places, length, width);
     n_dofs = elements.n_dofs();
 
     track = supports_of_track(rail);
@@ -81,6 +84,7 @@ namespace vibrocontact
     settings.up_to = std::max(settings.up_to, 1.2 * up_to);
     const SectionShapes shapes = track_shapes(elements, track.support, patches, width, on_section, settings);
     track.section = track_section(elements, shapes);
+    keep_far_shapes(track, shapes);
 
     unsigned int n_on_section = 0;
     for (const TrackPlace &place : places)

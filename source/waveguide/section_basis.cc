@@ -51,7 +51,8 @@ namespace vibrocontact
 
     /// Shapes of a block of dofs that hold all but a small share of the columns C: (N C)(N C)^T x = share^2 N x, N the norm.
     void decompose(const Vectors &columns, const SparseMatrix<double> &norm, const bool axial,
-                   const SectionElements &elements, const double tolerance, Vectors &shapes)
+                   const SectionElements &elements, const double tolerance, Vectors &shapes,
+                   std::vector<double> &shares_of_shapes)
     {
       std::vector<unsigned int> place(elements.n_dofs(), numbers::invalid_unsigned_int), dofs;
       for (unsigned int i = 0; i < elements.n_dofs(); ++i)
@@ -81,6 +82,7 @@ namespace vibrocontact
         for (unsigned int i = 0; i < n; ++i)
           shape(dofs[i]) = vectors[k](i);
         shapes.push_back(shape);
+        shares_of_shapes.push_back(std::sqrt(values(k)));
       }
     }
   } // namespace
@@ -133,7 +135,8 @@ namespace vibrocontact
     for (const bool axial : {true, false})
     {
       shapes.insert(shapes.end(), rigid.begin() + (axial ? 0 : 3), rigid.begin() + (axial ? 3 : 6));
-      decompose(answers, norm, axial, elements, settings.tolerance, shapes);
+      result.shares.resize(shapes.size(), 1e300);
+      decompose(answers, norm, axial, elements, settings.tolerance, shapes, result.shares);
       result.axial.resize(shapes.size(), axial);
     }
     result.shapes.reinit(n, shapes.size());

@@ -15,6 +15,15 @@ namespace vibrocontact
     return result;
   }
 
+  std::vector<unsigned int> shapes_with_share(const SectionShapes &shapes, const double share)
+  {
+    std::vector<unsigned int> result;
+    for (unsigned int k = 0; k < shapes.shares.size(); ++k)
+      if (shapes.shares[k] >= share)
+        result.push_back(k);
+    return result;
+  }
+
   SectionShapes all_shapes(const SectionElements &elements)
   {
     SectionShapes result;

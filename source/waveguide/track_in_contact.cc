@@ -19,10 +19,11 @@ namespace vibrocontact
     /// The rail on its pads spread evenly over the length, without losses and inertia below the rail.
     PeriodicTrack on_even_bed(const PeriodicTrack &track)
     {
-      PeriodicTrack bed = track;
+      PeriodicTrack bed = track.regular();
       bed.support.pad_length = track.spacing;
       bed.support.pad_loss = 0;
-      bed.support.sleeper_mass = 0;
+      bed.support.sleeper.mass = 0;
+      bed.slab.reset();
       for (DenseMatrix &loss : bed.section.matrices.loss_stiffness)
         loss = 0;
       return bed;
@@ -31,7 +32,11 @@ namespace vibrocontact
     PeriodicTrack without_losses(const PeriodicTrack &track)
     {
       PeriodicTrack elastic = track;
-      elastic.support.pad_loss = elastic.support.ballast_loss = 0;
+      elastic.support.pad_loss = elastic.support.sleeper.ballast_loss = 0;
+      if (elastic.support.sleeper.beam)
+        elastic.support.sleeper.beam->loss_factor = 0;
+      if (elastic.slab)
+        elastic.slab->loss_factor = elastic.slab->bed_loss = 0;
       for (DenseMatrix &loss : elastic.section.matrices.loss_stiffness)
         loss = 0;
       return elastic;
@@ -78,15 +83,17 @@ namespace vibrocontact
                  x = grid.x_first + (grid.n_x - 1) * grid.spacing_x / 2,
                  y = grid.y_first + (grid.n_y - 1) * grid.spacing_y / 2;
     check_patch(elements, section.lateral_position + y, width);
+    track = supports_of_track(rail);
+    check_on_track(track, x - length / 2, x + length / 2);
     arm = std::hypot(length, width) / 2;
 
-    track = supports_of_track(rail);
     SmoothShapesSettings smooth;
     smooth.up_to = settings.up_to;
     smooth.tolerance = settings.tolerance;
     const SectionShapes shapes =
         track_shapes(elements, track.support, {section.lateral_position + y}, width, {}, smooth);
     track.section = track_section(elements, shapes);
+    keep_far_shapes(track, shapes);
     const auto six = patch_motions(elements, shapes, x, section.lateral_position + y, length, width);
     loads.assign(six.begin(), six.end());
     // a moment of 1 N at the arm

@@ -22,6 +22,30 @@ namespace vibrocontact
     throw InputError(text.str());
   }
 
+  void check_on_track(const PeriodicTrack &track, const double from, const double to)
+  {
+    const auto [begin, end] = track.reach();
+    if (from > begin + 1e-9 && to < end - 1e-9)
+      return;
+    std::ostringstream text;
+    text << "A place from x = " << from << " to " << to
+         << " m is not on the rail, whose Supports carry it from " << begin << " to " << end
+         << " m between free ends: give more Supports or places nearer by.";
+    throw InputError(text.str());
+  }
+
+  namespace
+  {
+    /// of smooth shapes beyond loaded spans (doc/periodic_track.md has what it costs)
+    constexpr double far_share = 0.7;
+  } // namespace
+
+  void keep_far_shapes(PeriodicTrack &track, const SectionShapes &shapes)
+  {
+    if (!track.own.empty())
+      track.far_shapes = shapes_with_share(shapes, far_share);
+  }
+
   namespace
   {
     /// int (y - centre)^power N_direction dy over the patch's width

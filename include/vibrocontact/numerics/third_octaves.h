@@ -18,6 +18,9 @@ namespace vibrocontact
     double level() const;
   };
 
+  /// The bands that lie within two frequencies [Hz], without a signal (rms 0).
+  std::vector<ThirdOctave> third_octaves_within(double from, double to);
+
   /// The bands of a signal whose width is at least the distance 1 / duration of the spectrum's lines and which end
   /// below half the sampling rate.
   ///

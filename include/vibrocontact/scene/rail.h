@@ -5,6 +5,7 @@
 #include <vibrocontact/scene/elastic_model.h>
 #include <vibrocontact/scene/rail_supports.h>
 #include <vibrocontact/scene/section_parameters.h>
+#include <vibrocontact/scene/track_supports.h>
 
 namespace vibrocontact
 {
@@ -16,8 +17,9 @@ namespace vibrocontact
   ///
   /// Boundaries: foot (underside), contact (the crown), end left, end right, surface (all else).
   ///
-  /// Or, Model = periodic, without ends: its section on infinitely many equal supports (waveguide/periodic_track.h), in
-  /// contact by its receptance, roots being sought from poles near that. It is then no solid, and sleepers on ballast may carry the pads.
+  /// Or, Model = periodic: its section on supports, infinitely many equal ones or some laid one by one
+  /// (waveguide/periodic_track.h), in contact by its receptance, roots being sought from poles near that. It is then no solid,
+  /// and sleepers on ballast may carry the pads.
   struct RailParameters : SolidBody, RailSupports
   {
     /// solid or periodic
@@ -32,9 +34,8 @@ namespace vibrocontact
     ContactRefinement refinement;
     /// periodic: how far the contact stands beyond where RailSupports::contact_at says, along x [m]
     double contact_offset = 0;
-    /// periodic: mass of a sleeper under one rail, 0: pads on rigid ground [kg]; its ballast in x, y, z [N/m]
-    double sleeper_mass = 0, ballast_stiffness_x = 0, ballast_stiffness_y = 0, ballast_stiffness_z = 0;
-    double ballast_loss_factor = 0;
+    /// periodic: sleepers, and supports that are laid one by one
+    TrackSupports track;
     /// periodic, in contact: pairs of poles near its receptance, up to a frequency, from which roots are sought [Hz]
     unsigned int n_pole_pairs = 24;
     double fitted_up_to = 6000;

@@ -1,67 +1,69 @@
 #pragma once
 
-#include <vibrocontact/waveguide/slice.h>
+#include <vibrocontact/waveguide/irregular_supports.h>
+#include <vibrocontact/waveguide/track_span.h>
 
 #include <array>
 #include <complex>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace vibrocontact
 {
-  /// What carries a rail at equal distances: a pad, spread over a length and the width of the foot, and below it ground that
-  /// stands still, or a sleeper (a rigid mass that moves along x, y and z) on ballast.
-  ///
-  ///      ======================== rail
-  ///          [####]  pad
-  ///          |    |  mass of the sleeper under this rail
-  ///           /\/    ballast
-  struct TrackSupport
+  /// What follows beyond a track's own supports.
+  enum class TrackEnds
   {
-    /// of one pad in x, y, z [N/m]; over its length [m]
-    std::array<double, 3> pad_stiffness = {{36e6, 36e6, 180e6}};
-    double pad_loss = 1, pad_length = 0.15;
-    /// under one rail [kg]; 0: no sleeper, the pad lies on rigid ground
-    double sleeper_mass = 0;
-    /// of the ballast under one rail's part of a sleeper in x, y, z [N/m]
-    std::array<double, 3> ballast_stiffness = {{0, 0, 0}};
-    double ballast_loss = 0;
+    track, ///< equal supports without end
+    free,  ///< nothing
+    rail   ///< the rail alone, without end: no wave comes back from it
   };
 
-  /// A section on its foot, in some shapes.
-  struct TrackSection
-  {
-    SectionMatrices matrices;
-    /// what springs of 1 N/m^3 under the foot add to K0, in x, y, z [m]
-    std::array<DenseMatrix, 3> foot_springs;
-    /// what 1 N/m^2 on the foot does per length, in x, y, z
-    std::array<DenseVector, 3> foot_loads;
-    double foot_width = 0; ///< [m]
-  };
-
-  TrackSection track_section(const SectionElements &elements, const SectionShapes &shapes);
-
-  /// A rail on equal supports, infinite to both sides, in harmonic motion with hysteretic losses, exactly: each span is a
-  /// slice, the track beyond the places that are loaded is doubled up to infinity (slice.h).
+  /// A rail on supports, in harmonic motion with hysteretic losses, exactly: each span is a slice, the track beyond the
+  /// places that are loaded is joined or, where its supports are equal without end, doubled up to infinity (slice.h).
   ///
   ///        x = 0
-  ///   ...====|====...     supports at first_support + j spacing
+  ///   ...====|====...     supports at first_support + j spacing, or own ones and then such as these
   ///       []   []
+  ///
+  /// Of two rails on sleepers that are beams, one is loaded: its motion is the mean of a symmetric and an antisymmetric one.
   struct PeriodicTrack
   {
     TrackSection section;
     TrackSupport support;
+    /// below the pads in place of sleepers
+    std::optional<TrackSlab> slab;
     double spacing = 0.6, first_support = 0.3;
     /// longest element along the rail [m], its polynomial degree
     double element_length = 0.04;
     unsigned int degree = 4;
+    /// from left to right; empty: equal ones without end
+    std::vector<OwnSupport> own;
+    TrackEnds beyond = TrackEnds::track;
+    /// how both rails move on sleepers that are beams
+    std::vector<RailPair> pairs = {RailPair::symmetric, RailPair::antisymmetric};
+    /// shapes of the section in which unloaded spans move, and all spans where they meet them; empty: all shapes
+    std::vector<unsigned int> far_shapes;
 
-    /// An unloaded span and what follows at its ends, at one frequency; complex: omega = -i s of motion e^{st}, Re s >= 0.
+    /// Unloaded spans and what follows at their ends, for one motion of both rails.
+    struct RailMotion
+    {
+      /// empty: rigid ground
+      ComplexMatrix seat;
+      /// a span of equal supports, and those of the own ones
+      Slice span;
+      std::vector<Slice> own_spans;
+      /// dynamic stiffness of what follows to the left and right of the borders of own spans, from left to right; one border
+      /// if there are no own supports. Empty matrix: nothing
+      std::vector<ComplexMatrix> left, right;
+    };
+
+    /// At one frequency; complex: omega = -i s of motion e^{st}, Re s >= 0.
     struct AtFrequency
     {
       std::complex<double> omega = 0; ///< [rad/s]
-      Slice span;
-      InfiniteEnds ends;
+      /// the track's motion is the mean of these
+      std::vector<RailMotion> motions;
     };
     /// @throws ConvergenceError if nothing takes energy
     AtFrequency at(std::complex<double> omega) const;
@@ -69,26 +71,50 @@ namespace vibrocontact
     /// Motions at loads anywhere under each of them [m/N].
     ComplexMatrix receptance(const AtFrequency &at, const std::vector<AxialLoad> &loads) const;
 
-    /// Motions along the track under a load at x0 = load.centre, mid-span or over a support: at x0 the load's own mean, then
-    /// those of a section at x0 + j spacing / 4, j = 1, 2, ... up to some spans further on [m/N].
-    /// @param row of the section, force of the shapes for 1 N
-    std::vector<std::complex<double>> along(const AtFrequency &at, const AxialLoad &load,
-                                            const DenseVector &row, unsigned int n_spans) const;
+    /// Motions along the track under loads at x0 = centre, mid-span or over a support: at x0 the load's own mean, then those
+    /// of a section at x0 + j spacing / 4, j = 1, 2, ..., n_spans further on, or as far as the rail goes [m/N]; by load.
+    /// @param rows of the section, forces of the shapes for 1 N
+    std::vector<std::vector<std::complex<double>>> along(const AtFrequency &at,
+                                                         const std::vector<AxialLoad> &loads,
+                                                         const std::vector<DenseVector> &rows,
+                                                         unsigned int n_spans) const;
+
+    /// Bloch factors of a span of equal supports, of the waves that decay to the right: motion goes by them from span to span.
+    /// By motion of both rails, least decaying ones first.
+    std::vector<std::vector<std::complex<double>>> span_factors(const AtFrequency &at) const;
 
     /// The span about a support at x, from half a spacing before it to half a spacing behind. Loads that are not in it do
-    /// nothing.
+    /// nothing. Of two rails the first motion.
     /// @param loss loss factor of the rail in place of its materials'; negative: theirs
     Slice span(std::complex<double> omega, double x, const std::vector<AxialLoad> &loads,
                double loss = -1) const;
 
+    /// Where the rail begins and ends [m].
+    std::pair<double, double> reach() const;
+    /// The same track on equal supports without end.
+    PeriodicTrack regular() const;
+
   private:
+    /// the span of a number, own ones from 0 on
+    TrackSpan span_of(int number) const;
+    /// the span of a place, at a border the left one
+    int number_at(double place) const;
+    bool is_own(int number) const { return number >= 0 && number < int(own.size()); }
+    ComplexMatrix seat(std::complex<double> omega, RailPair pair) const;
+    /// with the slab: in all shapes or in those far from loads, and which ones these are
+    TrackSection whole_section(bool far) const;
+    std::vector<unsigned int> far_of_whole() const;
+    AxialLoad on_whole(const AxialLoad &load) const;
+    const Slice &unloaded(const RailMotion &motion, int number) const
+    {
+      return is_own(number) ? motion.own_spans[number] : motion.span;
+    }
+    /// what follows beyond the right end of a span, and beyond the left one of another
+    const ComplexMatrix &right_of(const RailMotion &motion, int number) const;
+    const ComplexMatrix &left_of(const RailMotion &motion, int number) const;
     /// the numbers of the first and the last span that is loaded
     std::pair<int, int> loaded_spans(const std::vector<AxialLoad> &loads) const;
-    Slice loaded_part(const AtFrequency &at, const std::vector<AxialLoad> &loads) const;
+    Slice loaded_part(const RailMotion &motion, std::complex<double> omega,
+                      const std::vector<AxialLoad> &loads) const;
   };
-
-  /// Decay rate of a track after EN 15461 [dB/m] from responses A_j at equal distances, the first at the exciter:
-  ///
-  ///   4.343 / sum_j |A_j|^2 / |A_0|^2 dx_j,   dx_0 = step / 2, dx_j = step.
-  double track_decay_rate(const std::vector<std::complex<double>> &responses, double step);
 } // namespace vibrocontact

@@ -22,7 +22,7 @@ namespace vibrocontact
 
   /// @throws InputError for places that are not on the rail, at less cost than the track
   void check_track_places(const BodyParameters &body, const RailParameters &rail,
-                          const std::vector<TrackPlace> &places, double width);
+                          const std::vector<TrackPlace> &places, double length, double width);
 
   /// A periodic track as the file describes it, and the loads at some places.
   class RailTrack

@@ -28,12 +28,16 @@ namespace vibrocontact
     /// n_dofs x m
     DenseMatrix shapes;
     std::vector<bool> axial;
+    /// of smooth shapes: how much of the motions each holds, beyond all bounds if it is always kept (section_basis.h); else empty
+    std::vector<double> shares;
 
     unsigned int n() const { return axial.size(); }
     /// S^T f of a load on the section
     DenseVector reduced(const dealii::Vector<double> &load) const;
   };
 
+  /// The numbers of the smooth shapes that hold no less than this.
+  std::vector<unsigned int> shapes_with_share(const SectionShapes &shapes, double share);
   /// Every dof a shape of its own.
   SectionShapes all_shapes(const SectionElements &elements);
   /// S^T A S

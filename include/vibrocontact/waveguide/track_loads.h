@@ -11,6 +11,12 @@ namespace vibrocontact
   /// @throws InputError if a patch from y - width / 2 to y + width / 2 leaves the crown
   void check_patch(const SectionElements &elements, double y, double width);
 
+  /// @throws InputError if something from x = from to x = to lies beyond the ends of the rail
+  void check_on_track(const PeriodicTrack &track, double from, double to);
+
+  /// Spans of an irregular track that are not loaded move in the smooth shapes of greatest share alone.
+  void keep_far_shapes(PeriodicTrack &track, const SectionShapes &shapes);
+
   /// The six motions of a patch of the crown, as loads: mean displacements along x, y, z [m], then rotations about x, y, z
   /// [rad] of the plane that fits the displacements of the patch best (least squares over its area dx dy),
   ///

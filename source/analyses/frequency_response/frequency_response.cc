@@ -199,6 +199,9 @@ namespace vibrocontact
         List(Integer(0, 5000), 0, 100, ","));
     prm.add_parameter("Tangential", tangential,
                       "Analytic rings: forces and displacements along the circle as well. Units: none.");
+    prm.add_parameter("Pass bands", pass_bands,
+                      "Periodic rails: the waves that pass from span to span, their phase and decay. Units: "
+                      "none.");
     prm.add_parameter(
         "Impulse response time", impulse_time,
         "Bodies known by their Green's functions: impulse responses until then; 0: none. Units: s.",

@@ -182,6 +182,11 @@ namespace vibrocontact
           write(extrema_table(extrema, parameters.quantity, body.name), "frequency_response", "_extrema");
       print_extrema(extrema);
       result["decay_rates_table"] = write(response.decay_rates(body.name), "decay_rates");
+      result["decay_rate_bands_table"] = write(response.decay_rate_bands(body.name), "decay_rate_bands");
+      if (response.is_irregular())
+        result["irregular_track_table"] = write(response.beside_regular(body.name), "irregular_track");
+      if (parameters.pass_bands)
+        result["pass_bands_table"] = write(response.pass_bands(body.name), "pass_bands");
       result["free_waves_table"] = write(response.free_waves(body.name), "free_waves");
       return result;
     }
@@ -265,6 +270,7 @@ namespace vibrocontact
       entries.add_if(meshed || track, "a body has a mesh", section,
                      "Points, Load length, Load width, Refined frequencies");
       entries.add_if(meshed, "a body has modes", section, "Check frequencies, Cut frequencies");
+      entries.add_if(track, "a rail is periodic", section, "Pass bands");
       entries.add_if(green, "a body is given by its Green's functions", section, "Impulse response time");
       entries.add_if(green && own.impulse_time > 0, section + "/Impulse response time is above 0", section,
                      "Impulse response step");

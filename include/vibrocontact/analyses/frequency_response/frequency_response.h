@@ -49,6 +49,8 @@ namespace vibrocontact
     std::vector<unsigned int> truncated_orders;
     /// rings: also along the circle
     bool tangential = false;
+    /// periodic rails: waves that pass from span to span
+    bool pass_bands = false;
     /// impulse responses of bodies known by their Green's functions, 0: none [s]
     double impulse_time = 0, impulse_step = 1e-4;
 
