@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -47,14 +48,28 @@ namespace vibrocontact
       {
         return weighted([&](const unsigned int k) { return 1. / denominator(k, s); });
       }
+      Complex slope(const unsigned int k, const Complex &s) const
+      {
+        const Complex d = denominator(k, s);
+        return -(2. * s + damping[k]) / (d * d);
+      }
       ComplexMatrix derivative(const Complex &s) const
       {
-        return weighted(
-            [&](const unsigned int k)
-            {
-              const Complex d = denominator(k, s);
-              return -(2. * s + damping[k]) / (d * d);
-            });
+        return weighted([&](const unsigned int k) { return slope(k, s); });
+      }
+      ComplexVector times(const Complex &s, const ComplexVector &v) const
+      {
+        ComplexVector q = product(right, v);
+        for (unsigned int k = 0; k < q.size(); ++k)
+          q[k] /= denominator(k, s);
+        return product(left, q);
+      }
+      ComplexVector derivative_times(const Complex &s, const ComplexVector &v) const
+      {
+        ComplexVector q = product(right, v);
+        for (unsigned int k = 0; k < q.size(); ++k)
+          q[k] *= slope(k, s);
+        return product(left, q);
       }
     };
 
@@ -126,7 +141,19 @@ namespace vibrocontact
         modes.stiffness[k] += Complex(0, H(k, k));
     const auto sum = std::make_shared<const ModalSum>(std::move(modes));
     return {std::move(shapes.basis), [sum](const Complex &s) { return sum->value(s); },
-            [sum](const Complex &s) { return sum->derivative(s); }};
+            [sum](const Complex &s) { return sum->derivative(s); },
+            [sum](const Complex &s, const ComplexVector &v) { return sum->times(s, v); },
+            [sum](const Complex &s, const ComplexVector &v) { return sum->derivative_times(s, v); }};
+  }
+
+  std::vector<PatchReceptance> modal_receptances(const ContactPair &pair, const HystereticLoss *loss)
+  {
+    std::vector<PatchReceptance> result;
+    const unsigned int n_bodies =
+        pair.body.empty() ? 0 : *std::max_element(pair.body.begin(), pair.body.end());
+    for (unsigned int b = 1; b <= n_bodies; ++b)
+      result.push_back(modal_receptance(pair, b, loss));
+    return result;
   }
 
   ComplexMatrix ContactReceptance::Rows::at(const Complex &s) const
@@ -136,9 +163,41 @@ namespace vibrocontact
     return result;
   }
 
+  namespace
+  {
+    /// a b, where b has few entries in a column: forces at a point
+    template <typename Number>
+    dealii::LAPACKFullMatrix<Number> by_points(const dealii::LAPACKFullMatrix<Number> &a,
+                                               const DenseMatrix &b)
+    {
+      dealii::LAPACKFullMatrix<Number> c(a.m(), b.n());
+      for (unsigned int j = 0; j < b.n(); ++j)
+        for (unsigned int k = 0; k < b.m(); ++k)
+          if (const double factor = b(k, j); factor != 0)
+            for (unsigned int i = 0; i < a.m(); ++i)
+              c(i, j) += factor * a(i, k);
+      return c;
+    }
+
+    std::vector<PatchReceptance> together(std::vector<PatchReceptance> some,
+                                          std::vector<PatchReceptance> others)
+    {
+      std::move(others.begin(), others.end(), std::back_inserter(some));
+      return some;
+    }
+  } // namespace
+
   ContactReceptance::ContactReceptance(const ContactPair &pair, const CreepScheme &scheme,
                                        const RollingEquilibrium &equilibrium, const HystereticLoss *loss,
                                        std::vector<PatchReceptance> further)
+      : ContactReceptance(pair, scheme, equilibrium,
+                          together(modal_receptances(pair, loss), std::move(further)), loss)
+  {
+  }
+
+  ContactReceptance::ContactReceptance(const ContactPair &pair, const CreepScheme &scheme,
+                                       const RollingEquilibrium &equilibrium,
+                                       std::vector<PatchReceptance> receptances, const HystereticLoss *loss)
   {
     const unsigned int n = pair.n_points();
     const SlidingFrame frame = sliding_frame(equilibrium);
@@ -170,22 +229,16 @@ namespace vibrocontact
       return Rows{mapped(response, constant), mapped(response, linear)};
     };
     const DenseMatrix W = vibrocontact::at_once(compliance_of_contact(pair, equilibrium), pair.relaxing);
-    const ComplexMatrix unknowns = entries_as<Complex>(E);
-    at_once =
-        split(product(loss ? compliance_of_contact(*loss, equilibrium) : entries_as<Complex>(W), unknowns));
+    at_once = split(loss ? by_points(compliance_of_contact(*loss, equilibrium), E)
+                         : entries_as<Complex>(by_points(W, E)));
     for (const RelaxingRest &rest : pair.relaxing)
-      rests.push_back({rest.relaxation, split(entries_as<Complex>(product(rest.flexibility, E)))});
-    const unsigned int n_bodies =
-        pair.body.empty() ? 0 : *std::max_element(pair.body.begin(), pair.body.end());
-    const std::size_t n_further = further.size();
-    for (unsigned int b = 1; b <= n_bodies; ++b)
-      further.push_back(modal_receptance(pair, b, loss));
-    for (PatchReceptance &receptance : further)
+      rests.push_back({rest.relaxation, split(entries_as<Complex>(by_points(rest.flexibility, E)))});
+    for (PatchReceptance &receptance : receptances)
     {
       const DenseMatrix &basis = receptance.basis;
       if (basis.n() == 0)
         continue;
-      if (&receptance == further.data() + n_further)
+      if (&receptance == receptances.data())
         first = bodies.size();
       DenseMatrix shares(basis.n(), size);
       basis.Tmmult(shares, E);
@@ -194,6 +247,15 @@ namespace vibrocontact
     }
     for (unsigned int k = 0; k < n_z; ++k)
       at_once.constant(c + k, c + k) += frame.mobility[k];
+    for (const unsigned int i : frame.points)
+      places.push_back(3 * i);
+    for (unsigned int k = 0; k < n_z; ++k)
+    {
+      const bool second = k > 0 && frame.across[k - 1].point == frame.across[k].point;
+      places.push_back(3 * frame.across[k].point + (second ? 2 : 1));
+    }
+    if (equilibrium.force_given)
+      places.push_back(3 * n);
     const std::vector<double> hub = gaps_by_approach(pair, frame.points);
     if (equilibrium.force_given)
       for (unsigned int k = 0; k < c; ++k)
@@ -265,5 +327,54 @@ namespace vibrocontact
       result.add(1., product(body.rows.at(s), product(slope, body.shares)));
     }
     return result;
+  }
+
+  namespace
+  {
+    /// (constant + s linear) v
+    template <typename Rows>
+    void add_rows(const Rows &rows, const Complex &s, const ComplexVector &v, const Complex &factor,
+                  ComplexVector &y)
+    {
+      y.add(factor, product(rows.constant, v));
+      y.add(factor * s, product(rows.linear, v));
+    }
+    ComplexVector receptance_times(const PatchReceptance &G, const Complex &s, const ComplexVector &v)
+    {
+      return G.times ? G.times(s, v) : product(G.value(s), v);
+    }
+  } // namespace
+
+  ComplexVector ContactReceptance::times(const Complex &s, const ComplexVector &x) const
+  {
+    ComplexVector y(size());
+    add_rows(at_once, s, x, 1., y);
+    for (const Rest &rest : rests)
+      add_rows(rest.rows, s, x, 1. / (1. + rest.relaxation * s), y);
+    for (const Body &body : bodies)
+      add_rows(body.rows, s, receptance_times(body.receptance, s, product(body.shares, x)), 1., y);
+    return y;
+  }
+
+  ComplexVector ContactReceptance::derivative_times(const Complex &s, const ComplexVector &x) const
+  {
+    ComplexVector y = product(at_once.linear, x);
+    for (const Rest &rest : rests)
+    {
+      const Complex share = 1. / (1. + rest.relaxation * s);
+      y.add(share, product(rest.rows.linear, x));
+      add_rows(rest.rows, s, x, -rest.relaxation * share * share, y);
+    }
+    for (const Body &body : bodies)
+    {
+      const PatchReceptance &G = body.receptance;
+      const ComplexVector moved = product(body.shares, x);
+      y.add(1., product(body.rows.linear, receptance_times(G, s, moved)));
+      add_rows(body.rows, s,
+               G.derivative_times ? G.derivative_times(s, moved)
+                                  : product(G.derivative ? G.derivative(s) : differenced(G.value, s), moved),
+               1., y);
+    }
+    return y;
   }
 } // namespace vibrocontact

@@ -13,8 +13,6 @@ namespace vibrocontact
 
   namespace
   {
-    using ComplexVector = dealii::Vector<Complex>;
-
     /// Equations and unknowns have their own units.
     struct Scales
     {
@@ -42,13 +40,6 @@ namespace vibrocontact
       }
     };
 
-    ComplexVector times(const ComplexMatrix &A, const ComplexVector &x)
-    {
-      ComplexVector y(A.m());
-      A.vmult(y, x);
-      return y;
-    }
-
     /// Puts the largest component to 1.
     void normalise(ComplexVector &x)
     {
@@ -66,24 +57,10 @@ namespace vibrocontact
                               number_text(start.real()) + " 1/s.");
     }
 
-    void solve(ComplexMatrix A, ComplexVector &b, const Complex &start)
+    /// @param x to begin from
+    ComplexVector nearest_to_singular(const ComplexMatrix &F, ComplexVector x, const unsigned int n_passes,
+                                      const Complex &start)
     {
-      try
-      {
-        A.compute_lu_factorization();
-        A.solve(b);
-      }
-      catch (const dealii::ExceptionBase &)
-      {
-        throw no_root(start);
-      }
-    }
-
-    ComplexVector nearest_to_singular(const ComplexMatrix &F, const Complex &start)
-    {
-      ComplexVector x(F.m());
-      for (unsigned int i = 0; i < x.size(); ++i)
-        x[i] = Complex(1, std::cos(1. + i));
       ComplexMatrix shifted = F;
       // F may be singular to the last digit at a root
       for (unsigned int i = 0; i < x.size(); ++i)
@@ -91,7 +68,7 @@ namespace vibrocontact
       try
       {
         shifted.compute_lu_factorization();
-        for (unsigned int pass = 0; pass < 2; ++pass)
+        for (unsigned int pass = 0; pass < n_passes; ++pass)
         {
           shifted.solve(x);
           normalise(x);
@@ -105,62 +82,138 @@ namespace vibrocontact
     }
   } // namespace
 
-  ContactRoot contact_root(const ContactReceptance &F, const Complex &start, std::vector<Complex> given)
+  namespace
+  {
+    /// The bordered matrix at s, factorised.
+    class Bordered
+    {
+    public:
+      /// @param value F(s), scaled @param unit of s
+      void factorise(const ComplexMatrix &value, const ComplexVector &slope, const ComplexVector &c,
+                     const double unit, const Complex &start)
+      {
+        const unsigned int n = value.m();
+        matrix.reinit(n + 1, n + 1);
+        for (unsigned int j = 0; j < n; ++j)
+        {
+          for (unsigned int i = 0; i < n; ++i)
+            matrix(i, j) = value(i, j);
+          matrix(j, n) = unit * slope[j];
+          matrix(n, j) = std::conj(c[j]);
+        }
+        try
+        {
+          matrix.compute_lu_factorization();
+        }
+        catch (const dealii::ExceptionBase &)
+        {
+          throw no_root(start);
+        }
+      }
+      void solve(ComplexVector &b, const Complex &start, const bool transposed = false) const
+      {
+        try
+        {
+          matrix.solve(b, transposed);
+        }
+        catch (const dealii::ExceptionBase &)
+        {
+          throw no_root(start);
+        }
+      }
+
+    private:
+      ComplexMatrix matrix;
+    };
+  } // namespace
+
+  ContactRoot contact_root(const ContactReceptance &F, const Complex &start, std::vector<Complex> given,
+                           const bool with_left_vector)
   {
     constexpr unsigned int most_iterations = 30;
-    constexpr double smallest_step = 1e-12;
+    constexpr double smallest_step = 1e-12, slow = 0.1;
     const unsigned int n = F.size();
     const ComplexMatrix first = F.value(start);
     const Scales scales(first);
     ComplexVector x(n);
-    if (given.empty())
-      x = nearest_to_singular(scales.applied(first), start);
-    else
-      for (unsigned int i = 0; i < n; ++i)
-        x[i] = given[i] / scales.column[i];
-    normalise(x);
+    for (unsigned int i = 0; i < n; ++i)
+      x[i] = given.empty() ? Complex(1, std::cos(1. + i)) : given[i] / scales.column[i];
+    x = nearest_to_singular(scales.applied(first), std::move(x), given.empty() ? 2 : 1, start);
     // c^H x = 1
     ComplexVector c = x;
     c /= x.norm_sqr();
-
+    const auto applied = [&](const auto &product_with)
+    {
+      ComplexVector scaled = x;
+      for (unsigned int i = 0; i < n; ++i)
+        scaled[i] *= scales.column[i];
+      ComplexVector result = product_with(scaled);
+      for (unsigned int i = 0; i < n; ++i)
+        result[i] *= scales.row[i];
+      return result;
+    };
     ContactRoot root;
     root.s = start;
+    const auto slope = [&]
+    { return applied([&](const ComplexVector &v) { return F.derivative_times(root.s, v); }); };
+
+    Bordered bordered;
+    double unit = 1, last = 0;
+    bool is_new = true;
     for (bool settled = false; !settled;)
     {
       if (++root.iterations > most_iterations)
         throw no_root(start);
-      const ComplexMatrix value = scales.applied(F.value(root.s));
-      const ComplexVector slope = times(scales.applied(F.derivative(root.s)), x), rest = times(value, x);
-      ComplexMatrix bordered(n + 1, n + 1);
-      ComplexVector step(n + 1);
-      // s in units of its own size
-      const double unit = std::max(std::abs(root.s), 1.);
-      for (unsigned int j = 0; j < n; ++j)
+      if (is_new)
       {
-        for (unsigned int i = 0; i < n; ++i)
-          bordered(i, j) = value(i, j);
-        bordered(j, n) = unit * slope[j];
-        bordered(n, j) = std::conj(c[j]);
-        step[j] = -rest[j];
+        // s in units of its own size
+        unit = std::max(std::abs(root.s), 1.);
+        bordered.factorise(scales.applied(root.iterations == 1 ? first : F.value(root.s)), slope(), c, unit,
+                           start);
       }
-      solve(std::move(bordered), step, start);
+      const ComplexVector rest = applied([&](const ComplexVector &v) { return F.times(root.s, v); });
+      ComplexVector step(n + 1);
+      for (unsigned int i = 0; i < n; ++i)
+        step[i] = -rest[i];
+      bordered.solve(step, start);
       for (unsigned int i = 0; i < n; ++i)
         x[i] += step[i];
       root.s += unit * step[n];
       if (!std::isfinite(std::abs(root.s)))
         throw no_root(start);
-      settled = std::abs(step[n]) < smallest_step;
+      const double size = std::abs(step[n]);
+      settled = size < smallest_step;
+      is_new = root.iterations > 1 && size > slow * last;
+      last = size;
     }
-    const ComplexMatrix value = scales.applied(F.value(root.s));
     double norm = 0;
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
-        norm += std::norm(value(i, j));
-    root.residual = times(value, x).l2_norm() / (std::sqrt(norm) * x.l2_norm());
+        norm += std::norm(first(i, j) * scales.row[i] * scales.column[j]);
+    root.residual = applied([&](const ComplexVector &v) { return F.times(root.s, v); }).l2_norm() /
+                    (std::sqrt(norm) * x.l2_norm());
+    ComplexVector y(n + 1);
+    if (with_left_vector)
+    {
+      bordered.factorise(scales.applied(F.value(root.s)), slope(), c, unit, start);
+      y[n] = 1;
+      bordered.solve(y, start, true);
+      for (unsigned int i = 0; i < n; ++i)
+        y[i] *= scales.row[i];
+    }
     for (unsigned int i = 0; i < n; ++i)
       x[i] *= scales.column[i];
     normalise(x);
     root.x.assign(x.begin(), x.end());
+    if (with_left_vector)
+    {
+      const ComplexVector moved = F.derivative_times(root.s, x);
+      Complex size = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        size += y[i] * moved[i];
+      for (unsigned int i = 0; i < n; ++i)
+        root.y.push_back(y[i] / size);
+    }
     return root;
   }
 } // namespace vibrocontact

@@ -151,9 +151,9 @@ namespace vibrocontact
       for (const SweepCase &one : sweep.cases)
         for (unsigned int k = 0; k < one.keys.size(); ++k)
         {
-          if (one.parameters.scene.bodies[k].is_periodic_rail() || !seen.insert(one.keys[k]).second)
+          if (one.parameters().scene.bodies[k].is_periodic_rail() || !seen.insert(one.keys[k]).second)
             continue;
-          const auto body = meshed_body(one.parameters, one.keys[k], k);
+          const auto body = meshed_body(one.parameters(), one.keys[k], k);
           if (!body->parameters.is_solid())
             continue;
           try

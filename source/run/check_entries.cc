@@ -210,7 +210,8 @@ namespace vibrocontact
     const auto is_read_in_a_case = [&](const SweepCases &sweep, const std::string &path)
     {
       return std::any_of(sweep.cases.begin(), sweep.cases.end(),
-                         [&](const SweepCase &one) { return Readers(analyses, one.parameters).read(path); });
+                         [&](const SweepCase &one)
+                         { return Readers(analyses, one.parameters()).read(path); });
     };
     const auto is_read = [&](const std::string &path)
     {

@@ -217,13 +217,28 @@ namespace vibrocontact
     return limits ? clipped(grid, limits->first - lateral_position, limits->second - lateral_position) : grid;
   }
 
+  double Parameters::position_on_grid(const double position) const
+  {
+    const double nominal = contact().lateral_position, spacing = contact_grid().spacing_y;
+    if (!scene.bodies[0].description->revolved())
+      return nominal;
+    constexpr double finest = 1e-6;
+    const double steps = (position - nominal) / spacing,
+                 rest = finest * std::round((steps - std::floor(steps + finest)) / finest);
+    return rest == 0 ? nominal : nominal + rest * spacing;
+  }
+
   ContactGrid Parameters::body_grid(const unsigned int k) const
   {
     const ContactGrid grid = contact_grid();
-    const std::vector<double> positions = lateral_positions().kept;
+    std::vector<double> positions = lateral_positions().kept;
+    const double nominal = contact().lateral_position;
+    positions.erase(std::remove_if(positions.begin(), positions.end(),
+                                   [&](const double position)
+                                   { return position_on_grid(position) != nominal; }),
+                    positions.end());
     if (k != 0 || positions.empty() || !scene.bodies[0].is_meshed())
       return grid;
-    const double nominal = contact().lateral_position;
     for (const double position : positions)
       band(grid, position - nominal, position - nominal);
     const ContactGrid whole = band(grid, *std::min_element(positions.begin(), positions.end()) - nominal,

@@ -19,6 +19,7 @@
 #include <vibrocontact/run/run_sweep.h>
 #include <vibrocontact/run/swept_runs.h>
 #include <vibrocontact/run/unreduced_pair.h>
+#include <vibrocontact/run/varied_cases.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -103,10 +104,11 @@ namespace vibrocontact
                              save,
                              [&] { record.save_sometimes(results, clock.seconds()); },
                              tables.recorders};
-        if (swept)
-          run_sweep(analysis, on);
-        else
+        const bool varied = swept && sweep->section == section_of_variations;
+        if (!swept || varied)
           analysis.run(on);
+        if (swept && results.stopped_by == 0)
+          run_sweep(analysis, on);
         // what was stopped, or continues and did not converge, goes on from its checkpoint
         if (results.stopped_by == 0 && (!analysis.continues || results.failures.size() == n_failures))
           results.finished.insert(name);
@@ -176,7 +178,9 @@ namespace vibrocontact
     dealii::ParameterHandler prm;
     read_parameters(file, prm, parameters, tables.analysis_types(),
                     std::make_shared<const EntryTables>(tables));
-    const std::vector<SweepCases> sweeps = sweep_cases(parameters, file, command_line.overrides);
+    std::vector<SweepCases> sweeps = sweep_cases(parameters, file, command_line.overrides);
+    if (parameters.scene.runs("stability") && parameters.stability.derivatives.any())
+      sweeps.push_back(varied_cases(parameters, file, command_line.overrides));
     const std::vector<std::string> out_of_use = entries_out_of_use(
         file, command_line.overrides, tables.analyses, parameters, declared_parameters(prm), sweeps);
     banner(command_line, parameters.scene);

@@ -39,7 +39,7 @@ namespace vibrocontact
     };
 
     /// changes whenever what is kept of a case, or what it means, does
-    constexpr int format = 1;
+    constexpr int format = 2;
 
     unsigned long long sum_of(const char *const data, const std::size_t n_bytes)
     {
@@ -187,7 +187,7 @@ namespace vibrocontact
       on.save_sometimes();
     };
     share_cases<CaseOutcome>(
-        sweep.cases.size(), 1, [&] { return compute; }, arrived, run_communicator());
+        sweep.cases.size(), swept->cases_per_chunk(), [&] { return compute; }, arrived, run_communicator());
     on.results.stopped_by = stopped_by;
     if (stopped_by != 0)
     {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <memory>
@@ -73,7 +74,7 @@ namespace vibrocontact
       return std::to_string(k) + "\n" + key + "\n" + modes.key();
     }
 
-    unsigned long long mark_of(DeclaredParameters declared, const double lateral_position)
+    unsigned long long mark_of(DeclaredParameters declared)
     {
       declared.entries.erase(std::remove_if(declared.entries.begin(), declared.entries.end(),
                                             [](const DeclaredParameters::Entry &entry)
@@ -84,36 +85,50 @@ namespace vibrocontact
       sum.add(text.data(), text.size());
       for (const auto &[entry, content] : input_files(declared))
         sum.add(content.data(), content.size());
+      return sum.value();
+    }
+
+    unsigned long long mark_at(const unsigned long long mark, const double lateral_position)
+    {
+      Checksum sum;
+      sum.add(&mark, sizeof mark);
       sum.add(&lateral_position, sizeof lateral_position);
       return sum.value();
     }
 
-    /// Reads the case's file. @param options that set the swept entries
-    void read_case(SweepCase &one, SweepCases &sweep, const Parameters &parameters, const ParameterFile &file,
-                   const std::vector<std::string> &options, const std::string &text)
-    {
-      dealii::ParameterHandler prm;
-      try
-      {
-        ParameterFile varied(file.file_name(), file.bytes(), options);
-        read_parameters(varied, prm, one.parameters, parameters.scene.known_analyses, parameters.tables);
-      }
-      catch (const InputError &error)
-      {
-        throw InputError(file.where(sweep.section, "Entry") + ": " + text + ": " + error.what());
-      }
-      const DeclaredParameters declared = declared_parameters(prm);
-      one.mark = mark_of(declared, one.lateral_position);
-      if (sweep.columns.empty())
-        sweep.columns = column_names(sweep.entries, declared);
-      for (unsigned int k = 0; k < one.parameters.scene.bodies.size(); ++k)
-      {
-        const BodyParameters &body = one.parameters.scene.bodies[k];
-        one.keys.push_back(
-            body.is_meshed() || body.is_periodic_rail() ? reduction_key(one.parameters, declared, k) : "");
-      }
-    }
+  } // namespace
 
+  SweepCase read_case(SweepCases &sweep, const Parameters &parameters, const ParameterFile &file,
+                      const std::vector<std::string> &options, const std::string &text)
+  {
+    SweepCase one;
+    dealii::ParameterHandler prm;
+    const auto read = std::make_shared<Parameters>();
+    try
+    {
+      ParameterFile varied(file.file_name(), file.bytes(), options);
+      read_parameters(varied, prm, *read, parameters.scene.known_analyses, parameters.tables);
+    }
+    catch (const InputError &error)
+    {
+      throw InputError(file.where(sweep.section, "Entry") + ": " + text + ": " + error.what());
+    }
+    one.read = read;
+    const DeclaredParameters declared = declared_parameters(prm);
+    one.mark = mark_of(declared);
+    if (sweep.columns.empty())
+      sweep.columns = column_names(sweep.entries, declared);
+    for (unsigned int k = 0; k < read->scene.bodies.size(); ++k)
+    {
+      const BodyParameters &body = read->scene.bodies[k];
+      one.keys.push_back(body.is_meshed() || body.is_periodic_rail() ? reduction_key(*read, declared, k)
+                                                                     : "");
+    }
+    return one;
+  }
+
+  namespace
+  {
     SweepCases cases_of(const AnalysisType &type, const Parameters &parameters, const ParameterFile &file,
                         const std::vector<std::string> &overrides)
     {
@@ -131,26 +146,42 @@ namespace vibrocontact
         sweep.entries.push_back(asked.second.entry);
         second = wanted_values(asked.second, sweep.left_out);
       }
+      std::map<std::vector<std::string>, SweepCase> known;
       for (unsigned int i = 0; i < first.size(); ++i)
         for (unsigned int j = 0; j < second.size(); ++j)
         {
-          SweepCase one;
-          one.first = i;
-          one.second = j;
-          one.lateral_position = parameters.contact().lateral_position;
+          std::vector<std::variant<double, std::string>> values;
+          double lateral_position = parameters.contact().lateral_position;
           std::vector<std::string> options = overrides;
           std::string text;
           for (unsigned int k = 0; k < sweep.entries.size(); ++k)
           {
             const std::string &value = k == 0 ? first[i] : second[j];
-            one.values.push_back(as_number(value));
+            values.push_back(as_number(value));
             if (on_a_band && sweep.entries[k] == ParameterSweep::lateral_position)
-              one.lateral_position = std::strtod(value.c_str(), nullptr);
+            {
+              lateral_position = std::strtod(value.c_str(), nullptr);
+              const double nominal = parameters.position_on_grid(lateral_position);
+              if (nominal != parameters.contact().lateral_position)
+              {
+                char number[32];
+                std::snprintf(number, sizeof number, "%.12g", nominal);
+                options.push_back(std::string(ParameterSweep::lateral_position) + "=" + number);
+              }
+            }
             else
               options.push_back(sweep.entries[k] + "=" + value);
             text += (k == 0 ? "" : ", ") + sweep.entries[k] + " = " + value;
           }
-          read_case(one, sweep, parameters, file, options, text);
+          auto there = known.find(options);
+          if (there == known.end())
+            there = known.emplace(options, read_case(sweep, parameters, file, options, text)).first;
+          SweepCase one = there->second;
+          one.values = std::move(values);
+          one.first = i;
+          one.second = j;
+          one.lateral_position = lateral_position;
+          one.mark = mark_at(one.mark, lateral_position);
           sweep.cases.push_back(std::move(one));
         }
       return sweep;
@@ -208,19 +239,19 @@ namespace vibrocontact
       {
         std::shared_ptr<MeshedBody> body;
         std::shared_ptr<TrackBody> track;
-        if (one.parameters.scene.bodies[k].is_periodic_rail())
+        if (one.parameters().scene.bodies[k].is_periodic_rail())
         {
           std::shared_ptr<TrackBody> &there = known_tracks[one.keys[k]];
           if (!there)
-            there = track_body(one.parameters, one.keys[k], k);
+            there = track_body(one.parameters(), one.keys[k], k);
           track = there;
         }
         else if (!one.keys[k].empty())
         {
-          const ModeParameters &modes = one.parameters.modes.at(one.parameters.scene.bodies[k].name);
+          const ModeParameters &modes = one.parameters().modes.at(one.parameters().scene.bodies[k].name);
           std::shared_ptr<MeshedBody> &there = known[reduction_text(k, one.keys[k], modes)];
           if (!there)
-            there = meshed_body(one.parameters, one.keys[k], k);
+            there = meshed_body(one.parameters(), one.keys[k], k);
           body = there;
         }
         result.back().push_back(body);

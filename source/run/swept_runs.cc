@@ -61,7 +61,7 @@ namespace vibrocontact
 
       void prepare(const unsigned int k) override
       {
-        const Parameters &parameters = on.sweep.cases[k].parameters;
+        const Parameters &parameters = on.sweep.cases[k].parameters();
         if (!measured.empty())
           measured[k] = measured_data(parameters);
         check_transient_files(parameters, bodies[k]);
@@ -169,7 +169,7 @@ namespace vibrocontact
       AnalysisRun run_of(const unsigned int k, Results &results) const
       {
         static const SweepCases nothing_swept;
-        return {on.sweep.cases[k].parameters,
+        return {on.sweep.cases[k].parameters(),
                 bodies[k],
                 data_of(k),
                 nothing_swept,

@@ -7,6 +7,16 @@
 namespace vibrocontact
 {
   using ComplexMatrix = dealii::LAPACKFullMatrix<std::complex<double>>;
+  using ComplexVector = dealii::Vector<std::complex<double>>;
+
+  /// A x
+  inline ComplexVector product(const ComplexMatrix &A, const ComplexVector &x)
+  {
+    ComplexVector y(A.m());
+    if (A.m() > 0 && A.n() > 0)
+      A.vmult(y, x);
+    return y;
+  }
 
   /// real + j imaginary, of equal sizes
   inline ComplexMatrix complex_matrix(const DenseMatrix &real, const DenseMatrix &imaginary)

@@ -16,16 +16,21 @@ namespace vibrocontact
   struct PatchReceptance
   {
     using Function = std::function<ComplexMatrix(const std::complex<double> &)>;
+    using Product = std::function<ComplexVector(const std::complex<double> &, const ComplexVector &)>;
     /// 3 n x rank, in the rows of the pair [-]
     DenseMatrix basis;
     /// G(s), rank square [m/N], and dG/ds [m s/N]; without a derivative it is differenced
     Function value, derivative;
+    /// G(s) v and dG/ds v, for less than G costs; empty: by G itself
+    Product times = {}, derivative_times = {};
   };
 
   /// G of the modes of body b (from 1), amplitudes (s^2 + 2 zeta w s + w^2 + j H)^-1 amplitudes^T, with their hysteretic loss or
   /// without (null). H in full is diagonalised once, so that an s costs the same either way.
   /// @throws InputError if H couples modes that have viscous damping
   PatchReceptance modal_receptance(const ContactPair &pair, unsigned int b, const HystereticLoss *loss);
+  /// Of all bodies with modes. Equilibria on the same pair share them: their shapes cost more than all else of F.
+  std::vector<PatchReceptance> modal_receptances(const ContactPair &pair, const HystereticLoss *loss);
 
   /// The contact's own equations at a complex frequency: closed gaps and sliding friction with R = E_N N + E_z z
   /// (SlidingFrame) and the receptance of the bodies at the contact, H(s) = W~ + sum of basis G(s) basis^T,
@@ -42,11 +47,18 @@ namespace vibrocontact
     ContactReceptance(const ContactPair &pair, const CreepScheme &scheme,
                       const RollingEquilibrium &equilibrium, const HystereticLoss *loss = nullptr,
                       std::vector<PatchReceptance> further = {});
+    /// @param receptances of all bodies that move the contact, by modal_receptances() or otherwise, body 1 first
+    ContactReceptance(const ContactPair &pair, const CreepScheme &scheme,
+                      const RollingEquilibrium &equilibrium, std::vector<PatchReceptance> receptances,
+                      const HystereticLoss *loss);
 
     /// F(s), equations and unknowns by contact points
     ComplexMatrix value(const std::complex<double> &s) const;
     /// dF/ds; analytic of modes and rests, of functions without a derivative by central differences of fourth order
     ComplexMatrix derivative(const std::complex<double> &s) const;
+    /// F(s) x and dF/ds x, without F
+    ComplexVector times(const std::complex<double> &s, const ComplexVector &x) const;
+    ComplexVector derivative_times(const std::complex<double> &s, const ComplexVector &x) const;
     unsigned int size() const { return at_once.constant.m(); }
     /// T(s), what all but body 1 answers at its patch shapes: with R_1(s) and S_1 rows and shares of these shapes, G_1 their
     /// receptance, F = F' + R_1 G_1 S_1,
@@ -59,6 +71,9 @@ namespace vibrocontact
     const DenseMatrix &basis_of_first() const { return bodies.at(first).receptance.basis; }
     /// p of det F ~ s^p at infinity
     int power() const { return power_of_s; }
+    /// Which unknown (and equation) each is, ascending: 3 point + 0 for N, + 1 for z, + 2 for the second z of a point that sticks;
+    /// the approach behind all of them. Cases whose points differ know each other's forces by it.
+    const std::vector<unsigned int> &unknowns() const { return places; }
 
   private:
     /// constant + s linear
@@ -83,6 +98,7 @@ namespace vibrocontact
     Rows at_once;
     std::vector<Rest> rests;
     std::vector<Body> bodies;
+    std::vector<unsigned int> places;
     int power_of_s = 0;
     /// place of body 1 among the bodies
     std::size_t first = -1;

@@ -138,6 +138,9 @@ namespace vibrocontact
     LateralPositions lateral_positions() const;
     /// The contact grid in a lateral position of the sweep: without the rows that leave the tread.
     ContactGrid contact_grid_at(double lateral_position) const;
+    /// The position nearest to that of the file, on its side towards +y, from which a lateral position of the sweep lies whole
+    /// grid spacings away: a body of revolution is reduced on a band for each. For other bodies always that of the file.
+    double position_on_grid(double lateral_position) const;
     /// The grid on which body k (0 or 1) is reduced: that of the contact, or for body 1 the band of its
     /// windows if the lateral position is swept.
     ContactGrid body_grid(unsigned int k) const;

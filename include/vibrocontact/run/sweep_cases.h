@@ -3,6 +3,7 @@
 #include <vibrocontact/base/parameter_file.h>
 #include <vibrocontact/run/prepare_bodies.h>
 
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -16,9 +17,10 @@ namespace vibrocontact
     std::vector<std::variant<double, std::string>> values;
     /// position in the first and in the second entry's values
     unsigned int first = 0, second = 0;
-    /// read and checked as a file is. Where the contact moves over a band of body 1 (AnalysisType::sweeps_band),
-    /// Contact/Lateral position stays at the value of the file, to which the band belongs
-    Parameters parameters;
+    /// Read and checked as a file is; cases of equal entries share them. Where the contact moves over a band of body 1
+    /// (AnalysisType::sweeps_band), Contact/Lateral position stays at the value of the file, to which the band belongs.
+    std::shared_ptr<const Parameters> read;
+    const Parameters &parameters() const { return *read; }
     /// of the contact in this case [m]
     double lateral_position = 0;
     /// keys of the bodies' reductions, empty for bodies without mesh; cases of equal keys share one
@@ -46,6 +48,11 @@ namespace vibrocontact
   /// @throws InputError for a value that its entry does not take
   std::vector<SweepCases> sweep_cases(const Parameters &parameters, const ParameterFile &file,
                                       const std::vector<std::string> &overrides);
+
+  /// Reads the file with options that set entries: parameters, keys and mark of a case. The first gives `sweep` its columns.
+  /// @param text the values, for messages @throws InputError
+  SweepCase read_case(SweepCases &sweep, const Parameters &parameters, const ParameterFile &file,
+                      const std::vector<std::string> &options, const std::string &text);
 
   /// Name of an analysis or entry as a key of results.json or a column: quasi-static rolling -> quasi_static_rolling.
   std::string results_key(const std::string &name);

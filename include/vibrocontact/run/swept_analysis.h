@@ -17,6 +17,8 @@ namespace vibrocontact
   public:
     virtual ~SweptAnalysis() = default;
 
+    /// Cases one after the other on one rank.
+    virtual unsigned int cases_per_chunk() const { return 1; }
     /// Makes what case k needs of all ranks. Collective.
     /// @throws InputError, which ends the run; ConvergenceError: what the case came to
     virtual void prepare(unsigned int k) = 0;

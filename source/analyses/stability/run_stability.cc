@@ -156,6 +156,8 @@ namespace vibrocontact
                         across = "the bodies move across the slip";
       entries.add(section, "Model, Second count");
       entries.add_if(parameters.stability.is_hysteretic(), "Stability/Loss is hysteretic", section, "Roots");
+      entries.add_if(parameters.sweeps.at("stability").any(), "section Stability/Sweep sweeps an entry",
+                     section, "Roots of a sweep");
       entries.add_if(std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
                                  [](const BodyParameters &body)
                                  {
@@ -164,6 +166,14 @@ namespace vibrocontact
                                            (body.has_loss() || body.description->is_wheel()));
                                  }),
                      "a body of finite elements has a loss factor", section, "Loss");
+      entries.add(section + "/Derivatives", "Entries");
+      const DerivativeParameters &derivatives = parameters.stability.derivatives;
+      entries.add_if(derivatives.any(), "Stability/Derivatives/Entries lists some", section + "/Derivatives",
+                     "Standard deviations");
+      entries.add_if(!derivatives.deviations.empty(), "Stability/Derivatives/Standard deviations is given",
+                     section + "/Derivatives", "Draws");
+      entries.add_if(derivatives.n_draws > 0, "Stability/Derivatives/Draws is above 0",
+                     section + "/Derivatives", "Seed");
       entries.add_if(rolls || !plane, rolling + " or " + across, section, "Linearisation");
       entries.add_if(paper && !plane, by_paper + " and " + across, section, "Lateral damping");
       entries.add_if(paper && rolls, by_paper + " and " + rolling, section, "Convective slip");

@@ -1,13 +1,15 @@
 #include <vibrocontact/analyses/stability/damper_variants.h>
+#include <vibrocontact/analyses/stability/followed_row.h>
+#include <vibrocontact/analyses/stability/root_derivatives.h>
 #include <vibrocontact/analyses/stability/root_paths.h>
 #include <vibrocontact/analyses/stability/run_stability.h>
 #include <vibrocontact/analyses/stability/stability_output.h>
+#include <vibrocontact/analyses/stability/sweep_case.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
-#include <vibrocontact/reduction/window.h>
-#include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/say_residual_damping.h>
+#include <vibrocontact/run/varied_cases.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -22,89 +24,17 @@ namespace vibrocontact
 {
   namespace
   {
-    PlacedContacts contacts_of_case(const SweepCase &one)
-    {
-      PlacedContacts contacts = one.parameters.placed_contacts();
-      if (one.parameters.lateral_sweep())
-        contacts.only() = one.parameters.contact_grid_at(one.lateral_position);
-      return contacts;
-    }
-
-    /// @param reduced_bodies null for bodies without mesh
-    /// @param loss gets what Stability/Loss = hysteretic takes out of the damping ratios
-    /// @param with_dampers of a wheel
-    ContactPair pair_of_case(const SweepCase &one, const std::optional<MeasuredData> &measured,
-                             const std::vector<const ReducedBody *> &reduced_bodies,
-                             const MeshedBodies &meshed_bodies, std::optional<HystereticLoss> &loss,
-                             const bool with_dampers = true)
-    {
-      const Parameters &parameters = one.parameters;
-      const PlacedContacts contacts = contacts_of_case(one);
-      const unsigned int n_bodies = parameters.scene.bodies.size();
-      std::vector<std::optional<ReducedBody>> own(n_bodies);
-      std::vector<ContactBody> bodies;
-      for (unsigned int k = 0; k < n_bodies; ++k)
-      {
-        const BodyParameters &body = parameters.scene.bodies[k];
-        const ReducedBody *const reduced = reduced_bodies[k];
-        std::optional<ReducedBody> meshed;
-        if (reduced && parameters.lateral_sweep())
-        {
-          double lateral = 0, height = 0;
-          if (k == 0)
-          {
-            const double nominal = parameters.contact().lateral_position;
-            lateral = one.lateral_position - nominal;
-            if (const auto axle = body.axle_height(nominal))
-              height = *axle - *body.axle_height(one.lateral_position);
-          }
-          meshed = window(*reduced, contacts.only(), lateral, height);
-        }
-        else if (reduced)
-          meshed = *reduced;
-        if (meshed && body.is_meshed())
-          add_damping(*meshed, body, parameters.modes.at(body.name), with_dampers);
-        own[k] = body_of_contact(parameters, std::move(meshed), measured, k);
-        bodies.push_back({&body, own[k] ? &*own[k] : nullptr});
-      }
-      ContactPair pair = contact_pair(bodies, parameters.contacts, contacts);
-      if (parameters.stability.is_hysteretic())
-      {
-        loss = take_hysteretic_loss(pair, bodies, parameters.contacts, contacts);
-        loss->exact = exact_receptances(meshed_bodies, contacts);
-      }
-      return pair;
-    }
-
-    /// A case with what its roots are followed by.
-    struct SolvedCase
-    {
-      StabilityResult result;
-      /// of the modes that the shapes of the roots are amplitudes of
-      std::vector<std::string> labels;
-      std::vector<double> omega;
-
-      template <typename Archive>
-      void serialize(Archive &archive, const unsigned int)
-      {
-        archive &result &labels &omega;
-      }
-    };
-
     SolvedCase solve(const SweepCase &one, const std::optional<MeasuredData> &measured,
                      const std::vector<const ReducedBody *> &reduced, const MeshedBodies &bodies)
     {
-      std::optional<HystereticLoss> loss;
-      const ContactPair pair = pair_of_case(one, measured, reduced, bodies, loss);
-      RollingParameters rolling = one.parameters.rolling;
-      rolling.hub = one.parameters.hub();
+      const PairOfCase of_case = pair_of_case(one, measured, reduced, bodies);
       SolvedCase solved;
-      solved.result =
-          stability(
-              one.parameters.stability, rolling, one.parameters.contacts, one.parameters.contact_solver, pair,
-              [](const StabilityResult &) {}, {}, loss ? &*loss : nullptr)
-              .front();
-      const ContactPair &moving = solved.result.suspended ? *solved.result.suspended : pair;
+      solved.result = stability(
+                          one.parameters().stability, rolling_of_case(one), one.parameters().contacts,
+                          one.parameters().contact_solver, of_case.pair, [](const StabilityResult &) {}, {},
+                          of_case.loss_or_null())
+                          .front();
+      const ContactPair &moving = solved.result.suspended ? *solved.result.suspended : of_case.pair;
       solved.labels = moving.labels;
       solved.omega = moving.frequencies();
       return solved;
@@ -119,21 +49,19 @@ namespace vibrocontact
       SharedScene(const SweepCase &one, const std::optional<MeasuredData> &measured,
                   const std::vector<const ReducedBody *> &reduced, const MeshedBodies &bodies)
       {
-        const Parameters &parameters = one.parameters;
-        std::optional<HystereticLoss> loss;
-        const ContactPair pair = pair_of_case(one, measured, reduced, bodies, loss, false);
-        RollingParameters rolling = parameters.rolling;
-        rolling.hub = parameters.hub();
+        const Parameters &parameters = one.parameters();
+        const PairOfCase bare = pair_of_case(one, measured, reduced, bodies, false);
         const CreepScheme &scheme = find_creep_scheme(parameters.contact().creep_scheme);
         const auto roots_about = [&](const RollingEquilibrium &about)
         {
-          variants = std::make_unique<DamperVariants>(pair, *loss, scheme, about, reduced.front()->section);
+          variants = std::make_unique<DamperVariants>(bare.pair, *bare.loss, scheme, about,
+                                                      reduced.front()->section);
           return variants->roots(parameters.scene.bodies[0]);
         };
         equilibrium.result =
             stability(
-                parameters.stability, rolling, parameters.contacts, parameters.contact_solver, pair,
-                [](const StabilityResult &) {}, roots_about, &*loss)
+                parameters.stability, rolling_of_case(one), parameters.contacts, parameters.contact_solver,
+                bare.pair, [](const StabilityResult &) {}, roots_about, &*bare.loss)
                 .front();
         equilibrium.labels = variants->bare_body().labels;
         equilibrium.omega = variants->bare_body().omega;
@@ -143,7 +71,7 @@ namespace vibrocontact
       {
         const auto begin = std::chrono::steady_clock::now();
         SolvedCase solved = equilibrium;
-        solved.result.roots = variants->roots(one.parameters.scene.bodies[0]);
+        solved.result.roots = variants->roots(one.parameters().scene.bodies[0]);
         solved.result.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return solved;
@@ -175,8 +103,10 @@ namespace vibrocontact
     {
     public:
       explicit StabilitySweep(const AnalysisRun &on)
-          : on(on), sweep(on.sweep), bodies(bodies_of_cases(on.sweep, on.bodies)), reduced(bodies.size())
+          : on(on), sweep(on.sweep), bodies(bodies_of_cases(on.sweep, on.bodies)), reduced(bodies)
       {
+        if (on.parameters.stability.follows())
+          check_own_equations(on.parameters, "Stability/Roots of a sweep is followed");
         outcome.entries = sweep.entries;
         outcome.columns = sweep.columns;
         outcome.loss = on.parameters.stability.loss;
@@ -192,38 +122,38 @@ namespace vibrocontact
         }
       }
 
-      void prepare(const unsigned int k) override
+      void prepare(const unsigned int k) override { reduced.prepare(k); }
+
+      unsigned int cases_per_chunk() const override
       {
-        reduced[k].assign(bodies[k].size(), nullptr);
-        for (unsigned int b = 0; b < bodies[k].size(); ++b)
-          if (MeshedBody *const body = bodies[k][b].get())
-          {
-            if (all_reduced.count(body) == 0)
-              all_reduced[body] = body->reduction.reduced(true);
-            reduced[k][b] = &all_reduced[body];
-          }
-          else if (TrackBody *const track = b < bodies[k].tracks.size() ? bodies[k].tracks[b].get() : nullptr)
-          {
-            if (all_tracks.count(track) == 0)
-            {
-              all_tracks[track] = track->moving();
-              track->beside_rest(); // its elements, before ranks part
-            }
-            reduced[k][b] = &all_tracks[track];
-          }
+        if (!on.parameters.stability.follows())
+          return 1;
+        return sweep.entries.size() == 1 ? sweep.cases.size() : sweep.cases.back().second + 1;
       }
 
       PackedCase compute(const unsigned int k) override
       {
+        if (on.parameters.stability.follows())
+        {
+          const unsigned int length = cases_per_chunk(), number = k / length;
+          if (row.empty() || row_number != number)
+          {
+            row_number = number;
+            row = followed(number * length, length);
+          }
+          const CaseOfRow &one = row[k % length];
+          one.failure.rethrow();
+          return dealii::Utilities::pack(one.solved, false);
+        }
         const SweepCase &one = sweep.cases[k];
-        if (!one.parameters.stability.are_of_body_1())
-          return dealii::Utilities::pack(solve(one, on.measured, reduced[k], bodies[k]), false);
-        const std::string dampers = one.parameters.scene.bodies[0].name + "/Wheel/Damper/";
+        if (!on.parameters.stability.are_of_body_1())
+          return dealii::Utilities::pack(solve(one, on.measured, reduced.of(k), bodies[k]), false);
+        const std::string dampers = on.parameters.scene.bodies[0].name + "/Wheel/Damper/";
         const bool same_scene =
             std::all_of(sweep.entries.begin(), sweep.entries.end(),
                         [&](const std::string &entry) { return entry.rfind(dampers, 0) == 0; });
         if (!shared || !same_scene)
-          shared = std::make_unique<SharedScene>(one, on.measured, reduced[k], bodies[k]);
+          shared = std::make_unique<SharedScene>(one, on.measured, reduced.of(k), bodies[k]);
         return dealii::Utilities::pack(shared->solve(one), false);
       }
 
@@ -246,7 +176,23 @@ namespace vibrocontact
         {
           SolvedCase solved = dealii::Utilities::unpack<SolvedCase>(computed(), false);
           StabilityResult &result = solved.result;
-          paths.follow(solved.labels, solved.omega, result.roots);
+          if (solved.labels.empty())
+            for (StabilityRoot &root : result.roots)
+              root.path = names[std::stoul(root.path)];
+          else
+          {
+            paths.follow(solved.labels, solved.omega, result.roots);
+            names.clear();
+            for (const StabilityRoot &root : result.roots)
+              names.push_back(root.path);
+          }
+          if (!solved.not_followed.empty())
+          {
+            run_log().line(text + ": this row is solved completely. " + solved.not_followed);
+            ++n_rows_not_followed;
+          }
+          n_followed += result.followed;
+          residual = std::max(residual, solved.residual);
           if (!row_has_begun)
             begin_of_row = paths;
           row_has_begun = true;
@@ -258,7 +204,8 @@ namespace vibrocontact
         }
         catch (const InputError &error)
         {
-          const bool at_end = contacts_of_case(one).n_points() < one.parameters.placed_contacts().n_points();
+          const bool at_end =
+              contacts_of_case(one).n_points() < one.parameters().placed_contacts().n_points();
           leave_out((at_end ? "The tread ends within the contact grid. " : "") + std::string(error.what()));
         }
         catch (const ConvergenceError &error)
@@ -272,18 +219,28 @@ namespace vibrocontact
         else
           add_new_cases(outcome, json);
         json.erase("contacts");
-        add_contacts(outcome, one.parameters.placed_contacts(), json);
+        add_contacts(outcome, one.parameters().placed_contacts(), json);
       }
 
       void finish() override
       {
         add_mean_growth(outcome, on.results.analyses["stability"]);
+        if (on.parameters.stability.follows())
+        {
+          on.results.analyses["stability"]["followed"] = {
+              {"cases", n_followed},
+              {"complete_cases", outcome.results.size() - n_followed},
+              {"rows_solved_completely", n_rows_not_followed},
+              {"largest_residual", residual}};
+          run_log().value("cases followed", n_followed);
+          run_log().value("complete cases", static_cast<unsigned int>(outcome.results.size()) - n_followed);
+        }
         if (on.parameters.stability.is_hysteretic())
           say_hysteretic_rests(on.parameters, on.results);
         else
-          say_residual_damping(sweep.cases.front().parameters, reduced.front(), 0.,
+          say_residual_damping(sweep.cases.front().parameters(), reduced.of(0), 0.,
                                frequencies_that_matter(outcome.results.front()), "stability", on.results,
-                               sweep.cases.front().parameters.stability.options().residual_rate);
+                               sweep.cases.front().parameters().stability.options().residual_rate);
         on_first_rank(
             [&]
             {
@@ -294,22 +251,43 @@ namespace vibrocontact
       }
 
     private:
+      std::vector<CaseOfRow> followed(const unsigned int first, const unsigned int length) const
+      {
+        std::vector<const SweepCase *> cases;
+        std::vector<const std::vector<const ReducedBody *> *> reduced_of;
+        std::vector<const MeshedBodies *> bodies_of;
+        for (unsigned int k = first; k < first + length; ++k)
+        {
+          cases.push_back(&sweep.cases[k]);
+          reduced_of.push_back(&reduced.of(k));
+          bodies_of.push_back(&bodies[k]);
+        }
+        return followed_row(cases, reduced_of, bodies_of, on.measured, first / length,
+                            keeps_bodies(sweep.entries.back()));
+      }
+
       const AnalysisRun &on;
       const SweepCases &sweep;
       const std::vector<MeshedBodies> bodies;
-      std::map<const MeshedBody *, ReducedBody> all_reduced;
-      std::map<const TrackBody *, ReducedBody> all_tracks;
-      /// of each case, its bodies
-      std::vector<std::vector<const ReducedBody *>> reduced;
+      ReducedOfCases reduced;
       std::unique_ptr<SharedScene> shared;
       StabilityOutcome outcome;
       RootPaths paths, begin_of_row;
       bool row_has_begun = false;
+      /// the row that this rank has followed last
+      std::vector<CaseOfRow> row;
+      unsigned int row_number = 0;
+      /// of the roots in the last case that has all of them
+      std::vector<std::string> names;
+      unsigned int n_followed = 0, n_rows_not_followed = 0;
+      double residual = 0;
     };
   } // namespace
 
   std::unique_ptr<SweptAnalysis> swept_stability(const AnalysisRun &on)
   {
+    if (on.sweep.section == section_of_variations)
+      return root_derivatives(on);
     return std::make_unique<StabilitySweep>(on);
   }
 } // namespace vibrocontact

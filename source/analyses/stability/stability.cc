@@ -57,6 +57,12 @@ namespace vibrocontact
         "bodies, without eigenvalues (consistent linearisation; some ten seconds for 500 modes). "
         "Units: none.",
         Bool());
+    prm.add_parameter("Roots of a sweep", roots_of_sweep,
+                      "complete: all roots of each case; followed: all roots of a few cases of each row of "
+                      "the sweep, and between them those that grow or may, each from the case before. "
+                      "Units: none.",
+                      Selection("complete|followed"));
+    derivatives.declare_parameters(prm);
   }
 
   void StabilityParameters::check() const
@@ -74,6 +80,20 @@ namespace vibrocontact
       throw InputError(
           "Stability/Roots is of body 1, which is for Loss = hysteretic without Second count: set Roots "
           "to all, or these.");
+    if (are_of_body_1() && follows())
+      throw InputError(
+          "Stability/Roots is of body 1, which is not followed from case to case: set Roots of a sweep "
+          "to complete, or Roots to all.");
+    derivatives.check();
+    if (derivatives.any() && (!is_reduced() || linearisation != "consistent"))
+      throw InputError(
+          "Stability/Derivatives are those of the reduced model in its consistent linearisation: "
+          "set Model to reduced and Linearisation to consistent.");
+    if (follows() && (!is_reduced() || linearisation != "consistent" || second_count))
+      throw InputError(
+          "Stability/Roots of a sweep is followed, which takes the reduced model in its consistent "
+          "linearisation without Second count: set Model to reduced, Linearisation to consistent "
+          "and Second count to false, or it to complete.");
     if (second_count && linearisation != "consistent")
       throw InputError("Stability/Second count is for the consistent linearisation: set Linearisation to "
                        "consistent, or Second count to false.");
@@ -107,42 +127,75 @@ namespace vibrocontact
                              { return a.divergence_rate < b.divergence_rate; });
   }
 
-  namespace
+  // Closed points that nothing yields move with the modes, whose mass is theirs.
+  std::vector<StabilityRoot> all_roots(const ContactPair &pair, const CreepScheme &scheme,
+                                       const RollingEquilibrium &about, const LinearisationOptions &options,
+                                       const HystereticLoss *const loss)
   {
-    /// Closed points that nothing yields move with the modes, whose mass is theirs.
-    std::vector<StabilityRoot> reduced_roots(const ContactPair &pair, const CreepScheme &scheme,
-                                             const RollingEquilibrium &about,
-                                             const LinearisationOptions &options,
-                                             const HystereticLoss *const loss)
+    const DenseMatrix W = compliance_of_contact(pair, about);
+    unsigned int n_closed = 0, n_rigid = 0;
+    for (unsigned int i = 0; i < pair.n_points(); ++i)
     {
-      const DenseMatrix W = compliance_of_contact(pair, about);
-      unsigned int n_closed = 0, n_rigid = 0;
-      for (unsigned int i = 0; i < pair.n_points(); ++i)
-      {
-        n_closed += about.contact.R[i] > 0;
-        n_rigid += about.contact.R[i] > 0 && W(i, i) == 0;
-      }
-      if (n_rigid == 0 && loss)
-      {
-        std::vector<StabilityRoot> roots = hysteretic_roots(pair, *loss, scheme, about, options);
-        if (!loss->exact.empty())
-          make_exact(roots, pair, scheme, about, *loss);
-        return roots;
-      }
-      if (n_rigid == 0)
-        return stability_roots(pair, linearised_contact(pair, scheme, about, options));
-      if (loss)
-        throw InputError("A closed contact point has mass and nothing that yields, which Stability/Loss "
-                         "hysteretic does not take: set it to viscous, or give Contact/Normal law one that "
-                         "yields.");
-      if (pair.hub || n_rigid < n_closed || pair.n_poles() > 0)
-        throw InputError(
-            "A closed contact point has mass and nothing that yields, which Stability takes with a "
-            "held hub, without poles and if all closed points are so: set Rolling/Hub to held, or "
-            "give Contact/Normal law one that yields.");
-      return inertial_roots(inertial_pair(pair), scheme, about, options);
+      n_closed += about.contact.R[i] > 0;
+      n_rigid += about.contact.R[i] > 0 && W(i, i) == 0;
     }
-  } // namespace
+    if (n_rigid == 0 && loss)
+    {
+      std::vector<StabilityRoot> roots = hysteretic_roots(pair, *loss, scheme, about, options);
+      if (!loss->exact.empty())
+        make_exact(roots, pair, scheme, about, *loss);
+      return roots;
+    }
+    if (n_rigid == 0)
+      return stability_roots(pair, linearised_contact(pair, scheme, about, options));
+    if (loss)
+      throw InputError("A closed contact point has mass and nothing that yields, which Stability/Loss "
+                       "hysteretic does not take: set it to viscous, or give Contact/Normal law one that "
+                       "yields.");
+    if (pair.hub || n_rigid < n_closed || pair.n_poles() > 0)
+      throw InputError(
+          "A closed contact point has mass and nothing that yields, which Stability takes with a "
+          "held hub, without poles and if all closed points are so: set Rolling/Hub to held, or "
+          "give Contact/Normal law one that yields.");
+    return inertial_roots(inertial_pair(pair), scheme, about, options);
+  }
+
+  std::shared_ptr<const ContactOperator>
+  operator_of_stability(const ContactPair &pair, const ContactSections &contact, const double speed)
+  {
+    return rolling_operator(pair.interface.contacts, static_compliance(pair),
+                            find_creep_scheme(contact.first().creep_scheme), speed, static_gradient(pair));
+  }
+
+  void stability_equilibria(const RollingParameters &rolling, const ContactSections &contact,
+                            const ContactSolverParameters &solver, const ContactPair &pair,
+                            const std::shared_ptr<const ContactOperator> &A,
+                            const std::function<void(StabilityResult &&, const RollingEquilibrium &)> &found)
+  {
+    unsigned int number = 0;
+    const auto take = [&](const RollingResult &equilibrium, const ContactProblem &problem)
+    {
+      if (!equilibrium.solution.converged)
+        throw ConvergenceError("The equilibrium of case " + std::to_string(number) +
+                               " of the stability analysis did not converge. " + equilibrium.failure);
+      ++number;
+      StabilityResult result;
+      result.rolling_case = equilibrium.rolling_case;
+      result.contact_points = equilibrium.contact_points;
+      result.stick_points = equilibrium.stick_points;
+      result.normal_force = equilibrium.normal_force;
+      result.approach = equilibrium.solution.approach;
+      result.contacts = equilibrium.contacts;
+      result.hub = rolling.hub;
+      found(std::move(result), rolling_equilibrium(equilibrium.solution, problem.friction_law,
+                                                   problem.normal_law, rolling.creepage.speed,
+                                                   rolling.hub == "massless" ||
+                                                       (rolling.hub == "none" && problem.force_given())));
+    };
+    quasi_static_rolling(
+        rolling, contact, solver, static_interface(pair),
+        [&](const double speed) { return A ? A : operator_of_stability(pair, contact, speed); }, take);
+  }
 
   std::vector<StabilityResult> stability(const StabilityParameters &parameters,
                                          const RollingParameters &rolling, const ContactSections &contact,
@@ -152,11 +205,6 @@ namespace vibrocontact
   {
     const CreepScheme &scheme = find_creep_scheme(contact.first().creep_scheme);
     std::vector<StabilityResult> results;
-    const auto operator_at = [&](const double speed)
-    {
-      return rolling_operator(pair.interface.contacts, static_compliance(pair), scheme, speed,
-                              static_gradient(pair));
-    };
     // the preload is no part of the linearisation
     std::shared_ptr<const ContactPair> suspended;
     if (rolling.hub == "suspended")
@@ -165,26 +213,12 @@ namespace vibrocontact
     std::optional<HystereticLoss> own_loss;
     if (suspended && loss)
       loss = &own_loss.emplace(suspended_loss(*loss, *suspended->hub));
-    const auto linearise = [&](const RollingResult &equilibrium, const ContactProblem &problem)
+    const auto linearise = [&](StabilityResult &&result, const RollingEquilibrium &about)
     {
-      if (!equilibrium.solution.converged)
-        throw ConvergenceError("The equilibrium of case " + std::to_string(results.size()) +
-                               " of the stability analysis did not converge. " + equilibrium.failure);
       const auto begin = std::chrono::steady_clock::now();
-      StabilityResult result;
-      result.rolling_case = equilibrium.rolling_case;
-      result.contact_points = equilibrium.contact_points;
-      result.stick_points = equilibrium.stick_points;
-      result.normal_force = equilibrium.normal_force;
-      result.approach = equilibrium.solution.approach;
-      result.contacts = equilibrium.contacts;
-      result.hub = rolling.hub;
       result.suspended = suspended;
-      const RollingEquilibrium about = rolling_equilibrium(
-          equilibrium.solution, problem.friction_law, problem.normal_law, rolling.creepage.speed,
-          rolling.hub == "massless" || (rolling.hub == "none" && problem.force_given()));
       result.roots =
-          roots_about ? roots_about(about) : reduced_roots(moving, scheme, about, parameters.options(), loss);
+          roots_about ? roots_about(about) : all_roots(moving, scheme, about, parameters.options(), loss);
       if (result.roots.empty())
         throw ConvergenceError("No root of the linearised contact oscillates or grows: keep more modes.");
       result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -193,7 +227,7 @@ namespace vibrocontact
       results.push_back(std::move(result));
       finished(results.back());
     };
-    quasi_static_rolling(rolling, contact, solver, static_interface(pair), operator_at, linearise);
+    stability_equilibria(rolling, contact, solver, pair, nullptr, linearise);
     return results;
   }
 } // namespace vibrocontact

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/analyses/stability/derivative_parameters.h>
 #include <vibrocontact/analyses/stability/root_count.h>
 #include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
 #include <vibrocontact/coupled_bodies/stability_roots.h>
@@ -40,6 +41,10 @@ namespace vibrocontact
     bool stick = false;
     /// count the unstable roots by the argument principle as well, see count_unstable_roots()
     bool second_count = false;
+    /// of a sweep: "complete", all roots of each case; "followed", see followed_row()
+    std::string roots_of_sweep = "complete";
+    bool follows() const { return roots_of_sweep == "followed"; }
+    DerivativeParameters derivatives;
 
     void declare_parameters(dealii::ParameterHandler &prm);
     /// @throws InputError
@@ -61,6 +66,8 @@ namespace vibrocontact
     /// the pair whose modes the shapes of the roots are amplitudes of, if that is another than the held one
     std::shared_ptr<const ContactPair> suspended;
     std::vector<StabilityRoot> roots;
+    /// whether they are some of all: those that a sweep follows
+    bool followed = false;
     /// wall time of the eigenvalues [s]
     double seconds = 0;
 
@@ -76,13 +83,28 @@ namespace vibrocontact
     void serialize(Archive &archive, const unsigned int)
     {
       archive &rolling_case &contact_points &stick_points &normal_force &approach &contacts &hub;
-      archive &roots &seconds;
+      archive &roots &followed &seconds;
       bool has_second_count = second_count.has_value();
       archive &has_second_count;
       if (has_second_count)
         archive &(second_count ? *second_count : second_count.emplace());
     }
   };
+
+  /// The rolling equilibria of section Rolling as stability takes them: `found` gets each with a result that has all but roots.
+  /// @param A rolling_operator() of the pair at that speed, which many calls on one pair share; null: made here
+  /// @throws ConvergenceError if one does not converge
+  void stability_equilibria(const RollingParameters &rolling, const ContactSections &contact,
+                            const ContactSolverParameters &solver, const ContactPair &pair,
+                            const std::shared_ptr<const ContactOperator> &A,
+                            const std::function<void(StabilityResult &&, const RollingEquilibrium &)> &found);
+  std::shared_ptr<const ContactOperator> operator_of_stability(const ContactPair &pair,
+                                                               const ContactSections &contact, double speed);
+
+  /// All roots of the reduced pair about an equilibrium; none is missing.
+  std::vector<StabilityRoot> all_roots(const ContactPair &pair, const CreepScheme &scheme,
+                                       const RollingEquilibrium &about, const LinearisationOptions &options,
+                                       const HystereticLoss *loss);
 
   /// The roots of another model about an equilibrium.
   using RootFinder = std::function<std::vector<StabilityRoot>(const RollingEquilibrium &)>;

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <vibrocontact/analyses/stability/stability.h>
+#include <vibrocontact/run/prepare_pair.h>
+#include <vibrocontact/run/sweep_cases.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// The contacts of a case, at its own lateral position.
+  PlacedContacts contacts_of_case(const SweepCase &one);
+
+  /// The bodies of a case as stability takes them, without any equilibrium.
+  struct PairOfCase
+  {
+    ContactPair pair;
+    /// Stability/Loss = hysteretic
+    std::optional<HystereticLoss> loss;
+    const HystereticLoss *loss_or_null() const { return loss ? &*loss : nullptr; }
+  };
+  /// @param reduced_bodies null for bodies without mesh @param with_dampers of a wheel
+  PairOfCase pair_of_case(const SweepCase &one, const std::optional<MeasuredData> &measured,
+                          const std::vector<const ReducedBody *> &reduced_bodies,
+                          const MeshedBodies &meshed_bodies, bool with_dampers = true);
+
+  /// Section Rolling with the hub as it applies to the bodies.
+  RollingParameters rolling_of_case(const SweepCase &one);
+
+  /// What the contact's own equations do not know is refused. @param what asks, "Stability/Derivatives are"
+  /// @throws InputError
+  void check_own_equations(const Parameters &parameters, const std::string &what);
+
+  /// Whether an entry changes friction, load or creepage alone, and no body.
+  bool keeps_bodies(const std::string &entry);
+
+  /// Bodies of the cases, each reduced once. Collective.
+  class ReducedOfCases
+  {
+  public:
+    explicit ReducedOfCases(const std::vector<MeshedBodies> &bodies) : bodies(bodies), reduced(bodies.size())
+    {
+    }
+    void prepare(unsigned int k);
+    const std::vector<const ReducedBody *> &of(const unsigned int k) const { return reduced[k]; }
+
+  private:
+    const std::vector<MeshedBodies> &bodies;
+    std::map<const MeshedBody *, ReducedBody> all_reduced;
+    std::map<const TrackBody *, ReducedBody> all_tracks;
+    /// of each case, its bodies
+    std::vector<std::vector<const ReducedBody *>> reduced;
+  };
+
+  /// A case with what its roots are followed by.
+  struct SolvedCase
+  {
+    StabilityResult result;
+    /// of the modes that the shapes of the roots are amplitudes of; empty: the roots were followed, and the path of each is the
+    /// number of the root in the last case before that has them
+    std::vector<std::string> labels;
+    std::vector<double> omega;
+    /// largest |F x| / (|F| |x|) of followed roots [-]
+    double residual = 0;
+    /// at the beginning of a row that was solved completely in place of following: why
+    std::string not_followed;
+
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &result &labels &omega &residual &not_followed;
+    }
+  };
+} // namespace vibrocontact

@@ -1,0 +1,409 @@
+#include <vibrocontact/analyses/stability/root_derivatives.h>
+#include <vibrocontact/analyses/stability/sweep_case.h>
+#include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/label_text.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/table.h>
+#include <vibrocontact/coupled_bodies/followed_root.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+    constexpr double two_pi = 2 * dealii::numbers::PI;
+    constexpr unsigned int n_nearest_roots = 3;
+
+    /// The contact's own equations of a case.
+    struct EquationsOfCase
+    {
+      std::shared_ptr<const PairOfCase> bodies;
+      std::shared_ptr<const ContactOperator> A;
+      std::vector<PatchReceptance> receptances;
+      RollingEquilibrium about;
+      std::optional<ContactReceptance> F;
+    };
+
+    /// @param same of whose bodies it is; null: of others
+    EquationsOfCase equations_of_case(const SweepCase &one, const std::optional<MeasuredData> &measured,
+                                      const std::vector<const ReducedBody *> &reduced,
+                                      const MeshedBodies &meshed, const EquationsOfCase *const same)
+    {
+      EquationsOfCase result;
+      const RollingParameters rolling = rolling_of_case(one);
+      const ContactSections &contacts = one.parameters().contacts;
+      if (same)
+      {
+        result.bodies = same->bodies;
+        result.A = same->A;
+        result.receptances = same->receptances;
+      }
+      else
+      {
+        result.bodies = std::make_shared<const PairOfCase>(pair_of_case(one, measured, reduced, meshed));
+        result.A = operator_of_stability(result.bodies->pair, contacts, rolling.creepage.speed);
+        result.receptances = modal_receptances(result.bodies->pair, result.bodies->loss_or_null());
+      }
+      bool first = true;
+      stability_equilibria(rolling, contacts, one.parameters().contact_solver, result.bodies->pair, result.A,
+                           [&](StabilityResult &&, const RollingEquilibrium &about)
+                           {
+                             if (first)
+                               result.about = about;
+                             first = false;
+                           });
+      result.F.emplace(result.bodies->pair, find_creep_scheme(contacts.first().creep_scheme), result.about,
+                       result.receptances, result.bodies->loss_or_null());
+      return result;
+    }
+
+    /// The receptance of a contact along the normal (0) or along y (2), weighted by the normal forces of an equilibrium [m/N].
+    Complex receptance_of(const EquationsOfCase &of, const RollingEquilibrium &weights,
+                          const unsigned int direction, const Complex &s)
+    {
+      const ContactPair &pair = of.bodies->pair;
+      const unsigned int n = pair.n_points();
+      double sum = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        sum += weights.contact.R[i];
+      std::vector<double> e(3 * n);
+      for (unsigned int i = 0; i < n; ++i)
+        e[direction * n + i] = weights.contact.R[i] / sum;
+      Complex result = 0;
+      for (unsigned int j = 0; j < 3 * n; ++j)
+        for (unsigned int i = 0; e[j] != 0 && i < 3 * n; ++i)
+          result += e[i] * e[j] * (of.bodies->loss ? of.bodies->loss->residual(i, j) : pair.residual(i, j));
+      for (const PatchReceptance &body : of.receptances)
+      {
+        ComplexVector moved(body.basis.n());
+        for (unsigned int r = 0; r < moved.size(); ++r)
+          for (unsigned int i = 0; i < 3 * n; ++i)
+            moved[r] += e[i] * body.basis(i, r);
+        const ComplexVector answer = body.times(s, moved);
+        for (unsigned int r = 0; r < moved.size(); ++r)
+          result += moved[r] * answer[r];
+      }
+      return result;
+    }
+
+    /// What a case does to the roots of the first.
+    struct VariedRoots
+    {
+      std::vector<std::string> labels;
+      std::vector<Complex> s;
+      /// y^T F x of this case's F
+      std::vector<Complex> change;
+      bool has_change = false;
+      /// receptance_of() the contact at the frequency of each root, normal and lateral
+      std::vector<Complex> normal, lateral;
+
+      template <typename Archive>
+      void serialize(Archive &archive, const unsigned int)
+      {
+        archive &labels &s &change &has_change &normal &lateral;
+      }
+    };
+
+    struct Scatter
+    {
+      double mean = 0, deviation = 0, growing = 0;
+    };
+
+    Scatter scatter_of(const std::vector<double> &values)
+    {
+      Scatter result;
+      for (const double value : values)
+      {
+        result.mean += value / values.size();
+        result.growing += (value > 0 ? 1. : 0.) / values.size();
+      }
+      for (const double value : values)
+        result.deviation += std::pow(value - result.mean, 2) / std::max<std::size_t>(1, values.size() - 1);
+      result.deviation = std::sqrt(result.deviation);
+      return result;
+    }
+
+    class RootDerivatives : public SweptAnalysis
+    {
+    public:
+      explicit RootDerivatives(const AnalysisRun &on)
+          : on(on), sweep(on.sweep), asked(on.parameters.stability.derivatives),
+            bodies(bodies_of_cases(on.sweep, on.bodies)), reduced(bodies), keeps(asked.entries.size())
+      {
+        check_own_equations(on.parameters, "Section Stability/Derivatives has Entries");
+        for (unsigned int i = 0; i < keeps.size(); ++i)
+          keeps[i] = vibrocontact::keeps_bodies(asked.entries[i]);
+        run_log().block("Derivatives of the roots");
+      }
+
+      void prepare(const unsigned int k) override { reduced.prepare(k); }
+
+      PackedCase compute(const unsigned int k) override
+      {
+        if (!nominal)
+          begin();
+        VariedRoots result;
+        if (k == 0)
+        {
+          result.labels = labels;
+          for (const ContactRoot &root : roots)
+            result.s.push_back(root.s);
+          add_receptances(*nominal, result);
+          return dealii::Utilities::pack(result, false);
+        }
+        const EquationsOfCase varied = equations_of_case(sweep.cases[k], on.measured, reduced.of(k),
+                                                         bodies[k], same_bodies(k) ? &*nominal : nullptr);
+        result.has_change = varied.F->unknowns() == nominal->F->unknowns();
+        std::vector<Complex> starts;
+        for (const ContactRoot &root : roots)
+        {
+          result.change.push_back(result.has_change ? change_of_root(*nominal->F, root, *varied.F) : 0.);
+          starts.push_back(root.s - result.change.back());
+        }
+        add_receptances(varied, result);
+        const std::vector<double> reach = reaches(starts);
+        for (unsigned int r = 0; r < roots.size(); ++r)
+          result.s.push_back(
+              next_root(followed_root(*nominal->F, roots[r]), *varied.F, starts[r], reach[r]).s);
+        return dealii::Utilities::pack(result, false);
+      }
+
+      void take(const unsigned int k, const std::function<PackedCase()> &computed) override
+      {
+        try
+        {
+          results.push_back(dealii::Utilities::unpack<VariedRoots>(computed(), false));
+          if (k > 0 && k <= 2 * asked.entries.size() && !results.back().has_change)
+            throw ConvergenceError("contact points open or close within the step of the derivative");
+        }
+        catch (const std::exception &error)
+        {
+          results.resize(k);
+          results.emplace_back();
+          const std::string text = case_text(sweep, sweep.cases[k]) + ": " + error.what();
+          run_log().warning(text);
+          on.results.failures.push_back({"stability", "Derivatives: " + text});
+        }
+      }
+
+      void finish() override
+      {
+        if (results.front().s.empty())
+          return;
+        Table table(
+            {"root", "frequency_Hz", "growth_1_s", "entry", "value", "step", "frequency_per_unit_Hz",
+             "growth_per_unit_1_s", "frequency_by_difference_Hz", "growth_by_difference_1_s"},
+            {"Derivatives of the roots that grow, and of the three nearest to that, by left and right "
+             "vectors, per SI unit of the entry;",
+             "by_difference: of the roots themselves, followed to the value a step more and a step less"});
+        nlohmann::ordered_json json = nlohmann::ordered_json::array();
+        for (unsigned int r = 0; r < results.front().s.size(); ++r)
+          for (unsigned int i = 0; i < asked.entries.size(); ++i)
+          {
+            const VariedRoots &more = results[2 * i + 1], &less = results[2 * i + 2];
+            if (!more.has_change || !less.has_change)
+              continue;
+            const Complex s = results.front().s[r], derivative = derivative_of(r, i),
+                          difference = (more.s[r] - less.s[r]) / (2 * step(i));
+            table.add_row({results.front().labels[r], s.imag() / two_pi, s.real(), asked.entries[i],
+                           value(0, i), step(i), derivative.imag() / two_pi, derivative.real(),
+                           difference.imag() / two_pi, difference.real()});
+            json.push_back({{"root", results.front().labels[r]},
+                            {"entry", asked.entries[i]},
+                            {"value", value(0, i)},
+                            {"frequency_per_unit_Hz", derivative.imag() / two_pi},
+                            {"growth_per_unit_1_s", derivative.real()}});
+            char line[300];
+            std::snprintf(line, sizeof line, "%-20s %10.2f Hz %+9.3f 1/s  per %s: %+.5g Hz, %+.5g 1/s",
+                          results.front().labels[r].c_str(), s.imag() / two_pi, s.real(),
+                          asked.entries[i].c_str(), derivative.imag() / two_pi, derivative.real());
+            run_log().line(line);
+          }
+        on.results.analyses["stability"]["derivatives"] = json;
+        on_first_rank([&] { table.write(on.folder + "/stability_derivatives.csv"); });
+        write_receptances();
+        if (!asked.deviations.empty())
+          write_scatter();
+      }
+
+    private:
+      void add_receptances(const EquationsOfCase &of, VariedRoots &result) const
+      {
+        for (const ContactRoot &root : roots)
+        {
+          const Complex s(0, root.s.imag());
+          result.normal.push_back(receptance_of(of, nominal->about, 0, s));
+          result.lateral.push_back(receptance_of(of, nominal->about, 2, s));
+        }
+      }
+
+      void write_receptances() const
+      {
+        Table table(
+            {"frequency_Hz", "direction", "receptance_re_m_N", "receptance_im_m_N", "entry", "value",
+             "derivative_re_m_N", "derivative_im_m_N"},
+            {"Receptance of the bodies at the contact, both together, weighted by the normal forces of the "
+             "equilibrium, at the frequencies of the roots,",
+             "and its derivatives per SI unit of the entry; displacement of the first body less that of "
+             "the second per force on the first"});
+        for (unsigned int r = 0; r < results.front().s.size(); ++r)
+          for (unsigned int i = 0; i < asked.entries.size(); ++i)
+            for (const auto &[name, of] : {std::make_pair("normal", &VariedRoots::normal),
+                                           std::make_pair("lateral", &VariedRoots::lateral)})
+            {
+              const VariedRoots &more = results[2 * i + 1], &less = results[2 * i + 2];
+              if (more.s.empty() || less.s.empty())
+                continue;
+              const Complex h = (results.front().*of)[r],
+                            derivative = ((more.*of)[r] - (less.*of)[r]) / (2 * step(i));
+              table.add_row({results.front().s[r].imag() / two_pi, name, h.real(), h.imag(), asked.entries[i],
+                             value(0, i), derivative.real(), derivative.imag()});
+            }
+        on_first_rank([&] { table.write(on.folder + "/receptance_derivatives.csv"); });
+      }
+
+      void begin()
+      {
+        nominal = equations_of_case(sweep.cases[0], on.measured, reduced.of(0), bodies[0], nullptr);
+        const Parameters &parameters = sweep.cases[0].parameters();
+        std::vector<StabilityRoot> all =
+            all_roots(nominal->bodies->pair, find_creep_scheme(parameters.contact().creep_scheme),
+                      nominal->about, parameters.stability.options(), nominal->bodies->loss_or_null());
+        std::stable_sort(all.begin(), all.end(),
+                         [](const StabilityRoot &a, const StabilityRoot &b)
+                         { return a.divergence_rate > b.divergence_rate; });
+        unsigned int beside = 0;
+        for (const StabilityRoot &root : all)
+          if (root.frequency > 0 && (root.growth > 0 || beside++ < n_nearest_roots))
+          {
+            roots.push_back(contact_root(*nominal->F, {root.growth, two_pi * root.frequency}, {}, true));
+            labels.push_back(root.label);
+          }
+      }
+
+      bool same_bodies(const unsigned int k) const
+      {
+        for (unsigned int i = 0; i < keeps.size(); ++i)
+          if (!keeps[i] && value(k, i) != value(0, i))
+            return false;
+        return true;
+      }
+      double value(const unsigned int k, const unsigned int i) const
+      {
+        return std::get<double>(sweep.cases[k].values[i]);
+      }
+      double step(const unsigned int i) const { return (value(2 * i + 1, i) - value(2 * i + 2, i)) / 2; }
+      Complex derivative_of(const unsigned int r, const unsigned int i) const
+      {
+        return -(results[2 * i + 1].change[r] - results[2 * i + 2].change[r]) / (2 * step(i));
+      }
+
+      void write_scatter()
+      {
+        const unsigned int m = asked.entries.size();
+        Table table({"root", "frequency_Hz", "growth_1_s", "frequency_deviation_Hz", "growth_deviation_1_s",
+                     "probability_of_growth", "draws", "mean_of_draws_1_s", "deviation_of_draws_1_s",
+                     "share_of_growing_draws"},
+                    {"Scatter of the roots with that of the entries, of first order in it and by draws;",
+                     "probability_of_growth: of a normal distribution with the growth and its deviation"});
+        std::vector<std::string> columns = {"draw"};
+        columns.insert(columns.end(), asked.entries.begin(), asked.entries.end());
+        for (const std::string &label : results.front().labels)
+          columns.push_back("growth_1_s " + label_in_a_table(label));
+        Table draws(columns, {"The draws: values of the entries in SI units, growth of each root"});
+        std::vector<unsigned int> drawn;
+        for (unsigned int k = 2 * m + 1; k < results.size(); ++k)
+          if (!results[k].s.empty())
+            drawn.push_back(k);
+        nlohmann::ordered_json json = nlohmann::ordered_json::array();
+        for (unsigned int r = 0; r < results.front().s.size(); ++r)
+        {
+          const Complex s = results.front().s[r];
+          double growth = 0, frequency = 0;
+          bool known = true;
+          for (unsigned int i = 0; i < m; ++i)
+          {
+            known = known && results[2 * i + 1].has_change && results[2 * i + 2].has_change;
+            if (!known)
+              break;
+            growth += std::pow(derivative_of(r, i).real() * asked.deviations[i], 2);
+            frequency += std::pow(derivative_of(r, i).imag() / two_pi * asked.deviations[i], 2);
+          }
+          if (!known)
+            continue;
+          growth = std::sqrt(growth);
+          frequency = std::sqrt(frequency);
+          const double probability =
+              growth > 0 ? 0.5 * std::erfc(-s.real() / (growth * std::sqrt(2.))) : (s.real() > 0 ? 1. : 0.);
+          std::vector<double> growths;
+          for (const unsigned int k : drawn)
+            growths.push_back(results[k].s[r].real());
+          const Scatter scatter = scatter_of(growths);
+          table.add_row({results.front().labels[r], s.imag() / two_pi, s.real(), frequency, growth,
+                         probability, double(growths.size()), scatter.mean, scatter.deviation,
+                         scatter.growing});
+          json.push_back({{"root", results.front().labels[r]},
+                          {"growth_1_s", s.real()},
+                          {"growth_deviation_1_s", growth},
+                          {"probability_of_growth", probability},
+                          {"draws", growths.size()},
+                          {"mean_of_draws_1_s", scatter.mean},
+                          {"deviation_of_draws_1_s", scatter.deviation},
+                          {"share_of_growing_draws", scatter.growing}});
+          char line[300];
+          std::snprintf(
+              line, sizeof line,
+              "%-20s growth %+.3f 1/s scatters by %.3f 1/s; %zu draws: mean %+.3f, deviation %.3f, %.1f %% "
+              "grow",
+              results.front().labels[r].c_str(), s.real(), growth, growths.size(), scatter.mean,
+              scatter.deviation, 100 * scatter.growing);
+          run_log().line(line);
+        }
+        for (const unsigned int k : drawn)
+        {
+          std::vector<Table::Cell> cells = {double(k - 2 * m - 1)};
+          for (unsigned int i = 0; i < m; ++i)
+            cells.push_back(value(k, i));
+          for (const Complex &s : results[k].s)
+            cells.push_back(s.real());
+          draws.add_row(cells);
+        }
+        on.results.analyses["stability"]["scatter"] = json;
+        on_first_rank(
+            [&]
+            {
+              table.write(on.folder + "/stability_scatter.csv");
+              if (!drawn.empty())
+                draws.write(on.folder + "/stability_draws.csv");
+            });
+      }
+
+      const AnalysisRun &on;
+      const SweepCases &sweep;
+      const DerivativeParameters &asked;
+      const std::vector<MeshedBodies> bodies;
+      ReducedOfCases reduced;
+      /// entries that change no body
+      std::vector<bool> keeps;
+      /// of the first case, on this rank, with its roots
+      std::optional<EquationsOfCase> nominal;
+      std::vector<ContactRoot> roots;
+      std::vector<std::string> labels;
+      std::vector<VariedRoots> results;
+    };
+  } // namespace
+
+  std::unique_ptr<SweptAnalysis> root_derivatives(const AnalysisRun &on)
+  {
+    return std::make_unique<RootDerivatives>(on);
+  }
+} // namespace vibrocontact
