@@ -106,9 +106,9 @@ namespace vibrocontact
     class Band
     {
     public:
-      Band(AnswerOfRest &rest, const LossyModes &modes, const std::vector<AttachedMass> &masses,
+      Band(const unsigned int n_patch, const LossyModes &modes, const std::vector<AttachedMass> &masses,
            const double low, const double high)
-          : rest(rest), modes(modes), masses(masses), n_patch(rest.basis().n())
+          : modes(modes), masses(masses), n_patch(n_patch)
       {
         for (unsigned int k = 0; k < modes.lambda.size(); ++k)
         {
@@ -138,7 +138,7 @@ namespace vibrocontact
       unsigned int size() const { return near.size() + moving.size(); }
 
       /// Eigenvalues -s^2 of what is near, with all that follows taken at s.
-      ComplexEigenvectors eigenvalues(const Complex &s)
+      ComplexEigenvectors eigenvalues(AnswerOfRest &rest, const Complex &s)
       {
         const unsigned int n_rows = right.m(), n = size();
         ComplexMatrix C(n_rows, n_rows), receptance(n_rows, n_rows), X = right;
@@ -197,7 +197,6 @@ namespace vibrocontact
         return one;
       }
 
-      AnswerOfRest &rest;
       const LossyModes &modes;
       const std::vector<AttachedMass> &masses;
       const unsigned int n_patch;
@@ -246,11 +245,11 @@ namespace vibrocontact
       return std::norm(sum);
     }
 
-    void settle(Band &band, Candidate &root)
+    void settle(Band &band, AnswerOfRest &rest, Candidate &root)
     {
       for (unsigned int pass = 0; pass < most_passes; ++pass)
       {
-        const ComplexEigenvectors all = band.eigenvalues(root.s);
+        const ComplexEigenvectors all = band.eigenvalues(rest, root.s);
         double best = -1;
         Complex next;
         std::vector<Complex> v;
@@ -359,7 +358,7 @@ namespace vibrocontact
     return piece_of(s.imag()).at(s);
   }
 
-  std::vector<StabilityRoot> roots_of_body(AnswerOfRest &rest, const BareBody &body,
+  std::vector<StabilityRoot> roots_of_body(AnswerOfRest &nearly, AnswerOfRest &rest, const BareBody &body,
                                            const std::vector<AttachedMass> &masses,
                                            const unsigned int n_wanted)
   {
@@ -376,11 +375,11 @@ namespace vibrocontact
     for (unsigned int b = 0; b < bands.size(); ++b)
     {
       const auto [low, high] = bands[b];
-      all_bands.emplace_back(rest, modes, masses, low, high);
+      all_bands.emplace_back(n_patch, modes, masses, low, high);
       // bands meet in the middle between their own frequencies
       const double from = b == 0 ? 0.5 * low : (bands[b - 1].second + low) / 2,
                    to = b + 1 == bands.size() ? 1.5 * high : (high + bands[b + 1].first) / 2;
-      const ComplexEigenvectors found = all_bands.back().eigenvalues(Complex(0, (low + high) / 2));
+      const ComplexEigenvectors found = all_bands.back().eigenvalues(nearly, Complex(0, (low + high) / 2));
       for (unsigned int k = 0; k < found.values.size(); ++k)
         if (const Complex s = root_of(found.values[k]);
             s.imag() >= from && s.imag() < to && s.real() > least_divergence_of_candidates * s.imag())
@@ -395,7 +394,7 @@ namespace vibrocontact
     {
       if (known.size() >= n_wanted && !(one.s.real() > 0))
         break;
-      settle(all_bands[one.band], one);
+      settle(all_bands[one.band], rest, one);
       if (std::any_of(known.begin(), known.end(),
                       [&](const Complex &s) { return std::abs(s - one.s) < same_root * std::abs(s); }))
         continue;

@@ -66,9 +66,10 @@ namespace vibrocontact
   /// G their receptance, and P hardly depends on s. All eigenvalues with P at the band's middle are found at once, so that none
   /// near it is missed; those nearest to instability are then iterated with P at the root. Other roots (of what body 1 hardly
   /// moves in) are not looked for.
-  /// @param with layers' loss H added in `loss`; block by block of pairs that it couples
+  /// @param nearly what the roots are chosen by, such as poles of a rail whose exact receptance costs much; may be `rest`
+  /// @param body with the loss of its layers
   /// @return at most n_wanted, those with the largest divergence rates, and all that grow
-  std::vector<StabilityRoot> roots_of_body(AnswerOfRest &rest, const BareBody &body,
+  std::vector<StabilityRoot> roots_of_body(AnswerOfRest &nearly, AnswerOfRest &rest, const BareBody &body,
                                            const std::vector<AttachedMass> &masses,
-                                           unsigned int n_wanted = 16);
+                                           unsigned int n_wanted = 12);
 } // namespace vibrocontact

@@ -21,7 +21,8 @@ namespace vibrocontact
 
   private:
     const std::shared_ptr<const RevolvedShapes> section;
-    AnswerOfRest rest;
+    /// by poles, and exact; one if no body has an exact receptance
+    std::shared_ptr<AnswerOfRest> nearly, rest;
     BareBody bare;
   };
 } // namespace vibrocontact
