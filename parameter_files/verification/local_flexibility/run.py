@@ -41,7 +41,7 @@ def run(folder, analyses, entries):
     entries = {"Analyses": analyses, "Output/Figures": "false", "Output/Fields": "false", **entries}
     if options.cache:
         entries["Output/Cache directory"] = os.path.abspath(options.cache)
-    command = [options.program, os.path.join(top, "parameter_files", "examples", "curve_squeal.prm"), "--quiet", "--output", folder]
+    command = [options.program, os.path.join(top, "parameter_files", "examples", "curve_squeal_solid.prm"), "--quiet", "--output", folder]
     for entry, value in entries.items():
         command += ["--set", "%s=%s" % (entry, value)]
     subprocess.run(command, check=True)
@@ -78,7 +78,7 @@ def row(*values):
     table.flush()
 
 
-table.write("# curve_squeal.prm with another local flexibility, coupling or quadrature; normal_force_at_hub: at 0.35 mm; all others at the\n")
+table.write("# curve_squeal_solid.prm with another local flexibility, coupling or quadrature; normal_force_at_hub: at 0.35 mm; all others at the\n")
 table.write("# hub displacement that gives the normal force of the first row. growth in time: axial(0,3) from 0.0005 m/s; limit cycle: rim, axially\n")
 row("case", "normal_force_at_hub_N", "hub_m", "normal_force_N", "contact_points", "max_pressure_Pa",
     *[name % mode for mode in MODES for name in ("%s_Hz", "%s_1_s")], "n_unstable", "growth_in_time_1_s", "amplitude_m_s", "cycle_Hz", "drift",

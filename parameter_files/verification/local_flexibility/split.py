@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What half-spaces under the contact leave out; see README.md.
 
-usage: split.py FOLDER CACHE     output folder of curve_squeal.prm (its contact_patch_0.csv) and cache directory that it used
+usage: split.py FOLDER CACHE     output folder of curve_squeal_solid.prm (its contact_patch_0.csv) and cache directory that it used
 """
 import csv
 import glob
