@@ -138,10 +138,6 @@ namespace vibrocontact
     ComplexVector x(n);
     for (unsigned int i = 0; i < n; ++i)
       x[i] = given.empty() ? Complex(1, std::cos(1. + i)) : given[i] / scales.column[i];
-    x = nearest_to_singular(scales.applied(first), std::move(x), given.empty() ? 2 : 1, start);
-    // c^H x = 1
-    ComplexVector c = x;
-    c /= x.norm_sqr();
     const auto applied = [&](const auto &product_with)
     {
       ComplexVector scaled = x;
@@ -156,6 +152,11 @@ namespace vibrocontact
     root.s = start;
     const auto slope = [&]
     { return applied([&](const ComplexVector &v) { return F.derivative_times(root.s, v); }); };
+    // F' x has a share of what makes F singular, which x itself need not have
+    x = nearest_to_singular(scales.applied(first), given.empty() ? x : slope(), given.empty() ? 2 : 1, start);
+    // c^H x = 1
+    ComplexVector c = x;
+    c /= x.norm_sqr();
 
     Bordered bordered;
     double unit = 1, last = 0;

@@ -54,6 +54,14 @@ namespace vibrocontact
       Complex predicted_change;
       bool has_prediction = false;
       double residual = 0;
+      /// the nearest to growing, of which none need be followed, and whether it is not
+      bool optional = true, is_dropped = false;
+
+      void drop()
+      {
+        is_dropped = true;
+        known.assign(known.size(), false);
+      }
     };
 
     class Row
@@ -82,14 +90,16 @@ namespace vibrocontact
           choose();
           go_right();
           go_left();
+          if (std::all_of(tracks.begin(), tracks.end(), [](const Track &track) { return track.is_dropped; }))
+            throw ConvergenceError("None of its roots can be followed.");
           for (const Track &track : tracks)
-            if (!is_listed(track, first))
+            if (!track.is_dropped && !is_listed(track, first))
               throw ConvergenceError("A followed root is not there at the beginning of the row.");
         }
         catch (const ConvergenceError &error)
         {
           not_followed = error.what();
-          tracks.clear();
+          is_followed = false;
           for (unsigned int k = first; k < end; ++k)
             complete(k);
         }
@@ -100,7 +110,7 @@ namespace vibrocontact
         CaseOfRow one;
         one.solved.result = cases[k].result;
         StabilityResult &result = one.solved.result;
-        if (tracks.empty() || k == first)
+        if (!is_followed || k == first)
         {
           result.roots = cases[k].all;
           one.solved.labels = cases[k].bodies->pair.labels;
@@ -112,6 +122,8 @@ namespace vibrocontact
         result.followed = std::count(anchors.begin(), anchors.end(), k) == 0;
         for (const Track &track : tracks)
         {
+          if (track.is_dropped)
+            continue;
           const std::vector<StabilityRoot> &listed = cases[last_complete(k)].all;
           const unsigned int there = place(track, last_complete(k));
           StabilityRoot root;
@@ -155,7 +167,7 @@ namespace vibrocontact
         return track.known[k] && place(track, k) < cases[k].all.size();
       }
 
-      /// Of each complete case the numbers of the roots that are followed from there.
+      /// Of each complete case the numbers of the roots that are followed from there, and whether they have to be.
       void choose()
       {
         RootPaths paths;
@@ -182,13 +194,13 @@ namespace vibrocontact
             const double change =
                 known == before.end() || !may_grow ? 0 : std::abs(root.growth - known->second);
             if (root.growth > 0 || root.growth + change > 0)
-              chosen[a].insert(i);
+              chosen[a][i] = true;
             if (known != before.end() && may_grow && known->second + change > 0)
-              chosen[a - 1].insert(number[a - 1].at(root.path));
+              chosen[a - 1][number[a - 1].at(root.path)] = true;
           }
           std::sort(nearest.begin(), nearest.end());
           for (unsigned int i = 0; i < std::min<std::size_t>(n_nearest, nearest.size()); ++i)
-            chosen[a].insert(nearest[i].second);
+            chosen[a].emplace(nearest[i].second, false);
           before = std::move(growth);
         }
       }
@@ -197,20 +209,26 @@ namespace vibrocontact
       {
         const unsigned int k = anchors[a];
         for (const Track &track : tracks)
-          if (!is_listed(track, k))
+          if (!track.is_dropped && !is_listed(track, k))
             throw ConvergenceError("A followed root is none in a complete case.");
-        for (const unsigned int i : chosen[a])
+        for (const auto &[i, has_to_be] : chosen[a])
         {
           const StabilityRoot &root = cases[k].all[i];
-          if (std::any_of(tracks.begin(), tracks.end(),
-                          [&](const Track &track) { return is_at(track.s[k], root); }))
+          const auto there = std::find_if(tracks.begin(), tracks.end(),
+                                          [&root = root, k](const Track &track)
+                                          { return !track.is_dropped && is_at(track.s[k], root); });
+          if (there != tracks.end())
+          {
+            there->optional = there->optional && !has_to_be;
             continue;
+          }
           const ContactRoot found = contact_root(*cases[k].F, value_of(root), {}, true);
           if (!is_at(found.s, root))
             throw ConvergenceError("The contact's equations do not have a root of the eigenproblem.");
           Track track;
           track.s.resize(cases.size());
           track.known.resize(cases.size());
+          track.optional = !has_to_be;
           put(track, k, found);
           start_of.push_back(k);
           begun.push_back(found);
@@ -251,7 +269,17 @@ namespace vibrocontact
             all.push_back(track.s[to]);
         const std::vector<double> reach = reaches(all);
         for (unsigned int m = 0; m < moving.size(); ++m)
-          put(tracks[moving[m]], to, next_root(tracks[moving[m]].last, *cases[to].F, starts[m], reach[m]));
+          try
+          {
+            put(tracks[moving[m]], to, next_root(tracks[moving[m]].last, *cases[to].F, starts[m], reach[m]));
+          }
+          catch (const ConvergenceError &)
+          {
+            // a mode that hardly moves the contact has its root within round-off of a pole of F
+            if (!tracks[moving[m]].optional)
+              throw;
+            tracks[moving[m]].drop();
+          }
         for (unsigned int i = 0; i < tracks.size(); ++i)
           for (unsigned int j = 0; j < i; ++j)
             if (tracks[i].known[to] && tracks[j].known[to] &&
@@ -287,9 +315,10 @@ namespace vibrocontact
       const LinearisationOptions options;
       const CreepScheme &scheme;
       std::vector<unsigned int> anchors;
-      std::vector<std::set<unsigned int>> chosen;
+      std::vector<std::map<unsigned int, bool>> chosen;
       std::vector<Track> tracks;
       std::string not_followed;
+      bool is_followed = true;
       /// of each track the complete case in which it began, and its root with the left vector
       std::vector<unsigned int> start_of;
       std::vector<ContactRoot> begun;
