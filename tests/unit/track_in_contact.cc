@@ -98,3 +98,44 @@ TEST(TrackInContact, SmoothPartDoesNotDependOnThePatch)
     EXPECT_LT(std::abs(one(1, 3) - one(3, 1)), 1e-12 * std::abs(one(1, 1)));
   }
 }
+
+TEST(TrackInContact, SupportsLaidOneByOneCarryTheContact)
+{
+  // without scatter they are the periodic track but for the shapes far from the contact; with scatter, on sleepers that bend and
+  // on a slab the contact sees the difference
+  RailParameters rail;
+  rail.model = "periodic";
+  rail.section.element_degree = 1;
+  const BodyParameters body = rail_body();
+  TrackInContact::Settings settings;
+  const ContactGrid grid = grid_of(5, 5, 2e-3);
+  const TrackInContact even(body, rail, grid, settings);
+  RailParameters laid = rail, slab = rail, sleepers = rail;
+  laid.track.n_supports = 4;
+  RailParameters random = laid;
+  random.track.pad_scatter = 0.3;
+  slab.track.slab_mass = 1150;
+  sleepers.track.sleeper_mass = 150;
+  sleepers.track.ballast_stiffness_x = sleepers.track.ballast_stiffness_y = 30e6;
+  sleepers.track.ballast_stiffness_z = 50e6;
+  sleepers.track.sleeper_model = "beam";
+  const std::complex<double> omega(2 * PI * 918, -20);
+  const ComplexMatrix R = even.receptance(omega);
+  const auto off = [&](const RailParameters &other)
+  {
+    const TrackInContact track(body, other, grid, settings);
+    EXPECT_LT(distance(track.on_bed(), even.on_bed()), 1e-3);
+    const ComplexMatrix other_R = track.receptance(omega);
+    double worst = 0;
+    for (unsigned int i = 0; i < 6; ++i)
+      for (unsigned int j = 0; j < 6; ++j)
+        worst = std::max(worst, std::abs(other_R(i, j) - R(i, j)) / std::sqrt(std::abs(R(i, i) * R(j, j))));
+    std::cout << "at rest " << distance(track.at_rest(), even.at_rest()) << ", moving " << worst << std::endl;
+    return std::array<double, 2>{{distance(track.at_rest(), even.at_rest()), worst}};
+  };
+  const auto without_scatter = off(laid);
+  EXPECT_LT(without_scatter[0], 1e-3);
+  EXPECT_LT(without_scatter[1], 0.015);
+  for (const RailParameters &other : {random, slab, sleepers})
+    EXPECT_GT(off(other)[0], 0.01);
+}
