@@ -12,8 +12,8 @@ from scene import Check, entries, run, section, table
 check = Check()
 
 
-def wheel(name, pairs, ranks=1, contact={"Contact_at": "support"}, sweep=(), march=0):
-    swept = [section("Sweep", "set Entry = rail/Rail/Contact offset", f"set Values = {', '.join(map(str, sweep))}")] if sweep else []
+def wheel(name, pairs, ranks=1, contact={"Contact_at": "support"}, sweep=(), march=0, swept_entry="rail/Rail/Contact offset"):
+    swept = [section("Sweep", f"set Entry = {swept_entry}", f"set Values = {', '.join(map(str, sweep))}")] if sweep else []
     analyses = "transient" if march else "stability" if sweep else "quasi-static rolling, stability"
     text = "\n".join([
         "set Bodies = wheel, rail", "set Analyses = " + analyses,
@@ -86,4 +86,13 @@ both = [path for path in paths[0] if path in paths[1]]
 check.near("paths that grow in both cases", len(both) > 0, True, 1e-9)
 for path in both:
     check.near("mean growth", means[path], (paths[0][path] + paths[1][path]) / 2, 1e-12)
+
+# the contact moves along the tread, not on the crown; near the flange the wheel has fewer points in contact than the rail
+lateral, _ = wheel("lateral", 24, sweep=[-17.5e-3, -10e-3], swept_entry="Contact/Lateral position")
+cases = [sorted(root["growth_1_s"] for root in case["unstable"]) for case in lateral["stability"]["cases"]]
+check.near("number of roots that grow", len(cases[1]), len(over_support), 1e-9)
+for a, b in zip(cases[1], over_support):
+    # cells are halved along the whole band: others than under one contact
+    check.near("growth in a sweep of the lateral position", a, b, 5e-4, max(over_support))
+check.near("growth nearer the flange", max(cases[0]) > 1.2 * max(cases[1]), True, 1e-9)
 check.end()
