@@ -54,7 +54,7 @@ namespace vibrocontact
       Complex predicted_change;
       bool has_prediction = false;
       double residual = 0;
-      /// the nearest to growing, of which none need be followed, and whether it is not
+      /// whether it grows in no complete case, so that it need not be followed, and is not
       bool optional = true, is_dropped = false;
 
       void drop()
@@ -194,9 +194,9 @@ namespace vibrocontact
             const double change =
                 known == before.end() || !may_grow ? 0 : std::abs(root.growth - known->second);
             if (root.growth > 0 || root.growth + change > 0)
-              chosen[a][i] = true;
+              chosen[a][i] = root.growth > 0;
             if (known != before.end() && may_grow && known->second + change > 0)
-              chosen[a - 1][number[a - 1].at(root.path)] = true;
+              chosen[a - 1].emplace(number[a - 1].at(root.path), false);
           }
           std::sort(nearest.begin(), nearest.end());
           for (unsigned int i = 0; i < std::min<std::size_t>(n_nearest, nearest.size()); ++i)

@@ -23,7 +23,7 @@ namespace vibrocontact
   ///
   /// Followed are, through the whole row, the roots that grow in a complete case, those that would if their growth changed as much
   /// again as from one complete case to the next (if they decay by less than 5e-3 of their angular frequency), and the three nearest to growing. The first step of a root is predicted by its
-  /// derivative, others by the step before. One of the nearest is dropped where following fails, as it does for a mode that hardly moves the
+  /// derivative, others by the step before. One that grows in no complete case is dropped where following fails, as it does for a mode that hardly moves the
   /// contact. In each complete case every followed root has to be one of those that LAPACK lists, no
   /// two the same, and each that grows is followed. A row that fails so is solved completely, case by case. So are rows of fewer
   /// than five cases.
