@@ -201,12 +201,25 @@ namespace vibrocontact
         const double a = divisions[k], b = divisions[k + 1];
         if (a < from - slack || b > to + slack)
           continue;
-        const bool loaded =
-            std::any_of(with.begin(), with.end(),
-                        [&](const AxialLoad &load)
-                        { return load.length > 0 && std::abs((a + b) / 2 - load.centre) < load.length / 2; });
+        bool loaded = false, evenly = true;
+        for (const AxialLoad &load : with)
+          if (load.length > 0 && std::abs((a + b) / 2 - load.centre) < load.length / 2)
+          {
+            loaded = true;
+            evenly = evenly && load.linear.all_zero();
+          }
         std::optional<Slice> piece;
-        if (loaded)
+        if (loaded && evenly)
+        {
+          // under even loads equal elements double as well
+          unsigned int n = 1;
+          while (n * elements.length < (b - a) * (1 - 1e-9))
+            n *= 2;
+          piece = element_slice(at, a, (b - a) / n, elements.degree, with);
+          for (; n > 1; n /= 2)
+            piece = join(*piece, *piece);
+        }
+        else if (loaded)
         {
           const unsigned int n = std::ceil((b - a) / elements.length - 1e-9);
           for (unsigned int e = 0; e < n; ++e)
