@@ -21,6 +21,8 @@ namespace vibrocontact
     /// roots with a smaller divergence rate at the band's middle are not looked at more closely
     constexpr double least_divergence_of_candidates = -5e-3;
     constexpr double settled_root = 1e-11, same_root = 1e-8;
+    /// and how far from where its surroundings were taken one may be that is compared with others
+    constexpr double near_enough = 3e-3;
     constexpr unsigned int most_passes = 60;
 
     /// q'' + diag(lambda) q = left g, motions right q: modes of K + j H, which H couples within small blocks.
@@ -245,10 +247,14 @@ namespace vibrocontact
       return std::norm(sum);
     }
 
-    void settle(Band &band, AnswerOfRest &rest, Candidate &root)
+    /// @param at where `root` was found @param tolerance of |s|
+    void settle(Band &band, AnswerOfRest &rest, Complex at, const double tolerance, Candidate &root)
     {
       for (unsigned int pass = 0; pass < most_passes; ++pass)
       {
+        if (std::abs(root.s - at) < tolerance * std::abs(root.s))
+          return;
+        at = root.s;
         const ComplexEigenvectors all = band.eigenvalues(rest, root.s);
         double best = -1;
         Complex next;
@@ -265,11 +271,8 @@ namespace vibrocontact
             v = other;
           }
         }
-        const double step = std::abs(next - root.s);
         root.s = next;
         root.v = v;
-        if (step < settled_root * std::abs(next))
-          return;
       }
       throw ConvergenceError("The root near " + number_text(root.s.imag() / (2 * dealii::numbers::PI)) +
                              " Hz of body 1 with its dampers does not settle: set Stability/Roots to all.");
@@ -385,6 +388,12 @@ namespace vibrocontact
             s.imag() >= from && s.imag() < to && s.real() > least_divergence_of_candidates * s.imag())
           candidates.push_back({s, column(found.right, k), b});
     }
+    // far from the band's middle growth is not yet that of a root
+    for (Candidate &one : candidates)
+    {
+      const auto [low, high] = bands[one.band];
+      settle(all_bands[one.band], nearly, Complex(0, (low + high) / 2), near_enough, one);
+    }
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate &a, const Candidate &b)
                      { return a.s.real() / a.s.imag() > b.s.real() / b.s.imag(); });
@@ -394,7 +403,7 @@ namespace vibrocontact
     {
       if (known.size() >= n_wanted && !(one.s.real() > 0))
         break;
-      settle(all_bands[one.band], rest, one);
+      settle(all_bands[one.band], rest, 0, settled_root, one);
       if (std::any_of(known.begin(), known.end(),
                       [&](const Complex &s) { return std::abs(s - one.s) < same_root * std::abs(s); }))
         continue;

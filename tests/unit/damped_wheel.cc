@@ -199,7 +199,7 @@ TEST(DampedWheel, RingInTheElementsOfTheSection)
       for (const double other : modes.omega)
         if (std::abs(other - w) < std::abs(nearest - w))
           nearest = other;
-      EXPECT_NEAR(nearest, w, 1e-3 * w) << label << " with a ring tuned to " << frequency << " Hz";
+      EXPECT_NEAR(nearest, w, 2e-4 * w) << label << " with a ring tuned to " << frequency << " Hz";
       RecordProperty(label + (frequency > 0 ? " sprung" : " fixed"), std::to_string(nearest / w - 1));
     }
   }
