@@ -217,6 +217,26 @@ namespace vibrocontact
                          "/Sweep is that of the reduced model: set it to reduced or leave the sweep out.");
     }
 
+    /// Frequency responses are those of a wheel at rest without dampers.
+    void check_response_of_wheel(const Parameters &parameters, const BodyParameters &body)
+    {
+      const std::vector<std::string> wanted = split_list(parameters.frequency_response.bodies);
+      const bool responds = parameters.scene.runs("frequency response") &&
+                            (wanted.empty() || std::count(wanted.begin(), wanted.end(), body.name) > 0);
+      const auto refuse = [&](const std::string &entry)
+      {
+        throw InputError(body.name + "/Wheel/" + entry +
+                         ", which the analysis frequency response does not take: leave it out, or leave " +
+                         body.name + " out of Frequency response/Bodies.");
+      };
+      if (!responds || !body.is_revolved())
+        return;
+      if (const auto *const dampers = body.description->wheel_dampers(); dampers && !dampers->empty())
+        refuse("Dampers is set");
+      if (body.rolls())
+        refuse("Rotation is true");
+    }
+
     /// What needs elements of the whole body.
     void check_harmonics(const Parameters &parameters)
     {
@@ -232,6 +252,7 @@ namespace vibrocontact
         if (!needs.empty())
           throw InputError(body.name + "/" + body.body_type().section + "/Model is harmonics, but " +
                            needs.front() + " needs elements of the whole body: set it to solid.");
+        check_response_of_wheel(parameters, body);
       }
     }
 

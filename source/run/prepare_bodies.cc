@@ -92,11 +92,11 @@ namespace vibrocontact
     body = with_attached(std::move(body), attached_masses(*section, *dampers, path));
   }
 
-  ReducedBody free_modes(MeshedBody &body)
+  ReducedBody free_modes(MeshedBody &body, const BodyParameters &parameters)
   {
     const ModalReduction &modal = body.reduction.modal();
     ReducedBody result;
-    result.name = body.parameters.name;
+    result.name = parameters.name;
     result.n_rigid_modes = modal.n_rigid_modes;
     result.omega = modal.omega;
     result.damping_ratio = modal.damping_ratio;
@@ -106,17 +106,17 @@ namespace vibrocontact
     result.loss = modal.loss;
     result.trace.reinit(0, modal.omega.size());
     result.section = body.reduction.revolved_shapes();
-    add_damping(result, body.parameters, body.reduction.request().modes);
+    add_damping(result, parameters, body.reduction.request().modes);
     return result;
   }
 
-  SurfaceShapes shapes_of_modes(MeshedBody &body)
+  SurfaceShapes shapes_of_modes(MeshedBody &body, const BodyParameters &parameters)
   {
     const SurfaceShapes &shapes = body.reduction.surface_shapes();
-    const std::vector<WheelDamper> *const dampers = body.parameters.description->wheel_dampers();
+    const std::vector<WheelDamper> *const dampers = parameters.description->wheel_dampers();
     if (!dampers || dampers->empty())
       return shapes;
-    const ReducedBody modes = free_modes(body);
+    const ReducedBody modes = free_modes(body, parameters);
     return mixed_shapes(shapes, modes.mixing, modes.omega);
   }
 

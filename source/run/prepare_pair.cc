@@ -58,6 +58,7 @@ namespace vibrocontact
         const auto contact =
             std::find_if(contacts.all.begin(), contacts.all.end(),
                          [&](const PlacedContact &one) { return one.above == k || one.below == k; });
+        Assert(contact != contacts.all.end(), dealii::ExcInternalError());
         const std::vector<unsigned int> kept = window_rows(track->contact_grid(), contact->grid);
         DenseMatrix basis(3 * contacts.n_points(), motions.n());
         for (unsigned int j = 0; j < motions.n(); ++j)

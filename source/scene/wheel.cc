@@ -125,7 +125,7 @@ namespace vibrocontact
         throw InputError(path + "/Dampers lists " + damper.name +
                          ", which a wheel of solid elements does not take: set Model to harmonics.");
       if (rotation && !damper.is_layer())
-        throw InputError(path + "/Dampers lists " + damper.name + ", a " + damper.kind +
+        throw InputError(path + "/Dampers lists " + damper.name + " (" + damper.kind + ")" +
                          ", which would pass the contact with the turning wheel: set Rotation to false, or "
                          "leave it out.");
     }

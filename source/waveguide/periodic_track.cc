@@ -79,11 +79,6 @@ namespace vibrocontact
       return slice;
     }
 
-    void follow(std::optional<Slice> &whole, const Slice &next)
-    {
-      whole = whole ? join(*whole, next) : next;
-    }
-
     /// Motion of the far end of a slice under that of its near end, what follows beyond the far end being known:
     /// (S_ff + Z) q_f = -S_fn q_n.
     /// @param near, far first dofs of the ends, 0 and m
@@ -158,7 +153,7 @@ namespace vibrocontact
 
   std::pair<double, double> PeriodicTrack::reach() const
   {
-    if (own.empty() || beyond != TrackEnds::free)
+    if (own.empty() || beyond == TrackEnds::track)
       return {-1e300, 1e300};
     return {span_of(0).begin, span_of(own.size() - 1).end};
   }

@@ -30,7 +30,7 @@ namespace vibrocontact
     std::ostringstream text;
     text << "A place from x = " << from << " to " << to
          << " m is not on the rail, whose Supports carry it from " << begin << " to " << end
-         << " m between free ends: give more Supports or places nearer by.";
+         << " m: give more Supports or places nearer by.";
     throw InputError(text.str());
   }
 

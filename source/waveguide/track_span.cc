@@ -151,11 +151,6 @@ namespace vibrocontact
           result.compliance(i, j) = pad.compliance(i, j) + product(n_ends + i, n_ends + j);
       return result;
     }
-
-    void follow(std::optional<Slice> &whole, const Slice &next)
-    {
-      whole = whole ? join(*whole, next) : next;
-    }
   } // namespace
 
   Slice span_slice(const TrackSection &section, const TrackSupport &support, const ComplexMatrix &seat,

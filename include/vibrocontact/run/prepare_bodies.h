@@ -42,9 +42,10 @@ namespace vibrocontact
                    bool with_dampers = true);
 
   /// The modes of a body without contact, with all that damps it. Collective.
-  ReducedBody free_modes(MeshedBody &body);
+  /// @param parameters of the case that asks; cases that differ by dampers and losses share the reduction
+  ReducedBody free_modes(MeshedBody &body, const BodyParameters &parameters);
   /// These modes on its surface, which its dampers' masses are no part of. Collective.
-  SurfaceShapes shapes_of_modes(MeshedBody &body);
+  SurfaceShapes shapes_of_modes(MeshedBody &body, const BodyParameters &parameters);
 
   /// Makes the meshes and lays the contact grid on them, so that what is wrong there is said before the
   /// expensive steps. Bodies whose reduction is in the cache have passed already and are only made if `all`.

@@ -19,7 +19,7 @@ namespace vibrocontact
   ///
   ///   kappa G A (w' - t)' - (k_b - w^2 rho A) w = -f,    E I t'' + kappa G A (w' - t) + w^2 rho A r^2 t = -m,
   ///
-  /// with hysteretic losses: w down to the ballast, t its slope; k_b and rho A are twice ballast and mass of TrackSupport over the
+  /// with hysteretic losses: w down to the ballast, t its slope; k_b and rho A are twice ballast and mass of one rail's half sleeper over the
   /// length. Along itself it is rigid. It does not twist, and turns about the vertical as a whole.
   ///
   ///      v rail            v rail

@@ -5,6 +5,7 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <complex>
+#include <optional>
 #include <vector>
 
 namespace vibrocontact
@@ -68,6 +69,11 @@ namespace vibrocontact
 
   /// right follows left.
   Slice join(const Slice &left, const Slice &right);
+  /// What there is so far, if anything, and behind it the next.
+  inline void follow(std::optional<Slice> &whole, const Slice &next)
+  {
+    whole = whole ? join(*whole, next) : next;
+  }
 
   /// A load on the right end.
   void add_section_load(Slice &slice, unsigned int load, const DenseVector &force);

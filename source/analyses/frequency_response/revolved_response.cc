@@ -56,8 +56,9 @@ namespace vibrocontact
   const std::vector<ResponseReduction> &RevolvedResponse::reductions()
   {
     const unsigned int n_ranks = MPI::n_mpi_processes(communicator);
-    if (!reduced.empty())
+    if (is_reduced)
       return reduced;
+    is_reduced = true;
     on_all_ranks(
         [&]
         {

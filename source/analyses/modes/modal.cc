@@ -15,7 +15,7 @@ namespace vibrocontact
     BodyReduction &body = meshed.reduction;
     Assert(body.request().modes.any(), dealii::ExcInternalError());
     const ModalReduction &modal = body.modal();
-    const ReducedBody modes = free_modes(meshed);
+    const ReducedBody modes = free_modes(meshed, meshed.parameters);
     ModalResult result;
     result.body = body.request().body;
     result.labels = modes.labels;

@@ -30,7 +30,7 @@ namespace vibrocontact
     /// Of a body that is known on its surface alone.
     void write_surface_shapes(MeshedBody &body, const ModalResult &modes, const std::string &folder)
     {
-      const SurfaceShapes shapes = shapes_of_modes(body);
+      const SurfaceShapes shapes = shapes_of_modes(body, body.parameters);
       const std::string set = "mode_" + body.parameters.name;
       on_first_rank(
           [&]

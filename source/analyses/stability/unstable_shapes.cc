@@ -101,7 +101,7 @@ namespace vibrocontact
             imaginary.push_back(amplitudes[i].imag());
           }
         if (!surfaces[k])
-          surfaces[k] = std::make_unique<SurfaceShapes>(shapes_of_modes(*bodies[k]));
+          surfaces[k] = std::make_unique<SurfaceShapes>(shapes_of_modes(*bodies[k], bodies[k]->parameters));
         const SurfaceShapes &surface = *surfaces[k];
         shapes.push_back({bodies[k].get(), &surface, surface_displacement(surface, real),
                           surface_displacement(surface, imaginary)});

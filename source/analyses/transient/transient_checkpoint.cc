@@ -107,7 +107,7 @@ namespace vibrocontact
 
   MarchCheckpoint transient_checkpoint(const std::string &folder)
   {
-    return {folder + "/checkpoint.h5", "Transient", 13};
+    return {folder + "/checkpoint.h5", "Transient", 14};
   }
 
   Marks TransientMarch::marks() const

@@ -27,7 +27,7 @@ namespace vibrocontact
       const auto surface = [&]() -> const SurfaceShapes &
       {
         if (unreduced.empty() && !own_shapes)
-          own_shapes = shapes_of_modes(body);
+          own_shapes = shapes_of_modes(body, parameters.scene.bodies[b]);
         return unreduced.empty() ? *own_shapes : unreduced[b];
       };
       std::vector<ProbeRequest> own;

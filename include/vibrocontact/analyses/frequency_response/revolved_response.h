@@ -43,5 +43,6 @@ namespace vibrocontact
     const unsigned int n_waves;
     const MPI_Comm communicator;
     std::vector<ResponseReduction> reduced;
+    bool is_reduced = false;
   };
 } // namespace vibrocontact
