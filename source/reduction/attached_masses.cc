@@ -159,16 +159,32 @@ namespace vibrocontact
     return result;
   }
 
-  std::vector<double> loss_of_layers(const RevolvedShapes &section, const std::vector<WheelDamper> &dampers)
+  std::vector<double> loss_of_layers(const RevolvedShapes &section, const std::vector<WheelDamper> &dampers,
+                                     const std::string &path)
   {
     std::vector<double> result(section.n_cells(), 0.);
     for (const WheelDamper &damper : dampers)
-      for (unsigned int cell = 0; cell < section.n_cells() && damper.is_layer(); ++cell)
+    {
+      if (!damper.is_layer())
+        continue;
+      double lowest = 1e300, highest = 0;
+      bool any = false;
+      for (unsigned int cell = 0; cell < section.n_cells(); ++cell)
       {
         const double r = section.cells[3 * cell + 1];
+        lowest = std::min(lowest, r);
+        highest = std::max(highest, r);
         if (r > damper.inner_radius && r < damper.outer_radius)
+        {
           result[cell] += damper.loss_factor;
+          any = true;
+        }
       }
+      if (!any)
+        throw InputError(path + "/" + damper.name +
+                         " is a layer without any element: the centres of the wheel's lie at radii from " +
+                         number_text(lowest) + " to " + number_text(highest) + " m; give other radii.");
+    }
     return result;
   }
 } // namespace vibrocontact

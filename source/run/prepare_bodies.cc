@@ -85,10 +85,10 @@ namespace vibrocontact
     const std::vector<WheelDamper> *const dampers = parameters.description->wheel_dampers();
     if (!with_dampers || !section || !dampers || dampers->empty())
       return;
-    const std::vector<double> layers = loss_of_layers(*section, *dampers);
+    const std::string path = parameters.name + "/" + parameters.body_type().section + "/Damper";
+    const std::vector<double> layers = loss_of_layers(*section, *dampers, path);
     if (std::any_of(layers.begin(), layers.end(), [](const double loss) { return loss > 0; }))
       add_loss(body, loss_of_parts(*section, layers));
-    const std::string path = parameters.name + "/" + parameters.body_type().section + "/Damper";
     body = with_attached(std::move(body), attached_masses(*section, *dampers, path));
   }
 

@@ -48,7 +48,9 @@ namespace vibrocontact
         columns.clear();
         for (const std::string &entry : entries)
           columns.push_back(column_name(entry, declared, path));
-        if (columns.front() != columns.back() || columns.size() == 1)
+        const bool is_alone = columns.size() == 1 || columns.front() != columns.back();
+        // what tables of roots have as well
+        if (is_alone && std::count(columns.begin(), columns.end(), "frequency_Hz") == 0)
           break;
       }
       return columns;

@@ -78,6 +78,8 @@ namespace vibrocontact
       rates.nominal = band.nominal;
       for (const auto &one : responses)
         rates.n_frequencies += one.first >= band.lower && one.first <= band.upper;
+      if (rates.n_frequencies == 0)
+        continue;
       for (unsigned int d = 0; d < 2; ++d)
         rates.rates[d] = decay_rate_on_grid(over_band(responses, d, band.lower, band.upper), spacing);
       result.push_back(rates);

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/waveguide/rail_section.h>
 #include <vibrocontact/waveguide/rail_track.h>
 #include <vibrocontact/waveguide/track_loads.h>
@@ -13,19 +14,28 @@ namespace vibrocontact
 
   namespace
   {
+    /// of a place, as a share of the size of the section
+    constexpr double farthest_node = 0.1;
+
     /// The force of 1 N on the dof next to a place of the section.
     Vector<double> nearest_load(const SectionElements &elements, const Point<2> &place,
                                 const unsigned int direction)
     {
       Vector<double> load(elements.n_dofs());
       unsigned int nearest = 0;
-      double distance = 1e300;
+      double distance = 1e300, size = 0;
       for (unsigned int i = 0; i < elements.n_dofs(); ++i)
+      {
+        size = std::max(size, elements.dof_position[i].distance(elements.dof_position[0]));
         if (elements.dof_direction[i] == direction && elements.dof_position[i].distance(place) < distance)
         {
           nearest = i;
           distance = elements.dof_position[i].distance(place);
         }
+      }
+      if (distance > farthest_node * size)
+        throw InputError("Frequency response/Points: a place is " + number_text(distance) +
+                         " m away from the nearest node of the rail's section; give one on the rail.");
       load(nearest) = 1;
       return load;
     }
@@ -34,7 +44,8 @@ namespace vibrocontact
     constexpr double farthest = 100;
 
     void check_places(const SectionElements &elements, const RailParameters &rail,
-                      const std::vector<TrackPlace> &places, const double length, const double width)
+                      const std::vector<TrackPlace> &places, const double length, const double width,
+                      const double height)
     {
       const PeriodicTrack track = supports_of_track(rail);
       check_patch(elements, rail.lateral_position, width);
@@ -51,6 +62,8 @@ namespace vibrocontact
         check_on_track(track, place.x - reach, place.x + reach);
         if (!place.z)
           check_patch(elements, rail.lateral_position + place.y, width);
+        else
+          nearest_load(elements, {rail.lateral_position + place.y, height + *place.z}, place.direction);
       }
     }
   } // namespace
@@ -58,7 +71,8 @@ namespace vibrocontact
   void check_track_places(const BodyParameters &body, const RailParameters &rail,
                           const std::vector<TrackPlace> &places, const double length, const double width)
   {
-    check_places(RailSection(body, rail).elements, rail, places, length, width);
+    const RailSection section(body, rail);
+    check_places(section.elements, rail, places, length, width, section.crown_height);
   }
 
   RailTrack::RailTrack(const BodyParameters &body, const RailParameters &rail,
@@ -67,7 +81,7 @@ namespace vibrocontact
   {
     const RailSection section(body, rail);
     const SectionElements &elements = section.elements;
-    check_places(elements, rail, places, length, width);
+    check_places(elements, rail, places, length, width, section.crown_height);
     n_dofs = elements.n_dofs();
 
     track = supports_of_track(rail);

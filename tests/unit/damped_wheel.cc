@@ -213,7 +213,7 @@ TEST(DampedWheel, Layers)
   inside.loss_factor = outside.loss_factor = 0.02;
   inside.outer_radius = outside.inner_radius = 0.3;
   const auto loss_of = [&](const std::vector<WheelDamper> &layers)
-  { return loss_of_parts(wheel.shapes, loss_of_layers(wheel.shapes, layers)); };
+  { return loss_of_parts(wheel.shapes, loss_of_layers(wheel.shapes, layers, "wheel/Wheel/Damper")); };
   const DenseMatrix both = loss_of({inside, outside}), one = loss_of({inside});
   double coupling = 0;
   for (unsigned int k = 0; k < wheel.body.n_modes(); ++k)

@@ -43,7 +43,8 @@ namespace vibrocontact
 
   /// eta of each element: that of its material, and of the layers that it lies in.
   std::vector<double> loss_of_materials(const RevolvedShapes &section, const BodyParameters &body);
-  std::vector<double> loss_of_layers(const RevolvedShapes &section, const std::vector<WheelDamper> &dampers);
+  std::vector<double> loss_of_layers(const RevolvedShapes &section, const std::vector<WheelDamper> &dampers,
+                                     const std::string &path);
 
   /// Adds a loss to that of the modes: its diagonal to the damping ratios, all of it to `loss` if it couples them.
   void add_loss(ReducedBody &body, const DenseMatrix &added);

@@ -46,8 +46,8 @@ namespace vibrocontact
     if (!dampers || dampers->empty())
       return roots_of_body(*nearly, *rest, bare, {});
     BareBody with_layers = bare;
-    with_layers.loss.add(1., loss_of_parts(*section, loss_of_layers(*section, *dampers)));
     const std::string path = body.name + "/" + body.body_type().section + "/Damper";
+    with_layers.loss.add(1., loss_of_parts(*section, loss_of_layers(*section, *dampers, path)));
     return roots_of_body(*nearly, *rest, with_layers, attached_masses(*section, *dampers, path));
   }
 } // namespace vibrocontact
