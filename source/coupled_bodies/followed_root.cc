@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace vibrocontact
 {
@@ -16,6 +17,7 @@ namespace vibrocontact
     /// of |s|
     constexpr double crossing = 1e-3;
     constexpr double alike = 0.5;
+    constexpr double as_listed = 1e-6;
 
     /// |x_a^H x_b|^2 of forces of unit length
     double likeness(const FollowedRoot &root, const ContactReceptance &next, const ContactRoot &found)
@@ -33,6 +35,28 @@ namespace vibrocontact
       return std::norm(product) / (before * now);
     }
   } // namespace
+
+  Complex value_of(const StabilityRoot &root)
+  {
+    return {root.growth, 2 * dealii::numbers::PI * root.frequency};
+  }
+
+  bool is_at(const Complex &s, const StabilityRoot &root)
+  {
+    return root.frequency > 0 && std::abs(s - value_of(root)) < as_listed * std::abs(s);
+  }
+
+  std::vector<unsigned int> nearest_to_growing(const std::vector<StabilityRoot> &all)
+  {
+    std::vector<unsigned int> numbers;
+    for (unsigned int i = 0; i < all.size(); ++i)
+      if (all[i].frequency > 0)
+        numbers.push_back(i);
+    std::stable_sort(numbers.begin(), numbers.end(),
+                     [&](const unsigned int a, const unsigned int b)
+                     { return all[a].divergence_rate > all[b].divergence_rate; });
+    return numbers;
+  }
 
   FollowedRoot followed_root(const ContactReceptance &F, const ContactRoot &root)
   {

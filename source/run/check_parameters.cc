@@ -290,15 +290,44 @@ namespace vibrocontact
                          "which takes a held hub in one contact that stays in its place: set Roots to all.");
     }
 
+    /// What the contact's own equations F(s) x = 0 do not know, by which roots are followed and differentiated.
+    /// @param what asks for them
+    void check_own_equations(const Parameters &parameters, const std::string &what)
+    {
+      const auto refuse = [&](const std::string &asked)
+      { throw InputError(what + ", which does not take " + asked + "."); };
+      if (parameters.hub() == "suspended")
+        refuse("a suspended hub: set Rolling/Hub to held or massless");
+      for (const ContactParameters &contact : parameters.contacts.all)
+        if (contact.law_of_friction()->depends_on_speed())
+          refuse("friction that depends on the slip speed");
+      for (const BodyParameters &body : parameters.scene.bodies)
+      {
+        if (body.is_periodic_rail())
+          refuse("a periodic rail (" + body.name + ")");
+        if (body.is_green() || body.rolls())
+          refuse("a body known by poles (" + body.name + ")");
+      }
+    }
+
     void check_sweep(const Parameters &parameters)
     {
       const ParameterSweep &sweep = parameters.sweeps.at("stability");
+      const RollingParameters::Sweep &rolling = parameters.rolling.sweep;
       parameters.stability.check();
       check_roots_of_body_1(parameters);
+      if (parameters.stability.derivatives.any())
+      {
+        check_own_equations(parameters, "Section Stability/Derivatives has Entries");
+        if (!rolling.given().empty())
+          throw InputError("Stability/Derivatives are those of a single case, but Rolling/Sweep is given: "
+                           "leave one of them out.");
+      }
       if (!sweep.any())
         return;
       check_sweep_model("Stability", parameters.stability);
-      const RollingParameters::Sweep &rolling = parameters.rolling.sweep;
+      if (parameters.stability.follows())
+        check_own_equations(parameters, "Stability/Roots of a sweep is followed");
       if (!rolling.given().empty())
         throw InputError("Stability/Sweep/Entry and Rolling/Sweep are both given: leave one of them out.");
       if (!sweep.sweeps(ParameterSweep::lateral_position))

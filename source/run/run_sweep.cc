@@ -39,7 +39,7 @@ namespace vibrocontact
     };
 
     /// changes whenever what is kept of a case, or what it means, does
-    constexpr int format = 2;
+    constexpr int format = 3;
 
     unsigned long long sum_of(const char *const data, const std::size_t n_bytes)
     {
@@ -196,7 +196,8 @@ namespace vibrocontact
     }
     if (!any)
     {
-      const std::string text = sweep.section + "/Entry: none of the cases has a result. " + last_reason;
+      const std::string text =
+          sweep.section + "/" + sweep.entry + ": none of the cases has a result. " + last_reason;
       if (diverged)
         throw ConvergenceError(text);
       throw InputError(text);

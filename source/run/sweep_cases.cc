@@ -113,7 +113,7 @@ namespace vibrocontact
     }
     catch (const InputError &error)
     {
-      throw InputError(file.where(sweep.section, "Entry") + ": " + text + ": " + error.what());
+      throw InputError(file.where(sweep.section, sweep.entry) + ": " + text + ": " + error.what());
     }
     one.read = read;
     const DeclaredParameters declared = declared_parameters(prm);

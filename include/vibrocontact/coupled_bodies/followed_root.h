@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/coupled_bodies/contact_root.h>
+#include <vibrocontact/coupled_bodies/stability_roots.h>
 
 #include <complex>
 #include <map>
@@ -8,6 +9,14 @@
 
 namespace vibrocontact
 {
+  /// lambda of a root in a list of all.
+  std::complex<double> value_of(const StabilityRoot &root);
+  /// Whether a root of F is one that is listed: within 1e-6 of |s|, which the eigenvalues of the states miss by less.
+  bool is_at(const std::complex<double> &s, const StabilityRoot &root);
+  /// Numbers of the roots that oscillate, by descending divergence rate. Beside those that grow so many are looked at.
+  std::vector<unsigned int> nearest_to_growing(const std::vector<StabilityRoot> &all);
+  constexpr unsigned int n_nearest_roots = 3;
+
   /// A root on its way from case to case: another friction, another place, other dampers. The next case is its F(s) alone,
   ///
   ///     s, x of this case -> start (a prediction) -> Newton on the next F(s) x = 0 -> s, x of the next

@@ -36,6 +36,8 @@ namespace vibrocontact
     std::string analysis;
     /// "Stability/Sweep"
     std::string section;
+    /// that lists what is swept
+    std::string entry = "Entry";
     std::vector<std::string> entries, columns;
     std::vector<SweepCase> cases;
     /// lateral positions whose contact grid leaves the tread [m]

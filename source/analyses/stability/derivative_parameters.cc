@@ -21,9 +21,10 @@ namespace vibrocontact
         "do not. Units: those of the entries.",
         List(Double(0), 0, 100));
     prm.add_parameter("Draws", n_draws,
-                      "Cases drawn at random to show the scatter of the roots beside that of first order. "
+                      "Cases drawn at random to show the scatter of the roots beside that of first order; "
+                      "5000 at most, as the file is read again for each before anything runs (20 ms). "
                       "Units: none.",
-                      Integer(0, 20000));
+                      Integer(0, 5000));
     prm.add_parameter("Seed", seed, "Of the draws. Units: none.", Integer(0));
     prm.leave_subsection();
   }

@@ -16,25 +16,17 @@ namespace vibrocontact
   {
     using Complex = std::complex<double>;
 
-    /// of |s|: how far a root of F may be from the eigenvalue of the states, how near two roots are one
-    constexpr double as_listed = 1e-6, one_root = 1e-9;
+    /// of |s|: how near two roots are one
+    constexpr double one_root = 1e-9;
     /// of |s|: what decays faster does not come to grow between two complete cases
     constexpr double least_divergence = -5e-3;
-    constexpr unsigned int n_nearest = 3, longest_stride = 50, shortest_stride = 4;
-
-    Complex value_of(const StabilityRoot &root)
-    {
-      return {root.growth, 2 * dealii::numbers::PI * root.frequency};
-    }
-
-    bool is_at(const Complex &s, const StabilityRoot &root)
-    {
-      return root.frequency > 0 && std::abs(s - value_of(root)) < as_listed * std::abs(s);
-    }
+    constexpr unsigned int longest_stride = 50, shortest_stride = 4;
 
     /// A case with its equilibrium.
     struct RowCase
     {
+      LinearisationOptions options;
+      const CreepScheme *scheme = nullptr;
       StabilityResult result;
       RollingEquilibrium about;
       std::shared_ptr<const PairOfCase> bodies;
@@ -50,9 +42,6 @@ namespace vibrocontact
       std::vector<Complex> s;
       std::vector<bool> known;
       FollowedRoot last;
-      /// where it goes first, by its derivative
-      Complex predicted_change;
-      bool has_prediction = false;
       double residual = 0;
       /// whether it grows in no complete case, so that it need not be followed, and is not
       bool optional = true, is_dropped = false;
@@ -68,8 +57,8 @@ namespace vibrocontact
     {
     public:
       Row(std::vector<RowCase> &cases, const unsigned int first, const unsigned int end,
-          const unsigned int number, const LinearisationOptions &options, const CreepScheme &scheme)
-          : cases(cases), first(first), end(end), options(options), scheme(scheme)
+          const unsigned int number)
+          : cases(cases), first(first), end(end)
       {
         const unsigned int n = end - first, stride = std::clamp((n + 1) / 2, shortest_stride, longest_stride);
         std::set<unsigned int> places = {first, end - 1};
@@ -145,7 +134,8 @@ namespace vibrocontact
       {
         RowCase &one = cases[k];
         if (one.all.empty())
-          one.all = all_roots(one.bodies->pair, scheme, one.about, options, one.bodies->loss_or_null());
+          one.all =
+              all_roots(one.bodies->pair, *one.scheme, one.about, one.options, one.bodies->loss_or_null());
         if (one.all.empty())
           throw ConvergenceError("No root of the linearised contact oscillates or grows: keep more modes.");
       }
@@ -180,7 +170,6 @@ namespace vibrocontact
           std::vector<StabilityRoot> roots = one.all;
           paths.follow(one.bodies->pair.labels, one.bodies->pair.frequencies(), roots);
           std::map<std::string, double> growth;
-          std::vector<std::pair<double, unsigned int>> nearest;
           for (unsigned int i = 0; i < roots.size(); ++i)
           {
             const StabilityRoot &root = roots[i];
@@ -188,7 +177,6 @@ namespace vibrocontact
               throw ConvergenceError("A root grows without oscillation.");
             growth[root.path] = root.growth;
             number[a][root.path] = i;
-            nearest.emplace_back(-root.divergence_rate, i);
             const auto known = before.find(root.path);
             const bool may_grow = root.divergence_rate > least_divergence;
             const double change =
@@ -198,9 +186,9 @@ namespace vibrocontact
             if (known != before.end() && may_grow && known->second + change > 0)
               chosen[a - 1].emplace(number[a - 1].at(root.path), false);
           }
-          std::sort(nearest.begin(), nearest.end());
-          for (unsigned int i = 0; i < std::min<std::size_t>(n_nearest, nearest.size()); ++i)
-            chosen[a].emplace(nearest[i].second, false);
+          const std::vector<unsigned int> nearest = nearest_to_growing(roots);
+          for (unsigned int i = 0; i < std::min<std::size_t>(n_nearest_roots, nearest.size()); ++i)
+            chosen[a].emplace(nearest[i], false);
           before = std::move(growth);
         }
       }
@@ -312,8 +300,6 @@ namespace vibrocontact
 
       std::vector<RowCase> &cases;
       const unsigned int first, end;
-      const LinearisationOptions options;
-      const CreepScheme &scheme;
       std::vector<unsigned int> anchors;
       std::vector<std::map<unsigned int, bool>> chosen;
       std::vector<Track> tracks;
@@ -325,14 +311,12 @@ namespace vibrocontact
     };
   } // namespace
 
-  std::vector<CaseOfRow> followed_row(const std::vector<const SweepCase *> &row,
-                                      const std::vector<const std::vector<const ReducedBody *> *> &reduced,
-                                      const std::vector<const MeshedBodies *> &bodies,
-                                      const std::optional<MeasuredData> &measured, const unsigned int number,
-                                      const bool keeps_pair)
+  std::vector<CaseOfRow>
+  followed_row(const std::vector<const SweepCase *> &row,
+               const std::function<const std::vector<const ReducedBody *> &(unsigned int)> &reduced,
+               const std::vector<const MeshedBodies *> &bodies, const std::optional<MeasuredData> &measured,
+               const unsigned int number, const bool keeps_pair)
   {
-    const LinearisationOptions options = row.front()->parameters().stability.options();
-    const CreepScheme &scheme = find_creep_scheme(row.front()->parameters().contact().creep_scheme);
     std::vector<RowCase> cases(row.size());
     std::shared_ptr<const PairOfCase> pair;
     std::shared_ptr<const ContactOperator> A;
@@ -343,11 +327,15 @@ namespace vibrocontact
           {
             const SweepCase &one = *row[k];
             const RollingParameters rolling = rolling_of_case(one);
+            const LinearisationOptions options = one.parameters().stability.options();
+            const CreepScheme &scheme = find_creep_scheme(one.parameters().contact().creep_scheme);
+            cases[k].options = options;
+            cases[k].scheme = &scheme;
             if (!pair || !keeps_pair)
             {
               pair.reset();
               const auto made =
-                  std::make_shared<const PairOfCase>(pair_of_case(one, measured, *reduced[k], *bodies[k]));
+                  std::make_shared<const PairOfCase>(pair_of_case(one, measured, reduced(k), *bodies[k]));
               A = operator_of_stability(made->pair, one.parameters().contacts, rolling.creepage.speed);
               receptances = modal_receptances(made->pair, made->loss_or_null());
               pair = made;
@@ -377,7 +365,7 @@ namespace vibrocontact
       }
       for (end = first; end < row.size() && !cases[end].failure;)
         ++end;
-      Row part(cases, first, end, number, options, scheme);
+      Row part(cases, first, end, number);
       const Failure failure = failure_of([&] { part.solve(); });
       for (unsigned int k = first; k < end; ++k)
         if (failure)

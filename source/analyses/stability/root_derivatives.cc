@@ -2,6 +2,7 @@
 #include <vibrocontact/analyses/stability/sweep_case.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/failure.h>
 #include <vibrocontact/base/label_text.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/table.h>
@@ -21,7 +22,6 @@ namespace vibrocontact
   {
     using Complex = std::complex<double>;
     constexpr double two_pi = 2 * dealii::numbers::PI;
-    constexpr unsigned int n_nearest_roots = 3;
 
     /// The contact's own equations of a case.
     struct EquationsOfCase
@@ -99,7 +99,11 @@ namespace vibrocontact
     struct VariedRoots
     {
       std::vector<std::string> labels;
+      /// of the first case: the decaying ones that are none of F
+      std::vector<std::string> without;
       std::vector<Complex> s;
+      /// 0: one that decays cannot be followed into this case
+      std::vector<int> followed;
       /// y^T F x of this case's F
       std::vector<Complex> change;
       bool has_change = false;
@@ -109,7 +113,7 @@ namespace vibrocontact
       template <typename Archive>
       void serialize(Archive &archive, const unsigned int)
       {
-        archive &labels &s &change &has_change &normal &lateral;
+        archive &labels &without &s &followed &change &has_change &normal &lateral;
       }
     };
 
@@ -139,7 +143,6 @@ namespace vibrocontact
           : on(on), sweep(on.sweep), asked(on.parameters.stability.derivatives),
             bodies(bodies_of_cases(on.sweep, on.bodies)), reduced(bodies), keeps(asked.entries.size())
       {
-        check_own_equations(on.parameters, "Section Stability/Derivatives has Entries");
         for (unsigned int i = 0; i < keeps.size(); ++i)
           keeps[i] = vibrocontact::keeps_bodies(asked.entries[i]);
         run_log().block("Derivatives of the roots");
@@ -149,12 +152,14 @@ namespace vibrocontact
 
       PackedCase compute(const unsigned int k) override
       {
-        if (!nominal)
-          begin();
+        if (!begun)
+          begun = failure_of([&] { begin(); });
+        begun->rethrow();
         VariedRoots result;
         if (k == 0)
         {
           result.labels = labels;
+          result.without = without;
           for (const ContactRoot &root : roots)
             result.s.push_back(root.s);
           add_receptances(*nominal, result);
@@ -172,8 +177,20 @@ namespace vibrocontact
         add_receptances(varied, result);
         const std::vector<double> reach = reaches(starts);
         for (unsigned int r = 0; r < roots.size(); ++r)
-          result.s.push_back(
-              next_root(followed_root(*nominal->F, roots[r]), *varied.F, starts[r], reach[r]).s);
+          try
+          {
+            result.s.push_back(
+                next_root(followed_root(*nominal->F, roots[r]), *varied.F, starts[r], reach[r]).s);
+            result.followed.push_back(1);
+          }
+          catch (const ConvergenceError &)
+          {
+            // a draw without it would bias its scatter
+            if (roots[r].s.real() > 0 || !is_of_derivative(k))
+              throw;
+            result.s.push_back(starts[r]);
+            result.followed.push_back(0);
+          }
         return dealii::Utilities::pack(result, false);
       }
 
@@ -182,8 +199,17 @@ namespace vibrocontact
         try
         {
           results.push_back(dealii::Utilities::unpack<VariedRoots>(computed(), false));
-          if (k > 0 && k <= 2 * asked.entries.size() && !results.back().has_change)
+          const VariedRoots &result = results.back();
+          if (is_of_derivative(k) && !result.has_change)
             throw ConvergenceError("contact points open or close within the step of the derivative");
+          for (const std::string &label : result.without)
+            run_log().warning("No derivatives of " + label +
+                              ", which decays: the contact's own equations do not have this root.");
+          for (unsigned int r = 0; r < result.followed.size(); ++r)
+            if (!result.followed[r])
+              run_log().warning(case_text(sweep, sweep.cases[k]) + ": " + results.front().labels[r] +
+                                ", which decays, cannot be followed, so that its derivative has no "
+                                "difference beside it and is left out.");
         }
         catch (const std::exception &error)
         {
@@ -210,7 +236,7 @@ namespace vibrocontact
           for (unsigned int i = 0; i < asked.entries.size(); ++i)
           {
             const VariedRoots &more = results[2 * i + 1], &less = results[2 * i + 2];
-            if (!more.has_change || !less.has_change)
+            if (!more.has_change || !less.has_change || !more.followed[r] || !less.followed[r])
               continue;
             const Complex s = results.front().s[r], derivative = derivative_of(r, i),
                           difference = (more.s[r] - less.s[r]) / (2 * step(i));
@@ -275,20 +301,34 @@ namespace vibrocontact
       {
         nominal = equations_of_case(sweep.cases[0], on.measured, reduced.of(0), bodies[0], nullptr);
         const Parameters &parameters = sweep.cases[0].parameters();
-        std::vector<StabilityRoot> all =
+        const std::vector<StabilityRoot> all =
             all_roots(nominal->bodies->pair, find_creep_scheme(parameters.contact().creep_scheme),
                       nominal->about, parameters.stability.options(), nominal->bodies->loss_or_null());
-        std::stable_sort(all.begin(), all.end(),
-                         [](const StabilityRoot &a, const StabilityRoot &b)
-                         { return a.divergence_rate > b.divergence_rate; });
         unsigned int beside = 0;
-        for (const StabilityRoot &root : all)
-          if (root.frequency > 0 && (root.growth > 0 || beside++ < n_nearest_roots))
-          {
-            roots.push_back(contact_root(*nominal->F, {root.growth, two_pi * root.frequency}, {}, true));
-            labels.push_back(root.label);
-          }
+        for (const unsigned int i : nearest_to_growing(all))
+          if (const StabilityRoot &root = all[i]; root.growth > 0 || beside++ < n_nearest_roots)
+            try
+            {
+              ContactRoot found = contact_root(*nominal->F, value_of(root), {}, true);
+              if (!is_at(found.s, root))
+                throw ConvergenceError(
+                    "The contact's equations do not have a root of the eigenproblem: " + root.label + ".");
+              roots.push_back(std::move(found));
+              labels.push_back(root.label);
+            }
+            catch (const ConvergenceError &)
+            {
+              if (root.growth > 0)
+                throw;
+              without.push_back(root.label);
+            }
+        if (roots.empty())
+          throw ConvergenceError(
+              "None of the roots nearest to growing is one of the contact's own equations.");
       }
+
+      /// Whether it is a step of an entry, more or less.
+      bool is_of_derivative(const unsigned int k) const { return k > 0 && k <= 2 * asked.entries.size(); }
 
       bool same_bodies(const unsigned int k) const
       {
@@ -310,20 +350,28 @@ namespace vibrocontact
       void write_scatter()
       {
         const unsigned int m = asked.entries.size();
-        Table table({"root", "frequency_Hz", "growth_1_s", "frequency_deviation_Hz", "growth_deviation_1_s",
-                     "probability_of_growth", "draws", "mean_of_draws_1_s", "deviation_of_draws_1_s",
-                     "share_of_growing_draws"},
-                    {"Scatter of the roots with that of the entries, of first order in it and by draws;",
+        std::vector<unsigned int> drawn;
+        for (unsigned int k = 2 * m + 1; k < results.size(); ++k)
+          if (!results[k].s.empty())
+            drawn.push_back(k);
+        std::vector<std::string> of_roots = {"root",
+                                             "frequency_Hz",
+                                             "growth_1_s",
+                                             "frequency_deviation_Hz",
+                                             "growth_deviation_1_s",
+                                             "probability_of_growth"};
+        if (!drawn.empty())
+          of_roots.insert(of_roots.end(),
+                          {"draws", "mean_of_draws_1_s", "deviation_of_draws_1_s", "share_of_growing_draws"});
+        Table table(of_roots,
+                    {"Scatter of the roots with that of the entries, of first order in it" +
+                         std::string(drawn.empty() ? ";" : " and by draws;"),
                      "probability_of_growth: of a normal distribution with the growth and its deviation"});
         std::vector<std::string> columns = {"draw"};
         columns.insert(columns.end(), asked.entries.begin(), asked.entries.end());
         for (const std::string &label : results.front().labels)
           columns.push_back("growth_1_s " + label_in_a_table(label));
         Table draws(columns, {"The draws: values of the entries in SI units, growth of each root"});
-        std::vector<unsigned int> drawn;
-        for (unsigned int k = 2 * m + 1; k < results.size(); ++k)
-          if (!results[k].s.empty())
-            drawn.push_back(k);
         nlohmann::ordered_json json = nlohmann::ordered_json::array();
         for (unsigned int r = 0; r < results.front().s.size(); ++r)
         {
@@ -348,25 +396,30 @@ namespace vibrocontact
           for (const unsigned int k : drawn)
             growths.push_back(results[k].s[r].real());
           const Scatter scatter = scatter_of(growths);
-          table.add_row({results.front().labels[r], s.imag() / two_pi, s.real(), frequency, growth,
-                         probability, double(growths.size()), scatter.mean, scatter.deviation,
-                         scatter.growing});
+          std::vector<Table::Cell> cells = {
+              results.front().labels[r], s.imag() / two_pi, s.real(), frequency, growth, probability};
           json.push_back({{"root", results.front().labels[r]},
                           {"growth_1_s", s.real()},
                           {"growth_deviation_1_s", growth},
-                          {"probability_of_growth", probability},
-                          {"draws", growths.size()},
-                          {"mean_of_draws_1_s", scatter.mean},
-                          {"deviation_of_draws_1_s", scatter.deviation},
-                          {"share_of_growing_draws", scatter.growing}});
+                          {"probability_of_growth", probability}});
           char line[300];
-          std::snprintf(
-              line, sizeof line,
-              "%-20s growth %+.3f 1/s scatters by %.3f 1/s; %zu draws: mean %+.3f, deviation %.3f, %.1f %% "
-              "grow",
-              results.front().labels[r].c_str(), s.real(), growth, growths.size(), scatter.mean,
-              scatter.deviation, 100 * scatter.growing);
-          run_log().line(line);
+          std::snprintf(line, sizeof line, "%-20s growth %+.3f 1/s scatters by %.3f 1/s",
+                        results.front().labels[r].c_str(), s.real(), growth);
+          std::string text = line;
+          if (!drawn.empty())
+          {
+            cells.insert(cells.end(),
+                         {double(drawn.size()), scatter.mean, scatter.deviation, scatter.growing});
+            json.back()["draws"] = drawn.size();
+            json.back()["mean_of_draws_1_s"] = scatter.mean;
+            json.back()["deviation_of_draws_1_s"] = scatter.deviation;
+            json.back()["share_of_growing_draws"] = scatter.growing;
+            std::snprintf(line, sizeof line, "; %zu draws: mean %+.3f, deviation %.3f, %.1f %% grow",
+                          drawn.size(), scatter.mean, scatter.deviation, 100 * scatter.growing);
+            text += line;
+          }
+          table.add_row(cells);
+          run_log().line(text);
         }
         for (const unsigned int k : drawn)
         {
@@ -396,8 +449,9 @@ namespace vibrocontact
       std::vector<bool> keeps;
       /// of the first case, on this rank, with its roots
       std::optional<EquationsOfCase> nominal;
+      std::optional<Failure> begun;
       std::vector<ContactRoot> roots;
-      std::vector<std::string> labels;
+      std::vector<std::string> labels, without;
       std::vector<VariedRoots> results;
     };
   } // namespace

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <functional>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -105,8 +106,6 @@ namespace vibrocontact
       explicit StabilitySweep(const AnalysisRun &on)
           : on(on), sweep(on.sweep), bodies(bodies_of_cases(on.sweep, on.bodies)), reduced(bodies)
       {
-        if (on.parameters.stability.follows())
-          check_own_equations(on.parameters, "Stability/Roots of a sweep is followed");
         outcome.entries = sweep.entries;
         outcome.columns = sweep.columns;
         outcome.loss = on.parameters.stability.loss;
@@ -178,7 +177,7 @@ namespace vibrocontact
           StabilityResult &result = solved.result;
           if (solved.labels.empty())
             for (StabilityRoot &root : result.roots)
-              root.path = names[std::stoul(root.path)];
+              root.path = names.at(std::stoul(root.path));
           else
           {
             paths.follow(solved.labels, solved.omega, result.roots);
@@ -238,9 +237,14 @@ namespace vibrocontact
         if (on.parameters.stability.is_hysteretic())
           say_hysteretic_rests(on.parameters, on.results);
         else
-          say_residual_damping(sweep.cases.front().parameters(), reduced.of(0), 0.,
+        {
+          unsigned int k = 0;
+          while (!reduced.has(k))
+            ++k;
+          say_residual_damping(sweep.cases[k].parameters(), reduced.of(k), 0.,
                                frequencies_that_matter(outcome.results.front()), "stability", on.results,
-                               sweep.cases.front().parameters().stability.options().residual_rate);
+                               sweep.cases[k].parameters().stability.options().residual_rate);
+        }
         on_first_rank(
             [&]
             {
@@ -254,14 +258,13 @@ namespace vibrocontact
       std::vector<CaseOfRow> followed(const unsigned int first, const unsigned int length) const
       {
         std::vector<const SweepCase *> cases;
-        std::vector<const std::vector<const ReducedBody *> *> reduced_of;
         std::vector<const MeshedBodies *> bodies_of;
         for (unsigned int k = first; k < first + length; ++k)
         {
           cases.push_back(&sweep.cases[k]);
-          reduced_of.push_back(&reduced.of(k));
           bodies_of.push_back(&bodies[k]);
         }
+        const auto reduced_of = [&](const unsigned int k) { return std::cref(reduced.of(first + k)); };
         return followed_row(cases, reduced_of, bodies_of, on.measured, first / length,
                             keeps_bodies(sweep.entries.back()));
       }

@@ -72,33 +72,15 @@ namespace vibrocontact
     return false;
   }
 
-  void check_own_equations(const Parameters &parameters, const std::string &what)
-  {
-    const auto refuse = [&](const std::string &asked)
-    { throw InputError(what + ", which does not take " + asked + "."); };
-    if (parameters.hub() == "suspended")
-      refuse("a suspended hub: set Rolling/Hub to held or massless");
-    for (const ContactParameters &contact : parameters.contacts.all)
-      if (contact.law_of_friction()->depends_on_speed())
-        refuse("friction that depends on the slip speed");
-    for (const BodyParameters &body : parameters.scene.bodies)
-    {
-      if (body.is_periodic_rail())
-        refuse("a periodic rail (" + body.name + ")");
-      if (body.is_green() || body.rolls())
-        refuse("a body known by poles (" + body.name + ")");
-    }
-  }
-
   void ReducedOfCases::prepare(const unsigned int k)
   {
-    reduced[k].assign(bodies[k].size(), nullptr);
+    std::vector<const ReducedBody *> of_case(bodies[k].size(), nullptr);
     for (unsigned int b = 0; b < bodies[k].size(); ++b)
       if (MeshedBody *const body = bodies[k][b].get())
       {
         if (all_reduced.count(body) == 0)
           all_reduced[body] = body->reduction.reduced(true);
-        reduced[k][b] = &all_reduced[body];
+        of_case[b] = &all_reduced[body];
       }
       else if (TrackBody *const track = b < bodies[k].tracks.size() ? bodies[k].tracks[b].get() : nullptr)
       {
@@ -107,7 +89,15 @@ namespace vibrocontact
           all_tracks[track] = track->moving();
           track->beside_rest(); // its elements, before ranks part
         }
-        reduced[k][b] = &all_tracks[track];
+        of_case[b] = &all_tracks[track];
       }
+    reduced[k] = std::move(of_case);
+  }
+
+  const std::vector<const ReducedBody *> &ReducedOfCases::of(const unsigned int k) const
+  {
+    if (!has(k))
+      throw ConvergenceError("The bodies of this case are not reduced.");
+    return reduced[k];
   }
 } // namespace vibrocontact

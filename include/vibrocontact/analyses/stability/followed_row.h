@@ -3,6 +3,7 @@
 #include <vibrocontact/analyses/stability/sweep_case.h>
 #include <vibrocontact/base/failure.h>
 
+#include <functional>
 #include <vector>
 
 namespace vibrocontact
@@ -29,11 +30,11 @@ namespace vibrocontact
   /// than five cases.
   ///
   /// The complete cases within odd rows lie between those of even ones, so that those of a map make a finer net.
-  /// @param bodies, reduced of each case @param number of the row @param keeps_pair the entry changes friction, load or creepage
-  /// alone, so that the pair of the first case is that of all
-  std::vector<CaseOfRow> followed_row(const std::vector<const SweepCase *> &row,
-                                      const std::vector<const std::vector<const ReducedBody *> *> &reduced,
-                                      const std::vector<const MeshedBodies *> &bodies,
-                                      const std::optional<MeasuredData> &measured, unsigned int number,
-                                      bool keeps_pair);
+  /// @param reduced of each case, may throw @param bodies of each case @param number of the row
+  /// @param keeps_pair the entry changes friction, load or creepage alone, so that the pair of the first case is that of all
+  std::vector<CaseOfRow>
+  followed_row(const std::vector<const SweepCase *> &row,
+               const std::function<const std::vector<const ReducedBody *> &(unsigned int)> &reduced,
+               const std::vector<const MeshedBodies *> &bodies, const std::optional<MeasuredData> &measured,
+               unsigned int number, bool keeps_pair);
 } // namespace vibrocontact

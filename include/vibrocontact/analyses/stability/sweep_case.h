@@ -31,10 +31,6 @@ namespace vibrocontact
   /// Section Rolling with the hub as it applies to the bodies.
   RollingParameters rolling_of_case(const SweepCase &one);
 
-  /// What the contact's own equations do not know is refused. @param what asks, "Stability/Derivatives are"
-  /// @throws InputError
-  void check_own_equations(const Parameters &parameters, const std::string &what);
-
   /// Whether an entry changes friction, load or creepage alone, and no body.
   bool keeps_bodies(const std::string &entry);
 
@@ -46,13 +42,16 @@ namespace vibrocontact
     {
     }
     void prepare(unsigned int k);
-    const std::vector<const ReducedBody *> &of(const unsigned int k) const { return reduced[k]; }
+    /// whether prepare() has succeeded
+    bool has(const unsigned int k) const { return !reduced[k].empty(); }
+    /// Null for bodies without mesh. @throws ConvergenceError if it has not
+    const std::vector<const ReducedBody *> &of(unsigned int k) const;
 
   private:
     const std::vector<MeshedBodies> &bodies;
     std::map<const MeshedBody *, ReducedBody> all_reduced;
     std::map<const TrackBody *, ReducedBody> all_tracks;
-    /// of each case, its bodies
+    /// of each case, its bodies; empty: prepare() failed
     std::vector<std::vector<const ReducedBody *>> reduced;
   };
 
