@@ -18,8 +18,10 @@ namespace vibrocontact
   {
     /// shares of a frequency: own motions in one band, what is near to a band, masses that move by themselves near to it
     constexpr double band_width = 0.05, near_to_band = 0.12, near_mass = 0.4;
-    /// roots with a smaller divergence rate at the band's middle are not looked at more closely
+    /// roots with a smaller divergence rate are looked at more closely only if there are too few others
     constexpr double least_divergence_of_candidates = -5e-3;
+    /// by how much of |s| a root that grows may seem to decay before it is settled
+    constexpr double margin_of_growth = 1e-4;
     constexpr double settled_root = 1e-11, same_root = 1e-8;
     /// and how far from where its surroundings were taken one may be that is compared with others
     constexpr double near_enough = 3e-3;
@@ -278,6 +280,35 @@ namespace vibrocontact
                              " Hz of body 1 with its dampers does not settle: set Stability/Roots to all.");
     }
 
+    double divergence(const Candidate &one)
+    {
+      return one.s.real() / one.s.imag();
+    }
+
+    /// That with the largest divergence rate first.
+    void sort_by_divergence(std::vector<Candidate> &candidates)
+    {
+      std::stable_sort(candidates.begin(), candidates.end(),
+                       [](const Candidate &a, const Candidate &b) { return divergence(a) > divergence(b); });
+    }
+
+    /// settle(), which one that decays fast need not.
+    bool settles(Band &band, AnswerOfRest &rest, const Complex &at, const double tolerance, Candidate &root)
+    {
+      const bool decays_fast = divergence(root) < least_divergence_of_candidates;
+      try
+      {
+        settle(band, rest, at, tolerance, root);
+      }
+      catch (const ConvergenceError &)
+      {
+        if (!decays_fast)
+          throw;
+        return false;
+      }
+      return true;
+    }
+
     /// Lowest and highest own frequency of each band [rad/s].
     std::vector<std::pair<double, double>> bands_of(const BareBody &body,
                                                     const std::vector<AttachedMass> &masses)
@@ -328,13 +359,12 @@ namespace vibrocontact
       piece.weights.push_back((k % 2 == 0 ? 1 : -1) * std::sin(angle));
       piece.values.push_back(equations->seen_by_first(Complex(0, piece.nodes.back())));
     }
-    evaluations += n_nodes;
     return piece;
   }
 
   const AnswerOfRest::Piece &AnswerOfRest::piece_of(const double frequency)
   {
-    constexpr double width = 0.04, narrowest = 1e-3, tolerance = 1e-6;
+    constexpr double width = 0.04, narrowest = 1e-4, tolerance = 1e-6;
     const auto found = pieces.upper_bound(frequency);
     if (found != pieces.end() && found->second.from <= frequency)
       return found->second;
@@ -347,9 +377,14 @@ namespace vibrocontact
       const double between = (piece.nodes[0] + piece.nodes[1]) / 2;
       ComplexMatrix exact = equations->seen_by_first(Complex(0, between)),
                     error = piece.at(Complex(0, between));
-      ++evaluations;
       error.add(-1., exact);
-      if (largest(error) < tolerance * largest(exact) || to - from < narrowest * from)
+      const bool holds = largest(error) < tolerance * largest(exact);
+      if (!holds && to - from < narrowest * from)
+        throw ConvergenceError("What the other bodies answer at the contact near " +
+                               number_text(frequency / (2 * dealii::numbers::PI)) +
+                               " Hz is too sharp to be kept from one variant to the next: set "
+                               "Stability/Roots to all.");
+      if (holds)
         return pieces.emplace(to, std::move(piece)).first->second;
       const double middle = (from + to) / 2;
       (frequency < middle ? to : from) = middle;
@@ -358,7 +393,12 @@ namespace vibrocontact
 
   ComplexMatrix AnswerOfRest::at(const Complex &s)
   {
-    return piece_of(s.imag()).at(s);
+    if (!(s.imag() > 0) || !std::isfinite(s.imag()) || !std::isfinite(s.real()))
+      throw ConvergenceError("A root of body 1 with its dampers is sought where it does not oscillate: set "
+                             "Stability/Roots to all.");
+    const Piece &piece = piece_of(s.imag());
+    // farther off the axis its polynomials err more than along it
+    return std::abs(s.real()) < (piece.to - piece.from) / 4 ? piece.at(s) : equations->seen_by_first(s);
   }
 
   std::vector<StabilityRoot> roots_of_body(AnswerOfRest &nearly, AnswerOfRest &rest, const BareBody &body,
@@ -384,33 +424,41 @@ namespace vibrocontact
                    to = b + 1 == bands.size() ? 1.5 * high : (high + bands[b + 1].first) / 2;
       const ComplexEigenvectors found = all_bands.back().eigenvalues(nearly, Complex(0, (low + high) / 2));
       for (unsigned int k = 0; k < found.values.size(); ++k)
-        if (const Complex s = root_of(found.values[k]);
-            s.imag() >= from && s.imag() < to && s.real() > least_divergence_of_candidates * s.imag())
+        if (const Complex s = root_of(found.values[k]); s.imag() >= from && s.imag() < to)
           candidates.push_back({s, column(found.right, k), b});
     }
+    sort_by_divergence(candidates);
+    while (candidates.size() > n_wanted && divergence(candidates.back()) < least_divergence_of_candidates)
+      candidates.pop_back();
     // far from the band's middle growth is not yet that of a root
+    std::vector<Candidate> chosen;
     for (Candidate &one : candidates)
     {
       const auto [low, high] = bands[one.band];
-      settle(all_bands[one.band], nearly, Complex(0, (low + high) / 2), near_enough, one);
+      if (settles(all_bands[one.band], nearly, Complex(0, (low + high) / 2), near_enough, one))
+        chosen.push_back(std::move(one));
     }
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate &a, const Candidate &b)
-                     { return a.s.real() / a.s.imag() > b.s.real() / b.s.imag(); });
+    sort_by_divergence(chosen);
     std::vector<StabilityRoot> roots;
     std::vector<Complex> known;
-    for (Candidate &one : candidates)
+    for (Candidate &one : chosen)
     {
-      if (known.size() >= n_wanted && !(one.s.real() > 0))
+      if (known.size() >= n_wanted && !(divergence(one) > -margin_of_growth))
         break;
-      settle(all_bands[one.band], rest, 0, settled_root, one);
+      if (!settles(all_bands[one.band], rest, 0, settled_root, one))
+        continue;
       if (std::any_of(known.begin(), known.end(),
                       [&](const Complex &s) { return std::abs(s - one.s) < same_root * std::abs(s); }))
+        continue;
+      if (known.size() >= n_wanted && !(one.s.real() > 0))
         continue;
       known.push_back(one.s);
       roots.push_back(
           named_root(one.s, all_bands[one.band].amplitudes(one.s, one.v), body.omega, body.labels));
     }
+    if (roots.empty())
+      throw ConvergenceError(
+          "No root near the modes of body 1 and its dampers oscillates: set Stability/Roots to all.");
     sort_roots(roots);
     return roots;
   }

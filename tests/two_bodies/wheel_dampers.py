@@ -11,7 +11,7 @@ from scene import Check, entries, run, section, table
 check = Check()
 
 
-def wheel(name, ranks=1, roots="all", sweep="", dampers="", mass=0.0):
+def wheel(name, ranks=1, roots="all", sweep="", dampers="", mass=0.0, layer=0.002):
     names = "absorbers, rim"
     text = "\n".join([
         "set Bodies = wheel, crown", "set Analyses = stability",
@@ -19,7 +19,7 @@ def wheel(name, ranks=1, roots="all", sweep="", dampers="", mass=0.0):
                 section("Wheel", entries(Model="harmonics", Element_degree=2, Dampers=names if dampers else ""),
                         section("Damper",
                                 section("absorbers", entries(Mass=mass, Frequency=620, Loss_factor=0.1, Axial_position=0.06, Radius=0.4, Number=3, First_angle=20)),
-                                section("rim", entries(Kind="layer", Loss_factor=0.002, Inner_radius=0.38))) if dampers else ""),
+                                section("rim", entries(Kind="layer", Loss_factor=layer, Inner_radius=0.38))) if dampers else ""),
                 section("Modes", entries(Upper_frequency=1500))),
         section("crown", "set Type = rigid", section("Rigid", entries(Radius_y=0.3))),
         section("Contact", entries(Friction_coefficient=0.3, Grid_spacing=2e-3, Lateral_position=15e-3)),
@@ -56,6 +56,16 @@ for mass in (0, 0.5, 2):
         check.near("frequency of a root that is followed", b["frequency_Hz"], a["frequency_Hz"], 1e-8)
         check.near("its growth", b["growth_1_s"], a["growth_1_s"], 1e-8, size)
         check.near("the root of one", nearest(b, complete)["growth_1_s"], a["growth_1_s"], 1e-12)
+# where all decays fast there are roots as well
+complete, followed = [[r for r in table(wheel(f"heavy_{roots[:2]}", 1, roots, masses("0.5"), "yes", layer=1.0)[1], "stability.csv") if r["frequency_Hz"] > 0]
+                      for roots in ("all", "of body 1")]
+check.near("as many as wanted", len(followed), 12, 1e-9)
+check.near("most of them decay fast", sum(divergence(r) < -5e-3 for r in followed) > 6, True, 1e-9)
+for b in followed:
+    a = nearest(b, complete)
+    check.near("frequency of one that decays fast", b["frequency_Hz"], a["frequency_Hz"], 1e-8)
+    check.near("its growth", b["growth_1_s"], a["growth_1_s"], 1e-8, 2 * math.pi * a["frequency_Hz"])
+
 cases = massless["stability"]["cases"]
 for case in cases:
     check.near("force with dampers", case["normal_force_N"], bare["stability"]["cases"][0]["normal_force_N"], 1e-9)

@@ -5,6 +5,7 @@
 #include "random_structure.h"
 
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/coupled_bodies/body_roots.h>
 #include <vibrocontact/coupled_bodies/followed_root.h>
 #include <vibrocontact/coupled_bodies/stability_roots.h>
 
@@ -38,6 +39,15 @@ namespace
     return *std::min_element(all.begin(), all.end(),
                              [&](const Complex &a, const Complex &b)
                              { return std::abs(a - s) < std::abs(b - s); });
+  }
+
+  double largest(const ComplexMatrix &matrix)
+  {
+    double result = 0;
+    for (unsigned int j = 0; j < matrix.n(); ++j)
+      for (unsigned int i = 0; i < matrix.m(); ++i)
+        result = std::max(result, std::abs(matrix(i, j)));
+    return result;
   }
 
   RollingEquilibrium rolling(const double mu)
@@ -171,4 +181,42 @@ TEST(FollowedRoots, ANeighbourIsRefused)
   EXPECT_LT(std::abs(next_root(root, F, 1.01 * all[0], 0.02 * std::abs(all[0])).s - all[0]),
             1e-8 * std::abs(all[0]));
   EXPECT_THROW(next_root(root, F, 1.01 * all[0], 0.005 * std::abs(all[0])), ConvergenceError);
+}
+
+TEST(FollowedRoots, TheListedRootAndThoseNearestToGrowing)
+{
+  std::vector<StabilityRoot> all(4);
+  const double frequency[] = {10, 20, 0, 30}, divergence[] = {-1e-2, 1e-3, 1, -1e-4};
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    all[i].frequency = frequency[i];
+    all[i].divergence_rate = divergence[i];
+    all[i].growth = divergence[i] * 2 * M_PI * frequency[i];
+  }
+  EXPECT_EQ(nearest_to_growing(all), (std::vector<unsigned int>{1, 3, 0}));
+  EXPECT_TRUE(is_at(value_of(all[1]) * (1 + 1e-7), all[1]));
+  EXPECT_FALSE(is_at(value_of(all[1]) * (1 + 1e-5), all[1]));
+}
+
+// Two bodies: what the second and the contact answer to the first.
+TEST(FollowedRoots, TheAnswerOfTheRestHoldsFarFromTheAxisToo)
+{
+  const Structure s = structure(90, 4);
+  ContactPair pair = reduce(s, 30, 1e-2);
+  for (unsigned int k = 0; k < pair.n_modes(); k += 2)
+    pair.body[k] = 2;
+  const auto equations = std::make_shared<const ContactReceptance>(pair, scheme(), rolling(0.3));
+  AnswerOfRest rest(equations);
+  const double w = pair.omega[10];
+  for (const double divergence : {0., 1e-4, -5e-3, -0.05, 0.05, -0.3})
+    for (const double factor : {0.93, 1., 1.01})
+    {
+      const Complex at = w * factor * Complex(divergence, 1);
+      ComplexMatrix error = rest.at(at);
+      const ComplexMatrix exact = equations->seen_by_first(at);
+      error.add(-1., exact);
+      EXPECT_LT(largest(error), 3e-5 * largest(exact)) << divergence << " " << factor;
+    }
+  EXPECT_THROW(rest.at(Complex(-1, 0)), ConvergenceError);
+  EXPECT_THROW(rest.at(Complex(0, NAN)), ConvergenceError);
 }

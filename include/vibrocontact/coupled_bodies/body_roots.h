@@ -22,10 +22,10 @@ namespace vibrocontact
         : equations(std::move(equations))
     {
     }
-    /// @param s next to the imaginary axis
+    /// Farther off the axis than a quarter of a piece the contact's equations themselves.
+    /// @throws ConvergenceError unless Im s > 0, or if pieces of 1e-4 of the frequency do not hold either
     ComplexMatrix at(const std::complex<double> &s);
     const DenseMatrix &basis() const { return equations->basis_of_first(); }
-    unsigned int n_evaluations() const { return evaluations; }
 
   private:
     struct Piece
@@ -41,7 +41,6 @@ namespace vibrocontact
     const std::shared_ptr<const ContactReceptance> equations;
     /// by the end of their interval [rad/s]
     std::map<double, Piece> pieces;
-    unsigned int evaluations = 0;
   };
 
   /// Body 1 without its dampers, at rest in its contact.
@@ -68,7 +67,9 @@ namespace vibrocontact
   /// moves in) are not looked for.
   /// @param nearly what the roots are chosen by, such as poles of a rail whose exact receptance costs much; may be `rest`
   /// @param body with the loss of its layers
-  /// @return at most n_wanted, those with the largest divergence rates, and all that grow
+  /// @return at most n_wanted, those with the largest divergence rates, and all that grow; without those that decay by more than
+  /// 5e-3 of their angular frequency and do not settle
+  /// @throws ConvergenceError if there is none, or another does not settle
   std::vector<StabilityRoot> roots_of_body(AnswerOfRest &nearly, AnswerOfRest &rest, const BareBody &body,
                                            const std::vector<AttachedMass> &masses,
                                            unsigned int n_wanted = 12);

@@ -43,11 +43,17 @@ namespace vibrocontact
   std::vector<StabilityRoot> DamperVariants::roots(const BodyParameters &body)
   {
     const std::vector<WheelDamper> *const dampers = body.description->wheel_dampers();
-    if (!dampers || dampers->empty())
-      return roots_of_body(*nearly, *rest, bare, {});
     BareBody with_layers = bare;
-    const std::string path = body.name + "/" + body.body_type().section + "/Damper";
-    with_layers.loss.add(1., loss_of_parts(*section, loss_of_layers(*section, *dampers, path)));
-    return roots_of_body(*nearly, *rest, with_layers, attached_masses(*section, *dampers, path));
+    std::vector<AttachedMass> attached;
+    if (dampers && !dampers->empty())
+    {
+      const std::string path = body.name + "/" + body.body_type().section + "/Damper";
+      with_layers.loss.add(1., loss_of_parts(*section, loss_of_layers(*section, *dampers, path)));
+      attached = attached_masses(*section, *dampers, path);
+    }
+    std::vector<StabilityRoot> roots = roots_of_body(*nearly, *rest, with_layers, attached);
+    for (StabilityRoot &root : roots)
+      root.exact = nearly != rest;
+    return roots;
   }
 } // namespace vibrocontact
