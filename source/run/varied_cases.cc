@@ -1,10 +1,10 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/numerics/random_numbers.h>
 #include <vibrocontact/run/varied_cases.h>
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <random>
 
 namespace vibrocontact
 {
@@ -50,6 +50,7 @@ namespace vibrocontact
     SweepCases varied;
     varied.analysis = "stability";
     varied.section = section_of_variations;
+    varied.entry = "Entries";
     varied.entries = asked.entries;
     std::vector<double> nominal;
     {
@@ -87,13 +88,12 @@ namespace vibrocontact
         values[i] += sign * step_of_entry(asked.entries[i], nominal[i]);
         add(values);
       }
-    std::mt19937_64 random(asked.seed);
-    std::normal_distribution<double> normal;
+    RandomNumbers random(asked.seed);
     for (unsigned int draw = 0; draw < asked.n_draws; ++draw)
     {
       std::vector<double> values = nominal;
       for (unsigned int i = 0; i < values.size(); ++i)
-        values[i] += asked.deviations[i] * normal(random);
+        values[i] += asked.deviations[i] * random.normal();
       add(values);
     }
     return varied;

@@ -1,9 +1,7 @@
+#include <vibrocontact/numerics/random_numbers.h>
 #include <vibrocontact/waveguide/irregular_supports.h>
 
-#include <deal.II/base/numbers.h>
-
 #include <cmath>
-#include <random>
 
 namespace vibrocontact
 {
@@ -11,9 +9,7 @@ namespace vibrocontact
                                              const bool on_support)
   {
     const int n = scatter.n_supports, first = on_support ? -((n - 1) / 2) : -(n / 2);
-    std::mt19937_64 generator(scatter.seed);
-    // distributions of the library differ between compilers
-    const auto uniform = [&] { return (double(generator() >> 11) + 0.5) / 9007199254740992.; };
+    RandomNumbers random(scatter.seed);
     const double log_variance = std::log(1 + std::pow(scatter.pad_stiffness, 2));
     std::vector<OwnSupport> supports(n);
     // distance between support k and k + 1
@@ -21,9 +17,7 @@ namespace vibrocontact
     for (int drawn = 0; drawn < 2 * n + 2; ++drawn)
     {
       const int k = (drawn % 2 == 0 ? drawn / 2 : -(drawn + 1) / 2) - first;
-      const double normal =
-          std::sqrt(-2 * std::log(uniform())) * std::cos(2 * dealii::numbers::PI * uniform());
-      const double even = 2 * uniform() - 1;
+      const double normal = random.normal(), even = 2 * random.uniform() - 1;
       if (k < 0 || k >= n)
         continue;
       supports[k].pad_factor = std::exp(std::sqrt(log_variance) * normal - log_variance / 2);
