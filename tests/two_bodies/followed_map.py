@@ -52,8 +52,11 @@ check.near("roots grow", n > 10, True, 1e-9)
 
 names = "Contact/Friction coefficient, Contact/Lateral position, Rolling/Hub displacement, wheel/Modes/Damping factor, rail/Material/Loss factor, rail/Beam rail/Pad stiffness z"
 for loss, some in ("viscous", names.split(", ")[:3]), ("hysteretic", names.split(", ")[3:]):
-    found, folder = run("derivatives_" + loss, scene(entries(Loss=loss), section("Derivatives", entries(Entries=", ".join(some))),
+    found, folder = run("derivatives_" + loss, scene(entries(Loss=loss), section("Derivatives", entries(
+        Entries=", ".join(some), Standard_deviations=", ".join(["1e-6"] * len(some)))),
                                                      Friction_coefficient=0.3, Lateral_position=-10e-3))
+    check.near("no draws, no columns of them", any("draws" in name for name in table(folder, "stability_scatter.csv")[0]), False, 1e-9)
+    check.near("nor keys", any("draws" in name for name in found["stability"]["scatter"][0]), False, 1e-9)
     rows = table(folder, "stability_derivatives.csv")
     check.near("derivatives", len(rows) >= 4 * len(some), True, 1e-9)
     for row in rows:
