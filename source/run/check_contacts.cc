@@ -303,6 +303,24 @@ namespace vibrocontact
     }
   }
 
+  void check_own_equations(const Parameters &parameters, const std::string &what)
+  {
+    const auto refuse = [&](const std::string &asked)
+    { throw InputError(what + ", which does not take " + asked + "."); };
+    if (parameters.hub() == "suspended")
+      refuse("a suspended hub: set Rolling/Hub to held or massless");
+    for (const ContactParameters &contact : parameters.contacts.all)
+      if (contact.law_of_friction()->depends_on_speed())
+        refuse("friction that depends on the slip speed");
+    for (const BodyParameters &body : parameters.scene.bodies)
+    {
+      if (body.is_periodic_rail())
+        refuse("a periodic rail (" + body.name + ")");
+      if (body.is_green() || body.rolls())
+        refuse("a body known by poles (" + body.name + ")");
+    }
+  }
+
   void check_speed_of_road(const BodyParameters &body, const RoadParameters &road)
   {
     if (body.rolls() && body.is_revolved())

@@ -13,6 +13,10 @@ namespace vibrocontact
   /// What contacts join and where, against the bodies of the scene and the analyses. @throws InputError
   void check_contacts(const Parameters &parameters);
 
+  /// What the contact's own equations F(s) x = 0 do not know, by which roots are followed and differentiated.
+  /// @param what asks for them @throws InputError
+  void check_own_equations(const Parameters &parameters, const std::string &what);
+
   /// A body that rolls does so at the speed of its road. @throws InputError
   void check_speed_of_road(const BodyParameters &body, const RoadParameters &road);
 } // namespace vibrocontact
