@@ -65,8 +65,7 @@ namespace vibrocontact
                                   const FrequencyResponseParameters &response)
     {
       response.check();
-      const std::vector<std::string> wanted = split_list(response.bodies);
-      for (const std::string &name : wanted)
+      for (const std::string &name : split_list(response.bodies))
         if (modes.count(name) == 0 &&
             std::none_of(scene.bodies.begin(), scene.bodies.end(),
                          [&](const BodyParameters &body) {
@@ -75,12 +74,11 @@ namespace vibrocontact
           throw InputError("Frequency response/Bodies names \"" + name +
                            "\", which is no meshed body of this file; name one or leave the entry empty");
       for (const BodyParameters &body : scene.bodies)
-        if (body.description->periodic_rail() && response.method == "modal" &&
-            (wanted.empty() || std::count(wanted.begin(), wanted.end(), body.name) > 0))
+        if (body.description->periodic_rail() && response.method == "modal" && response.asks_for(body.name))
           throw InputError(body.name + "/Rail/Model is periodic, which has no modes, but Frequency "
                                        "response/Method is modal: set it to direct.");
         else if (body.is_meshed() && response.method == "modal" && !modes.at(body.name).any() &&
-                 (wanted.empty() || std::count(wanted.begin(), wanted.end(), body.name) > 0))
+                 response.asks_for(body.name))
           throw InputError(body.name +
                            "/Modes asks for no modes, but Frequency response/Method is modal; give Upper "
                            "frequency or Count, or set Method to direct");
@@ -220,17 +218,14 @@ namespace vibrocontact
     /// Frequency responses are those of a wheel at rest without dampers.
     void check_response_of_wheel(const Parameters &parameters, const BodyParameters &body)
     {
-      const std::vector<std::string> wanted = split_list(parameters.frequency_response.bodies);
-      const bool responds = parameters.scene.runs("frequency response") &&
-                            (wanted.empty() || std::count(wanted.begin(), wanted.end(), body.name) > 0);
+      if (!parameters.scene.runs("frequency response") || !parameters.frequency_response.asks_for(body.name))
+        return;
       const auto refuse = [&](const std::string &entry)
       {
         throw InputError(body.name + "/Wheel/" + entry +
                          ", which the analysis frequency response does not take: leave it out, or leave " +
                          body.name + " out of Frequency response/Bodies.");
       };
-      if (!responds || !body.is_revolved())
-        return;
       if (const auto *const dampers = body.description->wheel_dampers(); dampers && !dampers->empty())
         refuse("Dampers is set");
       if (body.rolls())

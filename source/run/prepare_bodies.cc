@@ -186,7 +186,6 @@ namespace vibrocontact
     /// What the periodic rails of a scene cost: in their contact and in frequency responses.
     void print_tracks(const Parameters &parameters, const MeshedBodies &bodies)
     {
-      const std::vector<std::string> responding = split_list(parameters.frequency_response.bodies);
       for (unsigned int k = 0; k < parameters.scene.bodies.size(); ++k)
       {
         const BodyParameters &body = parameters.scene.bodies[k];
@@ -197,9 +196,7 @@ namespace vibrocontact
         run_log().value("dofs of the section of " + body.name, n_dofs);
         const TrackBody *const track = bodies.tracks[k].get();
         const FrequencyResponseParameters &response = parameters.frequency_response;
-        const bool responds =
-            parameters.scene.runs("frequency response") &&
-            (responding.empty() || std::count(responding.begin(), responding.end(), body.name) > 0);
+        const bool responds = parameters.scene.runs("frequency response") && response.asks_for(body.name);
         print_cost(track_cost(n_dofs, track ? 3 * track->contact_grid().n_points() : 0,
                               track && parameters.needs_modes() ? TrackBody::n_frequencies : 0,
                               responds ? response.frequencies().size() + response.n_refined : 0));

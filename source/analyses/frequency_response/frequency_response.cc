@@ -210,6 +210,12 @@ namespace vibrocontact
                       Double(1e-9, 1e3));
   }
 
+  bool FrequencyResponseParameters::asks_for(const std::string &body) const
+  {
+    const std::vector<std::string> named = split_list(bodies);
+    return named.empty() || std::count(named.begin(), named.end(), body) > 0;
+  }
+
   void FrequencyResponseParameters::check() const
   {
     parsed_points();

@@ -53,30 +53,41 @@ namespace vibrocontact
     return system;
   }
 
-  const std::vector<ResponseReduction> &RevolvedResponse::reductions()
+  void
+  RevolvedResponse::for_each_wave(const std::string &progress_text,
+                                  const std::function<void(unsigned int, const SecondOrderSystem &)> &f) const
   {
     const unsigned int n_ranks = MPI::n_mpi_processes(communicator);
-    if (is_reduced)
-      return reduced;
-    is_reduced = true;
     on_all_ranks(
         [&]
         {
-          Progress progress("response by harmonics", n_waves / n_ranks + 1.);
+          Progress progress(progress_text, n_waves / n_ranks + 1.);
           for (unsigned int n = MPI::this_mpi_process(communicator); n <= n_waves; n += n_ranks)
           {
             const LoneWave alone;
-            const auto system = damped_system(n);
-            Flexibility flexibility(*system);
-            const Modes modes = compute_modes(*system, flexibility, parameters);
-            const std::vector<double> damping = strain_energy_damping(*system, modes);
-            for (const bool odd : {false, true})
-              if (!(odd && n == 0))
-                reduced.push_back(reduce_response(*system, flexibility, modes, damping, false, rows(n, odd)));
+            f(n, *damped_system(n));
             progress.advance();
           }
         },
         communicator);
+  }
+
+  const std::vector<ResponseReduction> &RevolvedResponse::reductions()
+  {
+    if (is_reduced)
+      return reduced;
+    is_reduced = true;
+    for_each_wave("response by harmonics",
+                  [&](const unsigned int n, const SecondOrderSystem &system)
+                  {
+                    Flexibility flexibility(system);
+                    const Modes modes = compute_modes(system, flexibility, parameters);
+                    const std::vector<double> damping = strain_energy_damping(system, modes);
+                    for (const bool odd : {false, true})
+                      if (!(odd && n == 0))
+                        reduced.push_back(
+                            reduce_response(system, flexibility, modes, damping, false, rows(n, odd)));
+                  });
     return reduced;
   }
 
@@ -113,33 +124,25 @@ namespace vibrocontact
 
   std::vector<Receptance> RevolvedResponse::direct(const std::vector<double> &frequency)
   {
-    const unsigned int n_ranks = MPI::n_mpi_processes(communicator), m = points.size();
+    const unsigned int m = points.size();
     std::vector<Receptance> result(frequency.size(), Receptance(m * m));
-    on_all_ranks(
-        [&]
-        {
-          Progress progress("direct solutions by harmonics", n_waves / n_ranks + 1.);
-          for (unsigned int n = MPI::this_mpi_process(communicator); n <= n_waves; n += n_ranks)
-          {
-            const LoneWave alone;
-            const auto system = damped_system(n);
-            HarmonicSolver solver(*system);
-            // both families at once, of which the sum has what each answers to itself
-            std::vector<TraceRow> both = rows(n, false);
-            for (const TraceRow &row : n == 0 ? std::vector<TraceRow>() : rows(n, true))
-              both.push_back(row);
-            for (unsigned int k = 0; k < frequency.size(); ++k)
-            {
-              const auto found = solver.receptance(2 * dealii::numbers::PI * frequency[k], both);
-              for (unsigned int first = 0; first < both.size(); first += m)
-                for (unsigned int i = 0; i < m; ++i)
-                  for (unsigned int j = 0; j < m; ++j)
-                    result[k][i * m + j] += found[(first + i) * both.size() + first + j];
-            }
-            progress.advance();
-          }
-        },
-        communicator);
+    for_each_wave("direct solutions by harmonics",
+                  [&](const unsigned int n, const SecondOrderSystem &system)
+                  {
+                    HarmonicSolver solver(system);
+                    // both families at once, of which the sum has what each answers to itself
+                    std::vector<TraceRow> both = rows(n, false);
+                    for (const TraceRow &row : n == 0 ? std::vector<TraceRow>() : rows(n, true))
+                      both.push_back(row);
+                    for (unsigned int k = 0; k < frequency.size(); ++k)
+                    {
+                      const auto found = solver.receptance(2 * dealii::numbers::PI * frequency[k], both);
+                      for (unsigned int first = 0; first < both.size(); first += m)
+                        for (unsigned int i = 0; i < m; ++i)
+                          for (unsigned int j = 0; j < m; ++j)
+                            result[k][i * m + j] += found[(first + i) * both.size() + first + j];
+                    }
+                  });
     return summed(std::move(result));
   }
 } // namespace vibrocontact

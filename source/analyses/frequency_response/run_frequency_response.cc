@@ -197,12 +197,11 @@ namespace vibrocontact
                               Results &results)
   {
     const FrequencyResponseParameters &own = parameters.frequency_response;
-    const std::vector<std::string> wanted = split_list(own.bodies);
     nlohmann::ordered_json tables = nlohmann::ordered_json::array(), all = nlohmann::ordered_json::object();
     for (unsigned int k = 0; k < bodies.size(); ++k)
     {
       const BodyParameters &body = parameters.scene.bodies[k];
-      if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), body.name) == wanted.end())
+      if (!own.asks_for(body.name))
         continue;
       if (bodies[k])
         all[body.name] = respond(*bodies[k], own, folder, tables);
@@ -220,14 +219,14 @@ namespace vibrocontact
 
   void check_response_points(const Parameters &parameters, const MeshedBodies &bodies)
   {
-    const std::vector<std::string> wanted = split_list(parameters.frequency_response.bodies);
+    const FrequencyResponseParameters &own = parameters.frequency_response;
     for (const auto &body : bodies)
-      if (body && (wanted.empty() || std::count(wanted.begin(), wanted.end(), body->parameters.name) > 0))
-        BodyResponse::check_points(*body, parameters.frequency_response);
+      if (body && own.asks_for(body->parameters.name))
+        BodyResponse::check_points(*body, own);
     for (const BodyParameters &body : parameters.scene.bodies)
       if (const RailParameters *const rail = body.description->periodic_rail())
-        if (wanted.empty() || std::count(wanted.begin(), wanted.end(), body.name) > 0)
-          check_track_points(body, *rail, parameters.frequency_response);
+        if (own.asks_for(body.name))
+          check_track_points(body, *rail, own);
   }
 
   namespace
@@ -235,13 +234,12 @@ namespace vibrocontact
     void frequency_response_read(EntriesRead &entries, const Parameters &parameters)
     {
       const FrequencyResponseParameters &own = parameters.frequency_response;
-      const std::vector<std::string> wanted = split_list(own.bodies);
       const std::string section = "Frequency response";
       bool meshed = false, track = false, green = false, ring = false, rolls = false, tangential = false;
       for (unsigned int k = 0; k < parameters.scene.bodies.size(); ++k)
       {
         const BodyParameters &body = parameters.scene.bodies[k];
-        if (!wanted.empty() && std::count(wanted.begin(), wanted.end(), body.name) == 0)
+        if (!own.asks_for(body.name))
           continue;
         BodyUse use;
         use.motion = use.loss = use.points = true;

@@ -58,6 +58,8 @@ namespace vibrocontact
     /// @throws InputError
     void check() const;
     std::vector<ResponsePoint> parsed_points() const;
+    /// whether `bodies` names it, or none
+    bool asks_for(const std::string &body) const;
     std::vector<double> frequencies() const;
   };
 

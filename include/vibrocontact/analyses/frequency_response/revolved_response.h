@@ -4,6 +4,7 @@
 #include <vibrocontact/fe/revolved_section.h>
 #include <vibrocontact/reduction/revolved_point.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ namespace vibrocontact
   private:
     std::unique_ptr<SecondOrderSystem> damped_system(unsigned int n) const;
     std::vector<TraceRow> rows(unsigned int n, bool odd) const;
+    /// Calls f(n, system) for the n of this rank. Collective.
+    void for_each_wave(const std::string &progress_text,
+                       const std::function<void(unsigned int, const SecondOrderSystem &)> &f) const;
     /// of the n of this rank
     const std::vector<ResponseReduction> &reductions();
     std::vector<Receptance> summed(std::vector<Receptance> own) const;
