@@ -338,10 +338,10 @@ namespace vibrocontact
     if (request.grid)
     {
       const ContactGrid &grid = *request.grid;
-      const double low = request.lateral_position + grid.y_first - grid.spacing_y / 2;
+      // all of the tread, so that the elements are the same wherever on it the contact lies
+      const auto [first, last] = tread_limits(outline);
       if (refinement.cell_size > 0)
-        refine_section(*triangulation, wheel_contact_id, low, low + grid.n_y * grid.spacing_y,
-                       refinement.cell_size);
+        refine_section(*triangulation, wheel_contact_id, first, last, refinement.cell_size);
       for (const auto &face : triangulation->active_cell_iterators())
         for (const unsigned int f : face->face_indices())
           if (face->face(f)->at_boundary() && face->face(f)->boundary_id() == wheel_contact_id &&
