@@ -104,8 +104,7 @@ namespace vibrocontact
                              save,
                              [&] { record.save_sometimes(results, clock.seconds()); },
                              tables.recorders};
-        const bool varied = swept && sweep->section == section_of_variations;
-        if (!swept || varied)
+        if (!swept || sweep->beside_run)
           analysis.run(on);
         if (swept && results.stopped_by == 0)
           run_sweep(analysis, on);
@@ -179,8 +178,10 @@ namespace vibrocontact
     read_parameters(file, prm, parameters, tables.analysis_types(),
                     std::make_shared<const EntryTables>(tables));
     std::vector<SweepCases> sweeps = sweep_cases(parameters, file, command_line.overrides);
-    if (parameters.scene.runs("stability") && parameters.stability.derivatives.any())
-      sweeps.push_back(varied_cases(parameters, file, command_line.overrides));
+    for (const Analysis &analysis : tables.analyses)
+      if (analysis.variations && parameters.scene.runs(analysis.type.name))
+        if (const std::optional<Variations> asked = analysis.variations(parameters))
+          sweeps.push_back(varied_cases(*asked, parameters, file, command_line.overrides));
     const std::vector<std::string> out_of_use = entries_out_of_use(
         file, command_line.overrides, tables.analyses, parameters, declared_parameters(prm), sweeps);
     banner(command_line, parameters.scene);

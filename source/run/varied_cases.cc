@@ -10,49 +10,62 @@ namespace vibrocontact
 {
   namespace
   {
-    double value_of_entry(const std::string &entry, const DeclaredParameters &declared)
+    /// Entries that say how finely a body is modelled, whichever section they stand in: what follows from them is no answer to
+    /// them, and jumps.
+    bool discretises(const DeclaredParameters::Entry &entry)
     {
-      const std::string where = std::string(section_of_variations) + "/Entries lists " + entry;
+      for (const char *const name :
+           {"Grid spacing", "Half length", "Half width", "Upper frequency", "Section cell size",
+            "Contact cell size", "Refinement margin", "Refinement depth", "Contact division",
+            "Coarse division", "Growth", "Fine length", "Element length"})
+        if (entry.name == name)
+          return true;
+      return entry.pattern.rfind("[Integer", 0) == 0;
+    }
+
+    struct VariedEntry
+    {
+      double value, step;
+    };
+
+    /// @param where section and entry that list it, for messages
+    VariedEntry varied_entry(const std::string &entry, const DeclaredParameters &declared,
+                             const std::string &where)
+    {
+      constexpr double relative_step = 1e-4, along_length = 5e-6;
       const std::size_t slash = entry.rfind('/');
       const DeclaredParameters::Entry *const found =
           slash == std::string::npos ? nullptr
                                      : declared.find(entry.substr(0, slash), entry.substr(slash + 1));
       if (!found)
-        throw InputError(where + ", which is no entry of this file: write it as Section/Entry.");
+        throw InputError(where + entry + ", which is no entry of this file: write it as Section/Entry.");
+      if (discretises(*found))
+        throw InputError(where + entry +
+                         ", which discretises, so that roots have no derivative to it: leave it out.");
       char *end = nullptr;
       const double value = std::strtod(found->value.c_str(), &end);
       if (found->value.empty() || *end != 0)
-        throw InputError(where + ", whose value is '" + found->value +
+        throw InputError(where + entry + ", whose value is '" + found->value +
                          "', no number: take an entry that has one.");
-      return value;
-    }
-
-    double step_of_entry(const std::string &entry, const double value)
-    {
-      constexpr double relative_step = 1e-4, along_tread = 5e-6;
-      if (entry == ParameterSweep::lateral_position)
-        return along_tread;
+      const bool is_length = unit_of(found->documentation) == "m";
+      if (entry == ParameterSweep::lateral_position || (is_length && value == 0))
+        return {value, along_length};
       if (value == 0)
-        throw InputError(std::string(section_of_variations) + "/Entries lists " + entry +
-                         ", which is 0, so that no step of it is small: give it a value.");
-      return relative_step * std::abs(value);
+        throw InputError(where + entry + ", which is 0, so that no step of it is small: give it a value.");
+      return {value, relative_step * std::abs(value)};
     }
   } // namespace
 
-  SweepCases varied_cases(const Parameters &parameters, const ParameterFile &file,
+  SweepCases varied_cases(const Variations &asked, const Parameters &parameters, const ParameterFile &file,
                           const std::vector<std::string> &overrides)
   {
-    const DerivativeParameters &asked = parameters.stability.derivatives;
-    if (parameters.sweeps.at("stability").any())
-      throw InputError(std::string(section_of_variations) +
-                       " are those of a single case, but Stability/Sweep sweeps " +
-                       parameters.sweeps.at("stability").first.entry + ": empty one of them.");
     SweepCases varied;
-    varied.analysis = "stability";
-    varied.section = section_of_variations;
+    varied.analysis = asked.analysis;
+    varied.section = asked.section;
+    varied.beside_run = true;
     varied.entry = "Entries";
     varied.entries = asked.entries;
-    std::vector<double> nominal;
+    std::vector<double> nominal, steps;
     {
       ParameterFile read(file.file_name(), file.bytes(), overrides);
       Parameters own;
@@ -60,7 +73,11 @@ namespace vibrocontact
       read_parameters(read, prm, own, parameters.scene.known_analyses, parameters.tables);
       const DeclaredParameters declared = declared_parameters(prm);
       for (const std::string &entry : asked.entries)
-        nominal.push_back(value_of_entry(entry, declared));
+      {
+        const VariedEntry one = varied_entry(entry, declared, asked.section + "/Entries lists ");
+        nominal.push_back(one.value);
+        steps.push_back(one.step);
+      }
     }
     const auto add = [&](const std::vector<double> &values)
     {
@@ -85,7 +102,7 @@ namespace vibrocontact
       for (const double sign : {1., -1.})
       {
         std::vector<double> values = nominal;
-        values[i] += sign * step_of_entry(asked.entries[i], nominal[i]);
+        values[i] += sign * steps[i];
         add(values);
       }
     RandomNumbers random(asked.seed);

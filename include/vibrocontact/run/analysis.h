@@ -8,6 +8,7 @@
 #include <vibrocontact/run/prepare_bodies.h>
 #include <vibrocontact/run/sweep_cases.h>
 #include <vibrocontact/run/swept_analysis.h>
+#include <vibrocontact/run/varied_cases.h>
 
 #include <functional>
 #include <memory>
@@ -64,5 +65,7 @@ namespace vibrocontact
     std::vector<AnswerKind> answers;
     /// With AnalysisType::sweep_section: begins a sweep, in place of `run`, see run_sweep(); swept_runs() for most. Collective.
     std::function<std::unique_ptr<SweptAnalysis>(const AnalysisRun &)> swept = {};
+    /// Cases about that of the file that it asks for beside its run, which `swept` takes; none. May be null.
+    std::optional<Variations> (*variations)(const Parameters &) = nullptr;
   };
 } // namespace vibrocontact

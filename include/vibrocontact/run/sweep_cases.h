@@ -38,6 +38,8 @@ namespace vibrocontact
     std::string section;
     /// that lists what is swept
     std::string entry = "Entry";
+    /// whether the analysis runs on the file's own case as well (run/varied_cases.h)
+    bool beside_run = false;
     std::vector<std::string> entries, columns;
     std::vector<SweepCase> cases;
     /// lateral positions whose contact grid leaves the tread [m]

@@ -125,11 +125,13 @@ namespace vibrocontact
     Scatter scatter_of(const std::vector<double> &values)
     {
       Scatter result;
+      unsigned int n_growing = 0;
       for (const double value : values)
       {
         result.mean += value / values.size();
-        result.growing += (value > 0 ? 1. : 0.) / values.size();
+        n_growing += value > 0;
       }
+      result.growing = double(n_growing) / std::max<std::size_t>(1, values.size());
       for (const double value : values)
         result.deviation += std::pow(value - result.mean, 2) / std::max<std::size_t>(1, values.size() - 1);
       result.deviation = std::sqrt(result.deviation);
@@ -455,6 +457,18 @@ namespace vibrocontact
       std::vector<VariedRoots> results;
     };
   } // namespace
+
+  std::optional<Variations> variations_of_roots(const Parameters &parameters)
+  {
+    const DerivativeParameters &asked = parameters.stability.derivatives;
+    if (!asked.any())
+      return {};
+    const std::string section = "Stability/Derivatives";
+    if (const ParameterSweep &sweep = parameters.sweeps.at("stability"); sweep.any())
+      throw InputError(section + " are those of a single case, but Stability/Sweep sweeps " +
+                       sweep.first.entry + ": empty one of them.");
+    return Variations{"stability", section, asked.entries, asked.deviations, asked.n_draws, asked.seed};
+  }
 
   std::unique_ptr<SweptAnalysis> root_derivatives(const AnalysisRun &on)
   {

@@ -1,4 +1,5 @@
 #include <vibrocontact/analyses/stability/pair_in_time.h>
+#include <vibrocontact/analyses/stability/root_derivatives.h>
 #include <vibrocontact/analyses/stability/run_stability.h>
 #include <vibrocontact/analyses/stability/sparse_roots.h>
 #include <vibrocontact/analyses/stability/stability_output.h>
@@ -206,6 +207,7 @@ namespace vibrocontact
               stability_answer,
               {"stability.csv", "stability_map.csv", "stability_sweep.csv", "figures/divergence_rates.png",
                "figures/stability_map.png", "figures/unstable_shapes.png"}}},
-            swept_stability};
+            swept_stability,
+            variations_of_roots};
   }
 } // namespace vibrocontact

@@ -9,7 +9,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/run/say_residual_damping.h>
-#include <vibrocontact/run/varied_cases.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -289,7 +288,7 @@ namespace vibrocontact
 
   std::unique_ptr<SweptAnalysis> swept_stability(const AnalysisRun &on)
   {
-    if (on.sweep.section == section_of_variations)
+    if (on.sweep.beside_run)
       return root_derivatives(on);
     return std::make_unique<StabilitySweep>(on);
   }

@@ -3,6 +3,7 @@
 #include <vibrocontact/run/analysis.h>
 
 #include <memory>
+#include <optional>
 
 namespace vibrocontact
 {
@@ -20,4 +21,7 @@ namespace vibrocontact
   ///
   /// `on.sweep` are varied_cases().
   std::unique_ptr<SweptAnalysis> root_derivatives(const AnalysisRun &on);
+
+  /// What section Stability/Derivatives varies; none if it lists no entry. @throws InputError beside Stability/Sweep
+  std::optional<Variations> variations_of_roots(const Parameters &parameters);
 } // namespace vibrocontact
