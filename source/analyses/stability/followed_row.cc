@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/stability/followed_row.h>
 #include <vibrocontact/analyses/stability/root_paths.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/coupled_bodies/followed_root.h>
 
 #include <deal.II/base/numbers.h>
@@ -108,7 +109,7 @@ namespace vibrocontact
             one.solved.not_followed = not_followed;
           return one;
         }
-        result.followed = std::count(anchors.begin(), anchors.end(), k) == 0;
+        result.followed = cases[k].all.empty();
         for (const Track &track : tracks)
         {
           if (track.is_dropped)
@@ -232,6 +233,21 @@ namespace vibrocontact
         track.last = followed_root(*cases[k].F, root);
       }
 
+      /// Where Newton's method does not lead: of the roots by LAPACK the one that was predicted.
+      ContactRoot root_from_list(const unsigned int k, const Complex &start, const double reach)
+      {
+        complete(k);
+        const auto distance = [&](const StabilityRoot &root) { return std::abs(value_of(root) - start); };
+        const StabilityRoot &nearest = *std::min_element(cases[k].all.begin(), cases[k].all.end(),
+                                                         [&](const StabilityRoot &a, const StabilityRoot &b)
+                                                         { return distance(a) < distance(b); });
+        const ContactRoot found = contact_root(*cases[k].F, value_of(nearest));
+        if (distance(nearest) > reach || !is_at(found.s, nearest))
+          throw ConvergenceError("The root at " + number_text(nearest.frequency) +
+                                 " Hz is not the one that is followed.");
+        return found;
+      }
+
       /// All that are known in a case and not in the next.
       void advance(const unsigned int from, const unsigned int to)
       {
@@ -264,9 +280,10 @@ namespace vibrocontact
           catch (const ConvergenceError &)
           {
             // a mode that hardly moves the contact has its root within round-off of a pole of F
-            if (!tracks[moving[m]].optional)
-              throw;
-            tracks[moving[m]].drop();
+            if (tracks[moving[m]].optional)
+              tracks[moving[m]].drop();
+            else
+              put(tracks[moving[m]], to, root_from_list(to, starts[m], reach[m]));
           }
         for (unsigned int i = 0; i < tracks.size(); ++i)
           for (unsigned int j = 0; j < i; ++j)
