@@ -1,10 +1,7 @@
 #include <vibrocontact/base/dense_operations.h>
-#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/coupled_bodies/contact_receptance.h>
 #include <vibrocontact/coupled_bodies/pair_motion.h>
-#include <vibrocontact/coupled_bodies/patch_shapes.h>
 #include <vibrocontact/coupled_bodies/sliding_frame.h>
-#include <vibrocontact/numerics/complex_eigenvectors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,146 +12,6 @@
 namespace vibrocontact
 {
   using Complex = std::complex<double>;
-
-  namespace
-  {
-    /// F has to see what the eigenvalues see
-    constexpr double shape_tolerance = 1e-11;
-
-    /// left diag(1 / (s^2 + damping s + stiffness)) right
-    struct ModalSum
-    {
-      ComplexMatrix left, right;
-      std::vector<Complex> stiffness;
-      std::vector<double> damping;
-
-      /// sum of weights of its terms; n_shapes square
-      ComplexMatrix weighted(const std::function<Complex(unsigned int)> &weight) const
-      {
-        ComplexMatrix scaled = left;
-        for (unsigned int k = 0; k < scaled.n(); ++k)
-        {
-          const Complex factor = weight(k);
-          for (unsigned int i = 0; i < scaled.m(); ++i)
-            scaled(i, k) *= factor;
-        }
-        return product(scaled, right);
-      }
-      Complex denominator(const unsigned int k, const Complex &s) const
-      {
-        return s * s + damping[k] * s + stiffness[k];
-      }
-      ComplexMatrix value(const Complex &s) const
-      {
-        return weighted([&](const unsigned int k) { return 1. / denominator(k, s); });
-      }
-      Complex slope(const unsigned int k, const Complex &s) const
-      {
-        const Complex d = denominator(k, s);
-        return -(2. * s + damping[k]) / (d * d);
-      }
-      ComplexMatrix derivative(const Complex &s) const
-      {
-        return weighted([&](const unsigned int k) { return slope(k, s); });
-      }
-      ComplexVector times(const Complex &s, const ComplexVector &v) const
-      {
-        ComplexVector q = product(right, v);
-        for (unsigned int k = 0; k < q.size(); ++k)
-          q[k] /= denominator(k, s);
-        return product(left, q);
-      }
-      ComplexVector derivative_times(const Complex &s, const ComplexVector &v) const
-      {
-        ComplexVector q = product(right, v);
-        for (unsigned int k = 0; k < q.size(); ++k)
-          q[k] *= slope(k, s);
-        return product(left, q);
-      }
-    };
-
-    ComplexMatrix transposed(const ComplexMatrix &matrix)
-    {
-      ComplexMatrix result(matrix.n(), matrix.m());
-      for (unsigned int j = 0; j < matrix.n(); ++j)
-        for (unsigned int i = 0; i < matrix.m(); ++i)
-          result(j, i) = matrix(i, j);
-      return result;
-    }
-
-    /// Goes over to the eigenvectors of diag(w^2) + j H.
-    void diagonalise(const DenseMatrix &H, ModalSum &modes)
-    {
-      const unsigned int m = modes.stiffness.size();
-      ComplexMatrix K(m, m);
-      for (unsigned int j = 0; j < m; ++j)
-      {
-        if (modes.damping[j] != 0)
-          throw InputError("A body with several loss factors has modes with viscous damping as well, which "
-                           "the contact's receptance does not take together.");
-        for (unsigned int i = 0; i < m; ++i)
-          K(i, j) = Complex(0, H(i, j));
-        K(j, j) += modes.stiffness[j];
-      }
-      const ComplexEigenvectors own = complex_eigenvectors(K, "eigenvalues of the modes with loss");
-      modes.left = product(modes.left, own.right);
-      modes.right = product(own.left, modes.right);
-      modes.stiffness = own.values;
-    }
-
-    bool is_diagonal(const DenseMatrix &matrix)
-    {
-      for (unsigned int j = 0; j < matrix.n(); ++j)
-        for (unsigned int i = 0; i < matrix.m(); ++i)
-          if (i != j && matrix(i, j) != 0)
-            return false;
-      return true;
-    }
-  } // namespace
-
-  PatchReceptance modal_receptance(const ContactPair &pair, const unsigned int b, const HystereticLoss *loss)
-  {
-    std::vector<unsigned int> own;
-    for (unsigned int k = 0; k < pair.n_modes(); ++k)
-      if (pair.body[k] == b)
-        own.push_back(k);
-    const unsigned int m = own.size();
-    DenseMatrix trace(pair.trace.m(), m), H(m, m);
-    ModalSum modes;
-    for (unsigned int j = 0; j < m; ++j)
-    {
-      const double w = pair.omega[own[j]];
-      modes.stiffness.emplace_back(w * w);
-      modes.damping.push_back(2 * pair.damping_ratio[own[j]] * w);
-      for (unsigned int i = 0; i < trace.m(); ++i)
-        trace(i, j) = pair.trace(i, own[j]);
-      for (unsigned int i = 0; i < m && loss; ++i)
-        H(i, j) = loss->modal(own[i], own[j]);
-    }
-    PatchShapes shapes = patch_shapes(trace, shape_tolerance);
-    modes.left = entries_as<Complex>(shapes.amplitudes);
-    modes.right = transposed(modes.left);
-    if (!is_diagonal(H))
-      diagonalise(H, modes);
-    else
-      for (unsigned int k = 0; k < m; ++k)
-        modes.stiffness[k] += Complex(0, H(k, k));
-    const auto sum = std::make_shared<const ModalSum>(std::move(modes));
-    return {std::move(shapes.basis), [sum](const Complex &s) { return sum->value(s); },
-            [sum](const Complex &s) { return sum->derivative(s); },
-            [sum](const Complex &s, const ComplexVector &v) { return sum->times(s, v); },
-            [sum](const Complex &s, const ComplexVector &v) { return sum->derivative_times(s, v); }};
-  }
-
-  std::vector<PatchReceptance> modal_receptances(const ContactPair &pair, const HystereticLoss *loss)
-  {
-    std::vector<PatchReceptance> result;
-    const unsigned int n_bodies =
-        pair.body.empty() ? 0 : *std::max_element(pair.body.begin(), pair.body.end());
-    for (unsigned int b = 1; b <= n_bodies; ++b)
-      result.push_back(modal_receptance(pair, b, loss));
-    return result;
-  }
 
   ComplexMatrix ContactReceptance::Rows::at(const Complex &s) const
   {
@@ -191,7 +48,7 @@ namespace vibrocontact
                                        const RollingEquilibrium &equilibrium, const HystereticLoss *loss,
                                        std::vector<PatchReceptance> further)
       : ContactReceptance(pair, scheme, equilibrium,
-                          together(modal_receptances(pair, loss), std::move(further)), loss)
+                          together(patch_receptances(pair, loss), std::move(further)), loss)
   {
   }
 
@@ -228,21 +85,31 @@ namespace vibrocontact
       };
       return Rows{mapped(response, constant), mapped(response, linear)};
     };
+    // what V d/dx is beyond the differences between points
+    const auto add_gradient = [&](const DenseMatrix &gradient, Rows &rows)
+    {
+      if (gradient.m() > 0)
+        add_block(rows.constant, entries_as<Complex>(rows_along(gradient, frame.across, n)), c, 0,
+                  equilibrium.speed);
+    };
     const DenseMatrix W = vibrocontact::at_once(compliance_of_contact(pair, equilibrium), pair.relaxing);
     at_once = split(loss ? by_points(compliance_of_contact(*loss, equilibrium), E)
                          : entries_as<Complex>(by_points(W, E)));
+    if (pair.residual_gradient.m() > 0)
+      add_gradient(by_points(pair.residual_gradient, E), at_once);
     for (const RelaxingRest &rest : pair.relaxing)
       rests.push_back({rest.relaxation, split(entries_as<Complex>(by_points(rest.flexibility, E)))});
     for (PatchReceptance &receptance : receptances)
     {
-      const DenseMatrix &basis = receptance.basis;
+      const DenseMatrix &basis = receptance.basis, &forces = receptance.shapes_of_forces();
       if (basis.n() == 0)
         continue;
       if (&receptance == receptances.data())
         first = bodies.size();
-      DenseMatrix shares(basis.n(), size);
-      basis.Tmmult(shares, E);
+      DenseMatrix shares(forces.n(), size);
+      forces.Tmmult(shares, E);
       Rows rows = split(entries_as<Complex>(basis));
+      add_gradient(receptance.gradient, rows);
       bodies.push_back({std::move(receptance), std::move(rows), entries_as<Complex>(shares)});
     }
     for (unsigned int k = 0; k < n_z; ++k)

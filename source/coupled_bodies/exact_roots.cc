@@ -65,10 +65,23 @@ namespace vibrocontact
         return result;
       }
     };
-    void name_after_mode(const ContactPair &pair, const Complex &s, StabilityRoot &root)
+
+    bool is_exact(const HystereticLoss &loss, const unsigned int body)
     {
-      const StabilityRoot named = named_root(s, {root.shape.begin(), root.shape.begin() + pair.n_modes()},
-                                             pair.omega, pair.labels_of_modes());
+      return std::any_of(loss.exact.begin(), loss.exact.end(),
+                         [&](const ExactReceptance &one) { return one.body == body; });
+    }
+
+    /// After the mode or pole with the largest share, of bodies that are no fits.
+    void name_after_mode(const ContactPair &pair, const HystereticLoss &loss, const Complex &s,
+                         StabilityRoot &root)
+    {
+      const unsigned int m = pair.n_modes();
+      std::vector<Complex> shape = root.shape;
+      for (unsigned int k = 0; k < pair.n_poles(); ++k)
+        if (is_exact(loss, pair.body_of_pole[k]))
+          shape[m + k] = 0;
+      const StabilityRoot named = named_root(s, std::move(shape), pair.frequencies(), pair.labels);
       root.label = named.label;
       root.share = named.share;
     }
@@ -77,9 +90,8 @@ namespace vibrocontact
     {
       std::set<std::string> result;
       for (unsigned int k = 0; k < pair.n_poles(); ++k)
-        for (const ExactReceptance &body : loss.exact)
-          if (pair.body_of_pole[k] == body.body)
-            result.insert(pair.labels[pair.n_modes() + k]);
+        if (is_exact(loss, pair.body_of_pole[k]))
+          result.insert(pair.labels[pair.n_modes() + k]);
       return result;
     }
   } // namespace
@@ -187,7 +199,7 @@ namespace vibrocontact
       root.divergence_rate = s.real() / s.imag();
       root.exact = true;
       if (of_fit)
-        name_after_mode(pair, s, root);
+        name_after_mode(pair, loss, s, root);
       kept.push_back(std::move(root));
     }
     roots = std::move(kept);

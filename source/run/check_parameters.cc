@@ -120,12 +120,11 @@ namespace vibrocontact
         if (parameters.scene.runs("stability") || in_time)
         {
           for (const BodyParameters &other : parameters.scene.bodies)
-            if (other.is_known_by_poles() && !other.is_periodic_rail())
-              throw InputError(
-                  body.name +
-                  "/Rail/Model is periodic, beside which stability and time take bodies by modes "
-                  "only, but " +
-                  other.name + ", which rolls or is identified, is known by poles: set Model to solid.");
+            if (other.description->measured())
+              throw InputError(body.name +
+                               "/Rail/Model is periodic, beside which stability and time take no identified "
+                               "body, but " +
+                               other.name + " is one: set Model to solid.");
           for (const ContactParameters &one : parameters.contacts.all)
             if (one.law_of_friction()->depends_on_speed())
               throw InputError(

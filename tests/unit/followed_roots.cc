@@ -133,7 +133,7 @@ TEST(FollowedRoots, FollowingEndsAtTheRootsOfTheCompleteSolution)
 {
   const Structure s = structure(90, 4);
   const ContactPair pair = reduce(s, 30, 2e-3);
-  const std::vector<PatchReceptance> receptances = modal_receptances(pair, nullptr);
+  const std::vector<PatchReceptance> receptances = patch_receptances(pair, nullptr);
   const auto at = [&](const double mu)
   { return ContactReceptance(pair, scheme(), rolling(mu), receptances, nullptr); };
   const ContactReceptance first = at(0.1);

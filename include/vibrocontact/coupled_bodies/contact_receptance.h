@@ -1,53 +1,31 @@
 #pragma once
 
 #include <vibrocontact/coupled_bodies/linearised_contact.h>
+#include <vibrocontact/coupled_bodies/patch_receptance.h>
 
 #include <complex>
-#include <functional>
 #include <vector>
 
 namespace vibrocontact
 {
-  /// How a body moves the contact under forces there beside what of it follows them at once, at any complex s:
-  ///
-  ///   du = basis G(s) basis^T R,     R, du e^(s t)
-  ///
-  /// G between some ten patch shapes (PatchShapes): by modes, or any function of s that is analytic where it is asked for.
-  struct PatchReceptance
-  {
-    using Function = std::function<ComplexMatrix(const std::complex<double> &)>;
-    using Product = std::function<ComplexVector(const std::complex<double> &, const ComplexVector &)>;
-    /// 3 n x rank, in the rows of the pair [-]
-    DenseMatrix basis;
-    /// G(s), rank square [m/N], and dG/ds [m s/N]; without a derivative it is differenced
-    Function value, derivative;
-    /// G(s) v and dG/ds v, for less than G costs; empty: by G itself
-    Product times = {}, derivative_times = {};
-  };
-
-  /// G of the modes of body b (from 1), amplitudes (s^2 + 2 zeta w s + w^2 + j H)^-1 amplitudes^T, with their hysteretic loss or
-  /// without (null). H in full is diagonalised once, so that an s costs the same either way.
-  /// @throws InputError if H couples modes that have viscous damping
-  PatchReceptance modal_receptance(const ContactPair &pair, unsigned int b, const HystereticLoss *loss);
-  /// Of all bodies with modes. Equilibria on the same pair share them: their shapes cost more than all else of F.
-  std::vector<PatchReceptance> modal_receptances(const ContactPair &pair, const HystereticLoss *loss);
-
   /// The contact's own equations at a complex frequency: closed gaps and sliding friction with R = E_N N + E_z z
-  /// (SlidingFrame) and the receptance of the bodies at the contact, H(s) = W~ + sum of basis G(s) basis^T,
+  /// (SlidingFrame) and the receptance of the bodies at the contact, H(s) = W~ + sum of basis G(s) forces^T,
   ///
   ///   F(s) (N, z) = 0:      n: H_n R = 0 (hub fixed; force given: H_n R = const, sum dN = 0)
   ///                         b: (V d/dx + s) H_b R + z / c_b = 0
   ///
-  /// Rests that relax stand in H with W / (1 + beta s), those with a loss factor with W / (1 + j eta). Roots of the linearised
+  /// V d/dx is that of the pair: differences between points, and gradients of bodies that bring some. Rests that relax stand in
+  /// H with W / (1 + beta s), those with a loss factor with W / (1 + j eta). Roots of the linearised
   /// contact make F singular, and no state matrix appears. Constant friction and the consistent linearisation.
   class ContactReceptance
   {
   public:
-    /// @param loss of the pair, or null @param further bodies of which the pair has no modes
+    /// @param loss of the pair, or null @param further bodies that the pair has not got, or that the loss
+    /// has exactly
     ContactReceptance(const ContactPair &pair, const CreepScheme &scheme,
                       const RollingEquilibrium &equilibrium, const HystereticLoss *loss = nullptr,
                       std::vector<PatchReceptance> further = {});
-    /// @param receptances of all bodies that move the contact, by modal_receptances() or otherwise, body 1 first
+    /// @param receptances of all bodies that move the contact, by patch_receptances() or otherwise, body 1 first
     ContactReceptance(const ContactPair &pair, const CreepScheme &scheme,
                       const RollingEquilibrium &equilibrium, std::vector<PatchReceptance> receptances,
                       const HystereticLoss *loss);

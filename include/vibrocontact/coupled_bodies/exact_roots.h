@@ -18,8 +18,8 @@ namespace vibrocontact
   /// turn into the exact receptance in steps, so that no root is mistaken for its neighbour. About each root the receptance is
   /// taken as linear in s, again where the root has moved by more than it is linear. Roots named after a pole of such a body are
   /// where its fit has a pole, which the body itself need not have: those that the exact receptance does not have are dropped, the
-  /// rest of them as well; those that it has are named after the mode with the largest share. Sorts the roots.
-  /// @pre constant friction, a hub without dampers, no other body by poles: the contact's own equations know these alone
+  /// rest of them as well; those that it has are named after the mode, or the wave of a wheel that turns, with the largest share. Sorts the roots.
+  /// @pre constant friction, a hub without dampers: the contact's own equations know these alone
   /// @throws ConvergenceError if a root of a mode is not found again, or two become one, or one grows above the poles' band
   void make_exact(std::vector<StabilityRoot> &roots, const ContactPair &pair, const CreepScheme &scheme,
                   const RollingEquilibrium &equilibrium, const HystereticLoss &loss);

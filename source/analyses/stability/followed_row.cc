@@ -354,7 +354,7 @@ namespace vibrocontact
               const auto made =
                   std::make_shared<const PairOfCase>(pair_of_case(one, measured, reduced(k), *bodies[k]));
               A = operator_of_stability(made->pair, one.parameters().contacts, rolling.creepage.speed);
-              receptances = modal_receptances(made->pair, made->loss_or_null());
+              receptances = patch_receptances(made->pair, made->loss_or_null());
               pair = made;
             }
             cases[k].bodies = pair;

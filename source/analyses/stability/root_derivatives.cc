@@ -51,7 +51,7 @@ namespace vibrocontact
       {
         result.bodies = std::make_shared<const PairOfCase>(pair_of_case(one, measured, reduced, meshed));
         result.A = operator_of_stability(result.bodies->pair, contacts, rolling.creepage.speed);
-        result.receptances = modal_receptances(result.bodies->pair, result.bodies->loss_or_null());
+        result.receptances = patch_receptances(result.bodies->pair, result.bodies->loss_or_null());
       }
       bool first = true;
       stability_equilibria(rolling, contacts, one.parameters().contact_solver, result.bodies->pair, result.A,
