@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <optional>
 
 namespace vibrocontact
@@ -15,10 +16,7 @@ namespace vibrocontact
 
     double dot(const Vector &a, const Vector &b)
     {
-      double sum = 0;
-      for (std::size_t i = 0; i < a.size(); ++i)
-        sum += a[i] * b[i];
-      return sum;
+      return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
     }
 
     double distance(const Vector &a, const Vector &b)

@@ -145,7 +145,7 @@ namespace vibrocontact
     else if (is_periodic() && has_pads() && !(pad_length < sleeper_spacing))
       text << path << "/Pad length (" << pad_length << " m) must be below Sleeper spacing ("
            << sleeper_spacing << " m).";
-    else if (is_periodic() && has_pads() && std::abs(contact_offset) > reach)
+    else if (is_periodic() && has_pads() && std::abs(contact_offset) > (1 + 1e-9) * reach)
       text << path << "/Contact offset is " << contact_offset << " m, more than "
            << (track.is_irregular() ? "half of what the Supports carry" : "a span") << ": give one between "
            << -reach << " and " << reach << " m.";

@@ -197,17 +197,6 @@ namespace vibrocontact
     return support.sleeper.any() ? seat_receptance(support.sleeper, omega, pair) : ComplexMatrix();
   }
 
-  Slice PeriodicTrack::span(const Complex omega, const double x, const std::vector<AxialLoad> &loads,
-                            const double loss) const
-  {
-    std::vector<AxialLoad> whole_loads;
-    for (const AxialLoad &load : loads)
-      whole_loads.push_back(on_whole(load));
-    return span_slice(whole_section(false), support, seat(omega, pairs.front()),
-                      {x, x - spacing / 2, x + spacing / 2, 1}, {element_length, degree, loss}, omega,
-                      whole_loads);
-  }
-
   PeriodicTrack::AtFrequency PeriodicTrack::at(const Complex omega) const
   {
     AtFrequency result;

@@ -1,6 +1,10 @@
 // Supports of a track beyond equal masses: sleepers that bend against the modes of an Euler beam, supports laid one by one
 // against equal ones, ends of a finite track, waves from span to span, decay rates of a decaying wave.
 
+#include "span_about.h"
+
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/scene/rail.h>
 #include <vibrocontact/waveguide/decay_rate.h>
 #include <vibrocontact/waveguide/periodic_track.h>
 
@@ -258,7 +262,7 @@ TEST(TrackSupports, finite_tracks)
   two.beyond = TrackEnds::free;
   const std::vector<AxialLoad> loads = {BeamRail::force_at(0.05)};
   const ComplexMatrix slices =
-      receptance(join(rail.track.span(omega, -0.3, loads), rail.track.span(omega, 0.3, loads)),
+      receptance(join(span_about(rail.track, omega, -0.3, loads), span_about(rail.track, omega, 0.3, loads)),
                  ComplexMatrix(), ComplexMatrix());
   EXPECT_LT(std::abs(vertical(two, f, 0.05) / slices(0, 0) - 1.), 1e-10);
   EXPECT_EQ(two.reach(), std::make_pair(-0.6, 0.6));
@@ -417,4 +421,15 @@ TEST(TrackSupports, slab_below_continuous_pads)
       EXPECT_GT(std::abs(vertical(ground, f, 0.1) / found - 1.), 1e-2) << f;
     EXPECT_LT(std::abs(vertical(ground, f, 0.1) / vertical(stiff, f, 0.1) - 1.), 1e-5) << f;
   }
+}
+
+TEST(TrackSupports, AContactStandsAtTheEndOfWhatTheSupportsCarry)
+{
+  RailParameters rail;
+  rail.model = "periodic";
+  rail.track.n_supports = 4;
+  rail.contact_offset = 0.9;
+  EXPECT_NO_THROW(rail.check("rail/Rail"));
+  rail.contact_offset = 0.901;
+  EXPECT_THROW(rail.check("rail/Rail"), InputError);
 }

@@ -83,12 +83,6 @@ namespace vibrocontact
     /// By motion of both rails, least decaying ones first.
     std::vector<std::vector<std::complex<double>>> span_factors(const AtFrequency &at) const;
 
-    /// The span about a support at x, from half a spacing before it to half a spacing behind. Loads that are not in it do
-    /// nothing. Of two rails the first motion.
-    /// @param loss loss factor of the rail in place of its materials'; negative: theirs
-    Slice span(std::complex<double> omega, double x, const std::vector<AxialLoad> &loads,
-               double loss = -1) const;
-
     /// Where the rail begins and ends [m].
     std::pair<double, double> reach() const;
     /// The same track on equal supports without end.

@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""turning_wheel_on_rail.py PROGRAM MPIRUN PARAMETER_FILES: a wheel that turns on a rail without ends.
+
+Hardly turning, and without damping, which the two settings mean differently, it has the roots of the wheel at rest. At 10 m/s the
+roots are those of the rail's exact receptance: other poles to start from, and two ranks, end at the same. The two waves of a pair
+grow by less than the pair, and stand apart by the rotation.
+"""
+import math
+
+from scene import Check, entries, run, section, table
+
+check = Check()
+
+
+def wheel(name, rotation, speed, pairs=24, ranks=1, damping=1):
+    text = "\n".join([
+        "set Bodies = wheel, rail", "set Analyses = stability",
+        section("wheel", "set Type = wheel", section("Wheel", entries(Model="harmonics", Element_degree=2, Rotation=rotation)),
+                section("Modes", entries(Upper_frequency=2000, Damping_factor=damping))),
+        section("rail", "set Type = rail", section("Material", entries(Loss_factor=0.02)),
+                section("Rail", entries(Model="periodic", Pole_pairs=pairs, Contact_at="support"))),
+        section("Contact", entries(Friction_coefficient=0.3, Grid_spacing=2.5e-3, Lateral_position=-10e-3)),
+        section("Rolling", entries(Hub_displacement=0.2e-3, Speed=speed, Lateral_creepage=-0.01)),
+        section("Stability", entries(Loss="hysteretic"))])
+    return [row for row in table(run(name, text, ranks, may_doubt=True)[1], "stability.csv") if row["receptance"] == "exact"]
+
+
+def same(what, found, expected, tolerance):
+    check.near(f"number of roots, {what}", len(found), len(expected), 1e-9)
+    for a, b in zip(found, expected):
+        size = 2 * math.pi * b["frequency_Hz"]
+        check.near(f"frequency, {what}", a["frequency_Hz"], b["frequency_Hz"], tolerance)
+        check.near(f"growth, {what}", a["growth_1_s"], b["growth_1_s"], tolerance, size)
+
+
+same("hardly turning", wheel("hardly", "true", 1e-4, damping=0), wheel("at_rest", "false", 1e-4, damping=0), 1e-7)
+turning, still = wheel("turning", "true", 10), wheel("still", "false", 10)
+same("other poles", wheel("more_pairs", "true", 10, 32)[:len(turning)], turning, 1e-7)
+same("two ranks", wheel("two_ranks", "true", 10, ranks=2), turning, 1e-9)
+growth = {row["label"].split(":")[1].replace(";", ","): row for row in turning}
+waves = [growth[f"axial(0,2) {sense}"] for sense in ("forward", "backward")]
+pair = max(row["growth_1_s"] for row in still if "axial(0;2)" in row["label"])
+check.near("a pair that grows", pair > 1, True, 1e-9)
+for wave in waves:
+    check.near("a wave has about half of the growth of its pair", wave["growth_1_s"], pair / 2, 0.2, pair)
+apart = waves[0]["frequency_Hz"] - waves[1]["frequency_Hz"]
+check.near("two waves", apart, 2 * 2 * 10 / (2 * math.pi * 0.46), 0.05)
+check.end()
