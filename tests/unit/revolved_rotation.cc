@@ -1,5 +1,6 @@
 // Bodies of revolution that turn about their axle: rigid motions of a free body, axes that stand still against axes that
-// turn, the thin ring of Bryan (1890), the slope of frequencies over the speed.
+// turn, the thin ring of Bryan (1890), the slope of frequencies over the speed, the disc that its rotation alone holds
+// (Lamb and Southwell 1921).
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/fe/revolved_section.h>
 #include <vibrocontact/reduction/compute_modes.h>
@@ -96,6 +97,13 @@ namespace
     std::sort(result.begin(), result.end());
     return result;
   }
+
+  /// Limit for thickness 0 of values at h, h/2, h/4, even in h.
+  double extrapolated(const std::vector<double> &values)
+  {
+    const double coarse = (4 * values[1] - values[0]) / 3, fine = (4 * values[2] - values[1]) / 3;
+    return (16 * fine - coarse) / 15;
+  }
 } // namespace
 
 // Translation stays, the tilted axle of a free top turns with Omega I_p / I_t.
@@ -156,8 +164,94 @@ TEST(RevolvedRotation, ThinRing)
         own = std::max(own, n - body.coriolis(k, k));
       lag.push_back(own);
     }
-    const double coarse = (4 * lag[1] - lag[0]) / 3, fine = (4 * lag[2] - lag[1]) / 3,
-                 exact = 2. * n / (n * n + 1.);
-    EXPECT_NEAR((16 * fine - coarse) / 15, exact, 1e-4 * exact) << n;
+    const double exact = 2. * n / (n * n + 1.);
+    EXPECT_NEAR(extrapolated(lag), exact, 1e-4 * exact) << n;
+  }
+}
+
+// The same ring under the tension of its own rotation, which is as strong as its bending stiffness: in turning axes
+// w = 2 n Omega / (n^2 + 1) +- sqrt(w_0^2 + Omega^2 n^2 (n^2 - 1)^2 / (n^2 + 1)^2). Without stiffness one wave stands still.
+TEST(RevolvedRotation, ThinRingUnderTension)
+{
+  const double R = 0.1;
+  for (const unsigned int n : {2, 3})
+  {
+    std::vector<double> faster, slower;
+    const double N = double(n) * n, lag = 2. * n / (N + 1), tension = n * (N - 1) / (N + 1),
+                 root = tension * std::sqrt(2.);
+    // over Omega, in axes that stand still
+    const std::array<double, 2> exact = {{n - lag + root, n - lag - root}};
+    for (const double thickness : {8e-3, 4e-3, 2e-3})
+    {
+      const ElasticMaterial material;
+      const double w_0 = n * (N - 1) / std::sqrt(N + 1) * thickness / (R * R) *
+                         std::sqrt(material.young_modulus / (12 * material.density)),
+                   Omega = w_0 / tension;
+      const InModes body = in_modes(ring(R - thickness / 2, R + thickness / 2, thickness, 1), n, 4);
+      const std::vector<double> found = roots(body, body.coriolis, body.centripetal, Omega);
+      const auto nearest = [&](const double w)
+      {
+        double best = found.front();
+        for (const double one : found)
+          if (std::abs(one - w) < std::abs(best - w))
+            best = one;
+        return best / Omega;
+      };
+      faster.push_back(nearest(exact[0] * Omega));
+      slower.push_back(nearest(exact[1] * Omega));
+    }
+    EXPECT_NEAR(extrapolated(faster), exact[0], 1e-4 * n) << n;
+    EXPECT_NEAR(extrapolated(slower), exact[1], 1e-4 * n) << n;
+  }
+}
+
+// A disc without bending stiffness: w^2 / Omega^2 = ((n + 2 s) (n + 2 s + 2) (3 + nu) - n^2 (1 + 3 nu)) / 8 with s nodal circles,
+// in axes that turn. The equations are linear in Omega^2, which is chosen so large that tension carries the disc.
+TEST(RevolvedRotation, SpinningDisc)
+{
+  const double R = 0.1, Omega = 5e4, nu = ElasticMaterial().poisson_ratio;
+  run_log().set_screen(false);
+  for (const unsigned int n : {2, 3})
+  {
+    std::array<std::vector<double>, 2> squares;
+    for (const double thickness : {1e-3, 5e-4, 2.5e-4})
+    {
+      const auto mesh = std::make_shared<dealii::Triangulation<2>>();
+      dealii::GridGenerator::subdivided_hyper_rectangle(*mesh, {1u, 12u}, {-thickness / 2, 0.},
+                                                        {thickness / 2, R});
+      const RevolvedSection section("disc", mesh, ElasticModel<3>(), 4);
+      const auto still = section.system(0);
+      Flexibility flexibility(*still);
+      const auto load = section.centrifugal_load();
+      dealii::PETScWrappers::MPI::Vector stretched(load);
+      flexibility.vmult(stretched, load);
+      const auto system = section.system(n);
+      system->stiffness.add(Omega * Omega, section.rotation(n, stretched)->geometric);
+      // motions across the disc have neither Coriolis nor centripetal forces there
+      Flexibility stiffened(*system);
+      ModeParameters parameters;
+      parameters.count = 8;
+      const Modes modes = compute_modes(*system, stiffened, parameters);
+      unsigned int s = 0;
+      for (unsigned int k = 0; k < modes.omega.size() && s < 2; ++k)
+      {
+        double across = 0, all = 0;
+        for (unsigned int dof = 0; dof < section.n_dofs(); ++dof)
+        {
+          const double square = std::pow(modes.shapes[k](dof), 2);
+          all += square;
+          if (section.components()[dof] == RevolvedSection::axial)
+            across += square;
+        }
+        if (across > 0.5 * all)
+          squares[s++].push_back(std::pow(modes.omega[k] / Omega, 2));
+      }
+      ASSERT_EQ(s, 2u);
+    }
+    for (unsigned int s = 0; s < 2; ++s)
+    {
+      const double order = n + 2. * s, exact = (order * (order + 2) * (3 + nu) - n * n * (1 + 3 * nu)) / 8;
+      EXPECT_NEAR(extrapolated(squares[s]), exact, 1e-4 * exact) << n << " waves, " << s << " circles";
+    }
   }
 }
