@@ -66,6 +66,49 @@ namespace vibrocontact
     {
       return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x;
     }
+
+    /// The same between all cells that are the same lags apart.
+    void add_between_cells(const ContactGrid &grid, const int lag_x, const int lag_y, const Influence &value,
+                           DenseMatrix &result)
+    {
+      const unsigned int n = grid.n_points();
+      for (int q = std::max(0, lag_y); q < int(grid.n_y) + std::min(0, lag_y); ++q)
+        for (int p = std::max(0, lag_x); p < int(grid.n_x) + std::min(0, lag_x); ++p)
+        {
+          const unsigned int there = grid.index(p, q), source = grid.index(p - lag_x, q - lag_y);
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int j = 0; j < 3; ++j)
+              result(contact_row(n, i, there), contact_row(n, j, source)) += value[i][j];
+        }
+    }
+
+    /// Transforms along x of C_1 times G R s, over z = s |y| >= 0 and without the factor i: zz, xx, yy, zx, zy, xy.
+    class CurvatureTransforms
+    {
+    public:
+      explicit CurvatureTransforms(const double nu)
+          : nu(nu), b(0.5 + 3 * nu - 2 * nu * nu), d(-0.5 + 3.5 * nu - 2 * nu * nu)
+      {
+      }
+
+      Kernels operator()(const double z) const
+      {
+        // of 1 / k^2, s^2 / k^4, s^4 / k^6
+        const double decay = std::exp(-z), F_1 = decay / 2, F_2 = (1 + z) * decay / 4,
+                     F_3 = (3 + 3 * z + z * z) * decay / 16;
+        const double K_0 = std::cyl_bessel_k(0., z), K_1 = std::cyl_bessel_k(1., z), K_2 = K_0 + 2 * K_1 / z,
+                     third = z * d / 3;
+        return {{(1 - 2 * nu) * ((1 - nu) * F_1 - (1.5 - nu) * F_2),
+                 1.5 * F_1 + (-2.5 - 2 * nu + 2 * nu * nu) * F_2 + b * F_3,
+                 0.5 * std::pow(1 - 2 * nu, 2) * F_1 + (5 * nu - 4 * nu * nu) * F_2 - b * F_3,
+                 z / pi * ((-0.5 - 2.5 * nu + 2 * nu * nu) * K_1 + third * K_2),
+                 z / pi * ((0.5 - 2.5 * nu + 2 * nu * nu) * K_0 + third * K_1),
+                 -z * decay * ((-1 - 2 * nu + 2 * nu * nu) / 4 + b * (1 + z) / 16)}};
+      }
+
+    private:
+      const double nu, b, d;
+    };
   } // namespace
 
   DenseMatrix short_wave_compliance(const ContactGrid &grid, const HalfSpacePair &pair, const double K)
@@ -113,14 +156,58 @@ namespace vibrocontact
         for (unsigned int i = 0; i < 3; ++i)
           for (unsigned int j = 0; j < 3; ++j)
             value[i][j] -= long_waves[i][j];
-        for (int q = std::max(0, lag_y); q < int(grid.n_y) + std::min(0, lag_y); ++q)
-          for (int p = std::max(0, lag_x); p < int(grid.n_x) + std::min(0, lag_x); ++p)
+        add_between_cells(grid, lag_x, lag_y, value, result);
+      }
+    }
+    return result;
+  }
+
+  DenseMatrix short_wave_curvature(const ContactGrid &grid, const HalfSpaceMaterial &material,
+                                   const double radius, const double K)
+  {
+    const dealii::QGauss<1> gauss(8);
+    const double dx = grid.spacing_x, dy = grid.spacing_y;
+    // one turn of the furthest cell per panel; means over a cell leave 1e-4 of the shortest waves
+    const double panel = 2 * pi / (grid.n_x * dx), shortest = 32 * pi / dx;
+    const unsigned int n_panels = std::ceil((shortest - K) / panel);
+    std::vector<double> waves, factors;
+    for (unsigned int p = 0; p < n_panels; ++p)
+      for (unsigned int q = 0; q < gauss.size(); ++q)
+      {
+        const double s = K + (p + gauss.point(q)[0]) * panel;
+        waves.push_back(s);
+        factors.push_back(gauss.weight(q) * panel * std::pow(sinc(s * dx / 2), 2) /
+                          (pi * s * radius * material.shear_modulus()));
+      }
+    const CurvatureTransforms transforms(material.poisson_ratio);
+    DenseMatrix result(3 * grid.n_points(), 3 * grid.n_points());
+    for (int lag_y = 1 - int(grid.n_y); lag_y < int(grid.n_y); ++lag_y)
+    {
+      std::vector<Kernels> means(waves.size(), Kernels{});
+      const auto places = overlap(lag_y, dy);
+      for (unsigned int m = 0; m < waves.size(); ++m)
+        for (const auto &[y, weight] : places)
+          // beyond it nothing is left
+          if (const double z = waves[m] * std::abs(y); z < 40)
           {
-            const unsigned int there = grid.index(p, q), source = grid.index(p - lag_x, q - lag_y);
-            for (unsigned int i = 0; i < 3; ++i)
-              for (unsigned int j = 0; j < 3; ++j)
-                result(contact_row(n, i, there), contact_row(n, j, source)) = value[i][j];
+            const Kernels here = transforms(z);
+            for (unsigned int k = 0; k < here.size(); ++k)
+              means[m][k] += factors[m] * weight * (k < 4 || y > 0 ? here[k] : -here[k]);
           }
+      for (int lag_x = 1 - int(grid.n_x); lag_x < int(grid.n_x); ++lag_x)
+      {
+        Kernels sum{};
+        for (unsigned int m = 0; m < waves.size(); ++m)
+        {
+          const double cosine = std::cos(waves[m] * lag_x * dx), sine = std::sin(waves[m] * lag_x * dx);
+          for (const unsigned int k : {0, 1, 2, 4})
+            sum[k] += cosine * means[m][k];
+          for (const unsigned int k : {3, 5})
+            sum[k] += sine * means[m][k];
+        }
+        const auto [zz, along_x, along_y, zx, zy, between] = sum;
+        add_between_cells(grid, lag_x, lag_y,
+                          {{{{zz, zx, zy}}, {{-zx, along_x, between}}, {{-zy, between, along_y}}}}, result);
       }
     }
     return result;

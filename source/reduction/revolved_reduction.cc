@@ -134,6 +134,7 @@ namespace vibrocontact
     const HalfSpaceMaterial rigid_body{std::numeric_limits<double>::infinity(), 0.};
     DenseMatrix short_waves =
         short_wave_compliance(grid, HalfSpacePair(contact->material, rigid_body), (N + 0.5) / radius);
+    short_waves.add(1., short_wave_curvature(grid, contact->material, radius, (N + 0.5) / radius));
     turn_with_tread(short_waves);
     result.compliance.add(1., short_waves);
     for (unsigned int j = 0; j < 3 * n_points; ++j)

@@ -43,6 +43,9 @@ namespace vibrocontact
         key << ", " << fingerprint(value);
       key << "\n";
     }
+    // its compliance has had more than a flat half-space's short waves since then
+    if (by_harmonics)
+      key << "short waves of a round tread\n";
     // sections that come with the program and are named by no entry
     for (const char *name :
          {"wheel_section.msh", "wheel_outline.txt", "rail_60e1_section.msh", "rail_60e1_outline.txt"})
