@@ -161,8 +161,9 @@ namespace vibrocontact
 
   namespace
   {
-    /// change over the last 20 periods below which a cycle is called steady
-    constexpr double steady_drift = 1e-2;
+    /// change over the last 20 periods above which a cycle is not called steady, and below which it is: a change of the
+    /// first in 20 periods of 1 kHz is 60 % in a second, of the second 5 %
+    constexpr double unsteady_drift = 1e-2, steady_drift = 1e-3;
     /// spread of the amplitudes from period to period above which it beats
     constexpr double beating_spread = 5e-2;
     /// a force that varies less, over the rms normal force, is not said
@@ -179,13 +180,18 @@ namespace vibrocontact
       if (is_given(signal, "level_dB"))
         line += text(", level %.1f dB (rms re %g m/s)", number(signal, "level_dB"),
                      number(signal, "level_reference_m_s"));
-      if (std::abs(drift) > steady_drift)
-        line +=
-            text("; NOT steady: %+.2g %% over the last %.0f periods", 100 * drift, number(cycle, "periods"));
+      const double periods = number(cycle, "periods");
+      const std::string change = text("%+.2g %% over the last %.0f periods", 100 * drift, periods);
+      if (std::abs(drift) > unsteady_drift)
+        line += "; NOT steady: " + change;
       else if (spread > beating_spread)
         line += text("; not steady: it beats, amplitudes differ by %.2g %%", 100 * spread);
+      else if (std::abs(drift) > steady_drift)
+        line += "; still changes: " + change +
+                text(", at this rate %+.2g %% a second",
+                     100 * std::expm1(std::log1p(drift) / periods * number(cycle, "frequency_Hz")));
       else
-        line += text("; steady (%+.1g over the last %.0f periods)", drift, number(cycle, "periods"));
+        line += "; steady (" + change + ")";
       return line;
     }
   } // namespace
