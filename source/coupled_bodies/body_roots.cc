@@ -126,6 +126,14 @@ namespace vibrocontact
         const unsigned int n_rows = n_patch + masses.size(), n_near = near.size();
         right.reinit(n_rows, size());
         left.reinit(size(), n_rows);
+        right_far.reinit(n_rows, far.size());
+        left_far.reinit(far.size(), n_rows);
+        for (unsigned int r = 0; r < n_rows; ++r)
+          for (unsigned int j = 0; j < far.size(); ++j)
+          {
+            right_far(r, j) = modes.right(r, far[j]);
+            left_far(j, r) = modes.left(far[j], r);
+          }
         for (unsigned int j = 0; j < n_near; ++j)
           for (unsigned int r = 0; r < n_rows; ++r)
           {
@@ -145,24 +153,20 @@ namespace vibrocontact
       ComplexEigenvectors eigenvalues(AnswerOfRest &rest, const Complex &s)
       {
         const unsigned int n_rows = right.m(), n = size();
-        ComplexMatrix C(n_rows, n_rows), receptance(n_rows, n_rows), X = right;
+        ComplexMatrix C(n_rows, n_rows), weighted = right_far, X = right;
         const ComplexMatrix T = rest.at(s);
         add_block(C, T, 0, 0);
         for (unsigned int a = 0; a < masses.size(); ++a)
           C(n_patch + a, n_patch + a) = dynamic_stiffness(masses[a], s);
         for (const unsigned int a : moving)
           C(n_patch + a, n_patch + a) = stiffness_of(masses[a]);
-        for (const unsigned int k : far)
+        for (unsigned int j = 0; j < far.size(); ++j)
         {
-          const Complex factor = 1. / (s * s + modes.lambda[k]);
-          for (unsigned int j = 0; j < n_rows; ++j)
-          {
-            const Complex weight = factor * modes.left(k, j);
-            for (unsigned int i = 0; i < n_rows; ++i)
-              receptance(i, j) += modes.right(i, k) * weight;
-          }
+          const Complex factor = 1. / (s * s + modes.lambda[far[j]]);
+          for (unsigned int i = 0; i < n_rows; ++i)
+            weighted(i, j) *= factor;
         }
-        ComplexMatrix Z = product(receptance, C);
+        ComplexMatrix Z = product(product(weighted, left_far), C);
         for (unsigned int i = 0; i < n_rows; ++i)
           Z(i, i) += 1;
         Z.compute_lu_factorization();
@@ -205,7 +209,7 @@ namespace vibrocontact
       const std::vector<AttachedMass> &masses;
       const unsigned int n_patch;
       std::vector<unsigned int> near, far, moving;
-      ComplexMatrix right, left, forces;
+      ComplexMatrix right, left, right_far, left_far, forces;
     };
 
     double largest(const ComplexMatrix &matrix)
