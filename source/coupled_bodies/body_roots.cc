@@ -212,15 +212,6 @@ namespace vibrocontact
       ComplexMatrix right, left, right_far, left_far, forces;
     };
 
-    double largest(const ComplexMatrix &matrix)
-    {
-      double result = 0;
-      for (unsigned int j = 0; j < matrix.n(); ++j)
-        for (unsigned int i = 0; i < matrix.m(); ++i)
-          result = std::max(result, std::abs(matrix(i, j)));
-      return result;
-    }
-
     /// Im s > 0
     Complex root_of(const Complex &eigenvalue)
     {
@@ -331,79 +322,6 @@ namespace vibrocontact
       return bands;
     }
   } // namespace
-
-  ComplexMatrix AnswerOfRest::Piece::at(const Complex &s) const
-  {
-    // barycentric, in the frequency that s / j is
-    const Complex x = s / Complex(0, 1);
-    std::vector<Complex> shares;
-    Complex all = 0;
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-    {
-      const Complex difference = x - nodes[k];
-      if (std::abs(difference) < 1e-13 * std::abs(x))
-        return values[k];
-      shares.push_back(weights[k] / difference);
-      all += shares.back();
-    }
-    ComplexMatrix sum(values.front().m(), values.front().n());
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      sum.add(shares[k] / all, values[k]);
-    return sum;
-  }
-
-  AnswerOfRest::Piece AnswerOfRest::made(const double from, const double to)
-  {
-    constexpr unsigned int n_nodes = 6;
-    Piece piece{from, to, {}, {}, {}};
-    for (unsigned int k = 0; k < n_nodes; ++k)
-    {
-      const double angle = dealii::numbers::PI * (2 * k + 1) / (2 * n_nodes);
-      piece.nodes.push_back((from + to) / 2 + (to - from) / 2 * std::cos(angle));
-      piece.weights.push_back((k % 2 == 0 ? 1 : -1) * std::sin(angle));
-      piece.values.push_back(equations->seen_by_first(Complex(0, piece.nodes.back())));
-    }
-    return piece;
-  }
-
-  const AnswerOfRest::Piece &AnswerOfRest::piece_of(const double frequency)
-  {
-    constexpr double width = 0.04, narrowest = 1e-4, tolerance = 1e-6;
-    const auto found = pieces.upper_bound(frequency);
-    if (found != pieces.end() && found->second.from <= frequency)
-      return found->second;
-    const double number = std::floor(std::log(frequency) / std::log1p(width));
-    double from = std::exp(number * std::log1p(width)), to = from * (1 + width);
-    for (;;)
-    {
-      Piece piece = made(from, to);
-      // between two nodes next to an end, where it errs most
-      const double between = (piece.nodes[0] + piece.nodes[1]) / 2;
-      ComplexMatrix exact = equations->seen_by_first(Complex(0, between)),
-                    error = piece.at(Complex(0, between));
-      error.add(-1., exact);
-      const bool holds = largest(error) < tolerance * largest(exact);
-      if (!holds && to - from < narrowest * from)
-        throw ConvergenceError("What the other bodies answer at the contact near " +
-                               number_text(frequency / (2 * dealii::numbers::PI)) +
-                               " Hz is too sharp to be kept from one variant to the next: set "
-                               "Stability/Roots to all.");
-      if (holds)
-        return pieces.emplace(to, std::move(piece)).first->second;
-      const double middle = (from + to) / 2;
-      (frequency < middle ? to : from) = middle;
-    }
-  }
-
-  ComplexMatrix AnswerOfRest::at(const Complex &s)
-  {
-    if (!(s.imag() > 0) || !std::isfinite(s.imag()) || !std::isfinite(s.real()))
-      throw ConvergenceError("A root of body 1 with its dampers is sought where it does not oscillate: set "
-                             "Stability/Roots to all.");
-    const Piece &piece = piece_of(s.imag());
-    // farther off the axis its polynomials err more than along it
-    return std::abs(s.real()) < (piece.to - piece.from) / 4 ? piece.at(s) : equations->seen_by_first(s);
-  }
 
   std::vector<StabilityRoot> roots_of_body(AnswerOfRest &nearly, AnswerOfRest &rest, const BareBody &body,
                                            const std::vector<AttachedMass> &masses,

@@ -1,4 +1,8 @@
 #include <vibrocontact/analyses/stability/damper_variants.h>
+#include <vibrocontact/base/failure.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 
@@ -40,20 +44,44 @@ namespace vibrocontact
     rest->basis().Tmmult(bare.amplitudes, trace);
   }
 
-  std::vector<StabilityRoot> DamperVariants::roots(const BodyParameters &body)
+  std::pair<BareBody, std::vector<AttachedMass>> DamperVariants::damped(const BodyParameters &body) const
   {
     const std::vector<WheelDamper> *const dampers = body.description->wheel_dampers();
+    if (!dampers || dampers->empty())
+      return {bare, {}};
+    const std::string path = body.name + "/" + body.body_type().section + "/Damper";
     BareBody with_layers = bare;
-    std::vector<AttachedMass> attached;
-    if (dampers && !dampers->empty())
-    {
-      const std::string path = body.name + "/" + body.body_type().section + "/Damper";
-      with_layers.loss.add(1., loss_of_parts(*section, loss_of_layers(*section, *dampers, path)));
-      attached = attached_masses(*section, *dampers, path);
-    }
+    with_layers.loss.add(1., loss_of_parts(*section, loss_of_layers(*section, *dampers, path)));
+    return {std::move(with_layers), attached_masses(*section, *dampers, path)};
+  }
+
+  std::vector<StabilityRoot> DamperVariants::roots(const BodyParameters &body)
+  {
+    const auto [with_layers, attached] = damped(body);
     std::vector<StabilityRoot> roots = roots_of_body(*nearly, *rest, with_layers, attached);
     for (StabilityRoot &root : roots)
       root.exact = nearly != rest;
     return roots;
+  }
+
+  void DamperVariants::prepare(const std::vector<const BodyParameters *> &bodies, const MPI_Comm communicator)
+  {
+    const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator),
+                       rank = dealii::Utilities::MPI::this_mpi_process(communicator);
+    std::vector<double> own, all;
+    for (unsigned int k = rank; k < bodies.size(); k += n_ranks)
+    {
+      // a variant that comes to nothing says so when it is computed
+      const Failure ignored = failure_of(
+          [&]
+          {
+            const auto [with_layers, attached] = damped(*bodies[k]);
+            for (const StabilityRoot &root : roots_of_body(*nearly, *nearly, with_layers, attached))
+              own.push_back(2 * dealii::numbers::PI * root.frequency);
+          });
+    }
+    for (const std::vector<double> &some : dealii::Utilities::MPI::all_gather(communicator, own))
+      all.insert(all.end(), some.begin(), some.end());
+    rest->make_pieces(all, communicator);
   }
 } // namespace vibrocontact

@@ -7,9 +7,12 @@
 #include <vibrocontact/analyses/stability/sweep_case.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/failure.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/run/say_residual_damping.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -56,7 +59,8 @@ namespace vibrocontact
         {
           variants = std::make_unique<DamperVariants>(bare.pair, *bare.loss, scheme, about,
                                                       reduced.front()->section);
-          return variants->roots(parameters.scene.bodies[0]);
+          // each case has its own
+          return std::vector<StabilityRoot>(1);
         };
         equilibrium.result =
             stability(
@@ -120,7 +124,12 @@ namespace vibrocontact
         }
       }
 
-      void prepare(const unsigned int k) override { reduced.prepare(k); }
+      void prepare(const unsigned int k) override
+      {
+        reduced.prepare(k);
+        if (k + 1 == sweep.cases.size() && differ_by_dampers())
+          share_scene();
+      }
 
       unsigned int cases_per_chunk() const override
       {
@@ -146,11 +155,7 @@ namespace vibrocontact
         const SweepCase &one = sweep.cases[k];
         if (!on.parameters.stability.are_of_body_1())
           return dealii::Utilities::pack(solve(one, on.measured, reduced.of(k), bodies[k]), false);
-        const std::string dampers = on.parameters.scene.bodies[0].name + "/Wheel/Damper/";
-        const bool same_scene =
-            std::all_of(sweep.entries.begin(), sweep.entries.end(),
-                        [&](const std::string &entry) { return entry.rfind(dampers, 0) == 0; });
-        if (!shared || !same_scene)
+        if (!shared || !differ_by_dampers())
           shared = std::make_unique<SharedScene>(one, on.measured, reduced.of(k), bodies[k]);
         return dealii::Utilities::pack(shared->solve(one), false);
       }
@@ -254,6 +259,38 @@ namespace vibrocontact
       }
 
     private:
+      bool differ_by_dampers() const
+      {
+        const std::string dampers = on.parameters.scene.bodies[0].name + "/Wheel/Damper/";
+        return on.parameters.stability.are_of_body_1() &&
+               std::all_of(sweep.entries.begin(), sweep.entries.end(),
+                           [&](const std::string &entry) { return entry.rfind(dampers, 0) == 0; });
+      }
+
+      /// What the cases share, made before they are shared out. A reason why it cannot be made is said with the cases.
+      void share_scene()
+      {
+        const unsigned int n = sweep.cases.size(), n_samples = std::min(n, 32u);
+        Failure failure;
+        {
+          const SingleRank lone;
+          failure = failure_of(
+              [&] {
+                shared = std::make_unique<SharedScene>(sweep.cases[0], on.measured, reduced.of(0), bodies[0]);
+              });
+        }
+        if (dealii::Utilities::MPI::max(failure ? 1 : 0, run_communicator()) > 0)
+        {
+          shared.reset();
+          return;
+        }
+        std::vector<const BodyParameters *> samples;
+        for (unsigned int i = 0; i < n_samples; ++i)
+          samples.push_back(
+              &sweep.cases[i * (n - 1) / std::max(n_samples - 1, 1u)].parameters().scene.bodies[0]);
+        shared->variants->prepare(samples, run_communicator());
+      }
+
       std::vector<CaseOfRow> followed(const unsigned int first, const unsigned int length) const
       {
         std::vector<const SweepCase *> cases;
