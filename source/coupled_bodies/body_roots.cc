@@ -1,3 +1,4 @@
+#include <vibrocontact/base/complex_dense.h>
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
@@ -128,11 +129,14 @@ namespace vibrocontact
         left.reinit(size(), n_rows);
         right_far.reinit(n_rows, far.size());
         left_far.reinit(far.size(), n_rows);
+        real_left_far.reinit(far.size(), n_rows);
         for (unsigned int r = 0; r < n_rows; ++r)
           for (unsigned int j = 0; j < far.size(); ++j)
           {
             right_far(r, j) = modes.right(r, far[j]);
             left_far(j, r) = modes.left(far[j], r);
+            real_left_far(j, r) = left_far(j, r).real();
+            has_real_modes = has_real_modes && left_far(j, r).imag() == 0;
           }
         for (unsigned int j = 0; j < n_near; ++j)
           for (unsigned int r = 0; r < n_rows; ++r)
@@ -166,7 +170,7 @@ namespace vibrocontact
           for (unsigned int i = 0; i < n_rows; ++i)
             weighted(i, j) *= factor;
         }
-        ComplexMatrix Z = product(product(weighted, left_far), C);
+        ComplexMatrix Z = product(of_far(weighted), C);
         for (unsigned int i = 0; i < n_rows; ++i)
           Z(i, i) += 1;
         Z.compute_lu_factorization();
@@ -196,6 +200,13 @@ namespace vibrocontact
       }
 
     private:
+      /// weighted left_far, in half of the time if the modes are real
+      ComplexMatrix of_far(const ComplexMatrix &weighted) const
+      {
+        return has_real_modes
+                   ? mapped(weighted, [&](const DenseMatrix &part) { return product(part, real_left_far); })
+                   : product(weighted, left_far);
+      }
       static ComplexEigenvectors alone(const Complex &value)
       {
         ComplexEigenvectors one;
@@ -210,6 +221,8 @@ namespace vibrocontact
       const unsigned int n_patch;
       std::vector<unsigned int> near, far, moving;
       ComplexMatrix right, left, right_far, left_far, forces;
+      DenseMatrix real_left_far;
+      bool has_real_modes = true;
     };
 
     /// Im s > 0
@@ -247,6 +260,7 @@ namespace vibrocontact
     /// @param at where `root` was found @param tolerance of |s|
     void settle(Band &band, AnswerOfRest &rest, Complex at, const double tolerance, Candidate &root)
     {
+      Complex before = 0, change_before = 0;
       for (unsigned int pass = 0; pass < most_passes; ++pass)
       {
         if (std::abs(root.s - at) < tolerance * std::abs(root.s))
@@ -268,8 +282,14 @@ namespace vibrocontact
             v = other;
           }
         }
-        root.s = next;
+        // the secant of what a pass changes, once that grows smaller
+        const Complex change = next - at;
+        root.s = pass > 0 && std::abs(change) < 0.1 * std::abs(change_before)
+                     ? at - change * (at - before) / (change - change_before)
+                     : next;
         root.v = v;
+        before = at;
+        change_before = change;
       }
       throw ConvergenceError("The root near " + number_text(root.s.imag() / (2 * dealii::numbers::PI)) +
                              " Hz of body 1 with its dampers does not settle: set Stability/Roots to all.");

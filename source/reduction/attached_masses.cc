@@ -125,8 +125,6 @@ namespace vibrocontact
       if (damper.is_layer())
         continue;
       const unsigned int point = place_of(section, damper, path);
-      if (damper.mass == 0)
-        continue;
       if (damper.is_ring())
         add_ring(section, damper, point, all);
       else

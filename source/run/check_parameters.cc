@@ -275,6 +275,8 @@ namespace vibrocontact
         return;
       if (!parameters.sweeps.at("stability").any())
         throw InputError(is + "which is for variants: give them in Stability/Sweep, or set Roots to all.");
+      if (parameters.stability.second_count)
+        throw InputError(is + "beside which Second count would count those without dampers: leave it out.");
       if (!body.is_revolved() || body.rolls())
         throw InputError(is + "which is for a wheel with Model = harmonics that does not rotate, but " +
                          body.name + " is none: set Roots to all.");

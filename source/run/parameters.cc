@@ -6,6 +6,7 @@
 #include <vibrocontact/reduction/window.h>
 #include <vibrocontact/run/parameters.h>
 #include <vibrocontact/scene/identified.h>
+#include <vibrocontact/scene/wheel_damper.h>
 
 #include <algorithm>
 #include <cmath>
@@ -293,6 +294,16 @@ namespace vibrocontact
 
   namespace
   {
+    std::string commented(const std::string &what, const DeclaredParameters &parameters)
+    {
+      std::istringstream lines(print_parameters(parameters, ParameterStyle::documented));
+      std::string text = "\n\n# " + what + " has these entries:\n#\n";
+      for (std::string line; std::getline(lines, line);)
+        if (!line.empty())
+          text += "# " + line + "\n";
+      return text;
+    }
+
     /// The section of a body as comments: an example for a type that the printed file does not use.
     std::string commented_body(const BodyType &type, const std::shared_ptr<const EntryTables> &tables)
     {
@@ -312,12 +323,21 @@ namespace vibrocontact
       for (const auto &section : all.sections)
         if (belongs(section))
           own.sections.push_back(section);
-      std::istringstream lines(print_parameters(own, ParameterStyle::documented));
-      std::string text = "\n\n# A body of type " + type.name + " (" + type.help + ") has these entries:\n#\n";
-      for (std::string line; std::getline(lines, line);)
-        if (!line.empty())
-          text += "# " + line + "\n";
-      return text;
+      return commented("A body of type " + type.name + " (" + type.help + ")", own);
+    }
+
+    /// The same of a damper, which has a section of its name in a wheel's.
+    std::string commented_damper()
+    {
+      dealii::ParameterHandler prm;
+      WheelDamper damper;
+      for (const char *const section : {"wheel", "Wheel", "Damper", "NAME"})
+        prm.enter_subsection(section);
+      damper.declare_parameters(prm);
+      for (unsigned int k = 0; k < 4; ++k)
+        prm.leave_subsection();
+      return commented("A damper NAME that wheel/Wheel/Dampers lists (Model = harmonics)",
+                       declared_parameters(prm));
     }
   } // namespace
 
@@ -339,6 +359,6 @@ namespace vibrocontact
     for (const BodyType &type : tables->body_types)
       if (type.name != "wheel" && type.name != "rail")
         text += commented_body(type, tables);
-    return text;
+    return text + commented_damper();
   }
 } // namespace vibrocontact

@@ -204,6 +204,25 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    /// What reduction/damped_wheel.h refuses, on a section without modes.
+    void check_places_of_dampers(const BodyParameters &body, const RevolvedSection &elements)
+    {
+      const std::vector<WheelDamper> *const dampers = body.description->wheel_dampers();
+      if (!dampers || dampers->empty())
+        return;
+      RevolvedShapes section;
+      for (const auto &point : elements.boundary(0).points)
+        section.points.insert(section.points.end(), {point[0], point[1]});
+      for (const RevolvedSection::Part &part : elements.parts())
+        section.cells.insert(section.cells.end(), {part.centre[0], part.centre[1], double(part.material)});
+      const std::string path = body.name + "/" + body.body_type().section + "/Damper";
+      attached_masses(section, *dampers, path);
+      loss_of_layers(section, *dampers, path);
+    }
+  } // namespace
+
   void check_meshes(const Parameters &parameters, const MeshedBodies &bodies, const bool all)
   {
     for (const auto &track : bodies.tracks)
@@ -220,7 +239,8 @@ namespace vibrocontact
         if (cached && !wanted)
           continue;
         if (body->parameters.is_revolved())
-          body->reduction.revolved(); // its section and contact are checked
+          // its section and contact are checked
+          check_places_of_dampers(body->parameters, body->reduction.revolved().elements());
         if (!body->parameters.is_solid())
           continue;
         body->elastic_body();

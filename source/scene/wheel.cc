@@ -87,12 +87,13 @@ namespace vibrocontact
                       "harmonics). Section Damper then holds a subsection of each name. Units: none.",
                       Patterns::Anything());
     prm.enter_subsection("Damper");
-    for (WheelDamper &damper : dampers)
-    {
-      prm.enter_subsection(damper.name);
-      damper.declare_parameters(prm);
-      prm.leave_subsection();
-    }
+    for (std::vector<WheelDamper> *const some : {&dampers, &unlisted_dampers})
+      for (WheelDamper &damper : *some)
+      {
+        prm.enter_subsection(damper.name);
+        damper.declare_parameters(prm);
+        prm.leave_subsection();
+      }
     prm.leave_subsection();
     prm.add_parameter(
         "Write mesh", write_mesh,
@@ -295,6 +296,12 @@ namespace vibrocontact
       dampers.emplace_back();
       dampers.back().name = name;
     }
+    // an option that lists others leaves the file its sections
+    unlisted_dampers.clear();
+    const ParameterFile alone(file.file_name(), file.bytes());
+    for (const std::string &name : split_list(alone.raw_value(section, "Dampers")))
+      if (std::count(names.begin(), names.end(), name) == 0)
+        unlisted_dampers.emplace_back().name = name;
   }
 
   bool WheelParameters::add_entries(EntriesRead &entries, const std::string &section,

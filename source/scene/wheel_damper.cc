@@ -47,6 +47,10 @@ namespace vibrocontact
       throw InputError(section + "/Inner radius is " + number_text(inner_radius) +
                        " m, not below Outer radius, " + number_text(outer_radius) +
                        " m: give the radii between which the layer lies.");
+    if (!is_layer() && !(mass > 0))
+      throw InputError(section + "/Mass is 0: give the mass of " +
+                       (is_ring() ? "the whole ring" : "each absorber") + ", or leave " + name +
+                       " out of Dampers.");
     if (!is_layer() && !(radius > 0))
       throw InputError(section + "/Radius is 0: give the place of the " + kind +
                        " on the wheel's section, its Axial position and Radius.");

@@ -28,7 +28,7 @@ namespace vibrocontact
     double stiffness() const { return mass * omega * omega; }
   };
 
-  /// All masses of some dampers on a wheel; none of layers and of those that weigh nothing. Absorbers stand at the point of the
+  /// All masses of some dampers on a wheel; none of layers. Absorbers stand at the point of the
   /// section's boundary that is next to their place, number of them evenly around the axle; along the directions without
   /// spring they are fixed. A ring has its motions wave by wave: around the axle a shape cos(n theta) has the mean square
   /// 1/2, so that half of the ring's mass and stiffness goes with each mode of n > 0, and all of it with n = 0.

@@ -32,6 +32,8 @@ namespace vibrocontact
     bool rotation = false;
     /// what damps it besides its materials, by harmonics
     std::vector<WheelDamper> dampers;
+    /// those of the file that an option has put out of use
+    std::vector<WheelDamper> unlisted_dampers;
     /// gmsh file to write the coarse mesh to; empty: none
     std::string write_mesh;
     /// similar wheels: all lengths times this factor
