@@ -18,6 +18,8 @@ namespace vibrocontact
     constexpr double crossing = 1e-3;
     constexpr double alike = 0.5;
     constexpr double as_listed = 1e-6;
+    /// roots that decay and are looked at beside those that grow
+    constexpr std::ptrdiff_t n_nearest = 3;
 
     /// |x_a^H x_b|^2 of forces of unit length
     double likeness(const FollowedRoot &root, const ContactReceptance &next, const ContactRoot &found)
@@ -46,7 +48,7 @@ namespace vibrocontact
     return root.frequency > 0 && std::abs(s - value_of(root)) < as_listed * std::abs(s);
   }
 
-  std::vector<unsigned int> nearest_to_growing(const std::vector<StabilityRoot> &all)
+  std::vector<unsigned int> growing_and_nearest(const std::vector<StabilityRoot> &all)
   {
     std::vector<unsigned int> numbers;
     for (unsigned int i = 0; i < all.size(); ++i)
@@ -55,7 +57,18 @@ namespace vibrocontact
     std::stable_sort(numbers.begin(), numbers.end(),
                      [&](const unsigned int a, const unsigned int b)
                      { return all[a].divergence_rate > all[b].divergence_rate; });
+    const auto first_decaying = std::find_if(numbers.begin(), numbers.end(),
+                                             [&](const unsigned int i) { return !(all[i].growth > 0); });
+    if (numbers.end() - first_decaying > n_nearest)
+      numbers.erase(first_decaying + n_nearest, numbers.end());
     return numbers;
+  }
+
+  const StabilityRoot &nearest_listed(const std::vector<StabilityRoot> &all, const Complex &s)
+  {
+    return *std::min_element(all.begin(), all.end(),
+                             [&](const StabilityRoot &a, const StabilityRoot &b)
+                             { return std::abs(value_of(a) - s) < std::abs(value_of(b) - s); });
   }
 
   FollowedRoot followed_root(const ContactReceptance &F, const ContactRoot &root)

@@ -185,15 +185,17 @@ TEST(FollowedRoots, ANeighbourIsRefused)
 
 TEST(FollowedRoots, TheListedRootAndThoseNearestToGrowing)
 {
-  std::vector<StabilityRoot> all(4);
-  const double frequency[] = {10, 20, 0, 30}, divergence[] = {-1e-2, 1e-3, 1, -1e-4};
-  for (unsigned int i = 0; i < 4; ++i)
+  std::vector<StabilityRoot> all(7);
+  const double frequency[] = {10, 20, 0, 30, 40, 50, 60},
+               divergence[] = {-1e-2, 1e-3, 1, -1e-4, -3e-2, 2e-3, -2e-2};
+  for (unsigned int i = 0; i < 7; ++i)
   {
     all[i].frequency = frequency[i];
     all[i].divergence_rate = divergence[i];
     all[i].growth = divergence[i] * 2 * M_PI * frequency[i];
   }
-  EXPECT_EQ(nearest_to_growing(all), (std::vector<unsigned int>{1, 3, 0}));
+  // all that grow, three beside them, none without oscillation
+  EXPECT_EQ(growing_and_nearest(all), (std::vector<unsigned int>{5, 1, 3, 0, 6}));
   EXPECT_TRUE(is_at(value_of(all[1]) * (1 + 1e-7), all[1]));
   EXPECT_FALSE(is_at(value_of(all[1]) * (1 + 1e-5), all[1]));
 }

@@ -13,9 +13,12 @@ namespace vibrocontact
   std::complex<double> value_of(const StabilityRoot &root);
   /// Whether a root of F is one that is listed: within 1e-6 of |s|, which the eigenvalues of the states miss by less.
   bool is_at(const std::complex<double> &s, const StabilityRoot &root);
-  /// Numbers of the roots that oscillate, by descending divergence rate. Beside those that grow so many are looked at.
-  std::vector<unsigned int> nearest_to_growing(const std::vector<StabilityRoot> &all);
-  constexpr unsigned int n_nearest_roots = 3;
+  /// The roots that matter: numbers of those that oscillate and grow, and of the three others that are nearest to that, by
+  /// descending divergence rate.
+  std::vector<unsigned int> growing_and_nearest(const std::vector<StabilityRoot> &all);
+
+  /// Of a list that is not empty the root nearest to a place.
+  const StabilityRoot &nearest_listed(const std::vector<StabilityRoot> &all, const std::complex<double> &s);
 
   /// A root on its way from case to case: another friction, another place, other dampers. The next case is its F(s) alone,
   ///

@@ -187,9 +187,8 @@ namespace vibrocontact
             if (known != before.end() && may_grow && known->second + change > 0)
               chosen[a - 1].emplace(number[a - 1].at(root.path), false);
           }
-          const std::vector<unsigned int> nearest = nearest_to_growing(roots);
-          for (unsigned int i = 0; i < std::min<std::size_t>(n_nearest_roots, nearest.size()); ++i)
-            chosen[a].emplace(nearest[i], false);
+          for (const unsigned int i : growing_and_nearest(roots))
+            chosen[a].emplace(i, false);
           before = std::move(growth);
         }
       }
@@ -237,12 +236,9 @@ namespace vibrocontact
       ContactRoot root_from_list(const unsigned int k, const Complex &start, const double reach)
       {
         complete(k);
-        const auto distance = [&](const StabilityRoot &root) { return std::abs(value_of(root) - start); };
-        const StabilityRoot &nearest = *std::min_element(cases[k].all.begin(), cases[k].all.end(),
-                                                         [&](const StabilityRoot &a, const StabilityRoot &b)
-                                                         { return distance(a) < distance(b); });
+        const StabilityRoot &nearest = nearest_listed(cases[k].all, start);
         const ContactRoot found = contact_root(*cases[k].F, value_of(nearest));
-        if (distance(nearest) > reach || !is_at(found.s, nearest))
+        if (std::abs(value_of(nearest) - start) > reach || !is_at(found.s, nearest))
           throw ConvergenceError("The root at " + number_text(nearest.frequency) +
                                  " Hz is not the one that is followed.");
         return found;

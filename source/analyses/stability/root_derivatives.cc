@@ -102,7 +102,7 @@ namespace vibrocontact
       /// of the first case: the decaying ones that are none of F
       std::vector<std::string> without;
       std::vector<Complex> s;
-      /// 0: one that decays cannot be followed into this case
+      /// 0: one that decays cannot be followed into this case, and is not listed where it is predicted
       std::vector<int> followed;
       /// y^T F x of this case's F
       std::vector<Complex> change;
@@ -178,6 +178,7 @@ namespace vibrocontact
         }
         add_receptances(varied, result);
         const std::vector<double> reach = reaches(starts);
+        std::vector<StabilityRoot> all;
         for (unsigned int r = 0; r < roots.size(); ++r)
           try
           {
@@ -187,11 +188,23 @@ namespace vibrocontact
           }
           catch (const ConvergenceError &)
           {
-            // a draw without it would bias its scatter
-            if (roots[r].s.real() > 0 || !is_of_derivative(k))
+            if (is_of_derivative(k) && roots[r].s.real() > 0)
               throw;
             result.s.push_back(starts[r]);
             result.followed.push_back(0);
+            if (is_of_derivative(k))
+              continue;
+            // in a draw the root by LAPACK that was predicted
+            if (all.empty())
+              all = roots_of(varied, k);
+            if (const Complex s = value_of(nearest_listed(all, starts[r]));
+                std::abs(s - starts[r]) < reach[r])
+            {
+              result.s.back() = s;
+              result.followed.back() = 1;
+            }
+            else if (roots[r].s.real() > 0)
+              throw;
           }
         return dealii::Utilities::pack(result, false);
       }
@@ -208,7 +221,7 @@ namespace vibrocontact
             run_log().warning("No derivatives of " + label +
                               ", which decays: the contact's own equations do not have this root.");
           for (unsigned int r = 0; r < result.followed.size(); ++r)
-            if (!result.followed[r])
+            if (is_of_derivative(k) && !result.followed[r])
               run_log().warning(case_text(sweep, sweep.cases[k]) + ": " + results.front().labels[r] +
                                 ", which decays, cannot be followed, so that its derivative has no "
                                 "difference beside it and is left out.");
@@ -299,31 +312,36 @@ namespace vibrocontact
         on_first_rank([&] { table.write(on.folder + "/receptance_derivatives.csv"); });
       }
 
+      std::vector<StabilityRoot> roots_of(const EquationsOfCase &of, const unsigned int k) const
+      {
+        const Parameters &parameters = sweep.cases[k].parameters();
+        return all_roots(of.bodies->pair, find_creep_scheme(parameters.contact().creep_scheme), of.about,
+                         parameters.stability.options(), of.bodies->loss_or_null());
+      }
+
       void begin()
       {
         nominal = equations_of_case(sweep.cases[0], on.measured, reduced.of(0), bodies[0], nullptr);
-        const Parameters &parameters = sweep.cases[0].parameters();
-        const std::vector<StabilityRoot> all =
-            all_roots(nominal->bodies->pair, find_creep_scheme(parameters.contact().creep_scheme),
-                      nominal->about, parameters.stability.options(), nominal->bodies->loss_or_null());
-        unsigned int beside = 0;
-        for (const unsigned int i : nearest_to_growing(all))
-          if (const StabilityRoot &root = all[i]; root.growth > 0 || beside++ < n_nearest_roots)
-            try
-            {
-              ContactRoot found = contact_root(*nominal->F, value_of(root), {}, true);
-              if (!is_at(found.s, root))
-                throw ConvergenceError(
-                    "The contact's equations do not have a root of the eigenproblem: " + root.label + ".");
-              roots.push_back(std::move(found));
-              labels.push_back(root.label);
-            }
-            catch (const ConvergenceError &)
-            {
-              if (root.growth > 0)
-                throw;
-              without.push_back(root.label);
-            }
+        const std::vector<StabilityRoot> all = roots_of(*nominal, 0);
+        for (const unsigned int i : growing_and_nearest(all))
+        {
+          const StabilityRoot &root = all[i];
+          try
+          {
+            ContactRoot found = contact_root(*nominal->F, value_of(root), {}, true);
+            if (!is_at(found.s, root))
+              throw ConvergenceError(
+                  "The contact's equations do not have a root of the eigenproblem: " + root.label + ".");
+            roots.push_back(std::move(found));
+            labels.push_back(root.label);
+          }
+          catch (const ConvergenceError &)
+          {
+            if (root.growth > 0)
+              throw;
+            without.push_back(root.label);
+          }
+        }
         if (roots.empty())
           throw ConvergenceError(
               "None of the roots nearest to growing is one of the contact's own equations.");
@@ -396,7 +414,12 @@ namespace vibrocontact
               growth > 0 ? 0.5 * std::erfc(-s.real() / (growth * std::sqrt(2.))) : (s.real() > 0 ? 1. : 0.);
           std::vector<double> growths;
           for (const unsigned int k : drawn)
-            growths.push_back(results[k].s[r].real());
+            if (results[k].followed[r])
+              growths.push_back(results[k].s[r].real());
+          if (growths.size() < drawn.size())
+            run_log().warning(results.front().labels[r] + ", which decays, can be followed in " +
+                              std::to_string(growths.size()) + " of " + std::to_string(drawn.size()) +
+                              " draws; its scatter is that of these.");
           const Scatter scatter = scatter_of(growths);
           std::vector<Table::Cell> cells = {
               results.front().labels[r], s.imag() / two_pi, s.real(), frequency, growth, probability};
@@ -411,13 +434,13 @@ namespace vibrocontact
           if (!drawn.empty())
           {
             cells.insert(cells.end(),
-                         {double(drawn.size()), scatter.mean, scatter.deviation, scatter.growing});
-            json.back()["draws"] = drawn.size();
+                         {double(growths.size()), scatter.mean, scatter.deviation, scatter.growing});
+            json.back()["draws"] = growths.size();
             json.back()["mean_of_draws_1_s"] = scatter.mean;
             json.back()["deviation_of_draws_1_s"] = scatter.deviation;
             json.back()["share_of_growing_draws"] = scatter.growing;
             std::snprintf(line, sizeof line, "; %zu draws: mean %+.3f, deviation %.3f, %.1f %% grow",
-                          drawn.size(), scatter.mean, scatter.deviation, 100 * scatter.growing);
+                          growths.size(), scatter.mean, scatter.deviation, 100 * scatter.growing);
             text += line;
           }
           table.add_row(cells);
@@ -428,8 +451,9 @@ namespace vibrocontact
           std::vector<Table::Cell> cells = {double(k - 2 * m - 1)};
           for (unsigned int i = 0; i < m; ++i)
             cells.push_back(value(k, i));
-          for (const Complex &s : results[k].s)
-            cells.push_back(s.real());
+          for (unsigned int r = 0; r < results[k].s.size(); ++r)
+            cells.push_back(results[k].followed[r] ? Table::Cell(results[k].s[r].real())
+                                                   : Table::Cell(std::string()));
           draws.add_row(cells);
         }
         on.results.analyses["stability"]["scatter"] = json;

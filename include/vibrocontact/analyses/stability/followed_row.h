@@ -23,7 +23,7 @@ namespace vibrocontact
   ///       <------------
   ///
   /// Followed are, through the whole row, the roots that grow in a complete case, those that would if their growth changed as much
-  /// again as from one complete case to the next (if they decay by less than 5e-3 of their angular frequency), and the three nearest to growing. The first step of a root is predicted by its
+  /// again as from one complete case to the next (if they decay by less than 5e-3 of their angular frequency), and beside those that grow the three nearest to that. The first step of a root is predicted by its
   /// derivative, others by the step before. One that grows in no complete case is dropped where following fails, as it does for a mode that hardly moves the
   /// contact. In each complete case every followed root has to be one of those that LAPACK lists, no
   /// two the same, and each that grows is followed. Where Newton's method does not lead to the next case, that case is solved
