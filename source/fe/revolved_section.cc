@@ -63,12 +63,17 @@ namespace vibrocontact
 
   RevolvedSection::RevolvedSection(const std::string &name,
                                    std::shared_ptr<const Triangulation<2>> triangulation_,
-                                   const ElasticModel<3> &model, const unsigned int degree)
+                                   const ElasticModel<3> &model, const unsigned int degree,
+                                   const std::function<Point<2>(const Point<2> &)> &displacement)
       : name(name), triangulation(std::move(triangulation_)), model(model), element(FE_Q<2>(degree), 3),
         mapping(degree), dof_handler(*triangulation)
   {
     // of no higher order than the displacements: straight motions of the body are among them
-    mapping.initialize(MappingQ<2>(degree), *triangulation);
+    mapping.initialize(
+        MappingQ<2>(degree), *triangulation,
+        [&](const typename Triangulation<2>::cell_iterator &, const Point<2> &p)
+        { return displacement ? displacement(p) : Point<2>(); },
+        true);
     dof_handler.distribute_dofs(element);
     compute_cells();
   }
@@ -136,6 +141,10 @@ namespace vibrocontact
         if (!(r > 0))
           throw InputError("The section of body " + name + " crosses its axle: it reaches a radius of " +
                            number_text(r) + " m; give one half of the section, all radii above 0.");
+        if (!(dA > 0))
+          throw InputError("The section of body " + name + " has a cell that is inverted at (" +
+                           number_text(values.quadrature_point(q)[0]) + ", " + number_text(r) +
+                           ") m: change the thickness of its web by less, or give it smaller cells.");
         total_mass += 2 * numbers::PI * material.density * dA;
         for (unsigned int k = 0; k < n; ++k)
         {

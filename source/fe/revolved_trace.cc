@@ -108,7 +108,7 @@ namespace vibrocontact
       const auto [at, is_new] = number_of.emplace(cell->vertex_index(vertex), result.points.size());
       if (is_new)
       {
-        result.points.push_back(cell->vertex(vertex));
+        result.points.push_back(places[cell->vertex_dof_index(vertex, 0)]);
         for (unsigned int c = 0; c < 3; ++c)
           result.rows.push_back(merged({{cell->vertex_dof_index(vertex, c), 1.}}, constraints));
       }

@@ -20,10 +20,14 @@ namespace vibrocontact
     key.precision(17);
     const DeclaredParameters::Entry *const model = parameters.find(body + "/Wheel", "Model");
     const bool by_harmonics = model && model->value == "harmonics";
+    const DeclaredParameters::Entry *const web = parameters.find(body + "/Wheel", "Web thickness change");
+    const bool as_drawn = web && std::stod(web->value) == 0;
     for (const DeclaredParameters::Entry &entry : parameters.entries)
     {
       const bool own = entry.section == body || entry.section.rfind(body + "/", 0) == 0;
       if (!own || entry.section == body + "/Modes" || (entry.name == "Materials" && entry.value.empty()))
+        continue;
+      if (as_drawn && (entry.name == "Web thickness change" || entry.name == "Web radii"))
         continue;
       // what turns is made of the modes at rest
       if (entry.section == body + "/Wheel" && entry.name == "Rotation")
@@ -160,7 +164,8 @@ namespace vibrocontact
                                            mesh.surface_height};
     }
     return std::make_unique<RevolvedReduction>(
-        std::make_unique<RevolvedSection>(parameters.name, mesh.triangulation, model, mesh.degree),
+        std::make_unique<RevolvedSection>(parameters.name, mesh.triangulation, model, mesh.degree,
+                                          mesh.displacement),
         parameters.name, mesh.radius, lateral_position, contact, communicator);
   }
 

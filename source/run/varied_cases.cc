@@ -32,7 +32,7 @@ namespace vibrocontact
     VariedEntry varied_entry(const std::string &entry, const DeclaredParameters &declared,
                              const std::string &where)
     {
-      constexpr double relative_step = 1e-4, along_length = 5e-6;
+      constexpr double relative_step = 1e-4, along_tread = 5e-6, from_zero = 5e-7;
       const std::size_t slash = entry.rfind('/');
       const DeclaredParameters::Entry *const found =
           slash == std::string::npos ? nullptr
@@ -48,8 +48,10 @@ namespace vibrocontact
         throw InputError(where + entry + ", whose value is '" + found->value +
                          "', no number: take an entry that has one.");
       const bool is_length = unit_of(found->documentation) == "m";
-      if (entry == ParameterSweep::lateral_position || (is_length && value == 0))
-        return {value, along_length};
+      if (entry == ParameterSweep::lateral_position)
+        return {value, along_tread};
+      if (is_length && value == 0)
+        return {value, from_zero};
       if (value == 0)
         throw InputError(where + entry + ", which is 0, so that no step of it is small: give it a value.");
       return {value, relative_step * std::abs(value)};

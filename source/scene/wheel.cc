@@ -63,6 +63,7 @@ namespace vibrocontact
   {
     using Patterns::Double;
     section.declare_parameters(prm, "half of it: axial, radius");
+    web.declare_parameters(prm);
     prm.add_parameter(
         "Model", model,
         "Elements: solid, hexahedra all around; harmonics, quadrilaterals of the section and one "
@@ -119,6 +120,8 @@ namespace vibrocontact
   {
     section.check(path);
     refinement.check(path);
+    if (is_by_harmonics() && (web.change != 0 || !web.radii.empty()))
+      web_motion(section.read_outline(scale), path);
     for (const WheelDamper &damper : dampers)
     {
       damper.check(path + "/Damper/" + damper.name);
@@ -309,6 +312,7 @@ namespace vibrocontact
   {
     this->section.add_entries(entries, section);
     entries.add(section, "Scale, Model");
+    entries.add_if(is_by_harmonics(), "Model is harmonics", section, "Web thickness change, Web radii");
     entries.add_if(!is_by_harmonics(), "Model is solid", section,
                    "Write mesh, Contact division, Coarse division, Growth, Fine length");
     entries.add_if(is_by_harmonics() && (use.contact || use.points),
@@ -326,6 +330,15 @@ namespace vibrocontact
     return true;
   }
 
+  std::function<Point<2>(const Point<2> &)> WheelParameters::web_motion(const SectionOutline &outline,
+                                                                        const std::string &path) const
+  {
+    std::vector<double> usual;
+    if (section.is_built_in())
+      usual = {0.175 * scale, 0.37 * scale};
+    return web.motion(outline, usual, path);
+  }
+
   RevolvedMesh WheelParameters::make_section(const MeshRequest &request) const
   {
     const SectionOutline outline = section.read_outline(scale);
@@ -336,6 +349,7 @@ namespace vibrocontact
     mesh.radius = tread_radius(outline, request.lateral_position);
     mesh.lateral_position = request.lateral_position;
     mesh.degree = section.element_degree;
+    mesh.displacement = web_motion(outline, request.name + "/Wheel");
     mesh.n_harmonics = n_harmonics;
     auto triangulation =
         section_triangulation(cells, outline, {{"bore", wheel_bore_id}, {"tread", wheel_contact_id}});

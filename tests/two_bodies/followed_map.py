@@ -3,7 +3,7 @@
 
 Lateral position (on and between grid points) x friction: every followed root is one of the complete solution, roots that grow are
 the same by name, two ranks give the same. Derivatives by left and right vectors are the differences of the roots, with respect to
-friction, load, position, damping, loss factor, pad stiffness; draws scatter as the first order says.
+friction, load, position, damping, loss factor, pad stiffness, thickness of the wheel's web; draws scatter as the first order says.
 """
 import math
 
@@ -50,7 +50,7 @@ for a, b in zip(whole["stability"]["cases"], one["stability"]["cases"]):
     n += len(names[0])
 check.near("roots grow", n > 10, True, 1e-9)
 
-names = "Contact/Friction coefficient, Contact/Lateral position, Rolling/Hub displacement, wheel/Modes/Damping factor, rail/Material/Loss factor, rail/Beam rail/Pad stiffness z"
+names = "Contact/Friction coefficient, Contact/Lateral position, Rolling/Hub displacement, wheel/Modes/Damping factor, rail/Material/Loss factor, rail/Beam rail/Pad stiffness z, wheel/Wheel/Web thickness change"
 for loss, some in ("viscous", names.split(", ")[:3]), ("hysteretic", names.split(", ")[3:]):
     found, folder = run("derivatives_" + loss, scene(entries(Loss=loss), section("Derivatives", entries(
         Entries=", ".join(some), Standard_deviations=", ".join(["1e-6"] * len(some)))),

@@ -11,6 +11,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -61,8 +62,10 @@ namespace vibrocontact
     /// @param triangulation of the half section, boundary ids and material ids set; r > 0, or 0 on the axle of a body without
     /// bore
     /// @param model materials, held boundaries, gravity (x, y, z; z up at the contact, which is below the axle); nothing else
+    /// @param displacement of the section's points from where the triangulation has them [m]; null: none
     RevolvedSection(const std::string &name, std::shared_ptr<const dealii::Triangulation<2>> triangulation,
-                    const ElasticModel<3> &model, unsigned int degree);
+                    const ElasticModel<3> &model, unsigned int degree,
+                    const std::function<dealii::Point<2>(const dealii::Point<2> &)> &displacement = {});
 
     /// The matrices of n waves, on this rank alone, without load and trace. Rigid motions are in it.
     std::unique_ptr<SecondOrderSystem> system(unsigned int n) const;

@@ -25,8 +25,7 @@ namespace vibrocontact
   ///     1 ... 2 m   entry 1 a step more, a step less, entry 2 a step more, ...
   ///     2 m + 1 ... draws, all entries at random
   ///
-  /// Their values are those of all entries. A step is 1e-4 of the value; of a length that is zero and of the lateral position,
-  /// 5 um.
+  /// Their values are those of all entries. A step is 1e-4 of the value, 5 um of the lateral position, 0.5 um of a length that is zero.
   /// @throws InputError for an entry that is no number, counts or measures what discretises, or is zero and no length, or a drawn
   /// value that its entry does not take
   SweepCases varied_cases(const Variations &asked, const Parameters &parameters, const ParameterFile &file,

@@ -6,6 +6,7 @@
 #include <deal.II/base/types.h>
 #include <deal.II/grid/tria.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -18,6 +19,8 @@ namespace vibrocontact
   {
     /// points (axial position, radius), boundary ids by part, material ids
     std::shared_ptr<const dealii::Triangulation<2>> triangulation;
+    /// of the section's points from there, along the axle [m]; null: none
+    std::function<dealii::Point<2>(const dealii::Point<2> &)> displacement;
     dealii::types::boundary_id held = dealii::numbers::invalid_boundary_id,
                                tread = dealii::numbers::invalid_boundary_id;
     /// of the tread at the contact; lateral position of the contact [m]

@@ -31,6 +31,7 @@ namespace vibrocontact
     void check(const std::string &section) const;
     void add_entries(EntriesRead &entries, const std::string &section) const;
     bool is_drawn() const { return mesh.empty() && !outline.empty(); }
+    bool is_built_in() const { return mesh.empty() && outline.empty(); }
 
     /// @param scale factor on all lengths
     SectionOutline read_outline(double scale = 1) const;

@@ -3,8 +3,10 @@
 #include <vibrocontact/scene/body_description.h>
 #include <vibrocontact/scene/contact_refinement.h>
 #include <vibrocontact/scene/section_parameters.h>
+#include <vibrocontact/scene/web_thickness.h>
 #include <vibrocontact/scene/wheel_damper.h>
 
+#include <functional>
 #include <utility>
 
 namespace vibrocontact
@@ -24,6 +26,8 @@ namespace vibrocontact
   struct WheelParameters : SolidBody, RevolvedBody
   {
     SectionParameters section{"wheel"};
+    /// beside the drawing, by harmonics
+    WebThickness web;
     /// solid: hexahedra all around; harmonics: elements of the section, one problem for each number of waves
     std::string model = "solid";
     /// waves around the axle that the contact compliance is summed over; a half-space has the shorter ones
@@ -45,6 +49,9 @@ namespace vibrocontact
     ContactRefinement refinement;
     /// names of the dampers as written
     std::string dampers_entry;
+    /// how the section's points move from where they are drawn (web) @param path of the wheel's section in the file
+    std::function<dealii::Point<2>(const dealii::Point<2> &)> web_motion(const SectionOutline &outline,
+                                                                         const std::string &path) const;
 
     void declare_parameters(dealii::ParameterHandler &prm) override;
     void check(const std::string &path) const override;
