@@ -408,8 +408,7 @@ namespace vibrocontact
           }
           if (!known)
             continue;
-          growth = std::sqrt(growth);
-          frequency = std::sqrt(frequency);
+          growth = std::sqrt(growth), frequency = std::sqrt(frequency);
           const double probability =
               growth > 0 ? 0.5 * std::erfc(-s.real() / (growth * std::sqrt(2.))) : (s.real() > 0 ? 1. : 0.);
           std::vector<double> growths;
