@@ -66,6 +66,7 @@ namespace vibrocontact
         arc.end = here.place + cut[k] * on;
         arc.centre = here.place + here.rounding / std::sin(half) * inward;
         arc.part = here.part;
+        arc.line = here.line;
         arc.region = here.region;
       }
       for (unsigned int k = 0; k < n; ++k)
@@ -90,6 +91,7 @@ namespace vibrocontact
           line.start = arcs[k].end;
           line.end = arcs[next].start;
           line.part = corners[k].part;
+          line.line = corners[k].line;
           line.region = corners[k].region;
           rows.push_back(line);
         }
@@ -186,6 +188,7 @@ namespace vibrocontact
       row.centre = Point<2>(mm * v[4], mm * v[5]);
       row.radius = mm * v[6];
       row.part = part;
+      row.line = number;
       row.region = region;
       outline.rows.push_back(row);
     }

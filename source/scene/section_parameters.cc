@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/scene/drawn_section.h>
+#include <vibrocontact/scene/outline_check.h>
 #include <vibrocontact/scene/section_parameters.h>
 
 namespace vibrocontact
@@ -40,8 +41,11 @@ namespace vibrocontact
 
   SectionOutline SectionParameters::read_outline(const double scale) const
   {
-    return SectionOutline::read(
-        outline.empty() ? mesh_directory() + "/" + built_in + "_outline.txt" : outline, scale);
+    if (outline.empty())
+      return SectionOutline::read(mesh_directory() + "/" + built_in + "_outline.txt", scale);
+    const SectionOutline result = SectionOutline::read(outline, scale);
+    check_outline(result, parts, outline);
+    return result;
   }
 
   SectionMesh SectionParameters::read_mesh(const SectionOutline &outline_read, const bool mirrored,

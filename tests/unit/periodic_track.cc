@@ -49,7 +49,7 @@ namespace
       material.loss_factor = 0.02;
       return material;
     }
-    const SectionParameters parameters{"rail_60e1"};
+    const SectionParameters parameters{"rail_60e1", {"foot", "crown"}};
     const SectionOutline outline;
     const std::unique_ptr<dealii::Triangulation<2>> mesh;
     const SectionElements elements;

@@ -24,7 +24,7 @@ namespace vibrocontact
   {
     /// solid or periodic
     std::string model = "solid";
-    SectionParameters section{"rail_60e1"};
+    SectionParameters section{"rail_60e1", {"foot", "crown"}};
     /// position of the contact on the crown, from the symmetry plane [m]
     double lateral_position = 0;
     /// lengths of cells along the rail: at the contact and far from it [m]; growth

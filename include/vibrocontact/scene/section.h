@@ -29,6 +29,8 @@ namespace vibrocontact
       dealii::Point<2> start, end, centre;
       double radius = 0;
       std::string part;
+      /// of the file
+      unsigned int line = 0;
       /// that this curve bounds: of several materials, each is drawn by itself
       std::string region;
     };

@@ -6,6 +6,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
+#include <vector>
 
 namespace vibrocontact
 {
@@ -14,7 +15,11 @@ namespace vibrocontact
   {
     /// @param built_in name of the section that comes with the program (meshes/<name>_section.msh and
     /// <name>_outline.txt): wheel, rail_60e1
-    explicit SectionParameters(const std::string &built_in) : built_in(built_in) {}
+    /// @param parts of the outline that mean something to the body
+    SectionParameters(const std::string &built_in, const std::vector<std::string> &parts)
+        : built_in(built_in), parts(parts)
+    {
+    }
 
     /// files; both empty: the section that comes with the program; an outline alone is meshed by gmsh (scene/drawn_section.h)
     std::string mesh, outline;
@@ -34,6 +39,7 @@ namespace vibrocontact
     bool is_built_in() const { return mesh.empty() && outline.empty(); }
 
     /// @param scale factor on all lengths
+    /// @throws InputError if it is no outline of a section, see check_outline()
     SectionOutline read_outline(double scale = 1) const;
     /// @param mirrored the outline is one half of the section
     SectionMesh read_mesh(const SectionOutline &outline, bool mirrored, const GroupMaterials &materials,
@@ -41,5 +47,6 @@ namespace vibrocontact
 
   private:
     std::string built_in;
+    std::vector<std::string> parts;
   };
 } // namespace vibrocontact

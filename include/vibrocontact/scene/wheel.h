@@ -25,7 +25,7 @@ namespace vibrocontact
   ///           flange
   struct WheelParameters : SolidBody, RevolvedBody
   {
-    SectionParameters section{"wheel"};
+    SectionParameters section{"wheel", {"bore", "tread"}};
     /// beside the drawing, by harmonics
     WebThickness web;
     /// solid: hexahedra all around; harmonics: elements of the section, one problem for each number of waves

@@ -19,7 +19,14 @@ namespace vibrocontact
     /// of a frequency: of bands to either side; how far a root by the poles may be from the one it stands for
     constexpr double half_band = 0.02, same_root = 0.01;
     /// of growth, by the poles; below this share of omega it counts as growth of that share
-    constexpr double good_growth = 0.02, least_growth = 1e-5;
+    constexpr double good_growth = 0.02, wrong_growth = 0.03, least_growth = 1e-5;
+
+    /// Relative.
+    double error_of_growth(const StabilityRoot &exact, const StabilityRoot &in_time)
+    {
+      const double least = least_growth * 2 * dealii::numbers::PI * exact.frequency;
+      return std::abs(in_time.growth - exact.growth) / std::max(exact.growth, least);
+    }
 
     struct Roots
     {
@@ -102,8 +109,7 @@ namespace vibrocontact
             const StabilityRoot *const other = in_time.nearest(c, root.frequency);
             if (!other)
               return;
-            const double least = least_growth * 2 * dealii::numbers::PI * root.frequency,
-                         error = std::abs(other->growth - root.growth) / std::max(root.growth, least);
+            const double error = error_of_growth(root, *other);
             if (error <= good_growth)
               return;
             band_about(bands, root.frequency)->aimed_error *= std::max(0.3, good_growth / (2 * error));
@@ -112,9 +118,10 @@ namespace vibrocontact
       return any;
     }
 
-    nlohmann::ordered_json compared(const Roots &exact, const Roots &in_time)
+    void compare(const Roots &exact, const Roots &in_time, PairInTime &pair)
     {
-      nlohmann::ordered_json json = nlohmann::ordered_json::array();
+      nlohmann::ordered_json &json = pair.roots = nlohmann::ordered_json::array();
+      double worst = wrong_growth;
       exact.for_each_unstable(
           [&](const unsigned int c, const StabilityRoot &root)
           {
@@ -124,6 +131,16 @@ namespace vibrocontact
                           root.frequency, root.growth, other ? other->growth : std::nan(""),
                           root.label.c_str());
             run_log().line(other ? text : "not found in time: " + root.label);
+            const double error = other ? error_of_growth(root, *other) : 1;
+            if (!(error <= worst))
+            {
+              worst = error;
+              pair.wrong = "By the poles of the periodic rail " + root.label + " at " +
+                           number_text(root.frequency) + " Hz " +
+                           (other ? "grows by " + number_text(other->growth) : "does not grow") +
+                           " instead of " + number_text(root.growth) +
+                           " 1/s: raise the rail's Pole pairs, or lower Fitted up to.";
+            }
             json.push_back({{"case", c},
                             {"label", root.label},
                             {"frequency_Hz", root.frequency},
@@ -132,7 +149,6 @@ namespace vibrocontact
               json.back().update(
                   {{"frequency_in_time_Hz", other->frequency}, {"growth_in_time_1_s", other->growth}});
           });
-      return json;
     }
   } // namespace
 
@@ -167,7 +183,7 @@ namespace vibrocontact
           });
       if (alone.empty() && (k + 1 == most_fits || !come_nearer(bands, exact, in_time)))
       {
-        result.roots = compared(exact, in_time);
+        compare(exact, in_time, result);
         return result;
       }
       for (const double frequency : alone)

@@ -7,6 +7,7 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/coupled_bodies/finite_element_pair.h>
+#include <vibrocontact/output/verdict.h>
 #include <vibrocontact/reduction/attachment_inertia.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/prepare_pair.h>
@@ -131,6 +132,8 @@ namespace vibrocontact
     add_contacts(outcome, pair.interface.contacts, results.analyses["stability"]);
     if (!in_time.roots.is_null())
       results.analyses["stability"]["roots_beside_rail"] = in_time.roots;
+    if (!in_time.wrong.empty())
+      refuse("stability", in_time.wrong, results);
     if (loss)
       say_hysteretic_rests(parameters, results);
     else if (parameters.stability.is_reduced())

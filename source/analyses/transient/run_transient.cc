@@ -251,6 +251,8 @@ namespace vibrocontact
     results.analyses["transient"]["hub"] = applied_hub;
     if (!prepared.roots.is_null())
       results.analyses["transient"]["roots_beside_rail"] = prepared.roots;
+    if (!prepared.wrong.empty())
+      refuse("transient", prepared.wrong, results);
     if (hub.place > 0)
       results.analyses["transient"]["hub_displacement_m"] = hub.place;
     const Creepage creepage = drive(state.time).creepage;
