@@ -19,9 +19,9 @@ namespace vibrocontact
     bool is_host = false;
     PetscInt n = 0;
     ZMUMPS_STRUC_C mumps{};
-    /// own entries of the lower triangle: place, K, K'', M
+    /// own entries of the lower triangle: place, K, K'', M, B
     std::vector<MUMPS_INT> rows, columns, position;
-    std::vector<double> stiffness, loss, mass;
+    std::vector<double> stiffness, loss, mass, of_frequency;
     std::vector<ZMUMPS_COMPLEX> values, work;
 
     void run(const int job, const char *what)
@@ -34,7 +34,8 @@ namespace vibrocontact
                                ", INFOG(2) = " + std::to_string(mumps.infog[1]) + ".");
     }
 
-    void add_row(const SecondOrderSystem &system, const PetscInt row)
+    void add_row(const SecondOrderSystem &system,
+                 const dealii::PETScWrappers::MPI::SparseMatrix *const linear, const PetscInt row)
     {
       const auto read = [&](Mat matrix, std::vector<double> &into, const bool with_places)
       {
@@ -60,7 +61,12 @@ namespace vibrocontact
         read(system.loss_stiffness, loss, false);
       else
         loss.resize(stiffness.size(), 0.);
-      AssertThrow(mass.size() == stiffness.size() && loss.size() == stiffness.size(),
+      if (linear)
+        read(*linear, of_frequency, false);
+      else
+        of_frequency.resize(stiffness.size(), 0.);
+      AssertThrow(mass.size() == stiffness.size() && loss.size() == stiffness.size() &&
+                      of_frequency.size() == stiffness.size(),
                   dealii::ExcMessage("The matrices of body " + system.body + " differ in their patterns."));
     }
 
@@ -79,11 +85,13 @@ namespace vibrocontact
       join(stiffness);
       join(loss);
       join(mass);
+      join(of_frequency);
       position = dealii::Utilities::MPI::broadcast(all, position);
     }
   };
 
-  HarmonicSolver::HarmonicSolver(const SecondOrderSystem &system, const Ranks ranks)
+  HarmonicSolver::HarmonicSolver(const SecondOrderSystem &system, const Ranks ranks,
+                                 const dealii::PETScWrappers::MPI::SparseMatrix *const of_frequency)
       : implementation(std::make_unique<Implementation>())
   {
     Implementation &my = *implementation;
@@ -93,7 +101,7 @@ namespace vibrocontact
     my.position = fill_reducing_order(system.stiffness, {});
     const auto [begin, end] = system.stiffness.local_range();
     for (PetscInt row = begin; row < static_cast<PetscInt>(end); ++row)
-      my.add_row(system, row);
+      my.add_row(system, of_frequency, row);
     if (ranks == Ranks::alone)
       my.gather(system.communicator);
 
@@ -138,13 +146,14 @@ namespace vibrocontact
   }
 
   std::vector<std::complex<double>> HarmonicSolver::receptance(const double omega,
-                                                               const std::vector<TraceRow> &rows)
+                                                               const std::vector<TraceRow> &rows,
+                                                               const double factor, const double sign)
   {
     Implementation &my = *implementation;
     for (std::size_t k = 0; k < my.values.size(); ++k)
     {
-      my.values[k].r = my.stiffness[k] - omega * omega * my.mass[k];
-      my.values[k].i = my.loss[k];
+      my.values[k].r = my.stiffness[k] + factor * omega * my.of_frequency[k] - omega * omega * my.mass[k];
+      my.values[k].i = sign * my.loss[k];
     }
     my.run(2, "factorisation");
 

@@ -96,7 +96,8 @@ namespace vibrocontact
 
   ResponseReduction reduce_response(const SecondOrderSystem &system, Flexibility &flexibility,
                                     const Modes &modes, const std::vector<double> &damping_ratio,
-                                    const bool wheel, const std::vector<TraceRow> &points)
+                                    const bool wheel, const std::vector<TraceRow> &points,
+                                    std::vector<Vector> *const basis)
   {
     dealii::Timer timer;
     ResponseReduction result;
@@ -137,6 +138,8 @@ namespace vibrocontact
       const auto motion = contact_trace(trace, vectors[k]);
       std::copy(motion.begin(), motion.end(), &result.trace(0, k));
     }
+    if (basis)
+      *basis = std::move(vectors);
     result.seconds = timer.wall_time();
     return result;
   }

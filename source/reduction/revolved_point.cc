@@ -1,7 +1,6 @@
 #include <vibrocontact/reduction/revolved_point.h>
 
 #include <cmath>
-#include <map>
 
 namespace vibrocontact
 {
@@ -45,14 +44,13 @@ namespace vibrocontact
     return result;
   }
 
-  TraceRow RevolvedPoint::row(const unsigned int n, const bool odd) const
+  std::array<double, 3> RevolvedPoint::weights(const unsigned int n, const bool odd) const
   {
-    const std::array<double, 3> weights = wave_weights(n, odd, angle, half_angle, component);
-    std::map<dealii::types::global_dof_index, double> sum;
-    for (unsigned int c = 0; c < 3; ++c)
-      if (weights[c] != 0)
-        for (const auto &[dof, weight] : rows[c])
-          sum[dof] += weights[c] * weight;
-    return {sum.begin(), sum.end()};
+    std::array<double, 3> result = wave_weights(n, odd, angle, half_angle, component);
+    if (n == 0)
+      for (unsigned int c = 0; c < 3; ++c)
+        if ((c == 2) != odd)
+          result[c] = 0;
+    return result;
   }
 } // namespace vibrocontact

@@ -22,6 +22,16 @@ namespace vibrocontact
     constexpr unsigned int empty_in_a_row = 2;
   } // namespace
 
+  Vector centrifugal_displacement(const RevolvedSection &section)
+  {
+    const auto still = section.system(0);
+    Flexibility flexibility(*still);
+    const Vector load = section.centrifugal_load();
+    Vector result(load);
+    flexibility.vmult(result, load);
+    return result;
+  }
+
   void RevolvedReduction::add_rotation(const RevolvedRotation &rotation, const Modes &modes,
                                        WaveMode &mode) const
   {
@@ -185,11 +195,7 @@ namespace vibrocontact
           [&]
           {
             const LoneWave alone;
-            const auto still = section->system(0);
-            Flexibility flexibility(*still);
-            const Vector load = section->centrifugal_load();
-            stretched.emplace(load);
-            flexibility.vmult(*stretched, load);
+            stretched = centrifugal_displacement(*section);
           },
           communicator);
     for (unsigned int n = 0, empty = 0; empty < empty_in_a_row;)

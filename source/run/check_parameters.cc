@@ -5,6 +5,7 @@
 #include <vibrocontact/contact/problem_file.h>
 #include <vibrocontact/reduction/window.h>
 #include <vibrocontact/run/check_contacts.h>
+#include <vibrocontact/run/check_frequency_response.h>
 #include <vibrocontact/run/check_periodic.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/parameters.h>
@@ -59,29 +60,6 @@ namespace vibrocontact
         throw InputError(body.name +
                          "/Identified/Positions are not evenly spaced, but Rolling/Speed is above 0, and "
                          "material that flows through them is differenced from point to point: set it to 0.");
-    }
-
-    void check_frequency_response(const Scene &scene, const std::map<std::string, ModeParameters> &modes,
-                                  const FrequencyResponseParameters &response)
-    {
-      response.check();
-      for (const std::string &name : split_list(response.bodies))
-        if (modes.count(name) == 0 &&
-            std::none_of(scene.bodies.begin(), scene.bodies.end(),
-                         [&](const BodyParameters &body) {
-                           return body.name == name && (body.is_green() || body.description->periodic_rail());
-                         }))
-          throw InputError("Frequency response/Bodies names \"" + name +
-                           "\", which is no meshed body of this file; name one or leave the entry empty");
-      for (const BodyParameters &body : scene.bodies)
-        if (body.description->periodic_rail() && response.method == "modal" && response.asks_for(body.name))
-          throw InputError(body.name + "/Rail/Model is periodic, which has no modes, but Frequency "
-                                       "response/Method is modal: set it to direct.");
-        else if (body.is_meshed() && response.method == "modal" && !modes.at(body.name).any() &&
-                 response.asks_for(body.name))
-          throw InputError(body.name +
-                           "/Modes asks for no modes, but Frequency response/Method is modal; give Upper "
-                           "frequency or Count, or set Method to direct");
     }
 
     void check_periodic_rails(const Parameters &parameters)
@@ -214,23 +192,6 @@ namespace vibrocontact
                          "/Sweep is that of the reduced model: set it to reduced or leave the sweep out.");
     }
 
-    /// Frequency responses are those of a wheel at rest without dampers.
-    void check_response_of_wheel(const Parameters &parameters, const BodyParameters &body)
-    {
-      if (!parameters.scene.runs("frequency response") || !parameters.frequency_response.asks_for(body.name))
-        return;
-      const auto refuse = [&](const std::string &entry)
-      {
-        throw InputError(body.name + "/Wheel/" + entry +
-                         ", which the analysis frequency response does not take: leave it out, or leave " +
-                         body.name + " out of Frequency response/Bodies.");
-      };
-      if (const auto *const dampers = body.description->wheel_dampers(); dampers && !dampers->empty())
-        refuse("Dampers is set");
-      if (body.rolls())
-        refuse("Rotation is true");
-    }
-
     /// What needs elements of the whole body.
     void check_harmonics(const Parameters &parameters)
     {
@@ -246,7 +207,6 @@ namespace vibrocontact
         if (!needs.empty())
           throw InputError(body.name + "/" + body.body_type().section + "/Model is harmonics, but " +
                            needs.front() + " needs elements of the whole body: set it to solid.");
-        check_response_of_wheel(parameters, body);
       }
     }
 
@@ -385,15 +345,11 @@ namespace vibrocontact
       signals.check(with_modes, transient);
     }
     if (scene.runs("frequency response"))
-      check_frequency_response(scene, modes, frequency_response);
+      check_frequency_response(*this);
     if (has_identification())
       identification.check();
     if (scene.runs("stability"))
       check_sweep(*this);
-    if (scene.runs("frequency response"))
-      for (const BodyParameters &body : scene.bodies)
-        if (!body.is_meshed())
-          check_speed_of_road(body, road);
     if (scene.runs("modal convolution"))
     {
       if (!scene.bodies[0].is_green() && !scene.bodies[0].is_meshed())

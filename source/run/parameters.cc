@@ -42,6 +42,7 @@ namespace vibrocontact
                               const std::vector<AnalysisType> &known_analyses)
   {
     scene = read_scene_lists(file, known_analyses, {tables, &tables->body_types});
+    is_speed_given = !file.raw_value("Rolling", "Speed").empty();
     if (!scene.contacts.empty())
     {
       refuse_single_contact(file, contact());

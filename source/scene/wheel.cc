@@ -317,9 +317,9 @@ namespace vibrocontact
                    "Write mesh, Contact division, Coarse division, Growth, Fine length");
     entries.add_if(is_by_harmonics() && (use.contact || use.points),
                    "Model is harmonics and the body is in contact or responds to forces", section,
-                   "Harmonics");
+                   "Harmonics, Rotation");
     entries.add_if(is_by_harmonics() && use.contact, "Model is harmonics and the body is in contact", section,
-                   "Contact cell size, Rotation");
+                   "Contact cell size");
     const std::string damped = "Model is harmonics and the body moves";
     entries.add_if(is_by_harmonics() && use.motion, damped, section, "Dampers");
     for (const WheelDamper &damper : dampers)

@@ -2,6 +2,7 @@
 // response against the direct one; on any number of ranks.
 
 #include <vibrocontact/analyses/frequency_response/frequency_response.h>
+#include <vibrocontact/analyses/frequency_response/modal_response.h>
 #include <vibrocontact/fe/bar_elements.h>
 #include <vibrocontact/fe/beam_elements.h>
 #include <vibrocontact/numerics/frequency_refinement.h>

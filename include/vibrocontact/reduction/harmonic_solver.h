@@ -16,6 +16,10 @@ namespace vibrocontact
   /// The matrix is complex symmetric, not Hermitian: L D L^T by MUMPS's complex arithmetic (PETSc is built
   /// for real numbers), analysed once, factorised anew for every frequency; four times the operations of a
   /// real factorisation. All members are collective, but for ranks that solve alone.
+  ///
+  /// A wave around a body that turns (fe/revolved_section.h) has i sign K'' and a term of w beside it:
+  ///
+  ///   (K + i sign K'' + w B - w^2 M) u = f,    B real and symmetric
   class HarmonicSolver
   {
   public:
@@ -25,7 +29,9 @@ namespace vibrocontact
       together,
       alone
     };
-    explicit HarmonicSolver(const SecondOrderSystem &system, Ranks ranks = Ranks::together);
+    /// @param of_frequency B, of the pattern of M and K; null: there is none
+    explicit HarmonicSolver(const SecondOrderSystem &system, Ranks ranks = Ranks::together,
+                            const dealii::PETScWrappers::MPI::SparseMatrix *of_frequency = nullptr);
     ~HarmonicSolver();
     HarmonicSolver(const HarmonicSolver &) = delete;
     HarmonicSolver &operator=(const HarmonicSolver &) = delete;
@@ -34,8 +40,9 @@ namespace vibrocontact
     double factorisation_bytes() const;
 
     /// P (K + i K'' - w^2 M)^-1 P^T between the rows of P, on all ranks: entry [i * n + j] is the motion of
-    /// row i under a unit force on row j [m/N]. @param omega [rad/s]
-    std::vector<std::complex<double>> receptance(double omega, const std::vector<TraceRow> &rows);
+    /// row i under a unit force on row j [m/N]. @param omega [rad/s] @param factor of B @param sign of the loss
+    std::vector<std::complex<double>> receptance(double omega, const std::vector<TraceRow> &rows,
+                                                 double factor = 0, double sign = 1);
 
   private:
     struct Implementation;

@@ -44,9 +44,11 @@ namespace vibrocontact
   };
 
   /// @param wheel damped by mode: its damping ratios are added to D as 2 zeta w^2
+  /// @param basis if given, takes the modes and Ritz vectors themselves
   ResponseReduction reduce_response(const SecondOrderSystem &system, Flexibility &flexibility,
                                     const Modes &modes, const std::vector<double> &damping_ratio, bool wheel,
-                                    const std::vector<TraceRow> &points);
+                                    const std::vector<TraceRow> &points,
+                                    std::vector<dealii::PETScWrappers::MPI::Vector> *basis = nullptr);
 
   /// By all ranks together, or, of several frequencies, shared out over ranks that hold all factors each if their memory
   /// allows it. Collective. @param advance called after each frequency

@@ -22,8 +22,11 @@ namespace vibrocontact
     /// order of contact components: 0 z, 1 x, 2 y
     unsigned int component = 0;
 
-    /// The motion by the dofs of n waves of a family; n = 0: of both.
-    TraceRow row(unsigned int n, bool odd) const;
+    /// What axial, radial and circumferential amplitude of n waves of a family add to its motion; n = 0: even has the
+    /// first two, odd the last one.
+    std::array<double, 3> weights(unsigned int n, bool odd) const;
+    /// whether its motion has axial, radial or circumferential amplitudes in it
+    bool has(unsigned int amplitude) const { return (component == 2) == (amplitude == 0); }
   };
 
   /// What axial, radial and circumferential amplitude of n waves add to the motion along a component of contact, mean

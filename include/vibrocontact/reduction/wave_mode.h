@@ -3,6 +3,7 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/fe/contact_trace.h>
+#include <vibrocontact/fe/revolved_section.h>
 
 #include <string>
 #include <vector>
@@ -43,6 +44,9 @@ namespace vibrocontact
     SingleRank rank;
     Log::Aside silence{"", false};
   };
+
+  /// Displacements of the section under centrifugal forces per Omega^2 [m s^2], found by this rank alone.
+  dealii::PETScWrappers::MPI::Vector centrifugal_displacement(const RevolvedSection &section);
 
   inline std::vector<double> values_of(const std::vector<TraceRow> &rows,
                                        const dealii::PETScWrappers::MPI::Vector &shape)

@@ -31,6 +31,8 @@ namespace vibrocontact
     ContactSections contacts;
     ContactSolverParameters contact_solver;
     RollingParameters rolling;
+    /// whether the file or an option gives Rolling/Speed
+    bool is_speed_given = false;
     TransientParameters transient;
     SignalParameters signals;
     StabilityParameters stability;

@@ -124,10 +124,20 @@ namespace vibrocontact
       response_rows(body, parameters);
   }
 
-  BodyResponse::BodyResponse(MeshedBody &body, const FrequencyResponseParameters &parameters)
-      : body(body), parameters(parameters), cache(body.reduction.request().cache_directory, MPI_COMM_WORLD),
+  BodyResponse::BodyResponse(MeshedBody &body, const FrequencyResponseParameters &parameters,
+                             const double speed)
+      : body(body), parameters(parameters), speed(speed),
+        cache(body.reduction.request().cache_directory, MPI_COMM_WORLD),
         key(body.reduction.request().key + points_key(parameters))
   {
+  }
+
+  double BodyResponse::rotation() const
+  {
+    // material passes the contact towards +x, where theta grows
+    return body.parameters.is_revolved() && body.parameters.rolls()
+               ? speed / body.reduction.request().wheel->axle_height
+               : 0.;
   }
 
   const ResponseReduction &BodyResponse::reduction()
@@ -164,7 +174,7 @@ namespace vibrocontact
     }
     const std::vector<RevolvedPoint> places = revolved_points(body, parameters);
     by_harmonics.emplace(body.reduction.revolved().elements(), places, modes, body.section().n_harmonics,
-                         MPI_COMM_WORLD);
+                         MPI_COMM_WORLD, rotation());
     return *by_harmonics;
   }
 
@@ -175,7 +185,7 @@ namespace vibrocontact
       const dealii::Timer timer;
       const std::vector<Receptance> found = waves().direct(frequency);
       run_log().value("direct solutions took", timer.wall_time() / frequency.size(), "s per frequency");
-      return {"direct", 0, frequency, found};
+      return {"direct", 0, frequency, found, !waves().turns()};
     }
     const ReductionRequest &request = body.reduction.request();
     if (request.wheel)
@@ -204,7 +214,8 @@ namespace vibrocontact
                                       const std::vector<double> &frequency)
   {
     if (body.parameters.is_revolved())
-      return {method, waves().n_modes(cut), frequency, waves().modal(method == "hysteretic", cut, frequency)};
+      return {method, waves().n_modes(cut), frequency, waves().modal(method == "hysteretic", cut, frequency),
+              !waves().turns()};
     const ResponseReduction &modes = reduction();
     const auto begin = modes.omega.begin(), end = begin + modes.damping_ratio.size();
     const unsigned int n =

@@ -18,14 +18,15 @@ namespace vibrocontact
       return point.name + "_" + "zxy"[point.component];
     }
 
-    /// calls action(label of response, label of force, index into a Receptance) for every pair
+    /// calls action(label of response, label of force, index into a Receptance) for every pair, one of (i, j) and (j, i) if
+    /// they are equal
     void
-    for_each_pair(const FrequencyResponseParameters &parameters,
+    for_each_pair(const FrequencyResponseParameters &parameters, const ResponseVariant &variant,
                   const std::function<void(const std::string &, const std::string &, unsigned int)> &action)
     {
       const std::vector<ResponsePoint> points = parameters.parsed_points();
       for (unsigned int i = 0; i < points.size(); ++i)
-        for (unsigned int j = i; j < points.size(); ++j)
+        for (unsigned int j = variant.is_reciprocal ? i : 0; j < points.size(); ++j)
           action(label(points[i]), label(points[j]), i * points.size() + j);
     }
 
@@ -46,11 +47,12 @@ namespace vibrocontact
       return std::sqrt(std::abs(response[index / n * (n + 1)]) * std::abs(response[index % n * (n + 1)]));
     }
 
-    std::vector<std::string> pair_columns(const FrequencyResponseParameters &parameters)
+    std::vector<std::string> pair_columns(const FrequencyResponseParameters &parameters,
+                                          const ResponseVariant &variant)
     {
       const std::string unit = parameters.quantity == "mobility" ? "_m_Ns" : "_m_N";
       std::vector<std::string> columns;
-      for_each_pair(parameters,
+      for_each_pair(parameters, variant,
                     [&](const std::string &response, const std::string &force, unsigned int)
                     {
                       for (const char *part : {"_real", "_imag"})
@@ -60,37 +62,40 @@ namespace vibrocontact
     }
 
     void add_pairs(std::vector<Table::Cell> &row, const FrequencyResponseParameters &parameters,
-                   const Receptance &response, const double frequency)
+                   const ResponseVariant &variant, const unsigned int k)
     {
-      for_each_pair(parameters,
+      for_each_pair(parameters, variant,
                     [&](const std::string &, const std::string &, const unsigned int index)
                     {
-                      const auto value = shown(parameters, response[index], frequency);
+                      const auto value = shown(parameters, variant.response[k][index], variant.frequency[k]);
                       row.push_back(value.real());
                       row.push_back(value.imag());
                     });
     }
 
-    std::vector<std::string> comments(const FrequencyResponseParameters &parameters, const std::string &what)
+    std::vector<std::string> comments(const FrequencyResponseParameters &parameters,
+                                      const ResponseVariant &variant, const std::string &what)
     {
       return {what,
               parameters.quantity +
                   " of the first point under a unit force e^{i w t} at the second, directions x, y, z of "
-                  "the contact frame; symmetric in the points"};
+                  "the contact frame; " +
+                  (variant.is_reciprocal ? "symmetric in the points"
+                                         : "points stand still while the body turns past them")};
     }
   } // namespace
 
   Table response_table(const FrequencyResponseParameters &parameters, const ResponseVariant &variant,
                        const std::string &body)
   {
-    std::vector<std::string> columns = pair_columns(parameters);
+    std::vector<std::string> columns = pair_columns(parameters, variant);
     columns.insert(columns.begin(), "frequency_Hz");
-    Table table(columns,
-                comments(parameters, "Frequency response of " + body + ", method " + variant.method));
+    Table table(columns, comments(parameters, variant,
+                                  "Frequency response of " + body + ", method " + variant.method));
     for (unsigned int k = 0; k < variant.frequency.size(); ++k)
     {
       std::vector<Table::Cell> row = {variant.frequency[k]};
-      add_pairs(row, parameters, variant.response[k], variant.frequency[k]);
+      add_pairs(row, parameters, variant, k);
       table.add_row(row);
     }
     return table;
@@ -99,14 +104,15 @@ namespace vibrocontact
   Table check_table(const FrequencyResponseParameters &parameters,
                     const std::vector<ResponseVariant> &variants, const std::string &body)
   {
-    std::vector<std::string> columns = pair_columns(parameters);
+    std::vector<std::string> columns = pair_columns(parameters, variants.front());
     columns.insert(columns.begin(), {"frequency_Hz", "method", "modes"});
-    Table table(columns, comments(parameters, "Frequency response of " + body + " by several methods"));
+    Table table(columns, comments(parameters, variants.front(),
+                                  "Frequency response of " + body + " by several methods"));
     for (unsigned int k = 0; k < variants.front().frequency.size(); ++k)
       for (const ResponseVariant &variant : variants)
       {
         std::vector<Table::Cell> row = {variant.frequency[k], variant.method, double(variant.n_modes)};
-        add_pairs(row, parameters, variant.response[k], variant.frequency[k]);
+        add_pairs(row, parameters, variant, k);
         table.add_row(row);
       }
     return table;
@@ -119,7 +125,7 @@ namespace vibrocontact
     const ResponseVariant &exact = variants.front();
     for (unsigned int v = 1; v < variants.size(); ++v)
       for (unsigned int k = 0; k < exact.frequency.size(); ++k)
-        for_each_pair(parameters,
+        for_each_pair(parameters, exact,
                       [&](const std::string &response, const std::string &force, const unsigned int index)
                       {
                         const auto right = exact.response[k][index], got = variants[v].response[k][index];
@@ -141,7 +147,7 @@ namespace vibrocontact
                        const ResponseVariant &other)
   {
     Json result = Json::array();
-    for_each_pair(parameters,
+    for_each_pair(parameters, exact,
                   [&](const std::string &response, const std::string &force, const unsigned int index)
                   {
                     std::vector<double> differences;
@@ -165,7 +171,7 @@ namespace vibrocontact
     Json result = {{"maxima", Json::array()}, {"minima", Json::array()}};
     const double share = std::log(1.2);
     for_each_pair(
-        parameters,
+        parameters, variant,
         [&](const std::string &response, const std::string &force, const unsigned int index)
         {
           if (response != force)

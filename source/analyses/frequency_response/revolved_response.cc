@@ -1,40 +1,50 @@
 #include <vibrocontact/analyses/frequency_response/revolved_response.h>
 #include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/reduction/compute_modes.h>
+#include <vibrocontact/reduction/projected_matrix.h>
 #include <vibrocontact/reduction/wave_mode.h>
 #include <vibrocontact/reduction/wheel_labels.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vibrocontact
 {
   namespace MPI = dealii::Utilities::MPI;
-
-  namespace
-  {
-    void add(const std::vector<Receptance> &part, std::vector<Receptance> &sum)
-    {
-      for (std::size_t k = 0; k < part.size(); ++k)
-        for (std::size_t i = 0; i < part[k].size(); ++i)
-          sum[k][i] += part[k][i];
-    }
-  } // namespace
+  using Complex = std::complex<double>;
 
   RevolvedResponse::RevolvedResponse(const RevolvedSection &section, const std::vector<RevolvedPoint> &points,
                                      const ModeParameters &parameters, const unsigned int n_waves,
-                                     const MPI_Comm communicator)
-      : section(section), points(points), parameters(parameters), n_waves(n_waves), communicator(communicator)
+                                     const MPI_Comm communicator, const double rotation)
+      : section(section), points(points), parameters(parameters), n_waves(n_waves),
+        communicator(communicator), rotation(rotation)
   {
-  }
-
-  std::vector<TraceRow> RevolvedResponse::rows(const unsigned int n, const bool odd) const
-  {
-    std::vector<TraceRow> result;
     for (const RevolvedPoint &point : points)
-      result.push_back(point.row(n, odd));
-    return result;
+    {
+      std::array<unsigned int, 3> own{};
+      for (unsigned int c = 0; c < 3; ++c)
+        if (point.has(c))
+        {
+          const auto same = std::find(rows.begin(), rows.end(), point.rows[c]);
+          own[c] = same - rows.begin();
+          if (same == rows.end())
+            rows.push_back(point.rows[c]);
+        }
+      row_of.push_back(own);
+    }
+    if (turns())
+      on_all_ranks(
+          [&]
+          {
+            const LoneWave alone;
+            stretched.emplace(centrifugal_displacement(section));
+          },
+          communicator);
   }
 
   std::unique_ptr<SecondOrderSystem> RevolvedResponse::damped_system(const unsigned int n) const
@@ -53,9 +63,29 @@ namespace vibrocontact
     return system;
   }
 
-  void
-  RevolvedResponse::for_each_wave(const std::string &progress_text,
-                                  const std::function<void(unsigned int, const SecondOrderSystem &)> &f) const
+  std::unique_ptr<RevolvedRotation> RevolvedResponse::rotation_of(const unsigned int n) const
+  {
+    return turns() ? section.rotation(n, *stretched) : nullptr;
+  }
+
+  void RevolvedResponse::add_rotation(const RevolvedRotation &terms, SecondOrderSystem &system) const
+  {
+    system.stiffness.add(rotation * rotation, terms.geometric);
+    system.stiffness.add(-rotation * rotation, terms.centripetal);
+    SymmetricFactorization::Options options;
+    options.name = system.body + ": waves that stand still";
+    options.definite = false;
+    options.keep_factors = false;
+    // a wave that stands still has no frequency there: beyond, it grows without any force
+    if (SymmetricFactorization(system.stiffness, nullptr, 0., options).n_negative() > 0)
+      throw InputError(
+          "Frequency response: " + system.body + " turns at " + number_text(std::abs(rotation)) +
+          " rad/s, faster than one of its waves runs around it, where no motion is steady: lower "
+          "Rolling/Speed.");
+  }
+
+  void RevolvedResponse::for_each_wave(const std::string &progress_text,
+                                       const std::function<void(unsigned int, SecondOrderSystem &)> &f) const
   {
     const unsigned int n_ranks = MPI::n_mpi_processes(communicator);
     on_all_ranks(
@@ -72,23 +102,52 @@ namespace vibrocontact
         communicator);
   }
 
-  const std::vector<ResponseReduction> &RevolvedResponse::reductions()
+  const std::vector<RevolvedResponse::Wave> &RevolvedResponse::waves()
   {
     if (is_reduced)
       return reduced;
     is_reduced = true;
     for_each_wave("response by harmonics",
-                  [&](const unsigned int n, const SecondOrderSystem &system)
+                  [&](const unsigned int n, SecondOrderSystem &system)
                   {
                     Flexibility flexibility(system);
                     const Modes modes = compute_modes(system, flexibility, parameters);
-                    const std::vector<double> damping = strain_energy_damping(system, modes);
-                    for (const bool odd : {false, true})
-                      if (!(odd && n == 0))
-                        reduced.push_back(
-                            reduce_response(system, flexibility, modes, damping, false, rows(n, odd)));
+                    std::vector<Vector> basis;
+                    Wave wave;
+                    wave.vectors = reduce_response(system, flexibility, modes,
+                                                   strain_energy_damping(system, modes), false, rows, &basis);
+                    wave.rotation.n_waves = n;
+                    wave.rotation.speed = rotation;
+                    if (const auto terms = rotation_of(n))
+                    {
+                      wave.rotation.coriolis = projected_matrix(terms->coriolis, basis);
+                      wave.rotation.of_square = projected_matrix(terms->geometric, basis);
+                      wave.rotation.of_square.add(-1., projected_matrix(terms->centripetal, basis));
+                      add_rotation(*terms, system);
+                    }
+                    reduced.push_back(std::move(wave));
                   });
     return reduced;
+  }
+
+  void RevolvedResponse::add_wave(const unsigned int n, const int sense, const Receptance &answer,
+                                  Receptance &sum) const
+  {
+    const unsigned int m = points.size(), n_rows = rows.size();
+    std::vector<std::array<Complex, 3>> amplitudes(m);
+    for (unsigned int i = 0; i < m; ++i)
+    {
+      const std::array<double, 3> even = points[i].weights(n, false), odd = points[i].weights(n, true);
+      for (unsigned int c = 0; c < 3; ++c)
+        amplitudes[i][c] = Complex(even[c], sense * odd[c]);
+    }
+    for (unsigned int i = 0; i < m; ++i)
+      for (unsigned int j = 0; j < m; ++j)
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int d = 0; d < 3; ++d)
+            if (points[i].has(c) && points[j].has(d))
+              sum[i * m + j] += 0.5 * std::conj(amplitudes[i][c]) *
+                                answer[row_of[i][c] * n_rows + row_of[j][d]] * amplitudes[j][d];
   }
 
   std::vector<Receptance> RevolvedResponse::summed(std::vector<Receptance> own) const
@@ -102,13 +161,23 @@ namespace vibrocontact
                                                   const std::vector<double> &frequency)
   {
     std::vector<Receptance> result(frequency.size(), Receptance(points.size() * points.size()));
-    for (const ResponseReduction &one : reductions())
+    for (const Wave &wave : waves())
     {
-      const auto begin = one.omega.begin(), end = begin + one.damping_ratio.size();
+      const ResponseReduction &own = wave.vectors;
+      const auto begin = own.omega.begin(), end = begin + own.damping_ratio.size();
       const unsigned int n =
           (highest > 0 ? std::lower_bound(begin, end, 2 * dealii::numbers::PI * highest) : end) - begin;
-      add(hysteretic ? hysteretic_response(one, n, frequency) : time_domain_response(one, n, frequency),
-          result);
+      std::vector<Receptance> at_rest;
+      if (!turns())
+        at_rest =
+            hysteretic ? hysteretic_response(own, n, frequency) : time_domain_response(own, n, frequency);
+      for (const int sense : {-1, 1})
+      {
+        const std::vector<Receptance> answer =
+            turns() ? wave_response(own, wave.rotation, sense, hysteretic, n, frequency) : at_rest;
+        for (std::size_t k = 0; k < frequency.size(); ++k)
+          add_wave(wave.rotation.n_waves, sense, answer[k], result[k]);
+      }
     }
     return summed(std::move(result));
   }
@@ -116,33 +185,38 @@ namespace vibrocontact
   unsigned int RevolvedResponse::n_modes(const double highest)
   {
     unsigned int own = 0;
-    for (const ResponseReduction &one : reductions())
-      for (unsigned int k = 0; k < one.damping_ratio.size(); ++k)
-        own += highest == 0 || one.omega[k] < 2 * dealii::numbers::PI * highest;
+    for (const Wave &wave : waves())
+      for (unsigned int k = 0; k < wave.vectors.damping_ratio.size(); ++k)
+        if (highest == 0 || wave.vectors.omega[k] < 2 * dealii::numbers::PI * highest)
+          own += wave.rotation.n_waves == 0 ? 1 : 2;
     return MPI::sum(own, communicator);
   }
 
   std::vector<Receptance> RevolvedResponse::direct(const std::vector<double> &frequency)
   {
-    const unsigned int m = points.size();
-    std::vector<Receptance> result(frequency.size(), Receptance(m * m));
-    for_each_wave("direct solutions by harmonics",
-                  [&](const unsigned int n, const SecondOrderSystem &system)
-                  {
-                    HarmonicSolver solver(system);
-                    // both families at once, of which the sum has what each answers to itself
-                    std::vector<TraceRow> both = rows(n, false);
-                    for (const TraceRow &row : n == 0 ? std::vector<TraceRow>() : rows(n, true))
-                      both.push_back(row);
-                    for (unsigned int k = 0; k < frequency.size(); ++k)
-                    {
-                      const auto found = solver.receptance(2 * dealii::numbers::PI * frequency[k], both);
-                      for (unsigned int first = 0; first < both.size(); first += m)
-                        for (unsigned int i = 0; i < m; ++i)
-                          for (unsigned int j = 0; j < m; ++j)
-                            result[k][i * m + j] += found[(first + i) * both.size() + first + j];
-                    }
-                  });
+    std::vector<Receptance> result(frequency.size(), Receptance(points.size() * points.size()));
+    for_each_wave(
+        "direct solutions by harmonics",
+        [&](const unsigned int n, SecondOrderSystem &system)
+        {
+          const auto terms = rotation_of(n);
+          if (terms)
+            add_rotation(*terms, system);
+          HarmonicSolver solver(system, HarmonicSolver::Ranks::together, terms ? &terms->coriolis : nullptr);
+          for (std::size_t k = 0; k < frequency.size(); ++k)
+          {
+            const double omega = 2 * dealii::numbers::PI * frequency[k];
+            Receptance answer;
+            for (const int sense : {-1, 1})
+            {
+              // what the material sees
+              const double seen = omega - sense * double(n) * rotation;
+              if (terms || answer.empty())
+                answer = solver.receptance(omega, rows, 2 * sense * rotation, (seen > 0) - (seen < 0));
+              add_wave(n, sense, answer, result[k]);
+            }
+          }
+        });
     return summed(std::move(result));
   }
 } // namespace vibrocontact

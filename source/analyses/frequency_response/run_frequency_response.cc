@@ -100,12 +100,18 @@ namespace vibrocontact
               number_text(100 * one.value("error_imaginary_receptance", 0.)) + " %");
     }
 
+    /// @param speed of rolling, see BodyResponse
     nlohmann::ordered_json respond(MeshedBody &body, const FrequencyResponseParameters &parameters,
-                                   const std::string &folder, nlohmann::ordered_json &tables)
+                                   const double speed, const std::string &folder,
+                                   nlohmann::ordered_json &tables)
     {
       const std::string &name = body.parameters.name;
       run_log().block("Frequency response of " + name);
-      BodyResponse response(body, parameters);
+      BodyResponse response(body, parameters, speed);
+      const double rotation = response.rotation();
+      if (rotation != 0)
+        run_log().value("turns past its points",
+                        number_text(rotation) + " rad/s, at Rolling/Speed " + number_text(speed) + " m/s");
       const bool is_modal = parameters.method == "modal";
       const auto write = [&](const Table &table, const std::string &suffix)
       {
@@ -120,6 +126,8 @@ namespace vibrocontact
       nlohmann::ordered_json result = {{"method", main.method},
                                        {"n_modes", main.n_modes},
                                        {"table", write(response_table(parameters, main, name), "")}};
+      if (rotation != 0)
+        result.update({{"speed_m_s", speed}, {"rotation_rad_s", rotation}});
       const auto extrema = extrema_json(parameters, main);
       result.update(extrema);
       result["extrema_table"] = write(extrema_table(extrema, parameters.quantity, name), "_extrema");
@@ -204,7 +212,7 @@ namespace vibrocontact
       if (!own.asks_for(body.name))
         continue;
       if (bodies[k])
-        all[body.name] = respond(*bodies[k], own, folder, tables);
+        all[body.name] = respond(*bodies[k], own, parameters.rolling.creepage.speed, folder, tables);
       else if (body.is_green())
         all[body.name] = run_green_functions(parameters, measured, body, folder, tables);
       else if (const RailParameters *const rail = body.description->periodic_rail())
@@ -235,7 +243,8 @@ namespace vibrocontact
     {
       const FrequencyResponseParameters &own = parameters.frequency_response;
       const std::string section = "Frequency response";
-      bool meshed = false, track = false, green = false, ring = false, rolls = false, tangential = false;
+      bool meshed = false, track = false, green = false, ring = false, rolls = false, tangential = false,
+           turns = false;
       for (unsigned int k = 0; k < parameters.scene.bodies.size(); ++k)
       {
         const BodyParameters &body = parameters.scene.bodies[k];
@@ -244,7 +253,10 @@ namespace vibrocontact
         BodyUse use;
         use.motion = use.loss = use.points = true;
         if (body.is_meshed())
+        {
           meshed = true;
+          turns = turns || (body.is_revolved() && body.rolls());
+        }
         else if (body.description->periodic_rail())
           track = true;
         else if (body.is_green())
@@ -274,6 +286,7 @@ namespace vibrocontact
                      "Impulse response step");
       entries.add_if(ring, "a body is an analytic ring", section, "Tangential, Truncated orders");
       entries.add_if(rolls, "a ring is Rolling", "Road", "Speed");
+      entries.add_if(turns, "a wheel has Rotation", "Rolling", "Speed");
       add_lateral_position(entries, parameters);
     }
   } // namespace

@@ -18,7 +18,11 @@ namespace vibrocontact
     /// @throws InputError for points that are not on the body, which is made for it
     static void check_points(MeshedBody &body, const FrequencyResponseParameters &parameters);
 
-    BodyResponse(MeshedBody &body, const FrequencyResponseParameters &parameters);
+    /// @param speed of rolling, of a body by harmonics that turns past its points [m/s]
+    BodyResponse(MeshedBody &body, const FrequencyResponseParameters &parameters, double speed);
+
+    /// Omega, 0: at rest [rad/s]
+    double rotation() const;
 
     ResponseVariant direct(const std::vector<double> &frequency);
     /// @param method hysteretic or time domain @param cut modes above are left out, 0: none [Hz]
@@ -31,6 +35,7 @@ namespace vibrocontact
 
     MeshedBody &body;
     const FrequencyResponseParameters &parameters;
+    const double speed;
     const ReductionCache cache;
     const std::string key;
     std::optional<ResponseReduction> reduced;

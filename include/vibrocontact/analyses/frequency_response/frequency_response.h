@@ -1,10 +1,7 @@
 #pragma once
 
-#include <vibrocontact/reduction/response_reduction.h>
-
 #include <deal.II/base/parameter_handler.h>
 
-#include <complex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,24 +59,4 @@ namespace vibrocontact
     bool asks_for(const std::string &body) const;
     std::vector<double> frequencies() const;
   };
-
-  /// Receptance matrix between n points: [i * n + j] [m/N].
-  using Receptance = std::vector<std::complex<double>>;
-
-  /// Exact hysteretic loss on the modes, receptance at each frequency [Hz]: one complex eigenproblem
-  /// (diag(w^2) + i D) X = X diag(mu) of modes and Ritz vectors, then
-  ///
-  ///   H(w) = P X diag(1 / (mu - w^2)) X^-1 P^T + [P G P^T - sum P_k P_k^T / w_k^2]
-  ///
-  /// The residual in brackets vanishes if all modes are kept, as the Ritz vectors hold the static answers.
-  /// @param n_modes modes kept, lowest first
-  std::vector<Receptance> hysteretic_response(const ResponseReduction &body, unsigned int n_modes,
-                                              const std::vector<double> &frequency);
-
-  /// What a run in time has instead: viscous damping of each mode by its strain energy and a residual
-  /// flexibility without loss,
-  ///
-  ///   H(w) = sum P_k P_k^T / (w_k^2 + 2 i zeta_k w_k w - w^2) + [P G P^T - sum P_k P_k^T / w_k^2]
-  std::vector<Receptance> time_domain_response(const ResponseReduction &body, unsigned int n_modes,
-                                               const std::vector<double> &frequency);
 } // namespace vibrocontact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/frequency_response/frequency_response.h>
+#include <vibrocontact/analyses/frequency_response/modal_response.h>
 #include <vibrocontact/base/table.h>
 
 #include <nlohmann/json.hpp>
@@ -20,9 +21,11 @@ namespace vibrocontact
     std::vector<double> frequency;
     /// receptances [m/N]
     std::vector<Receptance> response;
+    /// H_ij = H_ji; not of a body that turns
+    bool is_reciprocal = true;
   };
 
-  /// All pairs of points, upper triangle: column <response>_<force>_real_m_Ns and ..._imag_m_Ns (m_N for
+  /// All pairs of points, upper triangle unless the response is not reciprocal: column <response>_<force>_real_m_Ns and ..._imag_m_Ns (m_N for
   /// receptances).
   Table response_table(const FrequencyResponseParameters &parameters, const ResponseVariant &variant,
                        const std::string &body);

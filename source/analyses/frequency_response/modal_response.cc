@@ -1,0 +1,184 @@
+#include <vibrocontact/analyses/frequency_response/modal_response.h>
+#include <vibrocontact/base/exceptions.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/lac/lapack_templates.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace vibrocontact
+{
+  using Complex = std::complex<double>;
+
+  namespace
+  {
+    const double two_pi = 2 * dealii::numbers::PI;
+
+    /// Solves A X = B in place, both by columns.
+    void solve(std::vector<Complex> A, std::vector<Complex> &B, const dealii::types::blas_int n,
+               const dealii::types::blas_int n_columns)
+    {
+      std::vector<dealii::types::blas_int> pivots(n);
+      dealii::types::blas_int info = 0;
+      if (n > 0)
+        dealii::getrf(&n, &n, A.data(), &n, pivots.data(), &info);
+      if (info != 0)
+        throw ConvergenceError(
+            "The equations of the modes have no solution (zgetrf: " + std::to_string(info) + ").");
+      if (n > 0)
+        dealii::getrs("N", &n, &n_columns, A.data(), &n, pivots.data(), B.data(), &n, &info);
+    }
+
+    using Indices = std::vector<unsigned int>;
+
+    /// static answer of what is left out by keeping some vectors, without loss
+    Receptance real_residual(const ResponseReduction &body, const Indices &kept)
+    {
+      const unsigned int m = body.trace.m();
+      Receptance result(m * m);
+      for (unsigned int i = 0; i < m; ++i)
+        for (unsigned int j = 0; j < m; ++j)
+        {
+          double sum = body.compliance(i, j);
+          for (const unsigned int k : kept)
+            if (k >= body.n_rigid_modes)
+              sum -= body.trace(i, k) * body.trace(j, k) / (body.omega[k] * body.omega[k]);
+          result[i * m + j] = sum;
+        }
+      return result;
+    }
+
+    Indices first_modes(const unsigned int n)
+    {
+      Indices result(n);
+      std::iota(result.begin(), result.end(), 0);
+      return result;
+    }
+  } // namespace
+
+  std::vector<Receptance> hysteretic_response(const ResponseReduction &body, const unsigned int n_modes,
+                                              const std::vector<double> &frequency)
+  {
+    Indices kept = first_modes(n_modes);
+    for (unsigned int k = body.damping_ratio.size(); k < body.omega.size(); ++k)
+      kept.push_back(k);
+    const unsigned int m = body.trace.m();
+    const dealii::types::blas_int n = kept.size();
+    if (n == 0)
+      return std::vector<Receptance>(frequency.size(), real_residual(body, kept));
+
+    // by columns: diag(w^2) + i D, its eigenvectors X, X^-1 P^T
+    std::vector<Complex> A(std::size_t(n) * n), mu(n), X(A.size()), weights(std::size_t(n) * m), work(1);
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+        A[std::size_t(j) * n + i] =
+            Complex(i == j ? body.omega[kept[i]] * body.omega[kept[i]] : 0., body.loss(kept[i], kept[j]));
+    for (unsigned int j = 0; j < m; ++j)
+      for (int i = 0; i < n; ++i)
+        weights[std::size_t(j) * n + i] = body.trace(j, kept[i]);
+    std::vector<double> real_work(2 * n);
+    dealii::types::blas_int info = 0, one = 1, size = -1;
+    Complex *const none = nullptr;
+    for (unsigned int pass = 0; pass < 2; ++pass)
+    {
+      dealii::geev("N", "V", &n, A.data(), &n, mu.data(), none, &one, X.data(), &n, work.data(), &size,
+                   real_work.data(), &info);
+      size = static_cast<dealii::types::blas_int>(work[0].real());
+      work.resize(size);
+    }
+    if (info != 0)
+      throw ConvergenceError("LAPACK found no eigenvalues of the complex modal stiffness (zgeev: " +
+                             std::to_string(info) + ").");
+    solve(X, weights, n, m);
+
+    // P X, by rows
+    std::vector<Complex> shapes(std::size_t(m) * n);
+    for (unsigned int i = 0; i < m; ++i)
+      for (int k = 0; k < n; ++k)
+        for (int l = 0; l < n; ++l)
+          shapes[std::size_t(i) * n + k] += body.trace(i, kept[l]) * X[std::size_t(k) * n + l];
+    const Receptance residual = real_residual(body, kept);
+    std::vector<Receptance> result;
+    for (const double f : frequency)
+    {
+      const double square = std::pow(two_pi * f, 2);
+      Receptance H = residual;
+      for (unsigned int i = 0; i < m; ++i)
+        for (unsigned int j = 0; j < m; ++j)
+          for (int k = 0; k < n; ++k)
+            H[i * m + j] +=
+                shapes[std::size_t(i) * n + k] * weights[std::size_t(j) * n + k] / (mu[k] - square);
+      result.push_back(H);
+    }
+    return result;
+  }
+
+  std::vector<Receptance> time_domain_response(const ResponseReduction &body, const unsigned int n_modes,
+                                               const std::vector<double> &frequency)
+  {
+    const unsigned int m = body.trace.m();
+    const Receptance residual = real_residual(body, first_modes(n_modes));
+    std::vector<Receptance> result;
+    for (const double f : frequency)
+    {
+      const double omega = two_pi * f;
+      Receptance H = residual;
+      for (unsigned int k = 0; k < n_modes; ++k)
+      {
+        const double own = body.omega[k];
+        const Complex gain = 1. / Complex(own * own - omega * omega, 2 * body.damping_ratio[k] * own * omega);
+        for (unsigned int i = 0; i < m; ++i)
+          for (unsigned int j = 0; j < m; ++j)
+            H[i * m + j] += body.trace(i, k) * body.trace(j, k) * gain;
+      }
+      result.push_back(H);
+    }
+    return result;
+  }
+
+  std::vector<Receptance> wave_response(const ResponseReduction &body, const WaveRotation &rotation,
+                                        const int sense, const bool hysteretic, const unsigned int n_modes,
+                                        const std::vector<double> &frequency)
+  {
+    Indices kept = first_modes(n_modes);
+    for (unsigned int k = body.damping_ratio.size(); k < body.omega.size() && hysteretic; ++k)
+      kept.push_back(k);
+    const unsigned int m = body.trace.m(), n = kept.size();
+    const double Omega = rotation.speed;
+    const Receptance residual = real_residual(body, kept);
+    std::vector<Complex> A(std::size_t(n) * n), forces(std::size_t(n) * m), q;
+    for (unsigned int j = 0; j < m; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        forces[std::size_t(j) * n + i] = body.trace(j, kept[i]);
+    std::vector<Receptance> result;
+    for (const double f : frequency)
+    {
+      const double omega = two_pi * f, material = omega - sense * double(rotation.n_waves) * Omega,
+                   sign = (material > 0) - (material < 0);
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          const unsigned int k = kept[i], l = kept[j];
+          Complex entry =
+              Omega * Omega * rotation.of_square(k, l) + 2 * sense * Omega * omega * rotation.coriolis(k, l);
+          if (hysteretic)
+            entry += Complex(0, sign * body.loss(k, l));
+          if (k == l)
+            entry += Complex(body.omega[k] * body.omega[k] - omega * omega,
+                             hysteretic ? 0. : 2 * body.damping_ratio[k] * body.omega[k] * material);
+          A[std::size_t(j) * n + i] = entry;
+        }
+      q = forces;
+      solve(A, q, n, m);
+      Receptance H = residual;
+      for (unsigned int i = 0; i < m; ++i)
+        for (unsigned int j = 0; j < m; ++j)
+          for (unsigned int k = 0; k < n; ++k)
+            H[i * m + j] += forces[std::size_t(i) * n + k] * q[std::size_t(j) * n + k];
+      result.push_back(H);
+    }
+    return result;
+  }
+} // namespace vibrocontact
