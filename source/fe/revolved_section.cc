@@ -176,8 +176,13 @@ namespace vibrocontact
     }
   }
 
-  std::unique_ptr<SecondOrderSystem> RevolvedSection::system(const unsigned int n) const
+  std::unique_ptr<SecondOrderSystem> RevolvedSection::system(const unsigned int n,
+                                                             const std::vector<double> &added_loss) const
   {
+    std::vector<double> loss_factor = added_loss;
+    loss_factor.resize(cells.size(), 0.);
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      loss_factor[c] += cells[c].loss_factor;
     auto result = std::make_unique<SecondOrderSystem>();
     SecondOrderSystem &system = *result;
     system.body = name;
@@ -185,7 +190,7 @@ namespace vibrocontact
     system.locally_owned = complete_index_set(n_dofs());
     system.total_mass = total_mass;
     system.has_loss =
-        std::any_of(cells.begin(), cells.end(), [](const Cell &cell) { return cell.loss_factor > 0; });
+        std::any_of(loss_factor.begin(), loss_factor.end(), [](const double loss) { return loss > 0; });
     const AffineConstraints<double> constraints = this->constraints(n);
     DynamicSparsityPattern pattern(n_dofs());
     DoFTools::make_sparsity_pattern(dof_handler, pattern, constraints, false);
@@ -195,8 +200,9 @@ namespace vibrocontact
     if (system.has_loss)
       system.loss_stiffness.reinit(system.stiffness);
     FullMatrix<double> K, M;
-    for (const Cell &cell : cells)
+    for (unsigned int c = 0; c < cells.size(); ++c)
     {
+      const Cell &cell = cells[c];
       K = cell.K_0;
       K.add(double(n), cell.K_1, double(n) * n, cell.K_2);
       K *= around(n);
@@ -206,7 +212,7 @@ namespace vibrocontact
       constraints.distribute_local_to_global(M, cell.dofs, system.mass);
       if (system.has_loss)
       {
-        K *= cell.loss_factor;
+        K *= loss_factor[c];
         constraints.distribute_local_to_global(K, cell.dofs, system.loss_stiffness);
       }
     }

@@ -1,6 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/fe/make_elastic_body.h>
+#include <vibrocontact/fe/revolved_section.h>
 #include <vibrocontact/reduction/damped_wheel.h>
 
 #include <deal.II/base/numbers.h>
@@ -16,30 +17,6 @@ namespace vibrocontact
     constexpr double farthest_place = 0.03;
 
     constexpr const char *directions[3] = {"axial", "radial", "circumferential"};
-
-    unsigned int place_of(const RevolvedShapes &section, const WheelDamper &damper, const std::string &path)
-    {
-      unsigned int nearest = 0;
-      double distance = 1e300, largest = 0;
-      for (unsigned int i = 0; i < section.n_points(); ++i)
-      {
-        const double a = section.points[2 * i], r = section.points[2 * i + 1],
-                     here = std::hypot(a - damper.axial, r - damper.radius);
-        largest = std::max(largest, r);
-        if (here < distance)
-        {
-          distance = here;
-          nearest = i;
-        }
-      }
-      if (distance > farthest_place * largest)
-        throw InputError(path + "/" + damper.name + " has its place at axial position " +
-                         number_text(damper.axial) + " m, radius " + number_text(damper.radius) +
-                         " m, which is not on the wheel: the nearest point of its section is at " +
-                         number_text(section.points[2 * nearest]) + " m, " +
-                         number_text(section.points[2 * nearest + 1]) + " m.");
-      return nearest;
-    }
 
     /// What multiplies W, U or V of a mode at an angle.
     double around(const RevolvedShapes &section, const unsigned int mode, const unsigned int component,
@@ -116,6 +93,40 @@ namespace vibrocontact
     }
   } // namespace
 
+  RevolvedShapes shapes_without_modes(const RevolvedSection &section)
+  {
+    RevolvedShapes result;
+    for (const auto &point : section.boundary(0).points)
+      result.points.insert(result.points.end(), {point[0], point[1]});
+    for (const RevolvedSection::Part &part : section.parts())
+      result.cells.insert(result.cells.end(), {part.centre[0], part.centre[1], double(part.material)});
+    return result;
+  }
+
+  unsigned int point_of(const RevolvedShapes &section, const WheelDamper &damper, const std::string &path)
+  {
+    unsigned int nearest = 0;
+    double distance = 1e300, largest = 0;
+    for (unsigned int i = 0; i < section.n_points(); ++i)
+    {
+      const double a = section.points[2 * i], r = section.points[2 * i + 1],
+                   here = std::hypot(a - damper.axial, r - damper.radius);
+      largest = std::max(largest, r);
+      if (here < distance)
+      {
+        distance = here;
+        nearest = i;
+      }
+    }
+    if (distance > farthest_place * largest)
+      throw InputError(path + "/" + damper.name + " has its place at axial position " +
+                       number_text(damper.axial) + " m, radius " + number_text(damper.radius) +
+                       " m, which is not on the wheel: the nearest point of its section is at " +
+                       number_text(section.points[2 * nearest]) + " m, " +
+                       number_text(section.points[2 * nearest + 1]) + " m.");
+    return nearest;
+  }
+
   std::vector<AttachedMass> attached_masses(const RevolvedShapes &section,
                                             const std::vector<WheelDamper> &dampers, const std::string &path)
   {
@@ -124,7 +135,7 @@ namespace vibrocontact
     {
       if (damper.is_layer())
         continue;
-      const unsigned int point = place_of(section, damper, path);
+      const unsigned int point = point_of(section, damper, path);
       if (damper.is_ring())
         add_ring(section, damper, point, all);
       else

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/reduction/damped_wheel.h>
 #include <vibrocontact/reduction/revolved_reduction.h>
 #include <vibrocontact/reduction/wave_mode.h>
 
@@ -106,11 +107,7 @@ namespace vibrocontact
 
   RevolvedShapes RevolvedReduction::revolved_shapes(const std::vector<WaveMode> &modes) const
   {
-    RevolvedShapes result;
-    for (const auto &point : section->boundary(0).points)
-      result.points.insert(result.points.end(), {point[0], point[1]});
-    for (const RevolvedSection::Part &part : section->parts())
-      result.cells.insert(result.cells.end(), {part.centre[0], part.centre[1], double(part.material)});
+    RevolvedShapes result = shapes_without_modes(*section);
     std::vector<const WaveMode *> each;
     for (const WaveMode &mode : modes)
       for (int odd = 0; odd < (mode.n == 0 ? 1 : 2); ++odd)

@@ -46,7 +46,13 @@ namespace vibrocontact
 
   std::array<double, 3> RevolvedPoint::weights(const unsigned int n, const bool odd) const
   {
-    std::array<double, 3> result = wave_weights(n, odd, angle, half_angle, component);
+    std::array<double, 3> result{};
+    if (!in_section_axes)
+      result = wave_weights(n, odd, angle, half_angle, component);
+    else if (component == 2)
+      result[2] = odd ? -std::cos(n * angle) : std::sin(n * angle);
+    else
+      result[component] = odd ? std::sin(n * angle) : std::cos(n * angle);
     if (n == 0)
       for (unsigned int c = 0; c < 3; ++c)
         if ((c == 2) != odd)

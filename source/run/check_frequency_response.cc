@@ -36,12 +36,6 @@ namespace vibrocontact
     void check_wheel(const Parameters &parameters, const BodyParameters &body)
     {
       const std::string section = body.name + "/" + body.body_type().section;
-      if (const auto *const dampers = body.description->wheel_dampers(); dampers && !dampers->empty())
-        throw InputError(
-            section +
-            "/Dampers is set, which the analysis frequency response does not take: leave it out, "
-            "or leave " +
-            body.name + " out of Frequency response/Bodies.");
       if (!body.rolls())
         return;
       const std::string turns = section + "/Rotation is true, but Rolling/Speed is ",

@@ -212,11 +212,7 @@ namespace vibrocontact
       const std::vector<WheelDamper> *const dampers = body.description->wheel_dampers();
       if (!dampers || dampers->empty())
         return;
-      RevolvedShapes section;
-      for (const auto &point : elements.boundary(0).points)
-        section.points.insert(section.points.end(), {point[0], point[1]});
-      for (const RevolvedSection::Part &part : elements.parts())
-        section.cells.insert(section.cells.end(), {part.centre[0], part.centre[1], double(part.material)});
+      const RevolvedShapes section = shapes_without_modes(elements);
       const std::string path = body.name + "/" + body.body_type().section + "/Damper";
       attached_masses(section, *dampers, path);
       loss_of_layers(section, *dampers, path);

@@ -68,7 +68,9 @@ namespace vibrocontact
                     const std::function<dealii::Point<2>(const dealii::Point<2> &)> &displacement = {});
 
     /// The matrices of n waves, on this rank alone, without load and trace. Rigid motions are in it.
-    std::unique_ptr<SecondOrderSystem> system(unsigned int n) const;
+    /// @param added_loss loss factor of each part beside that of its material; empty: none
+    std::unique_ptr<SecondOrderSystem> system(unsigned int n,
+                                              const std::vector<double> &added_loss = {}) const;
     /// The load of the body's weight in n waves of a family, as SecondOrderSystem::load; null: there is none.
     std::unique_ptr<dealii::PETScWrappers::MPI::Vector> weight(unsigned int n, bool odd) const;
 

@@ -11,6 +11,8 @@
 
 namespace vibrocontact
 {
+  class RevolvedSection;
+
   /// A mass on a spring k (1 + j eta) at a place of a body that moves by u = b^T q along one direction, or fixed to it:
   ///
   ///   m x'' + k (1 + j eta) (x - b^T q) = 0,      force on q: k (1 + j eta) b (x - b^T q)
@@ -27,6 +29,14 @@ namespace vibrocontact
     bool is_sprung() const { return omega > 0; }
     double stiffness() const { return mass * omega * omega; }
   };
+
+  /// The points and elements of a section alone.
+  RevolvedShapes shapes_without_modes(const RevolvedSection &section);
+
+  /// Number of the point of the section's boundary that a damper stands at, the one next to its place.
+  /// @param path of the section that the dampers have in the file, for the message
+  /// @throws InputError if the place is not on the section's boundary
+  unsigned int point_of(const RevolvedShapes &section, const WheelDamper &damper, const std::string &path);
 
   /// All masses of some dampers on a wheel; none of layers. Absorbers stand at the point of the
   /// section's boundary that is next to their place, number of them evenly around the axle; along the directions without

@@ -19,14 +19,18 @@ namespace vibrocontact
     std::array<TraceRow, 3> rows;
     /// around the axle from the contact, and half of the angle that the place is spread over [rad]
     double angle = 0, half_angle = 0;
-    /// order of contact components: 0 z, 1 x, 2 y
+    /// order of contact components: 0 z, 1 x, 2 y; in axes of the section: 0 axial, 1 radial, 2 circumferential
     unsigned int component = 0;
+    bool in_section_axes = false;
 
     /// What axial, radial and circumferential amplitude of n waves of a family add to its motion; n = 0: even has the
     /// first two, odd the last one.
     std::array<double, 3> weights(unsigned int n, bool odd) const;
     /// whether its motion has axial, radial or circumferential amplitudes in it
-    bool has(unsigned int amplitude) const { return (component == 2) == (amplitude == 0); }
+    bool has(const unsigned int amplitude) const
+    {
+      return in_section_axes ? amplitude == component : (component == 2) == (amplitude == 0);
+    }
   };
 
   /// What axial, radial and circumferential amplitude of n waves add to the motion along a component of contact, mean

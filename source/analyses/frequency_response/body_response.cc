@@ -173,8 +173,12 @@ namespace vibrocontact
       modes.count = 0;
     }
     const std::vector<RevolvedPoint> places = revolved_points(body, parameters);
-    by_harmonics.emplace(body.reduction.revolved().elements(), places, modes, body.section().n_harmonics,
-                         MPI_COMM_WORLD, rotation());
+    const RevolvedSection &elements = body.reduction.revolved().elements();
+    const std::vector<WheelDamper> *const dampers = body.parameters.description->wheel_dampers();
+    by_harmonics.emplace(
+        elements, places, modes, body.section().n_harmonics, MPI_COMM_WORLD, rotation(),
+        wheel_attachments(elements, dampers ? *dampers : std::vector<WheelDamper>(),
+                          body.parameters.name + "/" + body.parameters.body_type().section + "/Damper"));
     return *by_harmonics;
   }
 
@@ -217,9 +221,7 @@ namespace vibrocontact
       return {method, waves().n_modes(cut), frequency, waves().modal(method == "hysteretic", cut, frequency),
               !waves().turns()};
     const ResponseReduction &modes = reduction();
-    const auto begin = modes.omega.begin(), end = begin + modes.damping_ratio.size();
-    const unsigned int n =
-        (cut > 0 ? std::lower_bound(begin, end, 2 * dealii::numbers::PI * cut) : end) - begin;
+    const unsigned int n = modes_below(modes, cut);
     return {method, n, frequency,
             method == "hysteretic" ? hysteretic_response(modes, n, frequency)
                                    : time_domain_response(modes, n, frequency)};

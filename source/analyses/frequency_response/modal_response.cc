@@ -16,21 +16,6 @@ namespace vibrocontact
   {
     const double two_pi = 2 * dealii::numbers::PI;
 
-    /// Solves A X = B in place, both by columns.
-    void solve(std::vector<Complex> A, std::vector<Complex> &B, const dealii::types::blas_int n,
-               const dealii::types::blas_int n_columns)
-    {
-      std::vector<dealii::types::blas_int> pivots(n);
-      dealii::types::blas_int info = 0;
-      if (n > 0)
-        dealii::getrf(&n, &n, A.data(), &n, pivots.data(), &info);
-      if (info != 0)
-        throw ConvergenceError(
-            "The equations of the modes have no solution (zgetrf: " + std::to_string(info) + ").");
-      if (n > 0)
-        dealii::getrs("N", &n, &n_columns, A.data(), &n, pivots.data(), B.data(), &n, &info);
-    }
-
     using Indices = std::vector<unsigned int>;
 
     /// static answer of what is left out by keeping some vectors, without loss
@@ -57,6 +42,31 @@ namespace vibrocontact
       return result;
     }
   } // namespace
+
+  void solve_by_columns(std::vector<Complex> A, std::vector<Complex> &B, const dealii::types::blas_int n,
+                        const dealii::types::blas_int n_columns)
+  {
+    std::vector<dealii::types::blas_int> pivots(n);
+    dealii::types::blas_int info = 0;
+    if (n > 0)
+      dealii::getrf(&n, &n, A.data(), &n, pivots.data(), &info);
+    if (info != 0)
+      throw ConvergenceError(
+          "Frequency response: complex equations have no solution (zgetrf: " + std::to_string(info) + ").");
+    if (n > 0)
+      dealii::getrs("N", &n, &n_columns, A.data(), &n, pivots.data(), B.data(), &n, &info);
+  }
+
+  unsigned int modes_below(const ResponseReduction &body, const double highest)
+  {
+    const auto begin = body.omega.begin(), end = begin + body.damping_ratio.size();
+    return (highest > 0 ? std::lower_bound(begin, end, two_pi * highest) : end) - begin;
+  }
+
+  Receptance static_residual(const ResponseReduction &body, const unsigned int n_modes)
+  {
+    return real_residual(body, first_modes(n_modes));
+  }
 
   std::vector<Receptance> hysteretic_response(const ResponseReduction &body, const unsigned int n_modes,
                                               const std::vector<double> &frequency)
@@ -91,7 +101,7 @@ namespace vibrocontact
     if (info != 0)
       throw ConvergenceError("LAPACK found no eigenvalues of the complex modal stiffness (zgeev: " +
                              std::to_string(info) + ").");
-    solve(X, weights, n, m);
+    solve_by_columns(X, weights, n, m);
 
     // P X, by rows
     std::vector<Complex> shapes(std::size_t(m) * n);
@@ -119,7 +129,7 @@ namespace vibrocontact
                                                const std::vector<double> &frequency)
   {
     const unsigned int m = body.trace.m();
-    const Receptance residual = real_residual(body, first_modes(n_modes));
+    const Receptance residual = static_residual(body, n_modes);
     std::vector<Receptance> result;
     for (const double f : frequency)
     {
@@ -171,7 +181,7 @@ namespace vibrocontact
           A[std::size_t(j) * n + i] = entry;
         }
       q = forces;
-      solve(A, q, n, m);
+      solve_by_columns(A, q, n, m);
       Receptance H = residual;
       for (unsigned int i = 0; i < m; ++i)
         for (unsigned int j = 0; j < m; ++j)

@@ -20,11 +20,14 @@ namespace vibrocontact
 
   RevolvedResponse::RevolvedResponse(const RevolvedSection &section, const std::vector<RevolvedPoint> &points,
                                      const ModeParameters &parameters, const unsigned int n_waves,
-                                     const MPI_Comm communicator, const double rotation)
-      : section(section), points(points), parameters(parameters), n_waves(n_waves),
-        communicator(communicator), rotation(rotation)
+                                     const MPI_Comm communicator, const double rotation,
+                                     const WheelAttachments &dampers)
+      : section(section), dampers(dampers), n_asked(points.size()), points(points), parameters(parameters),
+        n_waves(n_waves), communicator(communicator), rotation(rotation), rows(dampers.ring_rows)
   {
-    for (const RevolvedPoint &point : points)
+    AssertThrow(!turns() || !dampers.has_masses(), dealii::ExcInternalError());
+    this->points.insert(this->points.end(), dampers.places.begin(), dampers.places.end());
+    for (const RevolvedPoint &point : this->points)
     {
       std::array<unsigned int, 3> own{};
       for (unsigned int c = 0; c < 3; ++c)
@@ -49,7 +52,7 @@ namespace vibrocontact
 
   std::unique_ptr<SecondOrderSystem> RevolvedResponse::damped_system(const unsigned int n) const
   {
-    auto system = section.system(n);
+    auto system = section.system(n, dampers.layers);
     const double loss_factor = 2 * wheel_damping({{"", 0, n}}, parameters)[0];
     if (loss_factor == 0)
       return system;
@@ -150,73 +153,104 @@ namespace vibrocontact
                                 answer[row_of[i][c] * n_rows + row_of[j][d]] * amplitudes[j][d];
   }
 
-  std::vector<Receptance> RevolvedResponse::summed(std::vector<Receptance> own) const
+  std::vector<Receptance> RevolvedResponse::summed(
+      const std::vector<double> &frequency,
+      const std::function<void(const std::vector<double> &, std::vector<Receptance> &)> &add) const
   {
-    for (Receptance &one : own)
-      MPI::sum(one, communicator, one);
-    return own;
+    constexpr std::size_t most_entries = 4000000;
+    const std::size_t m = points.size(), at_once = std::max<std::size_t>(1, most_entries / (m * m));
+    std::vector<Attachment> absorbers = dampers.absorbers;
+    for (Attachment &one : absorbers)
+      one.row += n_asked;
+    std::vector<Receptance> result;
+    for (std::size_t first = 0; first < frequency.size(); first += at_once)
+    {
+      const std::vector<double> part(frequency.begin() + first,
+                                     frequency.begin() + std::min(first + at_once, frequency.size()));
+      std::vector<Receptance> whole(part.size(), Receptance(m * m));
+      add(part, whole);
+      for (std::size_t k = 0; k < part.size(); ++k)
+      {
+        MPI::sum(whole[k], communicator, whole[k]);
+        attach(absorbers, 1., 2 * dealii::numbers::PI * part[k], whole[k]);
+        Receptance asked(n_asked * n_asked);
+        for (unsigned int i = 0; i < n_asked; ++i)
+          std::copy_n(whole[k].begin() + i * m, n_asked, asked.begin() + i * n_asked);
+        result.push_back(asked);
+      }
+    }
+    return result;
   }
 
   std::vector<Receptance> RevolvedResponse::modal(const bool hysteretic, const double highest,
                                                   const std::vector<double> &frequency)
   {
-    std::vector<Receptance> result(frequency.size(), Receptance(points.size() * points.size()));
-    for (const Wave &wave : waves())
+    const std::vector<Wave> &all = waves();
+    if (!hysteretic && dampers.has_masses())
+      return damped_in_time(highest, frequency);
+    const auto add = [&](const std::vector<double> &part, std::vector<Receptance> &sum)
     {
-      const ResponseReduction &own = wave.vectors;
-      const auto begin = own.omega.begin(), end = begin + own.damping_ratio.size();
-      const unsigned int n =
-          (highest > 0 ? std::lower_bound(begin, end, 2 * dealii::numbers::PI * highest) : end) - begin;
-      std::vector<Receptance> at_rest;
-      if (!turns())
-        at_rest =
-            hysteretic ? hysteretic_response(own, n, frequency) : time_domain_response(own, n, frequency);
-      for (const int sense : {-1, 1})
+      for (const Wave &wave : all)
       {
-        const std::vector<Receptance> answer =
-            turns() ? wave_response(own, wave.rotation, sense, hysteretic, n, frequency) : at_rest;
-        for (std::size_t k = 0; k < frequency.size(); ++k)
-          add_wave(wave.rotation.n_waves, sense, answer[k], result[k]);
+        const ResponseReduction &own = wave.vectors;
+        const unsigned int n = wave.rotation.n_waves, n_kept = modes_below(own, highest);
+        std::vector<Receptance> at_rest;
+        if (!turns())
+          at_rest =
+              hysteretic ? hysteretic_response(own, n_kept, part) : time_domain_response(own, n_kept, part);
+        for (std::size_t k = 0; k < at_rest.size(); ++k)
+          attach(dampers.rings, n == 0 ? 1. : 0.5, 2 * dealii::numbers::PI * part[k], at_rest[k]);
+        for (const int sense : {-1, 1})
+        {
+          const std::vector<Receptance> answer =
+              turns() ? wave_response(own, wave.rotation, sense, hysteretic, n_kept, part) : at_rest;
+          for (std::size_t k = 0; k < part.size(); ++k)
+            add_wave(n, sense, answer[k], sum[k]);
+        }
       }
-    }
-    return summed(std::move(result));
+    };
+    return summed(frequency, add);
   }
 
   unsigned int RevolvedResponse::n_modes(const double highest)
   {
     unsigned int own = 0;
     for (const Wave &wave : waves())
-      for (unsigned int k = 0; k < wave.vectors.damping_ratio.size(); ++k)
-        if (highest == 0 || wave.vectors.omega[k] < 2 * dealii::numbers::PI * highest)
-          own += wave.rotation.n_waves == 0 ? 1 : 2;
+      own += (wave.rotation.n_waves == 0 ? 1 : 2) * modes_below(wave.vectors, highest);
     return MPI::sum(own, communicator);
   }
 
   std::vector<Receptance> RevolvedResponse::direct(const std::vector<double> &frequency)
   {
-    std::vector<Receptance> result(frequency.size(), Receptance(points.size() * points.size()));
-    for_each_wave(
-        "direct solutions by harmonics",
-        [&](const unsigned int n, SecondOrderSystem &system)
-        {
-          const auto terms = rotation_of(n);
-          if (terms)
-            add_rotation(*terms, system);
-          HarmonicSolver solver(system, HarmonicSolver::Ranks::together, terms ? &terms->coriolis : nullptr);
-          for (std::size_t k = 0; k < frequency.size(); ++k)
-          {
-            const double omega = 2 * dealii::numbers::PI * frequency[k];
-            Receptance answer;
-            for (const int sense : {-1, 1})
-            {
-              // what the material sees
-              const double seen = omega - sense * double(n) * rotation;
-              if (terms || answer.empty())
-                answer = solver.receptance(omega, rows, 2 * sense * rotation, (seen > 0) - (seen < 0));
-              add_wave(n, sense, answer, result[k]);
-            }
-          }
-        });
-    return summed(std::move(result));
+    const auto add = [&](const std::vector<double> &part, std::vector<Receptance> &sum)
+    {
+      for_each_wave("direct solutions by harmonics",
+                    [&](const unsigned int n, SecondOrderSystem &system)
+                    {
+                      const auto terms = rotation_of(n);
+                      if (terms)
+                        add_rotation(*terms, system);
+                      HarmonicSolver solver(system, HarmonicSolver::Ranks::together,
+                                            terms ? &terms->coriolis : nullptr);
+                      for (std::size_t k = 0; k < part.size(); ++k)
+                      {
+                        const double omega = 2 * dealii::numbers::PI * part[k];
+                        Receptance answer;
+                        for (const int sense : {-1, 1})
+                        {
+                          // what the material sees
+                          const double seen = omega - sense * double(n) * rotation;
+                          if (terms || answer.empty())
+                          {
+                            answer =
+                                solver.receptance(omega, rows, 2 * sense * rotation, (seen > 0) - (seen < 0));
+                            attach(dampers.rings, n == 0 ? 1. : 0.5, omega, answer);
+                          }
+                          add_wave(n, sense, answer, sum[k]);
+                        }
+                      }
+                    });
+    };
+    return summed(frequency, add);
   }
 } // namespace vibrocontact

@@ -10,6 +10,16 @@ namespace vibrocontact
   /// Receptance matrix between n points: [i * n + j] [m/N].
   using Receptance = std::vector<std::complex<double>>;
 
+  /// Solves A X = B in place, both by columns. @throws ConvergenceError if A is singular
+  void solve_by_columns(std::vector<std::complex<double>> A, std::vector<std::complex<double>> &B, int n,
+                        int n_columns);
+
+  /// Number of modes below a frequency [Hz]; 0: all of them, without Ritz vectors.
+  unsigned int modes_below(const ResponseReduction &body, double highest);
+
+  /// Static answer of what is left out by modes, without loss. @param n_modes modes kept, lowest first
+  Receptance static_residual(const ResponseReduction &body, unsigned int n_modes);
+
   /// Exact hysteretic loss on the modes, receptance at each frequency [Hz]: one complex eigenproblem
   /// (diag(w^2) + i D) X = X diag(mu) of modes and Ritz vectors, then
   ///

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <vibrocontact/analyses/frequency_response/modal_response.h>
-#include <vibrocontact/fe/revolved_section.h>
-#include <vibrocontact/reduction/revolved_point.h>
+#include <vibrocontact/analyses/frequency_response/wheel_attachments.h>
 
 #include <array>
 #include <functional>
@@ -28,14 +26,18 @@ namespace vibrocontact
   ///
   /// Damping given by the number of nodal diameters (Eq. 23) is a loss factor 2 zeta_n of the stiffness of n waves, beside
   /// what the materials lose: modes and direct solutions have the same.
+  ///
+  /// Dampers: layers are a loss of elements, rings answer with each wave, absorbers couple waves and act on the sum, as forces
+  /// on further points (wheel_attachments.h). The damping of a run in time has them on its modes instead, as that run does
+  /// (reduction/damped_wheel.h).
   class RevolvedResponse
   {
   public:
     /// @param n_waves N @param parameters of the modes, for modal()
-    /// @param rotation Omega towards growing theta, 0: at rest [rad/s]
+    /// @param rotation Omega towards growing theta, 0: at rest [rad/s] @param dampers without masses if it turns
     RevolvedResponse(const RevolvedSection &section, const std::vector<RevolvedPoint> &points,
                      const ModeParameters &parameters, unsigned int n_waves, MPI_Comm communicator,
-                     double rotation = 0);
+                     double rotation = 0, const WheelAttachments &dampers = {});
 
     /// By modes and Ritz vectors as hysteretic_response(), or as time_domain_response(). Collective.
     /// @param highest frequency of modes that are kept [Hz]; 0: all
@@ -67,15 +69,25 @@ namespace vibrocontact
     const std::vector<Wave> &waves();
     /// Adds 1/2 of what n waves of one sense answer, [row * n_rows + row] of the section's rows.
     void add_wave(unsigned int n, int sense, const Receptance &answer, Receptance &sum) const;
-    std::vector<Receptance> summed(std::vector<Receptance> own) const;
+    /// Sums over all waves: add(frequencies, receptances of all points) adds those of this rank. Then come the absorbers; few
+    /// enough frequencies at a time for the memory. Collective.
+    std::vector<Receptance>
+    summed(const std::vector<double> &frequency,
+           const std::function<void(const std::vector<double> &, std::vector<Receptance> &)> &add) const;
+    /// modal(), time domain, with masses
+    std::vector<Receptance> damped_in_time(double highest, const std::vector<double> &frequency);
 
     const RevolvedSection &section;
-    const std::vector<RevolvedPoint> points;
+    const WheelAttachments dampers;
+    /// those asked for, then places of absorbers
+    const unsigned int n_asked;
+    std::vector<RevolvedPoint> points;
     const ModeParameters parameters;
     const unsigned int n_waves;
     const MPI_Comm communicator;
     const double rotation;
-    /// the section's rows that the points have, and which they are, by axial, radial and circumferential amplitude
+    /// the section's rows: of rings, then those that the points have, and which these are, by axial, radial and
+    /// circumferential amplitude
     std::vector<TraceRow> rows;
     std::vector<std::array<unsigned int, 3>> row_of;
     /// centrifugal_displacement() of a body that turns
