@@ -1,3 +1,4 @@
+#include <vibrocontact/analyses/frequency_response/modal_response.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/run/check_contacts.h>
@@ -31,6 +32,10 @@ namespace vibrocontact
         throw InputError(body.name +
                          "/Modes asks for no modes, but Frequency response/Method is modal; give Upper "
                          "frequency or Count, or set Method to direct");
+      // of a Count it is known once there are modes
+      if (body.is_meshed() && parameters.modes.at(body.name).upper_frequency > 0)
+        check_reach_of_modes(parameters.frequency_response.frequencies().back(), body.name,
+                             parameters.modes.at(body.name).upper_frequency, "Upper frequency");
     }
 
     void check_wheel(const Parameters &parameters, const BodyParameters &body)

@@ -132,6 +132,13 @@ namespace vibrocontact
   {
   }
 
+  void BodyResponse::check_count()
+  {
+    if (body.reduction.request().modes.count > 0)
+      check_reach_of_modes(parameters.frequencies().back(), body.parameters.name,
+                           body.reduction.modal().omega.back() / (2 * dealii::numbers::PI), "Count");
+  }
+
   double BodyResponse::rotation() const
   {
     // material passes the contact towards +x, where theta grows

@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/frequency_response/modal_response.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/lac/lapack_templates.h>
@@ -55,6 +56,17 @@ namespace vibrocontact
           "Frequency response: complex equations have no solution (zgetrf: " + std::to_string(info) + ").");
     if (n > 0)
       dealii::getrs("N", &n, &n_columns, A.data(), &n, pivots.data(), B.data(), &n, &info);
+  }
+
+  void check_reach_of_modes(const double highest, const std::string &body, const double upper_frequency,
+                            const std::string &entry)
+  {
+    constexpr double usable = 0.75;
+    if (highest > usable * upper_frequency * (1 + 1e-9))
+      throw InputError("Frequency response/Method is modal and asks for " + number_text(highest) + " Hz of " +
+                       body + ", whose modes reach to " + number_text(upper_frequency) +
+                       " Hz, but are good for 3/4 of it, " + number_text(usable * upper_frequency) +
+                       " Hz: raise " + body + "/Modes/" + entry + ", ask for less, or set Method to direct.");
   }
 
   unsigned int modes_below(const ResponseReduction &body, const double highest)

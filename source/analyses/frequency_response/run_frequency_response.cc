@@ -113,6 +113,8 @@ namespace vibrocontact
         run_log().value("turns past its points",
                         number_text(rotation) + " rad/s, at Rolling/Speed " + number_text(speed) + " m/s");
       const bool is_modal = parameters.method == "modal";
+      if (is_modal)
+        response.check_count();
       const auto write = [&](const Table &table, const std::string &suffix)
       {
         const std::string file = "frequency_response_" + name + suffix + ".csv";

@@ -21,6 +21,8 @@ namespace vibrocontact
     /// @param speed of rolling, of a body by harmonics that turns past its points [m/s]
     BodyResponse(MeshedBody &body, const FrequencyResponseParameters &parameters, double speed);
 
+    /// @throws InputError if a Count of modes does not reach as far as is asked for (check_reach_of_modes())
+    void check_count();
     /// Omega, 0: at rest [rad/s]
     double rotation() const;
 

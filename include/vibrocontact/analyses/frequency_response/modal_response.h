@@ -3,6 +3,7 @@
 #include <vibrocontact/reduction/response_reduction.h>
 
 #include <complex>
+#include <string>
 #include <vector>
 
 namespace vibrocontact
@@ -13,6 +14,13 @@ namespace vibrocontact
   /// Solves A X = B in place, both by columns. @throws ConvergenceError if A is singular
   void solve_by_columns(std::vector<std::complex<double>> A, std::vector<std::complex<double>> &B, int n,
                         int n_columns);
+
+  /// By modes, responses are asked for up to 3/4 of the frequency that modes reach to: above, those left out resonate.
+  /// @param highest frequency that is asked for @param upper_frequency of the modes of a body [Hz]
+  /// @param entry of its section Modes that says so
+  /// @throws InputError
+  void check_reach_of_modes(double highest, const std::string &body, double upper_frequency,
+                            const std::string &entry);
 
   /// Number of modes below a frequency [Hz]; 0: all of them, without Ritz vectors.
   unsigned int modes_below(const ResponseReduction &body, double highest);
