@@ -18,7 +18,7 @@ namespace vibrocontact
   {
     constexpr double two_pi = 2 * dealii::numbers::PI;
     /// of |s|: step of the difference, how far the straight line holds, how far a root may move, how near two are one
-    constexpr double step = 1e-4, straight = 2e-4, farthest = 0.02, equal = 1e-10;
+    constexpr double step = 1e-4, straight = 1e-7, farthest = 0.02, equal = 1e-10;
     /// in which the poles turn into the exact receptance
     constexpr unsigned int n_shares = 5;
     /// of |s|: how far the root of the eigenproblem may be from one of the contact's equations with the same poles
@@ -40,6 +40,14 @@ namespace vibrocontact
         fitted = body.by_poles(s);
         exact_slope = quotient(body.at(s + h), exact, h);
         fitted_slope = quotient(body.by_poles(s + h), fitted, h);
+      }
+      /// The exact one alone, with the slope of the secant from where it was.
+      void move(const ExactReceptance &body, const Complex &s)
+      {
+        const ComplexMatrix here = body.at(s);
+        exact_slope = quotient(here, exact, s - about);
+        exact = here;
+        about = s;
       }
       ComplexMatrix slope() const { return mean(exact_slope, fitted_slope); }
       ComplexMatrix value(const Complex &s) const
@@ -138,7 +146,8 @@ namespace vibrocontact
         if (++n_lines > most_lines || !(std::abs(at.s - start) < farthest * std::abs(start)))
           throw ConvergenceError("It leads elsewhere.");
         before = at.s;
-        put_lines(before);
+        for (unsigned int b = 0; b < lines.size(); ++b)
+          lines[b]->move(loss.exact[b], before);
         at = root_with(1, before, at.x);
       }
       return at.s;

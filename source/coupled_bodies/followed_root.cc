@@ -50,9 +50,12 @@ namespace vibrocontact
 
   std::vector<unsigned int> growing_and_nearest(const std::vector<StabilityRoot> &all)
   {
+    // beside a body that poles stand for, the others are only nearly roots
+    const bool some_exact =
+        std::any_of(all.begin(), all.end(), [](const StabilityRoot &root) { return root.exact; });
     std::vector<unsigned int> numbers;
     for (unsigned int i = 0; i < all.size(); ++i)
-      if (all[i].frequency > 0)
+      if (all[i].frequency > 0 && (all[i].exact || !some_exact))
         numbers.push_back(i);
     std::stable_sort(numbers.begin(), numbers.end(),
                      [&](const unsigned int a, const unsigned int b)

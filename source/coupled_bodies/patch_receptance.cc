@@ -243,4 +243,15 @@ namespace vibrocontact
     }
     return result;
   }
+
+  std::vector<PatchReceptance> all_patch_receptances(const ContactPair &pair, const HystereticLoss *loss)
+  {
+    std::vector<PatchReceptance> result = patch_receptances(pair, loss);
+    for (unsigned int k = 0; loss && k < loss->exact.size(); ++k)
+    {
+      const ExactReceptance &body = loss->exact[k];
+      result.push_back({body.basis, body.nearby, body.nearby_derivative});
+    }
+    return result;
+  }
 } // namespace vibrocontact

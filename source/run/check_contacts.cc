@@ -314,8 +314,8 @@ namespace vibrocontact
         refuse("friction that depends on the slip speed");
     for (const BodyParameters &body : parameters.scene.bodies)
     {
-      if (body.is_periodic_rail())
-        refuse("a periodic rail (" + body.name + ")");
+      if (body.is_periodic_rail() && !parameters.stability.is_hysteretic())
+        refuse("a periodic rail (" + body.name + ") by its poles in time: set Stability/Loss to hysteretic");
       if (body.is_green() || body.rolls())
         refuse("a body known by poles (" + body.name + ")");
     }

@@ -46,8 +46,10 @@ namespace vibrocontact
     throw dealii::ExcInternalError();
   }
 
-  std::vector<ExactReceptance> exact_receptances(const MeshedBodies &bodies, const PlacedContacts &contacts)
+  std::vector<ExactReceptance> exact_receptances(const MeshedBodies &bodies, const PlacedContacts &contacts,
+                                                 const bool with_poles)
   {
+    using Function = LocalPolynomials::Function;
     std::vector<ExactReceptance> result;
     for (unsigned int k = 0; k < bodies.tracks.size(); ++k)
       if (TrackBody *const track = bodies.tracks[k].get())
@@ -64,8 +66,29 @@ namespace vibrocontact
         for (unsigned int j = 0; j < motions.n(); ++j)
           for (unsigned int i = 0; i < own.rows.size(); ++i)
             basis(own.rows[i], j) = own.sign[i] * motions(kept[i], j);
-        result.push_back({k + 1, basis, track->beside_rest(), track->by_poles(),
-                          track->parameters.material_loss_factor(), track->highest_frequency()});
+        ComplexMatrix rest =
+            entries_as<std::complex<double>>(with_poles ? track->beside_poles() : track->elastic());
+        const auto beside_rest = [rest](const Function &whole)
+        {
+          return [rest, whole](const std::complex<double> &s)
+          {
+            ComplexMatrix X = whole(s);
+            X.add(-1., rest);
+            return X;
+          };
+        };
+        LocalPolynomials &nearby = track->nearby();
+        ExactReceptance exact;
+        exact.body = k + 1;
+        exact.basis = basis;
+        exact.at = beside_rest(track->receptance());
+        exact.nearby = beside_rest([&nearby](const std::complex<double> &s) { return nearby.value(s); });
+        exact.nearby_derivative = [&nearby](const std::complex<double> &s) { return nearby.derivative(s); };
+        if (with_poles)
+          exact.by_poles = track->by_poles();
+        exact.loss = track->parameters.material_loss_factor();
+        exact.up_to = track->highest_frequency();
+        result.push_back(exact);
       }
     return result;
   }

@@ -311,18 +311,18 @@ namespace vibrocontact
     return worst.empty() ? 0. : *std::max_element(worst.begin(), worst.end());
   }
 
-  std::function<ComplexMatrix(const std::complex<double> &)> TrackBody::beside_rest()
+  std::function<ComplexMatrix(const std::complex<double> &)> TrackBody::receptance()
   {
     const TrackInContact &track = this->track();
-    const DenseMatrix &rest = fit().body.residual;
-    return [&track, &rest](const std::complex<double> &s)
-    {
-      ComplexMatrix X = track.receptance(std::complex<double>(0, -1) * s);
-      for (unsigned int i = 0; i < 6; ++i)
-        for (unsigned int j = 0; j < 6; ++j)
-          X(i, j) -= rest(i, j);
-      return X;
-    };
+    return [&track](const std::complex<double> &s)
+    { return track.receptance(std::complex<double>(0, -1) * s); };
+  }
+
+  LocalPolynomials &TrackBody::nearby()
+  {
+    if (!local)
+      local = std::make_unique<LocalPolynomials>(receptance());
+    return *local;
   }
 
   std::function<ComplexMatrix(const std::complex<double> &)> TrackBody::by_poles()

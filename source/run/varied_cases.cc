@@ -17,7 +17,7 @@ namespace vibrocontact
       for (const char *const name :
            {"Grid spacing", "Half length", "Half width", "Upper frequency", "Section cell size",
             "Contact cell size", "Refinement margin", "Refinement depth", "Contact division",
-            "Coarse division", "Growth", "Fine length", "Element length"})
+            "Coarse division", "Growth", "Fine length", "Element length", "Fitted up to"})
         if (entry.name == name)
           return true;
       return entry.pattern.rfind("[Integer", 0) == 0;

@@ -16,7 +16,7 @@ namespace vibrocontact
   /// Puts the fitted roots that are nearest to instability in the contact's own equations with HystereticLoss::exact
   /// (contact_receptance.h) in place of the poles, and brings frequency and growth up to date; shapes stay. The poles
   /// turn into the exact receptance in steps, so that no root is mistaken for its neighbour. About each root the receptance is
-  /// taken as linear in s, again where the root has moved by more than it is linear. Roots named after a pole of such a body are
+  /// taken as linear in s, again by its secant until the root stays where it is (some 1e-11 of |s|). Roots named after a pole of such a body are
   /// where its fit has a pole, which the body itself need not have: those that the exact receptance does not have are dropped, the
   /// rest of them as well; those that it has are named after the mode, or the wave of a wheel that turns, with the largest share. Sorts the roots.
   /// @pre constant friction, a hub without dampers: the contact's own equations know these alone

@@ -14,7 +14,7 @@ namespace vibrocontact
   /// Whether a root of F is one that is listed: within 1e-6 of |s|, which the eigenvalues of the states miss by less.
   bool is_at(const std::complex<double> &s, const StabilityRoot &root);
   /// The roots that matter: numbers of those that oscillate and grow, and of the three others that are nearest to that, by
-  /// descending divergence rate.
+  /// descending divergence rate; where some are exact, of these.
   std::vector<unsigned int> growing_and_nearest(const std::vector<StabilityRoot> &all);
 
   /// Of a list that is not empty the root nearest to a place.

@@ -19,6 +19,8 @@ namespace vibrocontact
     /// What it adds to the pair's W~ between its shapes, and what the poles make of that; rank square [m/N], Im s > 0 and
     /// Re s > -loss |s| / 2, behind which its waves no longer decay
     std::function<ComplexMatrix(const std::complex<double> &)> at, by_poles;
+    /// `at` and its derivative for many s in few places (numerics/local_polynomials.h)
+    std::function<ComplexMatrix(const std::complex<double> &)> nearby, nearby_derivative;
     /// smallest loss factor of what carries its waves [-]; where its poles end [Hz]
     double loss = 0, up_to = 0;
   };

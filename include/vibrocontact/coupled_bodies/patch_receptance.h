@@ -44,4 +44,6 @@ namespace vibrocontact
   /// Of all bodies with modes or poles, body 1 first, but for those that the loss has exactly. Equilibria on the same pair
   /// share them: their shapes cost more than all else of F.
   std::vector<PatchReceptance> patch_receptances(const ContactPair &pair, const HystereticLoss *loss);
+  /// The same with those behind them that the loss has exactly (ExactReceptance::nearby): of all bodies, to follow roots.
+  std::vector<PatchReceptance> all_patch_receptances(const ContactPair &pair, const HystereticLoss *loss);
 } // namespace vibrocontact

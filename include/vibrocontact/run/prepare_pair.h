@@ -28,7 +28,9 @@ namespace vibrocontact
                                              unsigned int number);
 
   /// Of its periodic rails, in the rows of the contacts; they refer to `bodies`.
-  std::vector<ExactReceptance> exact_receptances(const MeshedBodies &bodies, const PlacedContacts &contacts);
+  /// @param with_poles beside TrackBody::moving(), from whose poles roots are sought; false: beside TrackBody::at_rest()
+  std::vector<ExactReceptance> exact_receptances(const MeshedBodies &bodies, const PlacedContacts &contacts,
+                                                 bool with_poles = true);
 
   /// Reduces the bodies of the scene (or finds them in the cache), with their modes or for a static
   /// analysis. Collective.

@@ -3,6 +3,7 @@
 #include <vibrocontact/base/table.h>
 #include <vibrocontact/bodies/receptance_fit.h>
 #include <vibrocontact/bodies/reduced_body.h>
+#include <vibrocontact/numerics/local_polynomials.h>
 #include <vibrocontact/reduction/reduction_cache.h>
 #include <vibrocontact/scene/body.h>
 #include <vibrocontact/waveguide/track_in_contact.h>
@@ -41,10 +42,15 @@ namespace vibrocontact
     void check() const;
     /// up to which its poles follow [Hz]
     double highest_frequency() const { return rail().fitted_up_to; }
-    /// What the track adds to the rest of moving(), exactly, at any s with Im s > 0 and Re s not far below 0: motions() X(s) motions()^T, for as long as
-    /// this body lives. [m/N]
-    std::function<ComplexMatrix(const std::complex<double> &)> beside_rest();
-    /// The same by the poles.
+    /// R(s) of the six motions of its patch, exactly, at any s with Im s > 0 and Re s not far below 0; for as long as this body
+    /// lives [m/N].
+    std::function<ComplexMatrix(const std::complex<double> &)> receptance();
+    /// The same by local polynomials, for as long as this body lives.
+    LocalPolynomials &nearby();
+    /// What of R is in the rest of moving(), beside its poles; and of at_rest(). [m/N]
+    const DenseMatrix &beside_poles() { return fit().body.residual; }
+    const DenseMatrix &elastic() { return reduction(false).at_rest; }
+    /// The poles' part of R.
     std::function<ComplexMatrix(const std::complex<double> &)> by_poles();
     /// 3 n x 6
     const DenseMatrix &motions() { return reduction(false).motions; }
@@ -77,6 +83,7 @@ namespace vibrocontact
     const ReductionCache cache;
     const MPI_Comm communicator;
     std::unique_ptr<const TrackInContact> made;
+    std::unique_ptr<LocalPolynomials> local;
     std::optional<TrackReduction> reduced;
     std::optional<ReceptanceFit> fitted;
 

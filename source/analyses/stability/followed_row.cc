@@ -122,6 +122,7 @@ namespace vibrocontact
           root.divergence_rate = track.s[k].real() / track.s[k].imag();
           root.label = listed[there].label;
           root.share = listed[there].share;
+          root.exact = listed[there].exact;
           root.path = std::to_string(place(track, first));
           result.roots.push_back(root);
           one.solved.residual = std::max(one.solved.residual, track.residual);
@@ -210,9 +211,18 @@ namespace vibrocontact
             there->optional = there->optional && !has_to_be;
             continue;
           }
-          const ContactRoot found = contact_root(*cases[k].F, value_of(root), {}, true);
-          if (!is_at(found.s, root))
-            throw ConvergenceError("The contact's equations do not have a root of the eigenproblem.");
+          ContactRoot found;
+          try
+          {
+            found = root_at(k, root, true);
+          }
+          catch (const ConvergenceError &)
+          {
+            // by poles that stand for a body
+            if (has_to_be)
+              throw;
+            continue;
+          }
           Track track;
           track.s.resize(cases.size());
           track.known.resize(cases.size());
@@ -222,6 +232,15 @@ namespace vibrocontact
           begun.push_back(found);
           tracks.push_back(std::move(track));
         }
+      }
+
+      /// A listed root as one of F.
+      ContactRoot root_at(const unsigned int k, const StabilityRoot &root, const bool with_left_vector) const
+      {
+        const ContactRoot found = contact_root(*cases[k].F, value_of(root), {}, with_left_vector);
+        if (!is_at(found.s, root))
+          throw ConvergenceError("The contact's equations do not have a root of the eigenproblem.");
+        return found;
       }
 
       void put(Track &track, const unsigned int k, const ContactRoot &root)
@@ -237,8 +256,8 @@ namespace vibrocontact
       {
         complete(k);
         const StabilityRoot &nearest = nearest_listed(cases[k].all, start);
-        const ContactRoot found = contact_root(*cases[k].F, value_of(nearest));
-        if (std::abs(value_of(nearest) - start) > reach || !is_at(found.s, nearest))
+        const ContactRoot found = root_at(k, nearest, false);
+        if (std::abs(value_of(nearest) - start) > reach)
           throw ConvergenceError("The root at " + number_text(nearest.frequency) +
                                  " Hz is not the one that is followed.");
         return found;
@@ -350,7 +369,7 @@ namespace vibrocontact
               const auto made =
                   std::make_shared<const PairOfCase>(pair_of_case(one, measured, reduced(k), *bodies[k]));
               A = operator_of_stability(made->pair, one.parameters().contacts, rolling.creepage.speed);
-              receptances = patch_receptances(made->pair, made->loss_or_null());
+              receptances = all_patch_receptances(made->pair, made->loss_or_null());
               pair = made;
             }
             cases[k].bodies = pair;

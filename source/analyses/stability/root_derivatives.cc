@@ -1,9 +1,9 @@
 #include <vibrocontact/analyses/stability/root_derivatives.h>
+#include <vibrocontact/analyses/stability/root_scatter.h>
 #include <vibrocontact/analyses/stability/sweep_case.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/failure.h>
-#include <vibrocontact/base/label_text.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/table.h>
 #include <vibrocontact/coupled_bodies/followed_root.h>
@@ -12,6 +12,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -51,7 +52,7 @@ namespace vibrocontact
       {
         result.bodies = std::make_shared<const PairOfCase>(pair_of_case(one, measured, reduced, meshed));
         result.A = operator_of_stability(result.bodies->pair, contacts, rolling.creepage.speed);
-        result.receptances = patch_receptances(result.bodies->pair, result.bodies->loss_or_null());
+        result.receptances = all_patch_receptances(result.bodies->pair, result.bodies->loss_or_null());
       }
       bool first = true;
       stability_equilibria(rolling, contacts, one.parameters().contact_solver, result.bodies->pair, result.A,
@@ -66,32 +67,57 @@ namespace vibrocontact
       return result;
     }
 
-    /// The receptance of a contact along the normal (0) or along y (2), weighted by the normal forces of an equilibrium [m/N].
-    Complex receptance_of(const EquationsOfCase &of, const RollingEquilibrium &weights,
-                          const unsigned int direction, const Complex &s)
+    /// Bodies that poles stand for.
+    const std::vector<ExactReceptance> &exact_bodies(const EquationsOfCase &of)
+    {
+      static const std::vector<ExactReceptance> none;
+      return of.bodies->loss ? of.bodies->loss->exact : none;
+    }
+    /// Whether all roots of a case can be listed: known ones are followed without the poles of a periodic rail.
+    bool has_list(const EquationsOfCase &of)
+    {
+      const std::vector<ExactReceptance> &exact = exact_bodies(of);
+      return std::all_of(exact.begin(), exact.end(),
+                         [](const ExactReceptance &body) { return bool(body.by_poles); });
+    }
+
+    /// The receptance of a contact along the normal and along y, weighted by the normal forces of an equilibrium [m/N].
+    std::array<Complex, 2> receptance_of(const EquationsOfCase &of, const RollingEquilibrium &weights,
+                                         const Complex &s)
     {
       const ContactPair &pair = of.bodies->pair;
       const unsigned int n = pair.n_points();
       double sum = 0;
       for (unsigned int i = 0; i < n; ++i)
         sum += weights.contact.R[i];
-      std::vector<double> e(3 * n);
-      for (unsigned int i = 0; i < n; ++i)
-        e[direction * n + i] = weights.contact.R[i] / sum;
-      Complex result = 0;
-      for (unsigned int j = 0; j < 3 * n; ++j)
-        for (unsigned int i = 0; e[j] != 0 && i < 3 * n; ++i)
-          result += e[i] * e[j] * (of.bodies->loss ? of.bodies->loss->residual(i, j) : pair.residual(i, j));
-      for (const PatchReceptance &body : of.receptances)
+      const std::array<unsigned int, 2> first = {{0, 2 * n}};
+      std::array<Complex, 2> result = {};
+      const auto add = [&](const DenseMatrix &basis, const ComplexMatrix &G)
       {
-        ComplexVector moved(body.basis.n());
-        for (unsigned int r = 0; r < moved.size(); ++r)
-          for (unsigned int i = 0; i < 3 * n; ++i)
-            moved[r] += e[i] * body.basis(i, r);
-        const ComplexVector answer = body.times(s, moved);
-        for (unsigned int r = 0; r < moved.size(); ++r)
-          result += moved[r] * answer[r];
-      }
+        for (unsigned int d = 0; d < 2; ++d)
+        {
+          ComplexVector moved(basis.n());
+          for (unsigned int r = 0; r < moved.size(); ++r)
+            for (unsigned int i = 0; i < n; ++i)
+              moved[r] += weights.contact.R[i] / sum * basis(first[d] + i, r);
+          const ComplexVector answer = product(G, moved);
+          for (unsigned int r = 0; r < moved.size(); ++r)
+            result[d] += moved[r] * answer[r];
+        }
+      };
+      for (unsigned int d = 0; d < 2; ++d)
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int i = 0; weights.contact.R[j] != 0 && i < n; ++i)
+            result[d] += weights.contact.R[i] / sum * weights.contact.R[j] / sum *
+                         (of.bodies->loss ? of.bodies->loss->residual(first[d] + i, first[d] + j)
+                                          : pair.residual(first[d] + i, first[d] + j));
+      const std::vector<ExactReceptance> &exact = exact_bodies(of);
+      // those of exact bodies are behind the others
+      for (unsigned int b = 0; b + exact.size() < of.receptances.size(); ++b)
+        if (const PatchReceptance &body = of.receptances[b]; body.basis.n() > 0)
+          add(body.basis, body.value(s));
+      for (const ExactReceptance &body : exact)
+        add(body.basis, body.at(s));
       return result;
     }
 
@@ -107,7 +133,7 @@ namespace vibrocontact
       /// y^T F x of this case's F
       std::vector<Complex> change;
       bool has_change = false;
-      /// receptance_of() the contact at the frequency of each root, normal and lateral
+      /// receptance_of() the contact at the frequency of each root, normal and lateral; empty: those of the first case
       std::vector<Complex> normal, lateral;
 
       template <typename Archive>
@@ -116,27 +142,6 @@ namespace vibrocontact
         archive &labels &without &s &followed &change &has_change &normal &lateral;
       }
     };
-
-    struct Scatter
-    {
-      double mean = 0, deviation = 0, growing = 0;
-    };
-
-    Scatter scatter_of(const std::vector<double> &values)
-    {
-      Scatter result;
-      unsigned int n_growing = 0;
-      for (const double value : values)
-      {
-        result.mean += value / values.size();
-        n_growing += value > 0;
-      }
-      result.growing = double(n_growing) / std::max<std::size_t>(1, values.size());
-      for (const double value : values)
-        result.deviation += std::pow(value - result.mean, 2) / std::max<std::size_t>(1, values.size() - 1);
-      result.deviation = std::sqrt(result.deviation);
-      return result;
-    }
 
     class RootDerivatives : public SweptAnalysis
     {
@@ -150,7 +155,7 @@ namespace vibrocontact
         run_log().block("Derivatives of the roots");
       }
 
-      void prepare(const unsigned int k) override { reduced.prepare(k); }
+      void prepare(const unsigned int k) override { reduced.prepare(k, k == 0); }
 
       PackedCase compute(const unsigned int k) override
       {
@@ -176,7 +181,8 @@ namespace vibrocontact
           result.change.push_back(result.has_change ? change_of_root(*nominal->F, root, *varied.F) : 0.);
           starts.push_back(root.s - result.change.back());
         }
-        add_receptances(varied, result);
+        if (is_of_derivative(k) && !same_bodies(k))
+          add_receptances(varied, result);
         const std::vector<double> reach = reaches(starts);
         std::vector<StabilityRoot> all;
         for (unsigned int r = 0; r < roots.size(); ++r)
@@ -195,10 +201,10 @@ namespace vibrocontact
             if (is_of_derivative(k))
               continue;
             // in a draw the root by LAPACK that was predicted
-            if (all.empty())
+            if (all.empty() && has_list(varied))
               all = roots_of(varied, k);
-            if (const Complex s = value_of(nearest_listed(all, starts[r]));
-                std::abs(s - starts[r]) < reach[r])
+            const Complex s = all.empty() ? 0. : value_of(nearest_listed(all, starts[r]));
+            if (std::abs(s - starts[r]) < reach[r])
             {
               result.s.back() = s;
               result.followed.back() = 1;
@@ -273,7 +279,7 @@ namespace vibrocontact
         on_first_rank([&] { table.write(on.folder + "/stability_derivatives.csv"); });
         write_receptances();
         if (!asked.deviations.empty())
-          write_scatter();
+          on.results.analyses["stability"]["scatter"] = write_scatter(scatter(), on.folder);
       }
 
     private:
@@ -282,8 +288,9 @@ namespace vibrocontact
         for (const ContactRoot &root : roots)
         {
           const Complex s(0, root.s.imag());
-          result.normal.push_back(receptance_of(of, nominal->about, 0, s));
-          result.lateral.push_back(receptance_of(of, nominal->about, 2, s));
+          const auto [normal, lateral] = receptance_of(of, nominal->about, s);
+          result.normal.push_back(normal);
+          result.lateral.push_back(lateral);
         }
       }
 
@@ -304,8 +311,9 @@ namespace vibrocontact
               const VariedRoots &more = results[2 * i + 1], &less = results[2 * i + 2];
               if (more.s.empty() || less.s.empty())
                 continue;
-              const Complex h = (results.front().*of)[r],
-                            derivative = ((more.*of)[r] - (less.*of)[r]) / (2 * step(i));
+              const auto at = [&, of = of](const VariedRoots &one)
+              { return ((one.*of).empty() ? results.front().*of : one.*of)[r]; };
+              const Complex h = at(results.front()), derivative = (at(more) - at(less)) / (2 * step(i));
               table.add_row({results.front().s[r].imag() / two_pi, name, h.real(), h.imag(), asked.entries[i],
                              value(0, i), derivative.real(), derivative.imag()});
             }
@@ -367,102 +375,33 @@ namespace vibrocontact
         return -(results[2 * i + 1].change[r] - results[2 * i + 2].change[r]) / (2 * step(i));
       }
 
-      void write_scatter()
+      RootScatter scatter() const
       {
         const unsigned int m = asked.entries.size();
-        std::vector<unsigned int> drawn;
-        for (unsigned int k = 2 * m + 1; k < results.size(); ++k)
-          if (!results[k].s.empty())
-            drawn.push_back(k);
-        std::vector<std::string> of_roots = {"root",
-                                             "frequency_Hz",
-                                             "growth_1_s",
-                                             "frequency_deviation_Hz",
-                                             "growth_deviation_1_s",
-                                             "probability_of_growth"};
-        if (!drawn.empty())
-          of_roots.insert(of_roots.end(),
-                          {"draws", "mean_of_draws_1_s", "deviation_of_draws_1_s", "share_of_growing_draws"});
-        Table table(of_roots,
-                    {"Scatter of the roots with that of the entries, of first order in it" +
-                         std::string(drawn.empty() ? ";" : " and by draws;"),
-                     "probability_of_growth: of a normal distribution with the growth and its deviation"});
-        std::vector<std::string> columns = {"draw"};
-        columns.insert(columns.end(), asked.entries.begin(), asked.entries.end());
-        for (const std::string &label : results.front().labels)
-          columns.push_back("growth_1_s " + label_in_a_table(label));
-        Table draws(columns, {"The draws: values of the entries in SI units, growth of each root"});
-        nlohmann::ordered_json json = nlohmann::ordered_json::array();
+        RootScatter result;
+        result.entries = asked.entries;
+        result.deviations = asked.deviations;
+        bool known = true;
+        for (unsigned int k = 1; k <= 2 * m; ++k)
+          known = known && results[k].has_change;
         for (unsigned int r = 0; r < results.front().s.size(); ++r)
         {
-          const Complex s = results.front().s[r];
-          double growth = 0, frequency = 0;
-          bool known = true;
-          for (unsigned int i = 0; i < m; ++i)
-          {
-            known = known && results[2 * i + 1].has_change && results[2 * i + 2].has_change;
-            if (!known)
-              break;
-            growth += std::pow(derivative_of(r, i).real() * asked.deviations[i], 2);
-            frequency += std::pow(derivative_of(r, i).imag() / two_pi * asked.deviations[i], 2);
-          }
-          if (!known)
-            continue;
-          growth = std::sqrt(growth), frequency = std::sqrt(frequency);
-          const double probability =
-              growth > 0 ? 0.5 * std::erfc(-s.real() / (growth * std::sqrt(2.))) : (s.real() > 0 ? 1. : 0.);
-          std::vector<double> growths;
-          for (const unsigned int k : drawn)
-            if (results[k].followed[r])
-              growths.push_back(results[k].s[r].real());
-          if (growths.size() < drawn.size())
-            run_log().warning(results.front().labels[r] + ", which decays, can be followed in " +
-                              std::to_string(growths.size()) + " of " + std::to_string(drawn.size()) +
-                              " draws; its scatter is that of these.");
-          const Scatter scatter = scatter_of(growths);
-          std::vector<Table::Cell> cells = {
-              results.front().labels[r], s.imag() / two_pi, s.real(), frequency, growth, probability};
-          json.push_back({{"root", results.front().labels[r]},
-                          {"growth_1_s", s.real()},
-                          {"growth_deviation_1_s", growth},
-                          {"probability_of_growth", probability}});
-          char line[300];
-          std::snprintf(line, sizeof line, "%-20s growth %+.3f 1/s scatters by %.3f 1/s",
-                        results.front().labels[r].c_str(), s.real(), growth);
-          std::string text = line;
-          if (!drawn.empty())
-          {
-            cells.insert(cells.end(),
-                         {double(growths.size()), scatter.mean, scatter.deviation, scatter.growing});
-            json.back()["draws"] = growths.size();
-            json.back()["mean_of_draws_1_s"] = scatter.mean;
-            json.back()["deviation_of_draws_1_s"] = scatter.deviation;
-            json.back()["share_of_growing_draws"] = scatter.growing;
-            std::snprintf(line, sizeof line, "; %zu draws: mean %+.3f, deviation %.3f, %.1f %% grow",
-                          growths.size(), scatter.mean, scatter.deviation, 100 * scatter.growing);
-            text += line;
-          }
-          table.add_row(cells);
-          run_log().line(text);
+          result.roots.push_back({results.front().labels[r], results.front().s[r], {}, {}});
+          for (unsigned int i = 0; i < m && known; ++i)
+            result.roots.back().derivatives.push_back(derivative_of(r, i));
         }
-        for (const unsigned int k : drawn)
+        for (unsigned int k = 2 * m + 1; k < results.size(); ++k)
         {
-          std::vector<Table::Cell> cells = {double(k - 2 * m - 1)};
+          if (results[k].s.empty())
+            continue;
+          result.draws.push_back({k - 2 * m - 1, {}});
           for (unsigned int i = 0; i < m; ++i)
-            cells.push_back(value(k, i));
-          for (unsigned int r = 0; r < results[k].s.size(); ++r)
-            cells.push_back(results[k].followed[r] ? Table::Cell(results[k].s[r].real())
-                                                   : Table::Cell(std::string()));
-          draws.add_row(cells);
+            result.draws.back().values.push_back(value(k, i));
+          for (unsigned int r = 0; r < result.roots.size(); ++r)
+            result.roots[r].growth.push_back(
+                results[k].followed[r] ? std::optional<double>(results[k].s[r].real()) : std::nullopt);
         }
-        on.results.analyses["stability"]["scatter"] = json;
-        on_first_rank(
-            [&]
-            {
-              table.write(on.folder + "/stability_scatter.csv");
-              if (!drawn.empty())
-                draws.write(on.folder + "/stability_draws.csv");
-            });
+        return result;
       }
 
       const AnalysisRun &on;

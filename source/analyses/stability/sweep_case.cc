@@ -21,6 +21,7 @@ namespace vibrocontact
     const unsigned int n_bodies = parameters.scene.bodies.size();
     std::vector<std::optional<ReducedBody>> own(n_bodies);
     std::vector<ContactBody> bodies;
+    bool with_poles = true;
     for (unsigned int k = 0; k < n_bodies; ++k)
     {
       const BodyParameters &body = parameters.scene.bodies[k];
@@ -42,6 +43,8 @@ namespace vibrocontact
         meshed = *reduced;
       if (meshed && body.is_meshed())
         add_damping(*meshed, body, parameters.modes.at(body.name), with_dampers);
+      if (reduced && body.is_periodic_rail())
+        with_poles = reduced->n_poles() > 0;
       own[k] = body_of_contact(parameters, std::move(meshed), measured, k);
       bodies.push_back({&body, own[k] ? &*own[k] : nullptr});
     }
@@ -50,7 +53,7 @@ namespace vibrocontact
     if (parameters.stability.is_hysteretic())
     {
       result.loss = take_hysteretic_loss(result.pair, bodies, parameters.contacts, contacts);
-      result.loss->exact = exact_receptances(meshed_bodies, contacts);
+      result.loss->exact = exact_receptances(meshed_bodies, contacts, with_poles);
     }
     return result;
   }
@@ -72,7 +75,7 @@ namespace vibrocontact
     return false;
   }
 
-  void ReducedOfCases::prepare(const unsigned int k)
+  void ReducedOfCases::prepare(const unsigned int k, const bool with_poles)
   {
     std::vector<const ReducedBody *> of_case(bodies[k].size(), nullptr);
     for (unsigned int b = 0; b < bodies[k].size(); ++b)
@@ -84,12 +87,13 @@ namespace vibrocontact
       }
       else if (TrackBody *const track = b < bodies[k].tracks.size() ? bodies[k].tracks[b].get() : nullptr)
       {
-        if (all_tracks.count(track) == 0)
+        const auto key = std::make_pair(track, with_poles);
+        if (all_tracks.count(key) == 0)
         {
-          all_tracks[track] = track->moving();
-          track->beside_rest(); // its elements, before ranks part
+          all_tracks[key] = with_poles ? track->moving() : track->at_rest();
+          track->receptance(); // its elements, before ranks part
         }
-        of_case[b] = &all_tracks[track];
+        of_case[b] = &all_tracks[key];
       }
     reduced[k] = std::move(of_case);
   }

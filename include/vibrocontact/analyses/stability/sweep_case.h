@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vibrocontact
@@ -41,7 +42,8 @@ namespace vibrocontact
     explicit ReducedOfCases(const std::vector<MeshedBodies> &bodies) : bodies(bodies), reduced(bodies.size())
     {
     }
-    void prepare(unsigned int k);
+    /// @param with_poles of periodic rails, without which only known roots are followed
+    void prepare(unsigned int k, bool with_poles = true);
     /// whether prepare() has succeeded
     bool has(const unsigned int k) const { return !reduced[k].empty(); }
     /// Null for bodies without mesh. @throws ConvergenceError if it has not
@@ -50,7 +52,8 @@ namespace vibrocontact
   private:
     const std::vector<MeshedBodies> &bodies;
     std::map<const MeshedBody *, ReducedBody> all_reduced;
-    std::map<const TrackBody *, ReducedBody> all_tracks;
+    /// with poles or at rest
+    std::map<std::pair<const TrackBody *, bool>, ReducedBody> all_tracks;
     /// of each case, its bodies; empty: prepare() failed
     std::vector<std::vector<const ReducedBody *>> reduced;
   };
