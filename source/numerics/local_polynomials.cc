@@ -13,13 +13,13 @@ namespace vibrocontact
 
   namespace
   {
-    constexpr unsigned int n_circle = 8, most_quarterings = 6;
+    constexpr unsigned int n_circle = 6, most_quarterings = 6;
     /// of Im s: side of the largest cells
     constexpr double largest_cell = 1e-3;
     /// of a side: radius of the circle, which holds the corners
     constexpr double circle = 0.75;
-    /// of the first coefficient: what the last ones may be
-    constexpr double resolved = 1e-8;
+    /// of the first coefficient: what the last one may be; the next one, which is left out, is some twenty times smaller
+    constexpr double resolved = 1e-7;
 
     double largest_modulus(const ComplexMatrix &matrix)
     {
@@ -67,8 +67,7 @@ namespace vibrocontact
       // the circle leaves where f is known
       return cell;
     }
-    if (std::max(largest_modulus(coefficients[n_circle - 1]), largest_modulus(coefficients[n_circle - 2])) <=
-        resolved * largest_modulus(coefficients.front()))
+    if (largest_modulus(coefficients.back()) <= resolved * largest_modulus(coefficients.front()))
       cell.coefficients = std::move(coefficients);
     return cell;
   }

@@ -18,10 +18,10 @@ namespace vibrocontact
   ///
   ///      _____________
   ///     |  . - - .    |  squares in log Im s and Re s / Im s, so that they grow with the frequency;
-  ///     | '   +   '   |  n = 8 points on a circle about each
+  ///     | '   +   '   |  n = 6 points on a circle about each
   ///     |  . _ _ .    |
   ///
-  /// Where f is analytic in a disc of radius R about c the error falls as (r / R)^n. A cell whose last coefficients are not small is
+  /// Where f is analytic in a disc of radius R about c the error falls as (r / R)^n. A cell whose last coefficient is not small is
   /// quartered. Which cell an s is in depends on s alone, so that values do not depend on what was asked before.
   class LocalPolynomials
   {
