@@ -19,6 +19,8 @@ namespace vibrocontact
 
     /// of |s|: how near two roots are one
     constexpr double one_root = 1e-9;
+    /// of |s|: how far from a root that decays fast that of the poles may be
+    constexpr double near_by_poles = 2e-3;
     /// of |s|: what decays faster does not come to grow between two complete cases
     constexpr double least_divergence = -5e-3;
     constexpr unsigned int longest_stride = 50, shortest_stride = 4;
@@ -147,12 +149,21 @@ namespace vibrocontact
         return *std::prev(std::upper_bound(anchors.begin(), anchors.end(), k));
       }
 
-      /// Its number in the list of a complete case; their number if it is not there.
+      /// Its number in the list of a complete case; their number if it is not there. Beside a periodic rail roots that decay fast are
+      /// listed where poles have them, near the root itself.
       unsigned int place(const Track &track, const unsigned int k) const
       {
-        const auto at = std::find_if(cases[k].all.begin(), cases[k].all.end(),
-                                     [&](const StabilityRoot &root) { return is_at(track.s[k], root); });
-        return at - cases[k].all.begin();
+        const std::vector<StabilityRoot> &all = cases[k].all;
+        const Complex s = track.s[k];
+        const auto at =
+            std::find_if(all.begin(), all.end(), [&](const StabilityRoot &root) { return is_at(s, root); });
+        const bool by_poles = cases[k].bodies->loss && !cases[k].bodies->loss->exact.empty();
+        if (at != all.end() || !by_poles || s.real() > 0)
+          return at - all.begin();
+        const StabilityRoot &nearest = nearest_listed(all, s);
+        const bool stands_for_it =
+            !nearest.exact && std::abs(value_of(nearest) - s) < near_by_poles * std::abs(s);
+        return stands_for_it ? &nearest - all.data() : all.size();
       }
       bool is_listed(const Track &track, const unsigned int k) const
       {
@@ -194,12 +205,25 @@ namespace vibrocontact
         }
       }
 
+      /// Each followed root has to be one of a complete case. One that need not be followed is dropped: beside a periodic rail those
+      /// that decay fast stay in the list where poles have them.
+      void check_listed(const unsigned int k)
+      {
+        for (Track &track : tracks)
+          if (track.known[k] && !is_listed(track, k))
+          {
+            if (!track.optional)
+              throw ConvergenceError("A followed root near " +
+                                     number_text(track.s[k].imag() / (2 * dealii::numbers::PI)) +
+                                     " Hz is none in a complete case.");
+            track.drop();
+          }
+      }
+
       void begin_tracks(const unsigned int a)
       {
         const unsigned int k = anchors[a];
-        for (const Track &track : tracks)
-          if (!track.is_dropped && !is_listed(track, k))
-            throw ConvergenceError("A followed root is none in a complete case.");
+        check_listed(k);
         for (const auto &[i, has_to_be] : chosen[a])
         {
           const StabilityRoot &root = cases[k].all[i];
@@ -324,9 +348,7 @@ namespace vibrocontact
         {
           advance(k, k - 1);
           if (std::count(anchors.begin(), anchors.end(), k - 1) > 0)
-            for (const Track &track : tracks)
-              if (track.known[k - 1] && !is_listed(track, k - 1))
-                throw ConvergenceError("A followed root is none in a complete case.");
+            check_listed(k - 1);
         }
       }
 
