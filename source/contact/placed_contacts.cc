@@ -60,6 +60,28 @@ namespace vibrocontact
     return result;
   }
 
+  DenseMatrix PlacedContacts::rotation_of(const unsigned int body, const std::array<double, 3> &centre) const
+  {
+    DenseMatrix result(3 * n_points(), 3);
+    const Rows own = rows_of(body);
+    for (unsigned int i = 0; i < own.rows.size(); ++i)
+    {
+      const unsigned int component = own.rows[i] / n_points(), point = own.rows[i] % n_points(),
+                         k = contact_of(point), of_grid = point - first_point(k);
+      const ContactFrame &frame = all[k].frame;
+      std::array<double, 3> arm;
+      for (unsigned int d = 0; d < 3; ++d)
+        arm[d] = frame.origin[d] + all[k].grid.x(of_grid) * frame.axes[1][d] +
+                 all[k].grid.y(of_grid) * frame.axes[2][d] - centre[d];
+      const std::array<std::array<double, 3>, 3> moved = {
+          {{{0, -arm[2], arm[1]}}, {{arm[2], 0, 0}}, {{-arm[1], arm[0], 0}}}};
+      for (unsigned int about = 0; about < 3; ++about)
+        for (unsigned int d = 0; d < 3; ++d)
+          result(own.rows[i], about) += own.sign[i] * frame.axes[component][d] * moved[about][d];
+    }
+    return result;
+  }
+
   std::vector<std::array<double, 3>> PlacedContacts::resultants(const DenseVector &R) const
   {
     std::vector<std::array<double, 3>> result(all.size(), {{0, 0, 0}});

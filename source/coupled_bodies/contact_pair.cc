@@ -246,7 +246,10 @@ namespace vibrocontact
     for (const ContactBody &body : bodies)
       n_modes += body.reduced ? body.reduced->omega.size() : 0;
     pair.trace.reinit(3 * n, n_modes);
-    pair.participation.reinit(n_modes, 3);
+    if (bodies[0].reduced)
+      pair.hub_inertia = bodies[0].reduced->hub;
+    const unsigned int n_motions = pair.hub_inertia ? 6 : 3;
+    pair.participation.reinit(n_modes, n_motions);
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
       const PlacedContacts::Rows own = contacts.rows_of(b);
@@ -272,7 +275,7 @@ namespace vibrocontact
         pair.modal_load.push_back(reduced.modal_load[k]);
         for (unsigned int i = 0; i < n_own; ++i)
           pair.trace(own.rows[i], first + k) = own.sign[i] * reduced.trace(i, k);
-        for (unsigned int d = 0; d < 3 && reduced.participation.m() > 0; ++d)
+        for (unsigned int d = 0; d < std::min(n_motions, reduced.participation.n()); ++d)
           pair.participation(first + k, d) = reduced.participation(k, d);
       }
       first += reduced.omega.size();

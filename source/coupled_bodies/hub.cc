@@ -9,18 +9,19 @@ namespace vibrocontact
     using dealii::Patterns::Double;
     prm.add_parameter("Unsprung mass", mass,
                       "All that moves with a suspended hub, body 1 included: half a wheelset with its axle "
-                      "box. Units: kg.",
+                      "box; of an axle it follows from the latter. Units: kg.",
                       Double(0, 1e15));
     const char *const directions[] = {"x", "y", "z"};
     for (unsigned int d = 0; d < 3; ++d)
-      prm.add_parameter(std::string("Stiffness ") + directions[d], stiffness[d],
-                        std::string("Of the primary suspension of a suspended hub along ") + directions[d] +
-                            "; it has no force in the rolling equilibrium beside its preload. Units: N/m.",
-                        Double(0, 1e20));
+      prm.add_parameter(
+          std::string("Stiffness ") + directions[d], stiffness[d],
+          std::string("Of the primary suspension of a suspended hub, or of each box of an axle, along ") +
+              directions[d] + "; it has no force in the rolling equilibrium beside its preload. Units: N/m.",
+          Double(0, 1e20));
     for (unsigned int d = 0; d < 3; ++d)
       prm.add_parameter(std::string("Damping ") + directions[d], damping[d],
-                        std::string("Of the damper of a suspended hub along ") + directions[d] +
-                            ". Units: Ns/m.",
+                        std::string("Of the damper of a suspended hub, or of each box of an axle, along ") +
+                            directions[d] + ". Units: Ns/m.",
                         Double(0, 1e15));
   }
 
@@ -34,27 +35,27 @@ namespace vibrocontact
   {
     if (!hub || !hub->is_damped())
       return;
-    const unsigned int m = steps.size();
-    motion.reinit(3, m);
-    displacement.reinit(m, 3);
-    velocity.reinit(m, 3);
-    DenseMatrix inverse(3), S(3);
-    for (unsigned int a = 0; a < 3; ++a)
+    const unsigned int m = steps.size(), n = hub->damping.size();
+    motion.reinit(n, m);
+    displacement.reinit(m, n);
+    velocity.reinit(m, n);
+    for (unsigned int k = 0; k < hub->shapes.n(); ++k)
+      for (unsigned int a = 0; a < n; ++a)
+        motion(a, k) = hub->dampers(a, k);
+    DenseMatrix inverse(n), S(n);
+    for (unsigned int a = 0; a < n; ++a)
     {
       inverse(a, a) = 1;
       S(a, a) = hub->damping[a];
       for (unsigned int k = 0; k < m; ++k)
-      {
-        motion(a, k) = hub->motion(a, k);
-        for (unsigned int b = 0; b < 3; ++b)
-          inverse(a, b) += hub->damping[a] * hub->motion(a, k) * steps[k].g1[1] * hub->motion(b, k);
-      }
+        for (unsigned int b = 0; b < n; ++b)
+          inverse(a, b) += hub->damping[a] * motion(a, k) * steps[k].g1[1] * motion(b, k);
     }
     inverse.compute_lu_factorization();
     inverse.solve(S);
     for (unsigned int k = 0; k < m; ++k)
-      for (unsigned int b = 0; b < 3; ++b)
-        for (unsigned int a = 0; a < 3; ++a)
+      for (unsigned int b = 0; b < n; ++b)
+        for (unsigned int a = 0; a < n; ++a)
         {
           displacement(k, b) += steps[k].g1[0] * motion(a, k) * S(a, b);
           velocity(k, b) += steps[k].g1[1] * motion(a, k) * S(a, b);
@@ -63,11 +64,16 @@ namespace vibrocontact
 
   void HubDamper::act(const DenseVector &by, DenseVector &q, DenseVector &v) const
   {
-    DenseVector moved(3);
+    DenseVector moved(motion.m());
     motion.vmult(moved, by);
     moved *= -1;
     displacement.vmult(q, moved, true);
     velocity.vmult(v, moved, true);
+  }
+
+  bool hub_has_mass(const std::string &hub)
+  {
+    return hub == "suspended" || hub == "axle";
   }
 
   std::string hub_text(const std::string &hub)
@@ -78,6 +84,8 @@ namespace vibrocontact
       return "massless: it follows, the normal force stays as given";
     if (hub == "suspended")
       return "suspended: its mass moves on the primary suspension";
+    if (hub == "axle")
+      return "axle: it moves with the axle and its second wheel on the primary suspension";
     return "none: half-spaces have no hub";
   }
 } // namespace vibrocontact

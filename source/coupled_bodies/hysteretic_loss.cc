@@ -62,22 +62,4 @@ namespace vibrocontact
     }
     return loss;
   }
-
-  HystereticLoss suspended_loss(const HystereticLoss &held, const SuspendedHub &hub)
-  {
-    const unsigned int n_1 = hub.n_held_modes(), n = held.modal.m();
-    // body 1's modes and the hub, which loses nothing, in the new modes
-    DenseMatrix own(n_1 + 3), turned(n_1 + 3);
-    for (unsigned int j = 0; j < n_1; ++j)
-      for (unsigned int i = 0; i < n_1; ++i)
-        own(i, j) = held.modal(i, j);
-    hub.shapes.Tmmult(turned, product(own, hub.shapes));
-    HystereticLoss loss = held;
-    loss.modal.reinit(n + 3, n + 3);
-    add_block(loss.modal, turned, 0, 0);
-    for (unsigned int j = n_1; j < n; ++j)
-      for (unsigned int i = n_1; i < n; ++i)
-        loss.modal(i + 3, j + 3) = held.modal(i, j);
-    return loss;
-  }
 } // namespace vibrocontact

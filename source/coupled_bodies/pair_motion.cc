@@ -71,11 +71,10 @@ namespace vibrocontact
       for (unsigned int i = 0; i < n_rows; ++i)
         motion.displacement(i, k) = motion.rate(i, m + k) = motion.input(k, i) = pair.trace(i, k);
     }
-    for (unsigned int d = 0; pair.hub && d < 3; ++d)
+    if (pair.hub && pair.hub->is_damped())
       for (unsigned int j = 0; j < pair.hub->shapes.n(); ++j)
         for (unsigned int k = 0; k < pair.hub->shapes.n(); ++k)
-          motion.transition(m + k, m + j) -=
-              pair.hub->damping[d] * pair.hub->motion(d, k) * pair.hub->motion(d, j);
+          motion.transition(m + k, m + j) -= pair.hub->modal_damping(k, j);
     for (unsigned int k = 0; k < p; ++k)
     {
       const unsigned int re = 2 * m + k, im = re + p;

@@ -17,10 +17,22 @@ namespace vibrocontact
     /// F has to see what the eigenvalues see
     constexpr double shape_tolerance = 1e-11;
 
-    /// left diag(1 / (inertia s^2 + damping s + stiffness)) right; poles have no inertia, damping 1 and stiffness -lambda
+    ComplexMatrix transposed(const ComplexMatrix &matrix)
+    {
+      ComplexMatrix result(matrix.n(), matrix.m());
+      for (unsigned int j = 0; j < matrix.n(); ++j)
+        for (unsigned int i = 0; i < matrix.m(); ++i)
+          result(j, i) = matrix(i, j);
+      return result;
+    }
+
+    /// left (diag(inertia s^2 + damping s + stiffness) + s into stretch)^-1 right; poles have no inertia, damping 1 and stiffness
+    /// -lambda
     struct ModalSum
     {
       ComplexMatrix left, right;
+      /// of dampers between the modes; empty: there are none
+      ComplexMatrix into = ComplexMatrix(), stretch = ComplexMatrix();
       std::vector<Complex> stiffness;
       std::vector<double> damping;
       double inertia = 1;
@@ -41,8 +53,34 @@ namespace vibrocontact
       {
         return inertia * s * s + damping[k] * s + stiffness[k];
       }
+      bool has_dampers() const { return into.n() > 0; }
+      /// (D + s P Q)^-1 v with the diagonal D, by the small matrix 1 + s Q D^-1 P (Woodbury)
+      ComplexMatrix solved(const Complex &s, const ComplexMatrix &P, const ComplexMatrix &Q,
+                           ComplexMatrix v) const
+      {
+        const auto divide = [&](ComplexMatrix &by_modes)
+        {
+          for (unsigned int j = 0; j < by_modes.n(); ++j)
+            for (unsigned int k = 0; k < by_modes.m(); ++k)
+              by_modes(k, j) /= denominator(k, s);
+        };
+        ComplexMatrix taken = P;
+        divide(taken);
+        divide(v);
+        // LAPACK scales by real numbers alone
+        ComplexMatrix small(Q.m(), Q.m()), forces = product(Q, v);
+        small.add(s, product(Q, taken));
+        for (unsigned int d = 0; d < small.m(); ++d)
+          small(d, d) += 1.;
+        small.compute_lu_factorization();
+        small.solve(forces);
+        v.add(-s, product(taken, forces));
+        return v;
+      }
       ComplexMatrix value(const Complex &s) const
       {
+        if (has_dampers())
+          return product(left, solved(s, into, stretch, right));
         return weighted([&](const unsigned int k) { return 1. / denominator(k, s); });
       }
       Complex slope(const unsigned int k, const Complex &s) const
@@ -52,10 +90,25 @@ namespace vibrocontact
       }
       ComplexMatrix derivative(const Complex &s) const
       {
+        if (has_dampers())
+        {
+          const ComplexMatrix from_left =
+              transposed(solved(s, transposed(stretch), transposed(into), transposed(left)));
+          ComplexMatrix moved = solved(s, into, stretch, right),
+                        slope = product(into, product(stretch, moved));
+          for (unsigned int j = 0; j < moved.n(); ++j)
+            for (unsigned int k = 0; k < moved.m(); ++k)
+              slope(k, j) += (2. * inertia * s + damping[k]) * moved(k, j);
+          ComplexMatrix result(from_left.m(), slope.n());
+          result.add(-1., product(from_left, slope));
+          return result;
+        }
         return weighted([&](const unsigned int k) { return slope(k, s); });
       }
       ComplexVector times(const Complex &s, const ComplexVector &v) const
       {
+        if (has_dampers())
+          return product(value(s), v);
         ComplexVector q = product(right, v);
         for (unsigned int k = 0; k < q.size(); ++k)
           q[k] /= denominator(k, s);
@@ -63,21 +116,14 @@ namespace vibrocontact
       }
       ComplexVector derivative_times(const Complex &s, const ComplexVector &v) const
       {
+        if (has_dampers())
+          return product(derivative(s), v);
         ComplexVector q = product(right, v);
         for (unsigned int k = 0; k < q.size(); ++k)
           q[k] *= slope(k, s);
         return product(left, q);
       }
     };
-
-    ComplexMatrix transposed(const ComplexMatrix &matrix)
-    {
-      ComplexMatrix result(matrix.n(), matrix.m());
-      for (unsigned int j = 0; j < matrix.n(); ++j)
-        for (unsigned int i = 0; i < matrix.m(); ++i)
-          result(j, i) = matrix(i, j);
-      return result;
-    }
 
     /// Goes over to the eigenvectors of diag(w^2) + j H.
     void diagonalise(const DenseMatrix &H, ModalSum &modes)
@@ -96,6 +142,11 @@ namespace vibrocontact
       const ComplexEigenvectors own = complex_eigenvectors(K, "eigenvalues of the modes with loss");
       modes.left = product(modes.left, own.right);
       modes.right = product(own.left, modes.right);
+      if (modes.has_dampers())
+      {
+        modes.into = product(own.left, modes.into);
+        modes.stretch = product(modes.stretch, own.right);
+      }
       modes.stiffness = own.values;
     }
 
@@ -140,6 +191,15 @@ namespace vibrocontact
     PatchShapes shapes = patch_shapes(trace, shape_tolerance);
     modes.left = entries_as<Complex>(shapes.amplitudes);
     modes.right = transposed(modes.left);
+    if (b == 1 && pair.hub && pair.hub->is_damped())
+    {
+      // modes of body 1 come first
+      modes.stretch = entries_as<Complex>(pair.hub->dampers);
+      modes.into = transposed(modes.stretch);
+      for (unsigned int d = 0; d < modes.into.n(); ++d)
+        for (unsigned int k = 0; k < m; ++k)
+          modes.into(k, d) *= pair.hub->damping[d];
+    }
     if (!is_diagonal(H))
       diagonalise(H, modes);
     else

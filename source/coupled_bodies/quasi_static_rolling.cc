@@ -48,10 +48,13 @@ namespace vibrocontact
         "Hub", hub,
         "The hub of body 1 in stability and transient, after the load has found its place: held "
         "there; massless: it follows under the constant normal force; suspended: section "
-        "Suspension. Half-spaces have none. Units: none.",
-        Selection("held|massless|suspended"));
+        "Suspension; axle: sections Axle and Suspension. Half-spaces have none. Units: none.",
+        Selection("held|massless|suspended|axle"));
     prm.enter_subsection("Suspension");
     suspension.declare_parameters(prm);
+    prm.leave_subsection();
+    prm.enter_subsection("Axle");
+    axle.declare_parameters(prm);
     prm.leave_subsection();
     prm.enter_subsection("Sweep");
     prm.add_parameter("Longitudinal creepage", sweep.longitudinal,

@@ -40,9 +40,15 @@ namespace vibrocontact
     return result;
   }
 
+  namespace
+  {
+    /// of a motion that nothing holds, a root of 0 to round-off [1/s]
+    constexpr double least_rate = 1e-5;
+  } // namespace
+
   bool is_listed(const std::complex<double> &lambda)
   {
-    return lambda.imag() > 0 || (lambda.imag() == 0 && lambda.real() > 0);
+    return std::abs(lambda) > least_rate && (lambda.imag() > 0 || (lambda.imag() == 0 && lambda.real() > 0));
   }
 
   StabilityRoot named_root(const std::complex<double> &lambda, std::vector<std::complex<double>> amplitudes,
@@ -151,7 +157,8 @@ namespace vibrocontact
     const std::vector<double> omega = pair.frequencies();
     std::vector<StabilityRoot> roots;
     for (unsigned int k = 0; k < lambda.values.size(); ++k)
-      if (lambda.values[k].imag() > least_oscillation * std::abs(lambda.values[k].real()))
+      if (is_listed(lambda.values[k]) &&
+          lambda.values[k].imag() > least_oscillation * std::abs(lambda.values[k].real()))
         roots.push_back(root_of_pair(pair, omega, lambda.values[k],
                                      [&](const unsigned int i) { return lambda.right(i, k); }));
     for (StabilityRoot &root : stability_roots(pair, linearised_contact(pair, scheme, equilibrium, options)))

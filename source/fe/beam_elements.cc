@@ -21,15 +21,8 @@ namespace vibrocontact
 
   namespace
   {
-    /// factor * (sum of value[f] field_f + slope[f] field_f')^2, an energy per length
-    struct Term
-    {
-      double factor;
-      BeamMotion value, slope;
-    };
-
     /// Energies per length of rail at x, without the pads.
-    std::vector<Term> rail_stiffness(const BeamRailParameters &rail, const ElasticMaterial &material)
+    std::vector<BeamEnergy> rail_stiffness(const BeamRailParameters &rail, const ElasticMaterial &material)
     {
       const double E = material.young_modulus, G = material.mu(),
                    e = rail.centroid_height - rail.shear_centre_height,
@@ -44,7 +37,7 @@ namespace vibrocontact
               {E * rail.warping_constant, {}, {{p, 1.}}}};
     }
 
-    std::vector<Term> rail_mass(const BeamRailParameters &rail, const double density)
+    std::vector<BeamEnergy> rail_mass(const BeamRailParameters &rail, const double density)
     {
       const double e = rail.centroid_height - rail.shear_centre_height;
       return {{density * rail.area, {{U, 1.}}, {}},
@@ -57,7 +50,7 @@ namespace vibrocontact
     }
 
     /// Energies of one whole pad.
-    std::vector<Term> pad_stiffness(const BeamRailParameters &rail)
+    std::vector<BeamEnergy> pad_stiffness(const BeamRailParameters &rail)
     {
       const double spread = rail.foot_width * rail.foot_width / 12;
       return {{rail.pad_stiffness_x, {{U, 1.}, {ty, -rail.centroid_height}}, {}},
@@ -65,32 +58,6 @@ namespace vibrocontact
               {rail.pad_stiffness_y, {{V, 1.}, {tx, rail.shear_centre_height}}, {}},
               {rail.pad_stiffness_z, {{W, 1.}}, {}},
               {rail.pad_stiffness_z * spread, {{tx, 1.}}, {}}};
-    }
-
-    /// matrix += weight * sum over terms, at a quadrature point
-    void add_terms(FullMatrix<double> &matrix, const std::vector<Term> &terms, const FEValues<1> &values,
-                   const unsigned int q, const double weight)
-    {
-      const FiniteElement<1> &element = values.get_fe();
-      const auto coefficient = [](const BeamMotion &of, const unsigned int field)
-      {
-        const auto found = of.find(field);
-        return found == of.end() ? 0. : found->second;
-      };
-      Vector<double> row(element.n_dofs_per_cell());
-      for (const Term &term : terms)
-      {
-        for (unsigned int k = 0; k < row.size(); ++k)
-        {
-          const unsigned int field = element.system_to_component_index(k).first;
-          row(k) = coefficient(term.value, field) * values.shape_value(k, q) +
-                   coefficient(term.slope, field) * values.shape_grad(k, q)[0];
-        }
-        for (unsigned int a = 0; a < row.size(); ++a)
-          if (row(a) != 0)
-            for (unsigned int b = 0; b < row.size(); ++b)
-              matrix(a, b) += weight * term.factor * row(a) * row(b);
-      }
     }
 
     /// Orthonormal basis of the six motions of a rail that nothing holds.
@@ -197,10 +164,10 @@ namespace vibrocontact
                       [&](const double support) { return std::abs(middle - support) < rail.pad_length / 2; });
       for (unsigned int q = 0; q < gauss.size(); ++q)
       {
-        add_terms(stiffness, elastic, values, q, values.JxW(q));
-        add_terms(mass, inert, values, q, values.JxW(q));
+        add_energies(stiffness, elastic, values, q, values.JxW(q));
+        add_energies(mass, inert, values, q, values.JxW(q));
         if (on_pad)
-          add_terms(springs, pads, values, q, values.JxW(q) / rail.pad_length);
+          add_energies(springs, pads, values, q, values.JxW(q) / rail.pad_length);
       }
       // a point on a node belongs to the cell to its left
       const bool is_first = left < -rail.length / 2 + 1e-9;
@@ -210,7 +177,7 @@ namespace vibrocontact
           FEValues<1> point(space.element, Quadrature<1>(Point<1>((support - left) / (right - left))),
                             update_values | update_gradients);
           point.reinit(cell);
-          add_terms(springs, pads, point, 0, 1.);
+          add_energies(springs, pads, point, 0, 1.);
         }
       const unsigned int piece = rail.anechoic_piece(middle);
       const double loss = piece > 0 ? rail.anechoic_loss(piece) : material.loss_factor;

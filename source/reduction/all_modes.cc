@@ -3,6 +3,7 @@
 #include <vibrocontact/fe/dense_system.h>
 #include <vibrocontact/numerics/null_space.h>
 #include <vibrocontact/reduction/all_modes.h>
+#include <vibrocontact/reduction/dense_modes.h>
 #include <vibrocontact/reduction/orient_modes.h>
 #include <vibrocontact/reduction/reduction_parts.h>
 
@@ -13,13 +14,6 @@ namespace vibrocontact
 {
   namespace
   {
-    DenseMatrix projected(const DenseMatrix &matrix, const DenseMatrix &Z)
-    {
-      DenseMatrix result(Z.n());
-      Z.Tmmult(result, product(matrix, Z));
-      return result;
-    }
-
     /// Motion of all dofs for unit motions of those with mass, the others following statically: T, n x n_massive.
     DenseMatrix static_following(const DenseSystem &dense, const std::string &body)
     {

@@ -34,6 +34,7 @@ namespace vibrocontact
     void add_absorbers(const RevolvedShapes &section, const WheelDamper &damper, const unsigned int point,
                        std::vector<AttachedMass> &all)
     {
+      const double a = section.points[2 * point] - section.hub[0], r = section.points[2 * point + 1];
       for (unsigned int k = 0; k < damper.number; ++k)
       {
         const double theta = dealii::numbers::PI * (damper.first_angle / 180 + 2. * k / damper.number);
@@ -45,7 +46,13 @@ namespace vibrocontact
           AttachedMass one;
           one.label = damper.name + " " + std::to_string(k + 1);
           one.mass = damper.mass;
-          one.along = axes[c];
+          const std::array<double, 3> arm = {{r * std::sin(theta), a, -r * std::cos(theta)}};
+          for (unsigned int d = 0; d < 3; ++d)
+          {
+            const unsigned int e = (d + 1) % 3, f = (d + 2) % 3;
+            one.along[d] = axes[c][d];
+            one.along[3 + d] = arm[e] * axes[c][f] - arm[f] * axes[c][e];
+          }
           if (damper.direction == directions[c])
           {
             one.omega = 2 * dealii::numbers::PI * damper.frequency;
@@ -61,6 +68,7 @@ namespace vibrocontact
     void add_ring(const RevolvedShapes &section, const WheelDamper &damper, const unsigned int point,
                   std::vector<AttachedMass> &all)
     {
+      const double a = section.points[2 * point] - section.hub[0], r = section.points[2 * point + 1];
       const int highest =
           section.waves.empty() ? -1 : *std::max_element(section.waves.begin(), section.waves.end());
       for (int n = 0; n <= highest; ++n)
@@ -77,11 +85,16 @@ namespace vibrocontact
             }
             if (n == 0 && c == 0)
               one.along[1] = 1;
-            // means of a unit translation times the shape, over the mean square of the latter
-            if (n == 1 && c == 1)
-              one.along = odd ? std::array<double, 3>{{1, 0, 0}} : std::array<double, 3>{{0, 0, -1}};
-            if (n == 1 && c == 2)
-              one.along = odd ? std::array<double, 3>{{1, 0, 0}} : std::array<double, 3>{{0, 0, 1}};
+            if (n == 0 && c == 2)
+              one.along[4] = -r;
+            // means of a unit motion times the shape, over the mean square of the latter
+            if (n == 1 && c == 0)
+              one.along[odd ? 5 : 3] = r;
+            if (n == 1 && c > 0)
+            {
+              one.along[odd ? 0 : 2] = odd || c == 2 ? 1 : -1;
+              one.along[odd ? 5 : 3] = !odd && c == 2 ? a : -a;
+            }
             for (unsigned int mode = 0; mode < section.n_modes(); ++mode)
             {
               const bool own = section.waves[mode] == n && section.odd[mode] == odd;

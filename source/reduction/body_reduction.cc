@@ -200,6 +200,23 @@ namespace vibrocontact
     return surface && modal_part && surface->omega == modal_part->omega;
   }
 
+  namespace
+  {
+    HubInertia hub_inertia(const RevolvedShapes &section)
+    {
+      const double mass = section.hub[3], moment = section.hub[4];
+      HubInertia hub{{{0, section.hub[1], section.hub[2]}}, DenseMatrix(6, 6)};
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        hub.mass(d, d) = mass;
+        hub.mass(3 + d, 3 + d) = section.hub[d == 1 ? 5 : 6];
+      }
+      hub.mass(0, 5) = hub.mass(5, 0) = -moment;
+      hub.mass(2, 3) = hub.mass(3, 2) = moment;
+      return hub;
+    }
+  } // namespace
+
   ReducedBody BodyReduction::reduced(const bool with_modes)
   {
     const bool moves = with_modes && asked.modes.any();
@@ -208,6 +225,8 @@ namespace vibrocontact
     {
       body.flow = flow_part;
       body.section = section_part;
+      if (section_part)
+        body.hub = hub_inertia(*section_part);
     }
     return body;
   }

@@ -90,14 +90,15 @@ namespace vibrocontact
       M(k, k) = 1;
       K(k, k) = body.omega[k] * body.omega[k];
     }
-    DenseMatrix participation(size, 3);
+    const unsigned int n_motions = body.participation.n() == 6 ? 6 : 3;
+    DenseMatrix participation(size, n_motions);
     add_block(participation, body.participation, 0, 0);
     for (const AttachedMass &one : masses)
       for (unsigned int l = 0; l < n && !one.is_sprung(); ++l)
       {
         for (unsigned int k = 0; k < n; ++k)
           M(k, l) += one.mass * one.motion[k] * one.motion[l];
-        for (unsigned int d = 0; d < 3; ++d)
+        for (unsigned int d = 0; d < n_motions; ++d)
           participation(l, d) += one.mass * one.motion[l] * one.along[d];
       }
     for (unsigned int a = 0; a < sprung.size(); ++a)
@@ -114,10 +115,14 @@ namespace vibrocontact
           H(i, j) += one.loss_factor * k * stretch[i] * stretch[j];
         }
       M(n + a, n + a) = one.mass;
-      for (unsigned int d = 0; d < 3; ++d)
+      for (unsigned int d = 0; d < n_motions; ++d)
         participation(n + a, d) = one.mass * one.along[d];
       names.push_back(one.label);
     }
+    for (const AttachedMass &one : masses)
+      for (unsigned int c = 0; c < 6 && body.hub; ++c)
+        for (unsigned int d = 0; d < 6; ++d)
+          body.hub->mass(c, d) += one.mass * one.along[c] * one.along[d];
     const DenseMatrix mass = M;
     std::vector<DenseVector> vectors(size, DenseVector(size));
     try
@@ -144,7 +149,7 @@ namespace vibrocontact
     for (unsigned int e = 0; e < body.modal_load.size(); ++e)
       for (unsigned int k = 0; k < n; ++k)
         body.modal_load[e] += X(k, e) * load[k];
-    body.participation.reinit(size, 3);
+    body.participation.reinit(size, n_motions);
     X.Tmmult(body.participation, participation);
     body.loss.reinit(size, size);
     X.Tmmult(body.loss, product(H, X));

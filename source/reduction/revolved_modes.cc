@@ -46,9 +46,9 @@ namespace vibrocontact
         traces.emplace_back(at_points.begin(), at_points.end());
       }
     const unsigned int n_modes = result.omega.size();
-    result.participation.reinit(n_modes, 3);
+    result.participation.reinit(n_modes, 6);
     for (unsigned int k = 0; k < n_modes; ++k)
-      for (unsigned int d = 0; d < 3; ++d)
+      for (unsigned int d = 0; d < 6; ++d)
         result.participation(k, d) = (*participations[k])[d];
     result.trace.reinit(contact ? 3 * contact->grid.n_points() : 0, n_modes);
     for (unsigned int k = 0; k < traces.size(); ++k)
@@ -108,6 +108,16 @@ namespace vibrocontact
   RevolvedShapes RevolvedReduction::revolved_shapes(const std::vector<WaveMode> &modes) const
   {
     RevolvedShapes result = shapes_without_modes(*section);
+    using Rigid = RevolvedSection::RigidMotion;
+    const auto across = section->rigid_motion(Rigid::across_axle), tilt = section->rigid_motion(Rigid::tilt),
+               about = section->rigid_motion(Rigid::about_axle);
+    result.hub = {section->hub_place(),
+                  section->hub_place() - lateral_position,
+                  radius,
+                  section->inertia(1, across, across),
+                  -section->inertia(1, across, tilt),
+                  section->inertia(0, about, about),
+                  section->inertia(1, tilt, tilt)};
     std::vector<const WaveMode *> each;
     for (const WaveMode &mode : modes)
       for (int odd = 0; odd < (mode.n == 0 ? 1 : 2); ++odd)

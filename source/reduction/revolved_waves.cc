@@ -81,8 +81,14 @@ namespace vibrocontact
     const auto &components = section->components();
     const unsigned int n_dofs = places.size();
 
-    Vector diagonal(system->locally_owned, MPI_COMM_SELF), along(diagonal), inertia(diagonal);
+    Vector diagonal(system->locally_owned, MPI_COMM_SELF);
     MatGetDiagonal(system->mass, diagonal);
+    using Rigid = RevolvedSection::RigidMotion;
+    std::vector<Vector> momentum;
+    for (const Rigid motion :
+         {n == 0 ? Rigid::along_axle : Rigid::across_axle, n == 0 ? Rigid::about_axle : Rigid::tilt})
+      if (n < 2)
+        momentum.push_back(section->momentum(n, section->rigid_motion(motion)));
     WheelRaster raster{1e300, 0, 1e300, -1e300, frame.rim_radius};
     for (const auto &place : places)
     {
@@ -116,21 +122,17 @@ namespace vibrocontact
       for (const bool odd : {false, true})
         if (const auto weight = section->weight(n, odd))
           mode.load[odd] = shape * *weight;
-      // unit translations: along y with n = 0; z = -r cos + t sin and x = r sin + t cos with n = 1
-      along = 0;
-      for (unsigned int i = 0; i < n_dofs && n < 2; ++i)
-        along(i) = n == 0 ? components[i] == RevolvedSection::axial
-                          : (components[i] == RevolvedSection::radial) -
-                                (components[i] == RevolvedSection::circumferential);
-      along.compress(dealii::VectorOperation::insert);
-      system->mass.vmult(inertia, along);
-      const double participation = shape * inertia;
-      if (n == 0)
-        mode.even[1] = participation;
-      if (n == 1)
+      if (n < 2)
       {
-        mode.even[2] = -participation;
-        mode.odd[0] = participation;
+        // x = r sin + t cos, z = -r cos + t sin
+        const double along = shape * momentum[0], turning = shape * momentum[1];
+        mode.even[n == 0 ? 1 : 2] = n == 0 ? along : -along;
+        mode.even[n == 0 ? 4 : 3] = turning;
+        if (n == 1)
+        {
+          mode.odd[0] = along;
+          mode.odd[5] = turning;
+        }
       }
 
       std::array<std::array<double, 2>, 3 * WheelRaster::n_rim> rim{};

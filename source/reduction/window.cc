@@ -92,6 +92,12 @@ namespace vibrocontact
     part.participation = body.participation;
     part.flow = body.flow;
     part.section = body.section;
+    part.hub = body.hub;
+    if (part.hub)
+    {
+      part.hub->centre[1] -= lateral;
+      part.hub->centre[2] -= height;
+    }
     part.relaxation = body.relaxation;
     part.poles = body.poles;
     part.pole_load = body.pole_load;

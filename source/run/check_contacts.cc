@@ -307,8 +307,8 @@ namespace vibrocontact
   {
     const auto refuse = [&](const std::string &asked)
     { throw InputError(what + ", which does not take " + asked + "."); };
-    if (parameters.hub() == "suspended")
-      refuse("a suspended hub: set Rolling/Hub to held or massless");
+    if (hub_has_mass(parameters.hub()))
+      refuse("a hub with mass: set Rolling/Hub to held or massless");
     for (const ContactParameters &contact : parameters.contacts.all)
       if (contact.law_of_friction()->depends_on_speed())
         refuse("friction that depends on the slip speed");

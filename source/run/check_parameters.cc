@@ -6,6 +6,7 @@
 #include <vibrocontact/reduction/window.h>
 #include <vibrocontact/run/check_contacts.h>
 #include <vibrocontact/run/check_frequency_response.h>
+#include <vibrocontact/run/check_hub.h>
 #include <vibrocontact/run/check_periodic.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/parameters.h>
@@ -110,10 +111,6 @@ namespace vibrocontact
                   "/Rail/Model is periodic, beside which stability and time take constant friction "
                   "only: take the Contact/Friction law coulomb (a Static friction ratio of "
                   "1) or set Model to solid.");
-          if (parameters.hub() == "suspended")
-            throw InputError(
-                body.name + "/Rail/Model is periodic, beside which stability and time take no suspended hub: "
-                            "set Rolling/Hub to held or massless, or Model to solid.");
         }
         for (const auto &[section, model] : unreduced_models(parameters))
           throw InputError(body.name + "/Rail/Model is periodic, but " + section + "/Model = " + model +
@@ -143,44 +140,6 @@ namespace vibrocontact
         throw InputError(entry +
                          "Comparison/Rows asks for a comparison of methods, whose exact motion has none: "
                          "leave one of them out.");
-    }
-
-    /// What carries body 1, in the analyses in which it moves or is pressed down.
-    void check_hub_of_body_1(const Parameters &parameters)
-    {
-      const RollingParameters &rolling = parameters.rolling;
-      if (rolling.hub != "suspended" && rolling.suspension.any())
-        throw InputError("Section Rolling/Suspension carries a suspended hub, but Rolling/Hub is " +
-                         rolling.hub + ": set it to suspended or leave the section out.");
-      if (rolling.hub == "held")
-        return;
-      const BodyParameters &body = parameters.scene.bodies[0];
-      if (!parameters.has_hub())
-        throw InputError("Rolling/Hub is " + rolling.hub + ", but body 1, " + body.name +
-                         ", is a half-space, which has no hub: leave the entry out.");
-      if (rolling.hub != "suspended")
-        return;
-      if (body.is_known_by_poles())
-        throw InputError("Rolling/Hub is suspended, but body 1, " + body.name +
-                         ", is known at its contact points alone, by poles, which do not say what its hub's "
-                         "acceleration does to it: set it to held or massless.");
-      if (!(rolling.suspension.mass > 0))
-        throw InputError(
-            "Rolling/Hub is suspended, but Rolling/Suspension/Unsprung mass is 0: give the mass of "
-            "all that moves with the hub, body 1 included, or set Hub to massless.");
-      for (unsigned int d = 0; d < 3; ++d)
-        if (!(rolling.suspension.stiffness[d] > 0))
-          throw InputError(
-              std::string("Rolling/Hub is suspended, but Rolling/Suspension/Stiffness ") + "xyz"[d] +
-              " is 0, so that nothing keeps the hub at its place: give the stiffness of the primary "
-              "suspension along " +
-              "xyz"[d] + ".");
-      if (parameters.scene.runs("stability") && !parameters.stability.is_reduced())
-        throw InputError("Stability/Model is " + parameters.stability.model +
-                         ", which knows no suspended hub: set it to reduced, or Rolling/Hub to held.");
-      if (parameters.scene.runs("stability") && parameters.stability.second_count)
-        throw InputError("Stability/Second count knows no suspended hub: leave it out, or set Rolling/Hub to "
-                         "held.");
     }
 
     /// The unreduced bodies are made and marched by all ranks together.
@@ -329,7 +288,7 @@ namespace vibrocontact
     }
     if (scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient"))
     {
-      check_hub_of_body_1(*this);
+      check_hub(*this);
       for (const BodyParameters &body : scene.bodies)
         check_green_body(*this, body);
     }

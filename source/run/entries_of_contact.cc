@@ -169,7 +169,13 @@ namespace vibrocontact
   {
     entries.add_if(parameters.hub() != "none", "body 1 has a hub", "Rolling", "Hub");
     entries.add_if(parameters.hub() == "suspended", "Rolling/Hub is suspended", "Rolling/Suspension",
-                   "Unsprung mass, Stiffness x, Stiffness y, Stiffness z, Damping x, Damping y, Damping z");
+                   "Unsprung mass");
+    entries.add_if(parameters.hub() == "axle", "Rolling/Hub is axle", "Rolling/Axle",
+                   "Length, Radius, Inner radius, Box distance, Box mass, Upper frequency");
+    entries.add_if(parameters.hub() == "axle", "Rolling/Hub is axle", "Rolling/Axle/Material",
+                   "Young modulus, Poisson ratio, Density, Loss factor");
+    entries.add_if(hub_has_mass(parameters.hub()), "Rolling/Hub is suspended or axle", "Rolling/Suspension",
+                   "Stiffness x, Stiffness y, Stiffness z, Damping x, Damping y, Damping z");
   }
 
   void add_partners(EntriesRead &entries, const Parameters &parameters, const BodyUse &use)

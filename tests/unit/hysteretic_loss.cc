@@ -273,8 +273,8 @@ TEST(HystereticLoss, OnASuspendedHubIsThatOfTheBodyInItsOwnCoordinates)
   SuspensionParameters suspension;
   suspension.mass = 2;
   std::fill_n(suspension.stiffness, 3, 3.);
-  const ContactPair moving = suspended_pair(pair, suspension, {0, 0, 0});
-  const HystereticLoss loss = suspended_loss(held, *moving.hub);
+  HystereticLoss loss = held;
+  const ContactPair moving = suspended_pair(pair, suspended_hub(suspension), {}, &loss);
   RollingEquilibrium open = sliding(1, 0., 0, 1);
   open.contact.status = {ContactStatus::open};
   const std::vector<StabilityRoot> roots = hysteretic_roots(moving, loss, upwind(), open, {});

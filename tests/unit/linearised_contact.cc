@@ -93,11 +93,7 @@ TEST_P(GrowthOfTheTransient, IsTheRootOfTheConsistentLinearisation)
       suspension.stiffness[d] = 4e6;
       suspension.damping[d] = 1e3;
     }
-    std::vector<double> reaction;
-    for (const unsigned int block : {1, 2, 0})
-      reaction.push_back(std::accumulate(rest.R.begin() + block * s.n_points,
-                                         rest.R.begin() + (block + 1) * s.n_points, 0.));
-    pair = suspended_pair(pair, suspension, reaction);
+    pair = suspended_pair(pair, suspended_hub(suspension), rest.R);
     hang(pair, rest);
     complete(pair,
              rigid_slip(pair.interface.contacts.only(), find_creep_scheme(contact.creep_scheme),

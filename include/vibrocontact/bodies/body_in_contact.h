@@ -57,7 +57,8 @@ namespace vibrocontact
     /// [1/N]; or empty: nothing flows, or it is differenced between the points.
     ComplexMatrix gradient = ComplexMatrix();
     DenseMatrix residual_gradient = DenseMatrix();
-    /// Phi^T M e of unit translations e of the whole body forward, across and up, n_modes x 3 [sqrt(kg)]; or empty
+    /// Phi^T M e of unit translations e of the whole body forward, across and up, and of rotations about these axes through its hub
+    /// if it is known (ReducedBody::hub), n_modes x 3 or 6 [sqrt(kg)], [sqrt(kg) m]; or empty
     DenseMatrix participation = DenseMatrix();
 
     unsigned int n_modes() const { return omega.size(); }

@@ -3,7 +3,9 @@
 #include <vibrocontact/bodies/body_in_contact.h>
 #include <vibrocontact/scene/contact_grid.h>
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,15 @@ namespace vibrocontact
 {
   struct FlowReduction;
   struct RevolvedShapes;
+
+  /// The hub of a body as an interface that is rigid.
+  struct HubInertia
+  {
+    /// its middle, about which it turns, from the nominal contact point [m]
+    std::array<double, 3> centre;
+    /// of the whole body for translations along x, y, z and rotations about them; 6 square [kg], [kg m], [kg m^2]
+    DenseMatrix mass;
+  };
 
   /// A body at its contact points, three rows each as contact_row(), in global axes, under forces on it: free-interface
   /// modes plus residual attachment responses (Lai et al. 2018, Eqs 8-14; doc/theory.md, "Meshed bodies and their
@@ -45,6 +56,8 @@ namespace vibrocontact
     /// Phi^T H Phi of the hysteretic loss H = sum of eta_e K_e, n_modes square, if loss factors differ and so couple the modes;
     /// empty: diagonal, 2 zeta w^2 [1/s^2]
     DenseMatrix loss = DenseMatrix();
+    /// of a body whose participation has rotations
+    std::optional<HubInertia> hub = {};
   };
 
   /// Adds Psi diag(w^-2) Psi^T, what modes answer to static forces [m/N]; trace 3 n x n_modes.

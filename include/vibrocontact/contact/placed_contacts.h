@@ -68,5 +68,8 @@ namespace vibrocontact
                                    const std::vector<std::array<double, 3>> &resultants) const;
     /// Jump (first body less second) of all rows where a body moves as a whole along its x, y, z; 3 n x 3 [-].
     DenseMatrix translation_of(unsigned int body) const;
+    /// The same where a body of revolution turns about x, y, z through a place on its axle, which is parallel to y; 3 n x 3 [m].
+    /// About y its surface moves along itself: no gap changes.
+    DenseMatrix rotation_of(unsigned int body, const std::array<double, 3> &centre) const;
   };
 } // namespace vibrocontact

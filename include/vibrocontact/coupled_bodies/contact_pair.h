@@ -8,6 +8,7 @@
 #include <vibrocontact/scene/body.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,8 @@ namespace vibrocontact
     std::vector<double> force_residual;
     /// what of W~ relaxes; what it leaves of the residual follows forces at once
     std::vector<RelaxingRest> relaxing;
+    /// of body 1, if it is known to turn: then participation has rotations
+    std::optional<HubInertia> hub_inertia;
     /// null: the hub of body 1 moves as the approach does
     std::shared_ptr<const SuspendedHub> hub;
 

@@ -19,7 +19,7 @@ namespace vibrocontact
   /// taken as linear in s, again by its secant until the root stays where it is (some 1e-11 of |s|). Roots named after a pole of such a body are
   /// where its fit has a pole, which the body itself need not have: those that the exact receptance does not have are dropped, the
   /// rest of them as well; those that it has are named after the mode, or the wave of a wheel that turns, with the largest share. Sorts the roots.
-  /// @pre constant friction, a hub without dampers: the contact's own equations know these alone
+  /// @pre constant friction: the contact's own equations know it alone
   /// @throws ConvergenceError if a root of a mode is not found again, or two become one, or one grows above the poles' band
   void make_exact(std::vector<StabilityRoot> &roots, const ContactPair &pair, const CreepScheme &scheme,
                   const RollingEquilibrium &equilibrium, const HystereticLoss &loss);

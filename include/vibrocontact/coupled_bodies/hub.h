@@ -5,13 +5,14 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
 namespace vibrocontact
 {
-  /// `subsection Rolling/Suspension`: what carries a suspended hub. A translation u of the hub from its place
+  /// `subsection Rolling/Suspension`: what carries a suspended hub, or each box of an axle. A translation u of the hub from its place
   /// in the rolling equilibrium obeys, along each of x, y, z,
   ///
   ///   m u'' + Gamma . q'' + c u' + k u = sum R - (sum R at equilibrium)
@@ -20,7 +21,7 @@ namespace vibrocontact
   /// without force in the equilibrium: what carries the wheel there is their preload.
   struct SuspensionParameters
   {
-    /// all that moves with the hub, body 1 included [kg]
+    /// all that moves with a suspended hub, body 1 included [kg]
     double mass = 0;
     /// along x, y, z [N/m], [Ns/m]
     double stiffness[3] = {0, 0, 0}, damping[3] = {0, 0, 0};
@@ -29,46 +30,75 @@ namespace vibrocontact
     bool any() const;
   };
 
-  /// A hub that translates: the modes of body 1 and of its hub as modes of one system. Its shapes x solve
+  /// A hub that moves: the modes of body 1 and of what moves with its hub as modes of one system. Its shapes x solve
   ///
   ///   [ diag(w^2)  0 ]       [ I        Gamma ]
-  ///   [ 0          k ] x = l [ Gamma^T  m     ] x,    x^T M x = 1.
+  ///   [ 0          K ] x = l [ Gamma^T  M     ] x,    x^T M x = 1
   ///
-  /// Modes that do not move the hub stay what they were. Their modal damping is carried over to the diagonal
-  /// of the new modes; the suspension's dampers act exactly, damping_force().
+  /// with the matrices of HubCoordinates, whose first coordinates are the hub's translations along x, y, z and, on an axle, its
+  /// rotations about them. Modes that do not move the hub stay what they were. Their modal damping is carried over to the
+  /// diagonal of the new modes; dampers act exactly, damping_force().
   struct SuspendedHub
   {
-    /// amplitudes of the modes of the held body 1, then translations of the hub along x, y, z, per amplitude
-    /// of the new modes; square
+    /// amplitudes of the modes of the held body 1, then of the hub's coordinates, per amplitude of the new modes; square
     DenseMatrix shapes;
-    /// [kg], [Ns/m]
-    double mass = 0, damping[3] = {0, 0, 0};
-    /// modes of body 1 that act, and their participation Gamma, along x, y, z; n x 3 [sqrt(kg)]
-    DenseMatrix participation;
+    /// coordinates of the hub, and its motions among them: 3 or 6
+    unsigned int n_added = 3, n_motions = 3;
+    /// of all that moves with the hub [kg]
+    double mass = 0;
+    /// where the hub's rotations turn about, from the nominal contact point [m]
+    std::array<double, 3> centre = {{0, 0, 0}};
+    /// of dampers [Ns/m], and what each new mode stretches them by, n_dampers x n_modes [1/sqrt(kg)]
+    std::vector<double> damping;
+    DenseMatrix dampers;
+    /// Gamma of the modes of body 1 that act, n x n_added
+    DenseMatrix coupling;
 
-    unsigned int n_held_modes() const { return shapes.m() - 3; }
-    /// translation of the hub along a direction per amplitude of a mode of the pair, 0 for body 2 [1/sqrt(kg)]
+    unsigned int n_held_modes() const { return shapes.m() - n_added; }
+    /// motion of the hub (0-2 along, 3-5 about x, y, z) per amplitude of a mode of the pair, 0 for body 2 [1/sqrt(kg)]
     double motion(const unsigned int direction, const unsigned int mode) const
     {
-      return mode < shapes.n() ? shapes(n_held_modes() + direction, mode) : 0.;
+      return direction < n_motions && mode < shapes.n() ? shapes(n_held_modes() + direction, mode) : 0.;
     }
-    bool is_damped() const { return damping[0] > 0 || damping[1] > 0 || damping[2] > 0; }
+    /// How a place is carried along by a motion of the hub, m(direction); its own place from the nominal contact point.
+    template <typename Point, typename Motion>
+    auto carried(const Point &place, const Motion &m) const
+    {
+      const double x = place[0] - centre[0], y = place[1] - centre[1], z = place[2] - centre[2];
+      return std::array<decltype(m(0)), 3>{
+          {m(0) + m(4) * z - m(5) * y, m(1) + m(5) * x - m(3) * z, m(2) + m(3) * y - m(4) * x}};
+    }
+    bool is_damped() const
+    {
+      return std::any_of(damping.begin(), damping.end(), [](const double c) { return c > 0; });
+    }
+    /// What mode j feels of a velocity of mode k through the dampers [1/s].
+    double modal_damping(const unsigned int j, const unsigned int k) const
+    {
+      double sum = 0;
+      for (unsigned int d = 0; d < damping.size(); ++d)
+        sum += damping[d] * dampers(d, j) * dampers(d, k);
+      return sum;
+    }
     /// forces of the dampers for modal velocities [N]: the modes feel their -modal_force()
     template <typename Velocities>
-    std::array<double, 3> damping_force(const Velocities &v) const
+    std::vector<double> damping_force(const Velocities &v) const
     {
-      std::array<double, 3> force = {{0, 0, 0}};
-      for (unsigned int d = 0; d < 3; ++d)
+      std::vector<double> force(damping.size(), 0.);
+      for (unsigned int d = 0; d < force.size(); ++d)
         for (unsigned int j = 0; damping[d] > 0 && j < shapes.n(); ++j)
-          force[d] += damping[d] * motion(d, j) * v[j];
+          force[d] += damping[d] * dampers(d, j) * v[j];
       return force;
     }
-    /// force on a mode of three forces along x, y, z on the hub [N/sqrt(kg)]
-    double modal_force(const std::array<double, 3> &force, const unsigned int mode) const
+    /// force on a mode of forces along the dampers [N/sqrt(kg)]
+    double modal_force(const std::vector<double> &force, const unsigned int mode) const
     {
-      return motion(0, mode) * force[0] + motion(1, mode) * force[1] + motion(2, mode) * force[2];
+      double sum = 0;
+      for (unsigned int d = 0; d < force.size() && mode < shapes.n(); ++d)
+        sum += dampers(d, mode) * force[d];
+      return sum;
     }
-    /// Amplitudes of the held body's modes, then hub x, y, z, then the modes of body 2.
+    /// Amplitudes of the held body's modes, then of the hub's coordinates, then of the modes of body 2.
     template <typename Number>
     std::vector<Number> held(const std::vector<Number> &amplitudes) const
     {
@@ -88,12 +118,12 @@ namespace vibrocontact
   ///
   ///   v1 <- v1 - g_v S B v1,  q1 <- q1 - g_q S B v1,  S = (1 + C B g_v B^T)^-1 C
   ///
-  /// (B: SuspendedHub::motion, C: damping, g: gains of force at the end of the step, ModalStep::g1).
+  /// (B: SuspendedHub::dampers, C: damping, g: gains of force at the end of the step, ModalStep::g1).
   struct HubDamper
   {
-    /// B; 3 x n_modes, empty: no dampers
+    /// B; n_dampers x n_modes, empty: no dampers
     DenseMatrix motion;
-    /// g_q S, g_v S; n_modes x 3
+    /// g_q S, g_v S; n_modes x n_dampers
     DenseMatrix displacement, velocity;
 
     HubDamper(const SuspendedHub *hub, const std::vector<ModalStep> &steps);
@@ -102,6 +132,8 @@ namespace vibrocontact
     void act(const DenseVector &by, DenseVector &q, DenseVector &v) const;
   };
 
-  /// Words about a hub for the terminal: "held", "massless", "suspended", or "none" of half-spaces.
+  /// Whether the hub moves with a mass of its own: suspended, or on an axle.
+  bool hub_has_mass(const std::string &hub);
+  /// Words about a hub for the terminal: "held", "massless", "suspended", "axle", or "none" of half-spaces.
   std::string hub_text(const std::string &hub);
 } // namespace vibrocontact

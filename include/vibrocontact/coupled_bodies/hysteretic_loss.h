@@ -55,7 +55,4 @@ namespace vibrocontact
   /// @throws InputError if a body is damped by C = beta K as well
   HystereticLoss take_hysteretic_loss(ContactPair &pair, const std::vector<ContactBody> &bodies,
                                       const ContactSections &sections, const PlacedContacts &contacts);
-
-  /// The loss in the modes of suspended_pair().
-  HystereticLoss suspended_loss(const HystereticLoss &held, const SuspendedHub &hub);
 } // namespace vibrocontact

@@ -35,7 +35,7 @@ namespace vibrocontact
   };
 
   /// G of the modes of body b (from 1), amplitudes (s^2 + 2 zeta w s + w^2 + j H)^-1 amplitudes^T, with their hysteretic loss or
-  /// without (null). H in full is diagonalised once, so that an s costs the same either way.
+  /// without (null); with the dampers of a hub. H in full is diagonalised once, so that an s costs the same either way.
   /// @throws InputError if H couples modes that have viscous damping
   PatchReceptance modal_receptance(const ContactPair &pair, unsigned int b, const HystereticLoss *loss);
   /// G of the poles of body b, sum of right left^T / (s - lambda) and of its conjugate, in shapes of their own for motion and

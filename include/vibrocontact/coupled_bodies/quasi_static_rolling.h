@@ -3,6 +3,7 @@
 #include <vibrocontact/contact/contact_solver.h>
 #include <vibrocontact/contact/interface.h>
 #include <vibrocontact/coupled_bodies/hub.h>
+#include <vibrocontact/scene/axle.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -22,10 +23,11 @@ namespace vibrocontact
     std::vector<double> normal_force, hub_displacement;
     Creepage creepage;
     /// what becomes of the hub of body 1 in a motion about the equilibrium, in which the load finds its place:
-    /// "held" there, "massless" under the constant normal force of the equilibrium, or "suspended"; "none" of a
+    /// "held" there, "massless" under the constant normal force of the equilibrium, "suspended", or on an "axle"; "none" of a
     /// half-space: held under a displacement, massless under a force
     std::string hub = "held";
     SuspensionParameters suspension;
+    AxleParameters axle;
 
     /// Values of the sweep; an empty list leaves the entry at its single value. Each of the first five lists
     /// is a curve of its own, the other entries staying at their single values; frictions repeat every curve.

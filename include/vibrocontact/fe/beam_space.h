@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/fe/beam_energy.h>
 #include <vibrocontact/scene/beam_rail.h>
 
 #include <deal.II/base/point.h>
@@ -29,9 +30,6 @@ namespace vibrocontact
       n_fields
     };
   } // namespace beam_field
-
-  /// A motion as a sum of fields, by their numbers.
-  using BeamMotion = std::map<unsigned int, double>;
 
   /// Mesh and elements of a beam. They are small and stand on every rank; nodes at the contact, at edges (or
   /// points) of pads and at the ends of anechoic pieces.

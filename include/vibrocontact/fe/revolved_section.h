@@ -109,6 +109,26 @@ namespace vibrocontact
     std::vector<std::vector<double>>
     energies_of_parts(unsigned int n, const std::vector<dealii::PETScWrappers::MPI::Vector> &shapes) const;
 
+    /// A motion of the body as a rigid one, its rotations about the middle of the held boundary along the axle: along it with
+    /// u_a = 1 and about it with V = r (n = 0); across it with U = -V = 1, tilt with W = r, V = -U = a (n = 1)
+    /// (revolved_inertia.cc).
+    enum class RigidMotion
+    {
+      along_axle,
+      about_axle,
+      across_axle,
+      tilt
+    };
+    /// Axial position of that middle [m].
+    double hub_place() const;
+    /// One value per dof, held ones included; momentum() and inertia() are those of such motions, of the whole body.
+    dealii::Vector<double> rigid_motion(RigidMotion motion) const;
+    /// M v, of dofs that are free to move.
+    dealii::PETScWrappers::MPI::Vector momentum(unsigned int n, const dealii::Vector<double> &motion) const;
+    /// v^T M w
+    double inertia(unsigned int n, const dealii::Vector<double> &motion,
+                   const dealii::Vector<double> &other) const;
+
     /// Support point (a, r) and component of each dof.
     const std::vector<dealii::Point<2>> &positions() const { return places; }
     const std::vector<unsigned char> &components() const { return directions; }
@@ -130,6 +150,8 @@ namespace vibrocontact
       dealii::Vector<double> weight;
     };
     void compute_cells();
+    dealii::Vector<double> times_mass(const Cell &cell, unsigned int n,
+                                      const dealii::Vector<double> &motion) const;
     /// int sigma : (grad N . grad N) over a cell, not around the axle, of a stress without waves
     dealii::FullMatrix<double>
     geometric_stiffness(const typename dealii::DoFHandler<2>::active_cell_iterator &cell, unsigned int n,

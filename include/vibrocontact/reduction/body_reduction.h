@@ -86,7 +86,11 @@ namespace vibrocontact
     /// Takes the modes from the cache, with all that belongs to them. Collective.
     void load_modes();
     std::string heading() const { return "Reduction of " + asked.body; }
-    std::string modes_key() const { return asked.key + "\nmodes " + asked.modes.key(); }
+    std::string modes_key() const
+    {
+      return asked.key + "\nmodes " + asked.modes.key() +
+             (maker.revolve ? "\nwith rotations of the hub" : "");
+    }
 
     ReductionRequest asked;
     Maker maker;

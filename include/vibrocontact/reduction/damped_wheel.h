@@ -23,8 +23,8 @@ namespace vibrocontact
     std::vector<double> motion;
     /// [kg]; angular frequency sqrt(k / m), 0: fixed [rad/s]; eta [-]
     double mass = 0, omega = 0, loss_factor = 0;
-    /// translations of the whole body along x, y, z in terms of its own motion [-]
-    std::array<double, 3> along = {{0, 0, 0}};
+    /// translations of the whole body along x, y, z [-] and rotations about them through its hub [m] in terms of its own motion
+    std::array<double, 6> along = {{0, 0, 0, 0, 0, 0}};
 
     bool is_sprung() const { return omega > 0; }
     double stiffness() const { return mass * omega * omega; }

@@ -98,6 +98,7 @@ namespace vibrocontact
       archive("first", part.first);
       archive("second", part.second);
       archive("energies_1_s2", part.energies);
+      archive("hub", part.hub);
     }
 
     template <typename Archive, typename Part>

@@ -43,7 +43,8 @@ namespace vibrocontact
     DenseMatrix trace;
     /// Phi^T F [N/sqrt(kg)]
     std::vector<double> load;
-    /// Phi^T M e of unit translations e along x, y, z; n_modes x 3 [sqrt(kg)]
+    /// Phi^T M e of unit translations e along x, y, z, of a body by harmonics also of rotations about them through its hub;
+    /// n_modes x 3 or 6 [sqrt(kg)], [sqrt(kg) m]
     DenseMatrix participation;
     /// measured: see Modes
     double orthonormality_error = 0, residual = 0;

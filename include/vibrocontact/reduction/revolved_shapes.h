@@ -28,6 +28,11 @@ namespace vibrocontact
     /// phi^T K_e phi of a pair [1/s^2] around the axle, element after element; n_cells n_pairs
     std::vector<double> energies;
 
+    /// of its hub, the middle of what is held: axial position in the section, lateral and vertical place from the nominal contact
+    /// point [m]; of the whole body: mass [kg], first moment along the axle about the hub [kg m], moments of inertia about the axle and
+    /// about a diameter through the hub [kg m^2]
+    std::vector<double> hub = std::vector<double>(7, 0.);
+
     unsigned int n_modes() const { return omega.size(); }
     unsigned int n_points() const { return points.size() / 2; }
     unsigned int n_cells() const { return cells.size() / 3; }

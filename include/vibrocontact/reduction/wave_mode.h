@@ -21,8 +21,8 @@ namespace vibrocontact
     unsigned int nodal_circles = 0;
     /// at the rows of the contact and at the section's boundary [1/sqrt(kg)]
     std::vector<double> tread, boundary;
-    /// phi^T F and phi^T M e of unit translations along x, y, z of the family even, of odd
-    std::vector<double> load = {0, 0}, even = {0, 0, 0}, odd = {0, 0, 0};
+    /// phi^T F and phi^T M e of unit translations along x, y, z and rotations about them of the family even, of odd
+    std::vector<double> load = {0, 0}, even = std::vector<double>(6, 0.), odd = std::vector<double>(6, 0.);
     /// its number among all modes of n; products with these of 2 Omega's matrix, even with odd (of n = 0 with both), and of
     /// that of Omega^2; none without rotation
     unsigned int number = 0;

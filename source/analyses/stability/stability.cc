@@ -207,12 +207,15 @@ namespace vibrocontact
     std::vector<StabilityResult> results;
     // the preload is no part of the linearisation
     std::shared_ptr<const ContactPair> suspended;
-    if (rolling.hub == "suspended")
-      suspended = std::make_shared<const ContactPair>(suspended_pair(pair, rolling.suspension, {0, 0, 0}));
-    const ContactPair &moving = suspended ? *suspended : pair;
     std::optional<HystereticLoss> own_loss;
-    if (suspended && loss)
-      loss = &own_loss.emplace(suspended_loss(*loss, *suspended->hub));
+    if (hub_has_mass(rolling.hub))
+    {
+      if (loss)
+        loss = &own_loss.emplace(*loss);
+      suspended = std::make_shared<const ContactPair>(
+          suspended_pair(pair, hub_coordinates(rolling, pair), {}, own_loss ? &*own_loss : nullptr));
+    }
+    const ContactPair &moving = suspended ? *suspended : pair;
     const auto linearise = [&](StabilityResult &&result, const RollingEquilibrium &about)
     {
       const auto begin = std::chrono::steady_clock::now();

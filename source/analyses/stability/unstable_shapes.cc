@@ -84,14 +84,13 @@ namespace vibrocontact
           continue;
         }
         std::vector<std::complex<double>> amplitudes = root->shape;
-        std::complex<double> moved[3] = {0, 0, 0};
+        std::array<std::complex<double>, 6> moved{};
         if (hub)
         {
           amplitudes = hub->held(root->shape);
           const auto first = amplitudes.begin() + hub->n_held_modes();
-          if (k == 0)
-            std::copy_n(first, 3, moved);
-          amplitudes.erase(first, first + 3);
+          std::copy_n(first, hub->n_motions, moved.begin());
+          amplitudes.erase(first, first + hub->n_added);
         }
         std::vector<double> real, imaginary;
         for (unsigned int i = 0; i < pair.n_modes(); ++i)
@@ -105,12 +104,18 @@ namespace vibrocontact
         const SurfaceShapes &surface = *surfaces[k];
         shapes.push_back({bodies[k].get(), &surface, surface_displacement(surface, real),
                           surface_displacement(surface, imaginary)});
-        for (unsigned int i = 0; i < shapes.back().real.size(); ++i)
+        for (unsigned int point = 0; hub && k == 0 && point < surface.n_points(); ++point)
         {
-          shapes.back().real[i] += moved[i % 3].real();
-          shapes.back().imaginary[i] += moved[i % 3].imag();
-          largest = std::max(largest, std::hypot(shapes.back().real[i], shapes.back().imaginary[i]));
+          const auto carried =
+              hub->carried(surface.point(point), [&](const unsigned int m) { return moved[m]; });
+          for (unsigned int d = 0; d < 3; ++d)
+          {
+            shapes.back().real[3 * point + d] += carried[d].real();
+            shapes.back().imaginary[3 * point + d] += carried[d].imag();
+          }
         }
+        for (unsigned int i = 0; i < shapes.back().real.size(); ++i)
+          largest = std::max(largest, std::hypot(shapes.back().real[i], shapes.back().imaginary[i]));
       }
       for (const SurfaceShape &shape : shapes)
         on_first_rank(

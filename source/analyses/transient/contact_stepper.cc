@@ -259,8 +259,7 @@ namespace vibrocontact
   // modes under the forces of the beginning of the step and the constant loads
   void ContactStepper::advance_modes(const DynamicState &state, const Drive &drive)
   {
-    const std::array<double, 3> dampers =
-        pair.hub ? pair.hub->damping_force(state.v) : std::array<double, 3>{{0, 0, 0}};
+    const std::vector<double> dampers = pair.hub ? pair.hub->damping_force(state.v) : std::vector<double>();
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
     {
       const ModalStep &s = steps[k];

@@ -160,7 +160,7 @@ namespace vibrocontact
       std::vector<double> mean(pair.n_modes());
       for (unsigned int k = 0; k < pair.n_modes(); ++k)
         mean[k] = (before.v[k] + after.v[k]) / 2;
-      const std::array<double, 3> force = pair.hub->damping_force(mean);
+      const std::vector<double> force = pair.hub->damping_force(mean);
       for (unsigned int k = 0; k < pair.n_modes(); ++k)
         damping += pair.hub->modal_force(force, k) * mean[k] * h;
     }

@@ -109,16 +109,17 @@ namespace vibrocontact
     // a body 1 without modes has no probes
     if (first > 0 || n_held == 0)
     {
-      first += 3;
+      first += hub.n_added;
       return;
     }
-    std::vector<double> moved(n_held + 3);
+    std::vector<double> moved(hub.shapes.n(), 0.);
     for (unsigned int j = 0; j < moved.size(); ++j)
     {
       for (unsigned int k = 0; k < n_held; ++k)
         moved[j] += hub.shapes(k, j) * shape[k];
+      const auto carried = hub.carried(place, [&](const unsigned int m) { return hub.motion(m, j); });
       for (unsigned int d = 0; d < 3; ++d)
-        moved[j] += hub.motion(d, j) * direction[d];
+        moved[j] += carried[d] * direction[d];
     }
     shape = moved;
   }

@@ -124,10 +124,9 @@ namespace vibrocontact
     const bool exact = parameters.integrator == "exact propagator";
     const double h = after.time - before.time;
     double error = 0, size = 0;
-    const auto dampers = [&](const DynamicState &state) {
-      return pair.hub ? pair.hub->damping_force(state.v) : std::array<double, 3>{{0, 0, 0}};
-    };
-    const std::array<double, 3> dampers_before = dampers(before), dampers_after = dampers(after);
+    const auto dampers = [&](const DynamicState &state)
+    { return pair.hub ? pair.hub->damping_force(state.v) : std::vector<double>(); };
+    const std::vector<double> dampers_before = dampers(before), dampers_after = dampers(after);
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
     {
       const double w = pair.omega[k];

@@ -28,7 +28,7 @@ namespace vibrocontact
       scaled(component).mTmult(result, amplitudes);
       if (!damper.acts())
         return result;
-      DenseMatrix moved(amplitudes.m(), 3), taken(amplitudes.m());
+      DenseMatrix moved(amplitudes.m(), damper.motion.m()), taken(amplitudes.m());
       scaled(1).mTmult(moved, damper.motion);
       product(amplitudes, component == 0 ? damper.displacement : damper.velocity).mTmult(taken, moved);
       result.add(-1., taken);

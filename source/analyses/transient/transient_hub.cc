@@ -9,7 +9,7 @@ namespace vibrocontact
 {
   std::string transient_hub(const std::string &hub, const LoadOverTime &load)
   {
-    if (load.hub_displacement && (hub == "massless" || hub == "suspended"))
+    if (load.hub_displacement && (hub == "massless" || hub_has_mass(hub)))
       throw InputError(load.name + " moves a held hub, but Rolling/Hub is " + hub +
                        ": give Normal force over time, or set Rolling/Hub to held.");
     return load.normal_force && hub == "held" ? "massless" : hub;
@@ -39,12 +39,18 @@ namespace vibrocontact
     const std::array<double, 3> force = contacts.force_on(0, contacts.resultants(equilibrium.R));
     motion.place = equilibrium.approach;
     motion.normal_force = force[2];
-    const double place = motion.place, normal_force = motion.normal_force, mass = rolling.suspension.mass;
-    const bool loaded = load.normal_force;
-    if (hub == "suspended")
-      motion.pair = std::make_shared<const ContactPair>(
-          suspended_pair(*held, rolling.suspension, {force[0], force[1], force[2] + start.force}));
-    const bool by_displacement = hub != "massless", suspended = hub == "suspended";
+    const double place = motion.place, normal_force = motion.normal_force;
+    const bool loaded = load.normal_force, by_displacement = hub != "massless", suspended = hub_has_mass(hub);
+    if (suspended)
+    {
+      RollingParameters own = rolling;
+      own.hub = hub;
+      DenseVector preload = equilibrium.R;
+      preload[0] += start.force;
+      motion.pair =
+          std::make_shared<const ContactPair>(suspended_pair(*held, hub_coordinates(own, *held), preload));
+    }
+    const double mass = suspended ? motion.pair->hub->mass : 0;
     motion.driven = [=](const DriveFunction &given) -> DriveFunction
     {
       return [=](const double time)
@@ -85,17 +91,16 @@ namespace vibrocontact
     const unsigned int n_1 = hub.n_held_modes();
     for (std::vector<double> *const amplitudes : {&state.q, &state.v})
     {
-      double moved[3] = {0, 0, 0};
+      std::vector<double> moved(hub.n_added, 0.), result(hub.shapes.n(), 0.);
       for (unsigned int k = 0; k < n_1; ++k)
-        for (unsigned int d = 0; d < 3; ++d)
-          moved[d] += hub.participation(k, d) * (*amplitudes)[k];
-      std::vector<double> result(n_1 + 3);
-      for (unsigned int j = 0; j < n_1 + 3; ++j)
+        for (unsigned int y = 0; y < hub.n_added; ++y)
+          moved[y] += hub.coupling(k, y) * (*amplitudes)[k];
+      for (unsigned int j = 0; j < result.size(); ++j)
       {
         for (unsigned int k = 0; k < n_1; ++k)
           result[j] += hub.shapes(k, j) * (*amplitudes)[k];
-        for (unsigned int d = 0; d < 3; ++d)
-          result[j] += hub.motion(d, j) * moved[d];
+        for (unsigned int y = 0; y < hub.n_added; ++y)
+          result[j] += hub.shapes(n_1 + y, j) * moved[y];
       }
       result.insert(result.end(), amplitudes->begin() + n_1, amplitudes->end());
       *amplitudes = result;
