@@ -4,6 +4,8 @@
 #include <vibrocontact/contact/friction_of_speed.h>
 #include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -11,154 +13,6 @@
 
 namespace vibrocontact
 {
-  void RollingParameters::declare_parameters(dealii::ParameterHandler &prm)
-  {
-    using namespace dealii::Patterns;
-    const auto list = [](const double low, const double high = Double::max_double_value)
-    { return List(Double(low, high), 0, 10000); };
-    const List positive_or_empty(Double(1e-30, 1e15), 0, 1);
-    prm.add_parameter(
-        "Normal force", normal_force,
-        "Resultant normal force, or empty if the hub displacement is given. In a modal convolution "
-        "that with which a flat road presses at rest, in place of Road/Indentation. Units: N.",
-        positive_or_empty);
-    prm.add_parameter("Hub displacement", hub_displacement,
-                      "Downward displacement of the hub of body 1 (approach of half-spaces) from the "
-                      "position in which the bodies touch "
-                      "at the nominal contact point, or empty "
-                      "if the normal force is given. Units: m.",
-                      positive_or_empty);
-    prm.add_parameter("Speed", creepage.speed,
-                      "Rolling speed; 0 in a transient or with a Sliding velocity. Units: m/s.",
-                      Double(0, 1000));
-    prm.add_parameter("Longitudinal creepage", creepage.longitudinal,
-                      "Velocity of body 1 minus body 2 along x over the speed. Units: none.", Double(-1, 1));
-    prm.add_parameter("Lateral creepage", creepage.lateral,
-                      "Velocity of body 1 minus body 2 along y over the speed. Units: none.", Double(-1, 1));
-    prm.add_parameter("Spin", creepage.spin,
-                      "Rotation of body 1 against body 2 about +z over the speed. Units: 1/m.",
-                      Double(-1000, 1000));
-    prm.add_parameter("Sliding velocity x", creepage.sliding_x,
-                      "Velocity of body 1 minus body 2 along x beside the creepage. Units: m/s.",
-                      Double(-1000, 1000));
-    prm.add_parameter("Sliding velocity y", creepage.sliding_y,
-                      "Velocity of body 1 minus body 2 along y beside the creepage. Units: m/s.",
-                      Double(-1000, 1000));
-    prm.add_parameter(
-        "Hub", hub,
-        "The hub of body 1 in stability and transient, after the load has found its place: held "
-        "there; massless: it follows under the constant normal force; suspended: section "
-        "Suspension; axle: sections Axle and Suspension. Half-spaces have none. Units: none.",
-        Selection("held|massless|suspended|axle"));
-    prm.enter_subsection("Suspension");
-    suspension.declare_parameters(prm);
-    prm.leave_subsection();
-    prm.enter_subsection("Axle");
-    axle.declare_parameters(prm);
-    prm.leave_subsection();
-    prm.enter_subsection("Sweep");
-    prm.add_parameter("Longitudinal creepage", sweep.longitudinal,
-                      "Values of one curve, all other entries at their single values. Units: none.",
-                      list(-1, 1));
-    prm.add_parameter("Lateral creepage", sweep.lateral,
-                      "Values of one curve, all other entries at their single values. Units: none.",
-                      list(-1, 1));
-    prm.add_parameter("Spin", sweep.spin,
-                      "Values of one curve, all other entries at their single values. Units: 1/m.",
-                      list(-1000, 1000));
-    prm.add_parameter("Normal force", sweep.normal_force,
-                      "Values of one curve, all other entries at their single values. Units: N.", list(0));
-    prm.add_parameter("Hub displacement", sweep.hub_displacement,
-                      "Values of one curve, all other entries at their single values. Units: m.", list(-1));
-    prm.add_parameter("Friction coefficient", sweep.friction,
-                      "Every curve is repeated for these, which take the place of Contact/Friction "
-                      "coefficient. Units: none.",
-                      list(0, 10));
-    prm.leave_subsection();
-  }
-
-  std::vector<std::string> RollingParameters::Sweep::given() const
-  {
-    std::vector<std::string> names;
-    for (const auto &[name, values] :
-         {std::make_pair("Longitudinal creepage", &longitudinal),
-          std::make_pair("Lateral creepage", &lateral), std::make_pair("Spin", &spin),
-          std::make_pair("Normal force", &normal_force),
-          std::make_pair("Hub displacement", &hub_displacement),
-          std::make_pair("Friction coefficient", &friction)})
-      if (!values->empty())
-        names.push_back(std::string("Rolling/Sweep/") + name);
-    return names;
-  }
-
-  void RollingParameters::check(const bool frictionless) const
-  {
-    if (!frictionless && !(creepage.speed > 0) && creepage.sliding_x == 0 && creepage.sliding_y == 0)
-      throw InputError(
-          "Entry Rolling/Speed is 0 and there is no Sliding velocity: nothing moves; steady rolling "
-          "needs one of them (pressing alone needs a friction coefficient of 0).");
-    const auto name = [](const std::vector<double> &single, const std::string &entry)
-    { return (single.empty() ? "Rolling/Sweep/" : "Rolling/") + entry; };
-    const bool force = !normal_force.empty() || !sweep.normal_force.empty();
-    const bool displacement = !hub_displacement.empty() || !sweep.hub_displacement.empty();
-    if (force && displacement)
-      throw InputError(name(normal_force, "Normal force") + " and " +
-                       name(hub_displacement, "Hub displacement") +
-                       " are both given, but one follows from the other: empty one of them.");
-    if (!force && !displacement)
-      throw InputError("Rolling/Normal force and Rolling/Hub displacement are neither of them given: set one "
-                       "of them.");
-    if (normal_force.empty() && hub_displacement.empty() &&
-        !(sweep.longitudinal.empty() && sweep.lateral.empty() && sweep.spin.empty()))
-      throw InputError("Rolling/Sweep lists a creepage, but there is no load for these curves: set "
-                       "Rolling/Normal force or Rolling/Hub displacement beside the sweep.");
-    for (const double value : sweep.normal_force)
-      if (!(value > 0))
-        throw InputError("Rolling/Sweep/Normal force lists a force that is not positive: take it out.");
-  }
-
-  std::vector<RollingCase> rolling_cases(const RollingParameters &rolling, const ContactSections &sections)
-  {
-    const ContactParameters &contact = sections.first();
-    RollingCase base;
-    base.curve = "single";
-    base.creepage = rolling.creepage;
-    base.friction = contact.friction;
-    base.normal_force = rolling.normal_force.empty() ? 0. : rolling.normal_force.front();
-    base.hub_displacement = rolling.hub_displacement.empty() ? 0. : rolling.hub_displacement.front();
-
-    const std::vector<double> frictions =
-        rolling.sweep.friction.empty() ? std::vector<double>{contact.friction} : rolling.sweep.friction;
-    std::vector<RollingCase> cases;
-    const auto add_curve = [&](const std::string &name, const std::vector<double> &values,
-                               const std::function<void(RollingCase &, double)> &set)
-    {
-      for (const double friction : values.empty() ? std::vector<double>() : frictions)
-        for (const double value : values)
-        {
-          RollingCase one = base;
-          one.curve = name;
-          one.friction = friction;
-          set(one, value);
-          cases.push_back(one);
-        }
-    };
-    const RollingParameters::Sweep &sweep = rolling.sweep;
-    add_curve("Longitudinal creepage", sweep.longitudinal,
-              [](RollingCase &c, const double value) { c.creepage.longitudinal = value; });
-    add_curve("Lateral creepage", sweep.lateral,
-              [](RollingCase &c, const double value) { c.creepage.lateral = value; });
-    add_curve("Spin", sweep.spin, [](RollingCase &c, const double value) { c.creepage.spin = value; });
-    add_curve("Normal force", sweep.normal_force,
-              [](RollingCase &c, const double value) { c.normal_force = value; });
-    add_curve("Hub displacement", sweep.hub_displacement,
-              [](RollingCase &c, const double value) { c.hub_displacement = value; });
-    if (cases.empty())
-      add_curve(rolling.sweep.friction.empty() ? "single" : "Friction coefficient", {0.},
-                [](RollingCase &, double) {});
-    return cases;
-  }
-
   namespace
   {
     double utilisation(const double Tx, const double Ty, const double bound)
@@ -262,9 +116,6 @@ namespace vibrocontact
       const RollingParameters &rolling;
       const ContactSections &contact;
       const ContactSolverParameters &solver_parameters;
-      const ContactInterface &interface;
-      const CreepScheme &scheme;
-      const std::shared_ptr<const ContactOperator> A;
       const std::vector<RollingCase> cases;
 
       /// With the friction of a case, if that is swept.
@@ -272,31 +123,103 @@ namespace vibrocontact
       {
         return rolling.sweep.friction.empty() ? contact : contact.with_friction(cases[k].friction);
       }
+    };
+
+    /// One of the grids, with its operator.
+    struct SweptGrid
+    {
+      const RollingSweep &sweep;
+      const RollingGrid &grid;
+      const std::shared_ptr<const ContactOperator> A = grid.operator_at(sweep.rolling.creepage.speed);
+
+      bool corrects_edge() const { return grid.edge[0] > 0 && sweep.rolling.creepage.speed > 0; }
+
+      LeadingEdge edge(const ContactSolution &normal) const
+      {
+        return LeadingEdge(grid.interface.contacts.only(), grid.edge, sweep.rolling.creepage.speed, *A,
+                           normal);
+      }
 
       ContactProblem problem(const unsigned int k) const
       {
-        const RollingCase &one = cases[k];
-        ContactProblem result = rolling_problem(A, interface, scheme, one.creepage, sections(k));
+        const RollingCase &one = sweep.cases[k];
+        ContactProblem result =
+            rolling_problem(A, grid.interface, grid.scheme, one.creepage, sweep.sections(k));
         result.title = "case " + std::to_string(k) + " of quasi-static rolling";
         result.normal_force = one.normal_force;
         result.approach = one.hub_displacement;
         return result;
       }
+
+      /// The problem that a result has solved.
+      ContactProblem problem(const unsigned int k, const RollingResult &solved) const
+      {
+        ContactProblem result = problem(k);
+        if (corrects_edge() && !solved.solution.empty())
+          edge(solved.solution).without_weights().add_to(result);
+        result.mu = solved.point_friction;
+        return result;
+      }
     };
 
-    /// The cases of a chunk, one after the other.
-    class RollingChunk
+    /// Solves with the leading edge of its own normal solution: that without friction to begin with, which
+    /// tangential forces hardly change, if at all.
+    void solve_with_edge(const SweptGrid &grid, ContactProblem &problem, ContactSolver &solver,
+                         ContactSolution &state)
+    {
+      constexpr unsigned int max_rounds = 5;
+      unsigned int iterations = 0, factorisations = 0, linear_iterations = 0, fallbacks = 0;
+      const auto count = [&]
+      {
+        state.iterations = iterations += state.iterations;
+        state.factorisations = factorisations += state.factorisations;
+        state.linear_iterations = linear_iterations += state.linear_iterations;
+        state.fallbacks = fallbacks += state.fallbacks;
+      };
+      if (state.empty())
+      {
+        ContactProblem frictionless = problem;
+        frictionless.friction_law = {};
+        frictionless.mu.assign(problem.mu.size(), 0.);
+        solver.solve(frictionless, state);
+        count();
+      }
+      LeadingEdge edge = grid.edge(state);
+      for (unsigned int round = 0; round < max_rounds; ++round)
+      {
+        ContactProblem with_edge = problem;
+        edge.add_to(with_edge);
+        solve_with_friction_of_speed(with_edge, solver, state,
+                                     [&](ContactSolution solution)
+                                     {
+                                       edge.take_weights(solution.y);
+                                       return slip_speed(solution);
+                                     });
+        edge.take_weights(state.y);
+        problem.mu = with_edge.mu;
+        count();
+        const LeadingEdge next = grid.edge(state);
+        if (!state.converged || next.equals(edge))
+          return;
+        edge = next;
+      }
+    }
+
+    /// The cases of a chunk on one grid, one after the other.
+    class GridChunk
     {
     public:
-      explicit RollingChunk(const RollingSweep &sweep)
-          : sweep(sweep), solver(create_contact_solver(sweep.solver_parameters))
+      /// @param tells throws if the contact of an only case reaches a side of the grid
+      GridChunk(const SweptGrid &grid, const bool tells)
+          : grid(grid), sweep(grid.sweep), tells(tells),
+            solver(create_contact_solver(sweep.solver_parameters))
       {
       }
 
-      RollingResult solve(const unsigned int k)
+      const RollingResult &solve(const unsigned int k)
       {
         const RollingCase &one = sweep.cases[k];
-        ContactProblem problem = sweep.problem(k);
+        ContactProblem problem = grid.problem(k);
         const bool continues = !last.solution.empty() && last.rolling_case.curve == one.curve &&
                                last.rolling_case.friction == one.friction && last.solution.converged;
         std::string failure;
@@ -306,7 +229,10 @@ namespace vibrocontact
           failure.clear();
           try
           {
-            solve_with_friction_of_speed(problem, *solver, state);
+            if (grid.corrects_edge())
+              solve_with_edge(grid, problem, *solver, state);
+            else
+              solve_with_friction_of_speed(problem, *solver, state);
           }
           catch (const ConvergenceError &error)
           {
@@ -329,29 +255,152 @@ namespace vibrocontact
         if (solution.converged)
           try
           {
-            check_contact_in_grid(sweep.interface.contacts, sweep.contact, sweep.rolling.creepage.speed,
+            check_contact_in_grid(grid.grid.interface.contacts, sweep.contact, sweep.rolling.creepage.speed,
                                   solution.status);
           }
           catch (const InputError &error)
           {
             // in a sweep the other cases are worth keeping
-            if (sweep.cases.size() == 1)
+            if (tells && sweep.cases.size() == 1)
               throw;
             failure = error.what();
             solution.converged = false;
           }
-        last = resultants(one, sweep.interface, sweep.sections(k), std::move(solution));
+        last = resultants(one, grid.grid.interface, sweep.sections(k), std::move(solution));
         last.failure = failure;
         last.point_friction = problem.mu;
         return last;
       }
 
     private:
+      const SweptGrid &grid;
       const RollingSweep &sweep;
+      const bool tells;
       const std::unique_ptr<ContactSolver> solver;
       RollingResult last;
     };
+
+    /// What the coarse grid says about the resultants of a contact: their error, or what they tend to. The error is that of
+    /// force and moment together: either of them alone may happen to be the same on both grids.
+    /// @param area of a cell of the own grid [m^2]
+    void take_coarse(const RollingGrids &grids, const double area, const ContactResultants &coarse,
+                     ContactResultants &own)
+    {
+      if (!(own.normal_force > 0) || !(coarse.normal_force > 0))
+        return;
+      // of two grids under a given approach the normal forces differ
+      const double scale = own.normal_force / coarse.normal_force,
+                   x = own.tangential_force[0] - scale * coarse.tangential_force[0],
+                   y = own.tangential_force[1] - scale * coarse.tangential_force[1],
+                   moment = own.spin_moment - scale * coarse.spin_moment,
+                   radius = std::sqrt(own.contact_points * area / dealii::numbers::PI);
+      own.force_error = grids.error_factor * std::hypot(x, y, moment / radius);
+      own.moment_error = radius * own.force_error;
+      if (!grids.extrapolates)
+        return;
+      const double bound = own.friction * own.normal_force;
+      const bool bounded = own.utilisation <= 1 + 1e-9;
+      own.tangential_force[0] += x;
+      own.tangential_force[1] += y;
+      own.spin_moment += moment;
+      own.utilisation = utilisation(own.tangential_force[0], own.tangential_force[1], bound);
+      if (bounded && own.utilisation > 1)
+      {
+        // what overshoots the bound lies on it
+        for (double &force : own.tangential_force)
+          force /= own.utilisation;
+        own.utilisation = 1;
+      }
+    }
+
+    /// The same of a case and all of its contacts.
+    void take_coarse(const RollingGrids &grids, const RollingResult &coarse, RollingResult &own)
+    {
+      const PlacedContacts &contacts = grids.own.interface.contacts;
+      double force_error = 0, moment_error = 0;
+      for (unsigned int c = 0; c < own.contacts.size(); ++c)
+      {
+        ContactResultants &one = own.contacts[c];
+        take_coarse(grids, contacts.all[c].grid.cell_area(), coarse.contacts[c], one);
+        if (one.contact_points == 0)
+          continue;
+        if (one.force_error < 0)
+          return;
+        force_error += one.force_error;
+        moment_error += one.moment_error;
+      }
+      if (own.contacts.size() == 1)
+        take_coarse(grids, contacts.only().cell_area(), coarse, own);
+      else
+      {
+        own.force_error = force_error;
+        own.moment_error = moment_error + grids.error_factor * std::abs(own.spin_moment - coarse.spin_moment);
+      }
+    }
+
+    /// The cases of a chunk on all grids.
+    class RollingChunk
+    {
+    public:
+      RollingChunk(const RollingGrids &grids, const SweptGrid &own, const SweptGrid *coarse)
+          : grids(grids), own(own, true)
+      {
+        if (coarse)
+          rough.emplace(*coarse, false);
+      }
+
+      RollingResult solve(const unsigned int k)
+      {
+        RollingResult result = own.solve(k);
+        if (!rough)
+          return result;
+        const RollingResult &other = rough->solve(k);
+        result.solution.seconds += other.solution.seconds;
+        if (other.solution.converged)
+          take_coarse(grids, other, result);
+        else if (grids.extrapolates && result.solution.converged)
+        {
+          result.solution.converged = false;
+          result.failure = "the coarser of the two grids gives no solution to extrapolate with" +
+                           (other.failure.empty() ? "." : ": " + other.failure);
+        }
+        return result;
+      }
+
+    private:
+      const RollingGrids &grids;
+      GridChunk own;
+      std::optional<GridChunk> rough;
+    };
   } // namespace
+
+  std::vector<RollingResult>
+  quasi_static_rolling(const RollingParameters &rolling, const ContactSections &contact,
+                       const ContactSolverParameters &solver_parameters, const RollingGrids &grids,
+                       const std::function<void(const RollingResult &, const ContactProblem &)> &finished,
+                       const MPI_Comm communicator)
+  {
+    const RollingSweep sweep = {rolling, contact, solver_parameters, rolling_cases(rolling, contact)};
+    const SweptGrid own = {sweep, grids.own};
+    std::optional<const SweptGrid> coarse;
+    if (grids.coarse)
+      coarse.emplace(SweptGrid{sweep, *grids.coarse});
+    std::vector<RollingResult> results;
+    share_cases<RollingResult>(
+        sweep.cases.size(), cases_per_chunk,
+        [&]
+        {
+          return [chunk = std::make_shared<RollingChunk>(grids, own, coarse ? &*coarse : nullptr)](
+                     const unsigned int k) { return chunk->solve(k); };
+        },
+        [&](const unsigned int k, const std::function<RollingResult()> &solved)
+        {
+          results.push_back(solved());
+          finished(results.back(), own.problem(k, results.back()));
+        },
+        communicator);
+    return results;
+  }
 
   std::vector<RollingResult>
   quasi_static_rolling(const RollingParameters &rolling, const ContactSections &contact,
@@ -360,28 +409,8 @@ namespace vibrocontact
                        const std::function<void(const RollingResult &, const ContactProblem &)> &finished,
                        const MPI_Comm communicator)
   {
-    const RollingSweep sweep = {rolling,
-                                contact,
-                                solver_parameters,
-                                interface,
-                                find_creep_scheme(contact.first().creep_scheme),
-                                operator_at(rolling.creepage.speed),
-                                rolling_cases(rolling, contact)};
-    std::vector<RollingResult> results;
-    share_cases<RollingResult>(
-        sweep.cases.size(), cases_per_chunk,
-        [&] {
-          return [chunk = std::make_shared<RollingChunk>(sweep)](const unsigned int k)
-          { return chunk->solve(k); };
-        },
-        [&](const unsigned int k, const std::function<RollingResult()> &solved)
-        {
-          results.push_back(solved());
-          ContactProblem problem = sweep.problem(k);
-          problem.mu = results.back().point_friction;
-          finished(results.back(), problem);
-        },
-        communicator);
-    return results;
+    RollingGrids grids;
+    grids.own = {interface, operator_at, find_creep_scheme(contact.first().creep_scheme)};
+    return quasi_static_rolling(rolling, contact, solver_parameters, grids, finished, communicator);
   }
 } // namespace vibrocontact

@@ -104,7 +104,7 @@ namespace vibrocontact
   }
 
   void add_contacts(EntriesRead &entries, const Parameters &parameters,
-                    const std::vector<double> &swept_friction)
+                    const std::vector<double> &swept_friction, const std::string &unmet)
   {
     const auto any_body = [&](const auto &is)
     { return std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(), is); };
@@ -121,7 +121,9 @@ namespace vibrocontact
       add_normal_law(entries, contact, contact.normal_law, section + "/Normal law");
       entries.add_if(any_body([](const BodyParameters &body) { return body.is_solid(); }),
                      "a body is a solid of finite elements", section, "Local flexibility");
-      entries.add_if(rolls, "Rolling/Speed is above 0", section, "Creep scheme");
+      entries.add_if(rolls && unmet.empty(),
+                     "Rolling/Speed is above 0" + (unmet.empty() ? "" : " and " + unmet), section,
+                     "Creep scheme");
       const std::string rubs = "there is friction";
       entries.add_if(friction > 0, rubs, section, "Normal-tangential coupling");
       add_friction_law(entries, contact, friction > 0, rubs);

@@ -124,7 +124,7 @@ namespace
   const BodyParameters stop = surface<RigidParameters>(1, 0.3, 0.1);
   const ContactBody rigid{&stop, nullptr};
 
-  RollingResult roll(const RollingScene &scene, const ContactParameters &contact, const double force = 3000)
+  RollingResult roll(const RollingGrid &scene, const ContactParameters &contact, const double force = 3000)
   {
     RollingParameters rolling;
     rolling.normal_force = {force};
@@ -235,7 +235,7 @@ TEST(LocalFlexibility, WithoutCouplingFrictionLeavesThePressure)
   {
     contact.coupling = coupled;
     contact.friction = friction;
-    return roll(rolling_scene({&above, nullptr}, {&below, nullptr}, contact, g), contact);
+    return roll(rolling_grid({&above, nullptr}, {&below, nullptr}, contact, g), contact);
   };
   // the frictionless pressure is that of Hertz, and does not see the tangential directions
   const RollingResult frictionless = rolled(true, 0);
@@ -247,8 +247,8 @@ TEST(LocalFlexibility, WithoutCouplingFrictionLeavesThePressure)
   EXPECT_LT(normal_difference(rolled(false, 0.6), frictionless), 1e-9);
   EXPECT_GT(normal_difference(rolled(true, 0.6), frictionless), 1e-3);
   // the convolution and the stored matrix are one operator
-  const RollingScene scene = rolling_scene({&above, nullptr}, {&below, nullptr}, uncoupled(), g);
-  RollingScene dense = scene;
+  const RollingGrid scene = rolling_grid({&above, nullptr}, {&below, nullptr}, uncoupled(), g);
+  RollingGrid dense = scene;
   const ContactPair pair = contact_pair({&above, nullptr}, {&below, nullptr}, uncoupled(), g);
   dense.operator_at = [&](const double speed)
   { return rolling_operator(g, pair.residual, find_creep_scheme(contact.creep_scheme), speed); };
@@ -268,7 +268,7 @@ TEST(LocalFlexibility, QuadraturesMeet)
   {
     g.traction = shape;
     const Block own = block(9, 1, g, false);
-    results.push_back(roll(rolling_scene({&sphere, nullptr}, own.body(), contact, g), contact, force));
+    results.push_back(roll(rolling_grid({&sphere, nullptr}, own.body(), contact, g), contact, force));
     std::printf("%s: %u points, largest pressure %.4g MPa, approach %.4g um\n",
                 shape == TractionShape::constant ? "lumped" : "consistent", results.back().contact_points,
                 results.back().max_pressure * 1e-6, results.back().approach * 1e6);

@@ -28,8 +28,9 @@ namespace vibrocontact
   void add_normal_law(EntriesRead &entries, const ContactParameters &contact, const std::string &name,
                       const std::string &entry);
   /// Contacts with friction: grids, laws, solver. @param swept_friction in place of the sections' coefficients; empty: none
+  /// @param unmet what would have to hold for the creep scheme to be read; empty: nothing
   void add_contacts(EntriesRead &entries, const Parameters &parameters,
-                    const std::vector<double> &swept_friction = {});
+                    const std::vector<double> &swept_friction = {}, const std::string &unmet = "");
   /// Cases of rolling and of the equilibria of stability.
   void add_rolling_cases(EntriesRead &entries, const RollingParameters &rolling,
                          const ContactSections &contacts);

@@ -27,6 +27,11 @@ namespace vibrocontact
     one["normal_force_N"] = of.normal_force;
     one["tangential_force_N"] = {of.tangential_force[0], of.tangential_force[1]};
     one["spin_moment_Nm"] = of.spin_moment;
+    // null: not known
+    const auto error = [](const double value)
+    { return value < 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(value); };
+    one["force_error_N"] = error(of.force_error);
+    one["spin_moment_error_Nm"] = error(of.moment_error);
     one["utilisation"] = of.utilisation;
     one["approach_m"] = of.approach;
     one["max_pressure_Pa"] = of.max_pressure;
@@ -76,6 +81,8 @@ namespace vibrocontact
         {"tangential_force_x_N", "/tangential_force_N/0"},
         {"tangential_force_y_N", "/tangential_force_N/1"},
         {"spin_moment_Nm", "/spin_moment_Nm"},
+        {"force_error_N", "/force_error_N"},
+        {"spin_moment_error_Nm", "/spin_moment_error_Nm"},
         {"utilisation", "/utilisation"},
         {"approach_m", "/approach_m"},
         {"max_pressure_Pa", "/max_pressure_Pa"},
@@ -88,16 +95,22 @@ namespace vibrocontact
     for (const auto &[name, place] : columns)
       names.push_back(name);
     names.emplace_back("converged");
-    Table table(names, {"Quasi-static rolling, one row per case, in the order of results.json",
-                        "forces and moment act on body 1; creepage = (velocity of body 1 - body 2) / speed; "
-                        "converged: 1 yes, 0 no"});
+    Table table(
+        names,
+        {"Quasi-static rolling, one row per case, in the order of results.json",
+         "forces and moment act on body 1; creepage = (velocity of body 1 - body 2) / speed; "
+         "converged: 1 yes, 0 no",
+         "errors: stated error of the tangential force (length of the vector) and of the moment by the "
+         "grid; empty: not known"});
     for (const auto &one : cases)
     {
       std::vector<Table::Cell> row;
       for (const auto &[name, place] : columns)
       {
         const auto &value = one.at(nlohmann::ordered_json::json_pointer(place));
-        if (value.is_string())
+        if (value.is_null())
+          row.emplace_back(std::string());
+        else if (value.is_string())
           row.emplace_back(value.get<std::string>());
         else
           row.emplace_back(value.get<double>());
@@ -140,6 +153,15 @@ namespace vibrocontact
              number(last, "normal_force_N"), force.size() > 0 ? force[0].get<double>() : 0.,
              force.size() > 1 ? force[1].get<double>() : 0., number(last, "utilisation"),
              number(last, "friction"), word(last, "status") == "converged" ? "" : ", NOT converged"));
+    if (last.contains("force_error_N") && last["force_error_N"].is_number())
+      lines.push_back(text("tangential force +- %.3g N (%.2g %% of friction's bound) and spin moment %.4g +- "
+                           "%.2g Nm by the grid",
+                           number(last, "force_error_N"),
+                           number(last, "friction") > 0
+                               ? 100 * number(last, "force_error_N") /
+                                     (number(last, "friction") * number(last, "normal_force_N"))
+                               : 0.,
+                           number(last, "spin_moment_Nm"), number(last, "spin_moment_error_Nm")));
     lines.push_back(text("largest pressure %.4g MPa, approach %.4g mm; of %.0f points in contact %.0f stick",
                          1e-6 * number(last, "max_pressure_Pa"), 1e3 * number(last, "approach_m"),
                          number(last, "contact_points"), number(last, "stick_points")));

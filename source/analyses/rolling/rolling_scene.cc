@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/rolling/rolling_scene.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/coarse_points.h>
 #include <vibrocontact/contact/half_space.h>
 
 #include <algorithm>
@@ -26,31 +27,80 @@ namespace vibrocontact
       }
     }
 
+    /// Two half-spaces with another spacing than the file's. What a coarse grid has to keep free lies beyond the file's extent.
+    RollingGrid half_spaces(const std::vector<ContactBody> &bodies, ContactSections sections,
+                            PlacedContacts contacts, const HalfSpacePair &pair, const CreepScheme &scheme,
+                            const double factor)
+    {
+      ContactParameters &contact = sections.first();
+      if (factor != 1)
+      {
+        contact.spacing *= factor;
+        if (factor > 1)
+        {
+          contact.half_length += contact.spacing;
+          contact.half_width += 0.5 * contact.spacing;
+        }
+        contacts.only() = contact.grid();
+      }
+      const ContactGrid grid = contacts.only();
+      return {contact_interface(bodies, sections, contacts),
+              [=](const double speed) { return rolling_operator(grid, pair, scheme, speed); }, scheme};
+    }
+
+    /// Stated error of one grid over the difference between both; of two it is that difference (doc/contact.md, "Creep and
+    /// grid").
+    double factor_of_one(const CreepScheme &scheme)
+    {
+      return scheme.reach() == 1 ? 2 : 1;
+    }
+
+    RollingGrids half_spaces(const std::vector<ContactBody> &bodies, const ContactSections &sections,
+                             const PlacedContacts &contacts, const bool two)
+    {
+      const PlacedContact &contact = contacts.all[0];
+      const HalfSpacePair pair(half_space_material(*bodies[contact.above].parameters),
+                               half_space_material(*bodies[contact.below].parameters),
+                               sections.first().coupling);
+      const CreepScheme &scheme =
+          two ? leading_edge_scheme() : find_creep_scheme(sections.first().creep_scheme);
+      const auto grid = [&](const double factor)
+      { return half_spaces(bodies, sections, contacts, pair, scheme, factor); };
+      if (!two)
+        return {grid(1), grid(2), factor_of_one(scheme)};
+      RollingGrids grids = {grid(0.5), grid(1), 1, true};
+      const auto [a, b, c] = pair.constants();
+      grids.own.edge = grids.coarse->edge = {{1, (a + b) / a}};
+      return grids;
+    }
   } // namespace
 
-  RollingScene rolling_scene(const std::vector<ContactBody> &bodies, const ContactSections &sections,
-                             const PlacedContacts &contacts)
+  RollingGrids rolling_grids(const std::vector<ContactBody> &bodies, const ContactSections &sections,
+                             const PlacedContacts &contacts, const bool two)
   {
-    RollingScene scene;
     check_hub(bodies[0], contacts);
     const CreepScheme &scheme = find_creep_scheme(sections.first().creep_scheme);
     if (contacts.all.size() == 1 &&
         std::none_of(bodies.begin(), bodies.end(), [](const ContactBody &body) { return body.reduced; }))
-    {
-      const ContactGrid &grid = contacts.only();
-      scene.interface = contact_interface(bodies, sections, contacts);
-      const HalfSpacePair pair(half_space_material(*bodies[contacts.all[0].above].parameters),
-                               half_space_material(*bodies[contacts.all[0].below].parameters),
-                               sections.first().coupling);
-      scene.operator_at = [=](const double speed) { return rolling_operator(grid, pair, scheme, speed); };
-      return scene;
-    }
+      return half_spaces(bodies, sections, contacts, two);
     const ContactPair pair = contact_pair(bodies, sections, contacts);
     const auto compliance = std::make_shared<const DenseMatrix>(static_compliance(pair));
     const auto gradient = std::make_shared<const DenseMatrix>(static_gradient(pair));
-    scene.interface = static_interface(pair);
-    scene.operator_at = [=](const double speed)
-    { return rolling_operator(contacts, *compliance, scheme, speed, *gradient); };
-    return scene;
+    RollingGrids grids;
+    grids.own = {static_interface(pair),
+                 [=](const double speed)
+                 { return rolling_operator(contacts, *compliance, scheme, speed, *gradient); },
+                 scheme};
+    const CoarsePoints coarse(contacts);
+    if (coarse.exist())
+      grids.coarse = {coarse.interface(grids.own.interface),
+                      [=](const double speed)
+                      {
+                        return rolling_operator(coarse.contacts(), coarse.matrix(*compliance), scheme, speed,
+                                                coarse.matrix(*gradient));
+                      },
+                      scheme};
+    grids.error_factor = factor_of_one(scheme);
+    return grids;
   }
 } // namespace vibrocontact

@@ -2,6 +2,7 @@
 #include <vibrocontact/analyses/rolling/rolling_scene.h>
 #include <vibrocontact/analyses/rolling/run_rolling.h>
 #include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/contact/problem_file.h>
@@ -12,6 +13,7 @@
 #include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/swept_runs.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
@@ -85,6 +87,21 @@ namespace vibrocontact
       return all;
     }
 
+    /// Whether cases are solved on two grids, as only half-spaces can be.
+    bool takes_two_grids(const Parameters &parameters)
+    {
+      const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
+      const bool half_spaces = parameters.contacts.all.size() == 1 &&
+                               std::none_of(bodies.begin(), bodies.end(),
+                                            [](const BodyParameters &body) { return body.vibrates(); });
+      if (parameters.rolling.grids == "two" && !half_spaces)
+        throw InputError(
+            "Entry Rolling/Grids is two, but the compliance of meshed bodies and of bodies known at "
+            "their own points exists on one grid only: two half-spaces in one contact can be "
+            "solved on two. Set it to one.");
+      return half_spaces && parameters.rolling.two_grids();
+    }
+
     void print(const RollingResult &last, const unsigned int n_cases)
     {
       Log &log = run_log();
@@ -100,6 +117,8 @@ namespace vibrocontact
       log.value("normal force", last.normal_force, "N");
       log.value("tangential force x", last.tangential_force[0], "N");
       log.value("tangential force y", last.tangential_force[1], "N");
+      if (last.force_error >= 0)
+        log.value("stated error of the tangential force", last.force_error, "N");
       log.value("utilisation", last.utilisation);
       log.value("largest pressure", last.max_pressure * 1e-6, "MPa");
       log.value("approach", last.approach * 1e3, "mm");
@@ -117,10 +136,12 @@ namespace vibrocontact
     save();
 
     run_log().block("Quasi-static rolling");
-    const RollingScene scene = rolling_scene(pair->bodies, parameters.contacts, parameters.placed_contacts());
-    const ContactInterface &interface = scene.interface;
-    const PlacedContacts &contacts = interface.contacts;
+    const RollingGrids grids = rolling_grids(pair->bodies, parameters.contacts, parameters.placed_contacts(),
+                                             takes_two_grids(parameters));
+    const PlacedContacts &contacts = grids.own.interface.contacts;
     run_log().value("contact points", contacts.n_points());
+    if (grids.extrapolates)
+      run_log().value("and on the coarser of two grids", grids.coarse->interface.contacts.n_points());
     const unsigned int n_cases = rolling_cases(parameters.rolling, parameters.contacts).size();
     Progress progress("rolling cases", n_cases);
     results.analyses["quasi_static_rolling"]["hub"] = parameters.hub();
@@ -148,8 +169,8 @@ namespace vibrocontact
       progress.advance();
     };
     const RollingResult last =
-        quasi_static_rolling(parameters.rolling, parameters.contacts, parameters.contact_solver, interface,
-                             scene.operator_at, finished, run_communicator())
+        quasi_static_rolling(parameters.rolling, parameters.contacts, parameters.contact_solver, grids,
+                             finished, run_communicator())
             .back();
     on_first_rank(
         [&]
@@ -213,7 +234,9 @@ namespace vibrocontact
       use.contact = use.loads = true;
       use.motion = parameters.replaces_flexibility();
       add_partners(entries, parameters, use);
-      add_contacts(entries, parameters, parameters.rolling.sweep.friction);
+      entries.add("Rolling", "Grids");
+      add_contacts(entries, parameters, parameters.rolling.sweep.friction,
+                   takes_two_grids(parameters) ? "Rolling/Grids is one" : "");
       add_rolling_cases(entries, parameters.rolling, parameters.contacts);
       entries.add("Output", "Contact problems, Contact patches");
       entries.add_if(parameters.output.fields &&
@@ -263,7 +286,9 @@ namespace vibrocontact
                    {{"normal_force_N", "/quasi_static_rolling/cases/0/normal_force_N"},
                     {"tangential_force_x_N", "/quasi_static_rolling/cases/0/tangential_force_N/0"},
                     {"tangential_force_y_N", "/quasi_static_rolling/cases/0/tangential_force_N/1"},
+                    {"force_error_N", "/quasi_static_rolling/cases/0/force_error_N"},
                     {"spin_moment_Nm", "/quasi_static_rolling/cases/0/spin_moment_Nm"},
+                    {"spin_moment_error_Nm", "/quasi_static_rolling/cases/0/spin_moment_error_Nm"},
                     {"utilisation", "/quasi_static_rolling/cases/0/utilisation"},
                     {"approach_m", "/quasi_static_rolling/cases/0/approach_m"},
                     {"max_pressure_Pa", "/quasi_static_rolling/cases/0/max_pressure_Pa"},

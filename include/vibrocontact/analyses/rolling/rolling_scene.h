@@ -3,27 +3,21 @@
 #include <vibrocontact/coupled_bodies/contact_pair.h>
 #include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
 
-#include <functional>
-
 namespace vibrocontact
 {
-  /// Bodies brought together: the geometry of their contacts and the operator of steady rolling.
-  struct RollingScene
-  {
-    ContactInterface interface;
-    /// the contact operator y = A R for a rolling speed [m/s]
-    std::function<std::shared_ptr<const ContactOperator>(double speed)> operator_at;
-  };
-
   /// Joins bodies, each a half-space, rigid or reduced, body 1 being moved by its hub. Two half-spaces keep their
   /// fast operator; otherwise the compliances are added, a meshed body's being that of its own elements only.
+  ///
+  /// The coarse grid has twice the spacing: of two half-spaces it is made anew, of others it has CoarsePoints. There is none
+  /// for single points.
+  /// @param two of two half-spaces: the coarse grid is that of the contacts, and results are extrapolated
   /// @throws InputError if a body that is free to move is loaded
-  RollingScene rolling_scene(const std::vector<ContactBody> &bodies, const ContactSections &sections,
-                             const PlacedContacts &contacts);
-  /// Two bodies in one contact.
-  inline RollingScene rolling_scene(const ContactBody &body_1, const ContactBody &body_2,
-                                    const ContactParameters &contact, const ContactGrid &grid)
+  RollingGrids rolling_grids(const std::vector<ContactBody> &bodies, const ContactSections &sections,
+                             const PlacedContacts &contacts, bool two = false);
+  /// Two bodies in one contact, on one grid.
+  inline RollingGrid rolling_grid(const ContactBody &body_1, const ContactBody &body_2,
+                                  const ContactParameters &contact, const ContactGrid &grid)
   {
-    return rolling_scene({body_1, body_2}, contact, grid);
+    return rolling_grids({body_1, body_2}, contact, grid).own;
   }
 } // namespace vibrocontact

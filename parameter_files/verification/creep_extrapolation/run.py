@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+"""Extrapolated creep forces of random cases against limits by refinement; see README.md.
+Usage: run.py [PROGRAM] [--seed N]: the cases of cases.csv, or 30 new ones with limits of their own (20 minutes)"""
+import csv
+import json
+import math
+import os
+import random
+import subprocess
+import sys
+import tempfile
+
+here = os.path.dirname(os.path.abspath(__file__))
+arguments = sys.argv[1:]
+seed = None
+if "--seed" in arguments:
+    seed = int(arguments.pop(arguments.index("--seed") + 1))
+    arguments.remove("--seed")
+program = arguments[0] if arguments else os.path.join(here, "..", "..", "..", "build", "vibrocontact")
+load, curvature_x, n_cases = 66000., 1 / 0.92, 30
+inverse_modulus = 2 * (1 - 0.3 ** 2) / 205e9
+first, second = "first-order upwind", "second-order upwind"
+
+
+def elliptic(m):
+    """Complete integrals K and E of the parameter m by the arithmetic-geometric mean."""
+    a, b, total, power = 1., math.sqrt(1 - m), m / 2, 0.5
+    while abs(a - b) > 1e-15 * a:
+        a, b, c = (a + b) / 2, math.sqrt(a * b), (a - b) / 2
+        power *= 2
+        total += power * c * c
+    K = math.pi / (2 * a)
+    return K, K * (1 - total)
+
+
+def hertz(ratio):
+    """Curvature along y and half axes of the contact whose axes have a ratio a / b."""
+    kappa = min(ratio, 1 / ratio)
+    K, E = elliptic(1 - kappa ** 2)
+    larger_over_smaller = (E / kappa ** 2 - K) / (K - E)
+    curvature_y = curvature_x * (larger_over_smaller if ratio > 1 else 1 / larger_over_smaller)
+    minor = (1.5 * load * inverse_modulus * kappa * E / (math.pi * (curvature_x + curvature_y))) ** (1 / 3)
+    return curvature_y, *((minor / kappa, minor) if ratio > 1 else (minor, minor / kappa))
+
+
+def draw(generator):
+    ratio = math.exp(generator.uniform(math.log(0.3), math.log(3)))
+    curvature_y, a, b = hertz(ratio)
+    return {"curvature_y": curvature_y, "a_m": a, "b_m": b,
+            "spacing_m": math.sqrt(math.pi * a * b / generator.uniform(80, 110)), "friction": generator.uniform(0.1, 0.6),
+            "longitudinal": generator.uniform(-0.004, 0.004), "lateral": generator.uniform(-0.004, 0.004),
+            "spin_1_m": generator.uniform(-1, 1), "offset_x": generator.uniform(-0.5, 0.5),
+            "offset_y": generator.uniform(-0.5, 0.5)}
+
+
+def solve(case, refined=1, offset=None, **entries):
+    """Fx, Fy over mu N, moment over mu N sqrt(a b), their stated errors and what else the program says."""
+    h = case["spacing_m"] / refined
+    x, y = offset or (case["offset_x"], case["offset_y"])
+    values = {"rail/Half-space/Radius y": 0.5 / case["curvature_y"], "Contact/Friction coefficient": case["friction"],
+              "Contact/Grid spacing": h, "Contact/Half length": case["a_m"] + 3.2 * h,
+              "Contact/Half width": case["b_m"] + 2.2 * h, "Contact/Offset x": x, "Contact/Offset y": y,
+              "Rolling/Longitudinal creepage": case["longitudinal"], "Rolling/Lateral creepage": case["lateral"],
+              "Rolling/Spin": case["spin_1_m"]}
+    settings = [f"{entry}={value!r}" for entry, value in values.items()]
+    settings += [f"{entry.replace('__', '/').replace('_', ' ')}={value}" for entry, value in entries.items()]
+    with tempfile.TemporaryDirectory() as folder:
+        command = [program, os.path.join(here, "rolling.prm"), "--quiet", "--output", folder]
+        for one in settings:
+            command += ["--set", one]
+        subprocess.run(command, check=True)
+        with open(os.path.join(folder, "results.json")) as file:
+            found = json.load(file)["analyses"]["quasi_static_rolling"]["cases"][0]
+    bound = case["friction"] * found["normal_force_N"]
+    arm = math.sqrt(case["a_m"] * case["b_m"])
+    return ([force / bound for force in found["tangential_force_N"]] + [found["spin_moment_Nm"] / bound / arm],
+            found["force_error_N"] / bound, found["spin_moment_error_Nm"] / bound / arm, found)
+
+
+def limit(case):
+    """Mean of 2 F(h / 8) - F(h / 4) of the two schemes, each the mean of some alignments."""
+    total = [0., 0., 0.]
+    for scheme in (first, second):
+        for refined, weight, offsets in ((4, -1, [(0, 0), (.5, .5), (.25, -.25), (-.25, .25)]),
+                                         (8, 2, [(.1, .1), (-.35, .4)])):
+            for offset in offsets:
+                F = solve(case, refined, offset, Rolling__Grids="one", Contact__Creep_scheme=scheme)[0]
+                total = [t + 0.5 * weight / len(offsets) * f for t, f in zip(total, F)]
+    return dict(zip(("fx", "fy", "moment"), total))
+
+
+if seed is None:
+    with open(os.path.join(here, "cases.csv")) as table:
+        cases = [{name: float(value) for name, value in row.items()}
+                 for row in csv.DictReader(line for line in table if not line.startswith("#"))]
+else:
+    generator = random.Random(seed)
+    cases = [draw(generator) for _ in range(n_cases)]
+    for case in cases:
+        case.update(limit(case))
+
+for name, entries in (("two grids, the file's and its half", {}),
+                      ("one grid, second order", {"Rolling__Grids": "one", "Contact__Creep_scheme": second}),
+                      ("one grid, first order", {"Rolling__Grids": "one", "Contact__Creep_scheme": first})):
+    force, moment, stated, covered, iterations, seconds, points = [], [], [], [0, 0], 0, 0., []
+    for case in cases:
+        F, force_error, moment_error, found = solve(case, **entries)
+        force.append(math.hypot(F[0] - case["fx"], F[1] - case["fy"]))
+        moment.append(abs(F[2] - case["moment"]))
+        stated.append(force_error)
+        # a limit is known to 1e-4
+        covered[0] += force_error + 1e-4 >= force[-1]
+        covered[1] += moment_error + 1e-4 >= moment[-1]
+        iterations = max(iterations, found["iterations"])
+        seconds += found["seconds"]
+        points.append(found["contact_points"])
+    n = len(cases)
+    print(f"{name}: force off by {100 * sum(force) / n:.2f} % of mu N on average, {100 * max(force):.2f} % at worst; moment "
+          f"{100 * sum(moment) / n:.2f} and {100 * max(moment):.2f} % of mu N sqrt(a b); stated error {100 * sum(stated) / n:.2f} % "
+          f"on average, not below the true one in {covered[0]} and {covered[1]} of {n} cases; at most {iterations} iterations, "
+          f"{min(points)} to {max(points)} points, {seconds:.1f} s")
