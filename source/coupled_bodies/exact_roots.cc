@@ -17,8 +17,8 @@ namespace vibrocontact
   namespace
   {
     constexpr double two_pi = 2 * dealii::numbers::PI;
-    /// of |s|: step of the difference, how far the straight line holds, how far a root may move, how near two are one
-    constexpr double step = 1e-4, straight = 1e-7, farthest = 0.02, equal = 1e-10;
+    /// of |s|: step of the difference, how far a root may move by the last line and be settled, how far in all, how near two are one
+    constexpr double step = 1e-4, settled = 1e-7, farthest = 0.02, equal = 1e-10;
     /// in which the poles turn into the exact receptance
     constexpr unsigned int n_shares = 5;
     /// of |s|: how far the root of the eigenproblem may be from one of the contact's equations with the same poles
@@ -41,7 +41,7 @@ namespace vibrocontact
         exact_slope = quotient(body.at(s + h), exact, h);
         fitted_slope = quotient(body.by_poles(s + h), fitted, h);
       }
-      /// The exact one alone, with the slope of the secant from where it was.
+      /// Of share 1 alone: the exact one, with the slope of the secant from where it was.
       void move(const ExactReceptance &body, const Complex &s)
       {
         const ComplexMatrix here = body.at(s);
@@ -141,7 +141,7 @@ namespace vibrocontact
       for (unsigned int i = 1; i <= n_shares; ++i)
         at = root_with(double(i) / n_shares, at.s, at.x);
       unsigned int n_lines = 0;
-      for (Complex before = start; std::abs(at.s - before) > straight * std::abs(before);)
+      for (Complex before = start; std::abs(at.s - before) > settled * std::abs(before);)
       {
         if (++n_lines > most_lines || !(std::abs(at.s - start) < farthest * std::abs(start)))
           throw ConvergenceError("It leads elsewhere.");

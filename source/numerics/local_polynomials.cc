@@ -26,7 +26,12 @@ namespace vibrocontact
       double result = 0;
       for (unsigned int j = 0; j < matrix.n(); ++j)
         for (unsigned int i = 0; i < matrix.m(); ++i)
-          result = std::max(result, std::abs(matrix(i, j)));
+        {
+          const double one = std::abs(matrix(i, j));
+          if (!std::isfinite(one))
+            return one;
+          result = std::max(result, one);
+        }
       return result;
     }
 
@@ -67,6 +72,9 @@ namespace vibrocontact
       // the circle leaves where f is known
       return cell;
     }
+    const ComplexMatrix &mean = coefficients.front();
+    if (!std::isfinite(largest_modulus(mean)))
+      throw ConvergenceError("A receptance is no number.");
     if (largest_modulus(coefficients.back()) <= resolved * largest_modulus(coefficients.front()))
       cell.coefficients = std::move(coefficients);
     return cell;
@@ -74,7 +82,8 @@ namespace vibrocontact
 
   const LocalPolynomials::Cell &LocalPolynomials::cell(const Complex &s)
   {
-    Assert(s.imag() > 0, dealii::ExcInternalError());
+    if (!(s.imag() > 0) || !std::isfinite(std::abs(s)))
+      throw ConvergenceError("A receptance is asked for at a complex frequency that does not oscillate.");
     double side = largest_cell;
     for (unsigned int times = 0; times <= most_quarterings; ++times, side /= 2)
     {

@@ -325,7 +325,8 @@ namespace vibrocontact
   {
     if (body.rolls() && body.is_revolved())
       throw InputError(body.name + "/" + body.body_type().section +
-                       "/Rotation is true, which quasi-static rolling, stability and transient know, but "
+                       "/Rotation is true, which quasi-static rolling, stability, transient and frequency "
+                       "response know, but "
                        "modal convolution takes the wheel at rest: leave it out.");
     if (body.rolls() && road.speed == 0)
       throw InputError(body.name +

@@ -258,9 +258,9 @@ namespace vibrocontact
 
   SectionOutline wheel_outline(const MeshFileParameters &parameters)
   {
-    return SectionOutline::read(parameters.wheel_outline.empty() ? mesh_directory() + "/wheel_outline.txt"
-                                                                 : parameters.wheel_outline,
-                                parameters.wheel_scale);
+    SectionParameters section("wheel", {"bore", "tread"});
+    section.outline = parameters.wheel_outline;
+    return section.read_outline(parameters.wheel_scale);
   }
 
   bool MeshFileParameters::add_entries(EntriesRead &entries, const std::string &section,

@@ -25,7 +25,7 @@ namespace vibrocontact
                            "\", which nothing knows: " + name_suggestion(row.part, known) + ".");
     }
 
-    void check_size(const SectionOutline &outline, const std::string &file)
+    void check_size(const SectionOutline &outline, const std::string &file, const double scale)
     {
       Point<2> low = outline.rows.front().start, high = low;
       for (const SectionOutline::Row &row : outline.rows)
@@ -35,7 +35,7 @@ namespace vibrocontact
             low[d] = std::min(low[d], end[d]);
             high[d] = std::max(high[d], end[d]);
           }
-      const double extent = std::max(high[0] - low[0], high[1] - low[1]);
+      const double extent = std::max(high[0] - low[0], high[1] - low[1]) / scale;
       if (extent < smallest || extent > largest)
         throw InputError("The section outline " + file + " is " + number_text(1e3 * extent) +
                          " mm large, which is no wheel or rail: its lengths are read in mm.");
@@ -43,9 +43,9 @@ namespace vibrocontact
   } // namespace
 
   void check_outline(const SectionOutline &outline, const std::vector<std::string> &parts,
-                     const std::string &file)
+                     const std::string &file, const double scale)
   {
     check_parts(outline, parts, file);
-    check_size(outline, file);
+    check_size(outline, file, scale);
   }
 } // namespace vibrocontact

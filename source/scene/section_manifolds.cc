@@ -91,7 +91,7 @@ namespace vibrocontact
 
   double CrownManifold::height(const std::vector<SectionOutline::Row> &rows, const double a)
   {
-    // The arc whose range holds |a|, or the nearest one's circle.
+    // The curve whose range holds |a|, or the nearest one gone on.
     const double y = std::abs(a);
     const SectionOutline::Row *best = &rows.front();
     double distance = 1e300;
@@ -104,6 +104,12 @@ namespace vibrocontact
         distance = d;
         best = &row;
       }
+    }
+    if (!best->is_arc)
+    {
+      const double width = best->end[0] - best->start[0];
+      return best->start[1] +
+             (width == 0 ? 0 : (y - best->start[0]) / width) * (best->end[1] - best->start[1]);
     }
     const double t = y - best->centre[0];
     return best->centre[1] + std::sqrt(best->radius * best->radius - t * t);

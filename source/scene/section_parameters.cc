@@ -44,7 +44,7 @@ namespace vibrocontact
     if (outline.empty())
       return SectionOutline::read(mesh_directory() + "/" + built_in + "_outline.txt", scale);
     const SectionOutline result = SectionOutline::read(outline, scale);
-    check_outline(result, parts, outline);
+    check_outline(result, parts, outline, scale);
     return result;
   }
 

@@ -75,7 +75,8 @@ namespace vibrocontact
         "to the shorter ones. Units: none.",
         Patterns::Integer(4, 400));
     prm.add_parameter("Rotation", rotation,
-                      "The wheel turns past its contact with the speed of rolling: a pair of modes becomes "
+                      "The wheel turns past its contact, and past the points of frequency responses, with "
+                      "the speed of rolling: a pair of modes becomes "
                       "two waves, one with the "
                       "rotation and one against it (Model = harmonics). false: it stands still there, as in "
                       "the paper. Units: none.",

@@ -48,9 +48,19 @@ for a, b in zip(table(folder, "stability_derivatives.csv"), table(folder_2, "sta
     text = f"growth of {a['root']} by {a['entry']}"
     check.near(text + " on two ranks", b["growth_per_unit_1_s"], a["growth_per_unit_1_s"], 1e-9, size)
     check.near(text, a["growth_per_unit_1_s"], a["growth_by_difference_1_s"], 1e-5, size)
+for name in "stability_derivatives.csv", "stability_scatter.csv", "stability_draws.csv":
+    check.near("rows of " + name, len(table(folder, name)) == len(table(folder_2, name)) > 0, True, 1e-9)
 for a, b in zip(table(folder, "stability_scatter.csv"), table(folder_2, "stability_scatter.csv")):
     check.near("scatter on two ranks", b["growth_deviation_1_s"], a["growth_deviation_1_s"], 1e-9)
     check.near("mean of draws on two ranks", b["mean_of_draws_1_s"], a["mean_of_draws_1_s"], 1e-9)
+    # what a draw adds beyond the first order is of second order in its entries
+    derivatives = {row["entry"]: row["growth_per_unit_1_s"] for row in table(folder, "stability_derivatives.csv") if row["root"] == a["root"]}
+    check.near("entries", len(derivatives), len(nominal), 1e-9)
+    for draw in table(folder, "stability_draws.csv"):
+        # commas would divide a column
+        grown = next(value for key, value in draw.items() if key.startswith("growth_1_s") and key.split(" ", 1)[1] == a["root"].replace(",", ";"))
+        moves = [derivatives[entry] * (draw[entry] - nominal[entry]) for entry in nominal]
+        check.near(f"first order of a draw of {a['root']}", grown, a["growth_1_s"] + sum(moves), 0.05, sum(map(abs, moves)))
 
 rows_of_derivatives = [row for row in table(folder, "stability_derivatives.csv") if row["growth_1_s"] > 0]
 check.near("roots that grow", len(rows_of_derivatives) >= 2 * len(nominal), True, 1e-9)

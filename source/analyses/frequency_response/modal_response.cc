@@ -44,9 +44,9 @@ namespace vibrocontact
     }
   } // namespace
 
-  void solve_by_columns(std::vector<Complex> A, std::vector<Complex> &B, const dealii::types::blas_int n,
-                        const dealii::types::blas_int n_columns)
+  void solve_by_columns(std::vector<Complex> A, std::vector<Complex> &B, const int size, const int columns)
   {
+    const dealii::types::blas_int n = size, n_columns = columns;
     std::vector<dealii::types::blas_int> pivots(n);
     dealii::types::blas_int info = 0;
     if (n > 0)
@@ -178,7 +178,7 @@ namespace vibrocontact
     for (const double f : frequency)
     {
       const double omega = two_pi * f, material = omega - sense * double(rotation.n_waves) * Omega,
-                   sign = (material > 0) - (material < 0);
+                   sign = material < 0 ? -1. : 1.;
       for (unsigned int j = 0; j < n; ++j)
         for (unsigned int i = 0; i < n; ++i)
         {

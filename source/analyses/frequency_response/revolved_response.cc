@@ -243,7 +243,7 @@ namespace vibrocontact
                           if (terms || answer.empty())
                           {
                             answer =
-                                solver.receptance(omega, rows, 2 * sense * rotation, (seen > 0) - (seen < 0));
+                                solver.receptance(omega, rows, 2 * sense * rotation, seen < 0 ? -1. : 1.);
                             attach(dampers.rings, n == 0 ? 1. : 0.5, omega, answer);
                           }
                           add_wave(n, sense, answer, sum[k]);

@@ -149,6 +149,12 @@ namespace vibrocontact
         return *std::prev(std::upper_bound(anchors.begin(), anchors.end(), k));
       }
 
+      /// Whether roots that decay fast are listed in a case where poles have them that stand for a body.
+      bool lists_poles(const unsigned int k) const
+      {
+        return cases[k].bodies->loss && !cases[k].bodies->loss->exact.empty();
+      }
+
       /// Its number in the list of a complete case; their number if it is not there. Beside a periodic rail roots that decay fast are
       /// listed where poles have them, near the root itself.
       unsigned int place(const Track &track, const unsigned int k) const
@@ -157,8 +163,7 @@ namespace vibrocontact
         const Complex s = track.s[k];
         const auto at =
             std::find_if(all.begin(), all.end(), [&](const StabilityRoot &root) { return is_at(s, root); });
-        const bool by_poles = cases[k].bodies->loss && !cases[k].bodies->loss->exact.empty();
-        if (at != all.end() || !by_poles || s.real() > 0)
+        if (at != all.end() || !lists_poles(k) || s.real() > 0)
           return at - all.begin();
         const StabilityRoot &nearest = nearest_listed(all, s);
         const bool stands_for_it =
@@ -205,19 +210,22 @@ namespace vibrocontact
         }
       }
 
-      /// Each followed root has to be one of a complete case. One that need not be followed is dropped: beside a periodic rail those
-      /// that decay fast stay in the list where poles have them.
+      /// Each followed root has to be one of a complete case, no two the same. Beside a periodic rail one that need not be followed
+      /// is dropped instead: those that decay fast are listed where poles have them.
       void check_listed(const unsigned int k)
       {
-        for (Track &track : tracks)
-          if (track.known[k] && !is_listed(track, k))
-          {
-            if (!track.optional)
-              throw ConvergenceError("A followed root near " +
-                                     number_text(track.s[k].imag() / (2 * dealii::numbers::PI)) +
-                                     " Hz is none in a complete case.");
-            track.drop();
-          }
+        std::set<unsigned int> taken;
+        for (const bool optional : {false, true})
+          for (Track &track : tracks)
+            if (track.optional == optional && track.known[k] &&
+                !(is_listed(track, k) && taken.insert(place(track, k)).second))
+            {
+              if (!optional || !lists_poles(k))
+                throw ConvergenceError("A followed root near " +
+                                       number_text(track.s[k].imag() / (2 * dealii::numbers::PI)) +
+                                       " Hz is none of its own in a complete case.");
+              track.drop();
+            }
       }
 
       void begin_tracks(const unsigned int a)
@@ -242,8 +250,7 @@ namespace vibrocontact
           }
           catch (const ConvergenceError &)
           {
-            // by poles that stand for a body
-            if (has_to_be)
+            if (has_to_be || !lists_poles(k) || root.exact)
               throw;
             continue;
           }

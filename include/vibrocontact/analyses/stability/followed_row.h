@@ -26,7 +26,7 @@ namespace vibrocontact
   /// again as from one complete case to the next (if they decay by less than 5e-3 of their angular frequency), and beside those that grow the three nearest to that. The first step of a root is predicted by its
   /// derivative, others by the step before. One that grows in no complete case is dropped where following fails, as it does for a mode that hardly moves the
   /// contact. In each complete case every followed root has to be one of those that LAPACK lists, no
-  /// two the same, and each that grows is followed. Where Newton's method does not lead to the next case, that case is solved
+  /// two the same, and each that grows is followed. Beside a periodic rail one that decays fast, listed where poles have it, may be dropped. Where Newton's method does not lead to the next case, that case is solved
   /// completely as well and the predicted root taken from its list. A row that fails so is solved completely, case by case. So are rows of fewer
   /// than five cases.
   ///
