@@ -1,5 +1,7 @@
 #include <vibrocontact/contact/coarse_points.h>
 
+#include <algorithm>
+
 namespace vibrocontact
 {
   CoarsePoints::CoarsePoints(const PlacedContacts &fine) : coarse(fine), n_fine(fine.n_points())
@@ -10,8 +12,8 @@ namespace vibrocontact
       const ContactGrid &from = fine.all[k].grid;
       ContactGrid &to = coarse.all[k].grid;
       const unsigned int along_x = from.n_x > 1 ? 2 : 1, along_y = from.n_y > 1 ? 2 : 1;
-      to.n_x = from.n_x / along_x;
-      to.n_y = from.n_y / along_y;
+      to.n_x = (from.n_x + along_x - 1) / along_x;
+      to.n_y = (from.n_y + along_y - 1) / along_y;
       to.spacing_x *= along_x;
       to.spacing_y *= along_y;
       to.x_first += 0.5 * (along_x - 1) * from.spacing_x;
@@ -20,9 +22,9 @@ namespace vibrocontact
         for (unsigned int i = 0; i < to.n_x; ++i)
         {
           points.emplace_back();
-          for (unsigned int dj = 0; dj < along_y; ++dj)
-            for (unsigned int di = 0; di < along_x; ++di)
-              points.back().push_back(fine.first_point(k) + from.index(along_x * i + di, along_y * j + dj));
+          for (unsigned int own_j = along_y * j; own_j < std::min(along_y * (j + 1), from.n_y); ++own_j)
+            for (unsigned int own_i = along_x * i; own_i < std::min(along_x * (i + 1), from.n_x); ++own_i)
+              points.back().push_back(fine.first_point(k) + from.index(own_i, own_j));
         }
     }
     for (unsigned int c = 0; c < 3; ++c)

@@ -209,9 +209,9 @@ namespace vibrocontact
     class GridChunk
     {
     public:
-      /// @param tells throws if the contact of an only case reaches a side of the grid
-      GridChunk(const SweptGrid &grid, const bool tells)
-          : grid(grid), sweep(grid.sweep), tells(tells),
+      /// @param is_own whether its contact has to keep away from the sides of the grid
+      GridChunk(const SweptGrid &grid, const bool is_own)
+          : grid(grid), sweep(grid.sweep), is_own(is_own),
             solver(create_contact_solver(sweep.solver_parameters))
       {
       }
@@ -252,7 +252,7 @@ namespace vibrocontact
           solution.iterations += warm.iterations;
           solution.seconds += warm.seconds;
         }
-        if (solution.converged)
+        if (solution.converged && is_own)
           try
           {
             check_contact_in_grid(grid.grid.interface.contacts, sweep.contact, sweep.rolling.creepage.speed,
@@ -261,7 +261,7 @@ namespace vibrocontact
           catch (const InputError &error)
           {
             // in a sweep the other cases are worth keeping
-            if (tells && sweep.cases.size() == 1)
+            if (sweep.cases.size() == 1)
               throw;
             failure = error.what();
             solution.converged = false;
@@ -275,7 +275,7 @@ namespace vibrocontact
     private:
       const SweptGrid &grid;
       const RollingSweep &sweep;
-      const bool tells;
+      const bool is_own;
       const std::unique_ptr<ContactSolver> solver;
       RollingResult last;
     };
@@ -338,6 +338,19 @@ namespace vibrocontact
       }
     }
 
+    /// Whether what rolls leaves the first column of its grids open, from which differences start.
+    bool starts_open(const PlacedContacts &contacts, const RollingResult &result)
+    {
+      for (unsigned int k = 0; k < contacts.all.size() && result.rolling_case.creepage.speed > 0; ++k)
+      {
+        const ContactGrid &grid = contacts.all[k].grid;
+        for (unsigned int j = 0; j < grid.n_y && grid.n_x > 1; ++j)
+          if (result.solution.status[contacts.first_point(k) + grid.index(0, j)] != ContactStatus::open)
+            return false;
+      }
+      return true;
+    }
+
     /// The cases of a chunk on all grids.
     class RollingChunk
     {
@@ -356,7 +369,7 @@ namespace vibrocontact
           return result;
         const RollingResult &other = rough->solve(k);
         result.solution.seconds += other.solution.seconds;
-        if (other.solution.converged)
+        if (other.solution.converged && starts_open(grids.coarse->interface.contacts, other))
           take_coarse(grids, other, result);
         else if (grids.extrapolates && result.solution.converged)
         {

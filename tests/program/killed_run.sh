@@ -2,7 +2,7 @@
 program=$1 files=$3
 # what Open MPI leaves of a killed process stays here
 export TMPDIR=$PWD
-"$program" "$files/examples/creep_curves.prm" --quiet --output results --set "Contact/Grid spacing=0.25e-3" \
+"$program" "$files/examples/creep_curves.prm" --quiet --output results --set "Contact/Grid spacing=0.5e-3" \
   --set Output/Figures=false &
 process=$!
 for trial in $(seq 600); do

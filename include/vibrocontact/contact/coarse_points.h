@@ -8,7 +8,7 @@ namespace vibrocontact
 {
   /// Contact points taken together two by two (along x, y or both; a single row stays one), for an error from the same
   /// compliance on a coarser grid. A force on a coarse point is spread equally over its fine ones, a displacement is their
-  /// mean. Of an odd number of columns or rows the last is left out: it may not carry forces.
+  /// mean. Of an odd number of columns or rows the last stays alone, as if it were as wide as the others.
   class CoarsePoints
   {
   public:
@@ -23,7 +23,7 @@ namespace vibrocontact
     DenseMatrix matrix(const DenseMatrix &fine) const;
 
   private:
-    /// rows of the fine points of coarse row k: 1, 2 or 4
+    /// rows of the fine points of coarse row k: at most 4
     std::vector<std::vector<unsigned int>> rows;
     PlacedContacts coarse;
     unsigned int n_fine;

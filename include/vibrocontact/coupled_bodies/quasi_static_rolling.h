@@ -96,7 +96,7 @@ namespace vibrocontact
   /// as not converged, and the others go on.
   ///
   /// On two grids: each case is solved on both; see RollingGrids. A coarse grid that finds no solution, or whose contact
-  /// reaches the edge, leaves the error unknown; where results are extrapolated the case then is not converged.
+  /// reaches its upstream side, leaves the error unknown; where results are extrapolated the case then is not converged.
   ///
   /// @param finished called after each case, in order, whether it converged or not; on all ranks
   /// @param communicator the ranks that the cases are shared out over, see share_cases()
