@@ -50,10 +50,7 @@ namespace vibrocontact
 
     /// Stated error of one grid over the difference between both; of two it is that difference (doc/contact.md, "Creep and
     /// grid").
-    double factor_of_one(const CreepScheme &scheme)
-    {
-      return scheme.reach() == 1 ? 2 : 1;
-    }
+    constexpr double factor_of_one = 2;
 
     RollingGrids half_spaces(const std::vector<ContactBody> &bodies, const ContactSections &sections,
                              const PlacedContacts &contacts, const bool two)
@@ -67,7 +64,7 @@ namespace vibrocontact
       const auto grid = [&](const double factor)
       { return half_spaces(bodies, sections, contacts, pair, scheme, factor); };
       if (!two)
-        return {grid(1), grid(2), factor_of_one(scheme)};
+        return {grid(1), grid(2), factor_of_one};
       RollingGrids grids = {grid(0.5), grid(1), 1, true};
       const auto [a, b, c] = pair.constants();
       grids.own.edge = grids.coarse->edge = {{1, (a + b) / a}};
@@ -100,7 +97,7 @@ namespace vibrocontact
                                                 coarse.matrix(*gradient));
                       },
                       scheme};
-    grids.error_factor = factor_of_one(scheme);
+    grids.error_factor = factor_of_one;
     return grids;
   }
 } // namespace vibrocontact

@@ -87,13 +87,18 @@ namespace vibrocontact
       return all;
     }
 
+    bool are_half_spaces(const Parameters &parameters)
+    {
+      const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
+      return parameters.contacts.all.size() == 1 &&
+             std::none_of(bodies.begin(), bodies.end(),
+                          [](const BodyParameters &body) { return body.vibrates(); });
+    }
+
     /// Whether cases are solved on two grids, as only half-spaces can be.
     bool takes_two_grids(const Parameters &parameters)
     {
-      const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
-      const bool half_spaces = parameters.contacts.all.size() == 1 &&
-                               std::none_of(bodies.begin(), bodies.end(),
-                                            [](const BodyParameters &body) { return body.vibrates(); });
+      const bool half_spaces = are_half_spaces(parameters);
       if (parameters.rolling.grids == "two" && !half_spaces)
         throw InputError(
             "Entry Rolling/Grids is two, but the compliance of meshed bodies and of bodies known at "
@@ -234,7 +239,8 @@ namespace vibrocontact
       use.contact = use.loads = true;
       use.motion = parameters.replaces_flexibility();
       add_partners(entries, parameters, use);
-      entries.add("Rolling", "Grids");
+      entries.add_if(are_half_spaces(parameters), "no body is meshed or known at its own points", "Rolling",
+                     "Grids");
       add_contacts(entries, parameters, parameters.rolling.sweep.friction,
                    takes_two_grids(parameters) ? "Rolling/Grids is one" : "");
       add_rolling_cases(entries, parameters.rolling, parameters.contacts);
