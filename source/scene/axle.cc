@@ -23,7 +23,7 @@ namespace vibrocontact
                       Double(0, 100));
     prm.add_parameter("Box mass", box_mass, "Of each axle box. Units: kg.", Double(0, 1e15));
     prm.add_parameter("Upper frequency", upper_frequency,
-                      "Modes of the axle between held hubs are kept up to this. Units: Hz.", Double(0, 1e6));
+                      "Modes of the axle between held hubs are kept up to this. Units: Hz.", Double(1, 1e6));
     prm.enter_subsection("Material");
     material.declare_parameters(prm);
     prm.leave_subsection();

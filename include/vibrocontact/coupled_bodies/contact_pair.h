@@ -56,8 +56,8 @@ namespace vibrocontact
     /// null: the hub of body 1 moves as the approach does
     std::shared_ptr<const SuspendedHub> hub;
 
-    /// modal force per Drive::hub_acceleration: Gamma_z of body 1's modes on a held hub, or the unsprung mass times
-    /// what they move a suspended one; 0 for others and if unknown [sqrt(kg)]
+    /// modal force per Drive::hub_acceleration: Gamma_z of body 1's modes on a held hub, or the mass of all
+    /// that moves with a suspended hub or an axle times what they move the hub; 0 for others and if unknown [sqrt(kg)]
     double hub_participation(const unsigned int mode) const
     {
       if (hub)

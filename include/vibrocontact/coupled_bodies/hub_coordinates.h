@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/coupled_bodies/contact_pair.h>
-#include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
+#include <vibrocontact/coupled_bodies/rolling_parameters.h>
 
 #include <string>
 #include <vector>

@@ -41,7 +41,7 @@ namespace vibrocontact
   /// @throws InputError if the surface is further from the place than a tenth of the body's size
   Probe place_probe(const ProbeRequest &request, const SurfaceShapes &surface, unsigned int first);
 
-  /// The translations of a suspended hub: hub_x, hub_y, hub_z.
+  /// The translations of a suspended hub or that of body 1 on an axle: hub_x, hub_y, hub_z.
   std::vector<Probe> hub_probes(const std::string &body, const SuspendedHub &hub);
 
   /// Requests for the rim of a wheel: on the middle of its field-side face (larger y) beside the contact,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/transient/drive.h>
-#include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
+#include <vibrocontact/coupled_bodies/rolling_parameters.h>
 
 #include <memory>
 #include <string>
@@ -21,9 +21,9 @@ namespace vibrocontact
   /// The bodies and what moves them once the hub is at its place.
   struct HubMotion
   {
-    /// with the modes of a suspended hub, or the pair as it was
+    /// with the modes of a suspended hub or an axle, or the pair as it was
     std::shared_ptr<const ContactPair> pair;
-    /// what becomes of a drive as it was given: by displacement (held, suspended) or by force (massless)
+    /// what becomes of a drive as it was given: by displacement (held, suspended, axle) or by force (massless)
     std::function<DriveFunction(const DriveFunction &)> driven;
     /// of the drive given
     DriveFunction drive;
