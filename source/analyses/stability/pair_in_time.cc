@@ -168,11 +168,16 @@ namespace vibrocontact
     loss.exact = exact_receptances(bodies, parameters.placed_contacts());
     const Roots exact = roots_of(parameters, pair, &loss);
     std::vector<FrequencyBand> bands = bands_about(exact);
-    std::vector<double> alone;
+    std::vector<double> alone, before;
     for (unsigned int k = 0; k < most_fits; ++k)
     {
       result.prepared = prepare_pair(parameters, bodies, measured, true, &bands);
       const Roots in_time = roots_of(parameters, pair_of(), nullptr);
+      std::vector<double> growth;
+      in_time.for_each_unstable([&](unsigned int, const StabilityRoot &root)
+                                { growth.push_back(root.growth); });
+      const bool is_last = k + 1 == most_fits || growth == before;
+      before = growth;
       alone.clear();
       in_time.for_each_unstable(
           [&](const unsigned int c, const StabilityRoot &root)
@@ -181,7 +186,7 @@ namespace vibrocontact
             if (!other || !(other->growth > 0))
               alone.push_back(root.frequency);
           });
-      if (alone.empty() && (k + 1 == most_fits || !come_nearer(bands, exact, in_time)))
+      if (alone.empty() && (is_last || !come_nearer(bands, exact, in_time)))
       {
         compare(exact, in_time, result);
         return result;

@@ -22,7 +22,7 @@ namespace vibrocontact
   /// The bodies of a scene for analyses whose losses are those of poles and modes. Beside a periodic rail the roots of the
   /// rolling equilibria are found with its exact receptance and hysteretic loss first; its passive poles then follow it in bands of
   /// +-2 % about those that grow, the four nearest at least. A root that grows by these poles alone gets a band as well, and where
-  /// growth is off by more than 2 % the poles have to come nearer, in at most four fits. What is off by more
+  /// growth is off by more than 2 % the poles have to come nearer, in at most four fits, the last one that changes something. What is off by more
   /// than 3 % then is PairInTime::wrong: what moves with them is kept, but is no answer. Collective.
   /// @throws ConvergenceError if one remains, or an equilibrium or a root is not found
   PairInTime prepare_pair_in_time(const Parameters &parameters, const MeshedBodies &bodies,
