@@ -37,6 +37,10 @@ namespace vibrocontact
                        ", is a half-space, which has no hub: leave the entry out.");
     if (!hub_has_mass(rolling.hub))
       return;
+    if (body.rolls() && body.is_revolved())
+      throw InputError(is + ", but " + body.name +
+                       "/Wheel/Rotation is true, and of a wheel that turns no hub with mass is known: set "
+                       "Rotation to false, or Hub to held or massless.");
     if (body.is_known_by_poles())
       throw InputError(is + ", but body 1, " + body.name +
                        ", is known at its contact points alone, by poles, which do not say what its hub's "

@@ -310,7 +310,11 @@ namespace vibrocontact
           throw InputError("The section outline " + file + " reaches over its line of symmetry, to a = " +
                            number_text(1e3 * p[0]) + " mm; give its right half, all of it at a >= 0.");
       }
-      if (loops.empty() || loops.back().rows.empty())
+      const bool begins = loops.empty() || loops.back().rows.empty();
+      // the edge along the line of symmetry is drawn here, whether the file has it or not
+      if (begins && on_axis(row.start) && on_axis(row.end))
+        continue;
+      if (begins)
         loops.push_back({row.region, {}});
       std::vector<SectionOutline::Row> &rows = loops.back().rows;
       const unsigned int number = k + 1;

@@ -22,7 +22,7 @@ namespace vibrocontact
         if (std::find(known.begin(), known.end(), row.part) == known.end())
           throw InputError("Line " + std::to_string(row.line) + " of the section outline " + file +
                            " names the part \"" + row.part +
-                           "\", which nothing knows: " + name_suggestion(row.part, known) + ".");
+                           "\", which nothing knows: " + name_suggestion(row.part, known));
     }
 
     void check_size(const SectionOutline &outline, const std::string &file, const double scale)

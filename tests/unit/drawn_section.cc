@@ -6,6 +6,7 @@
 #include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/scene/drawn_section.h>
 #include <vibrocontact/scene/revolved_mesh.h>
+#include <vibrocontact/scene/section_manifolds.h>
 #include <vibrocontact/scene/wheel.h>
 
 #include <deal.II/grid/grid_generator.h>
@@ -144,6 +145,34 @@ TEST(DrawnSection, ShippedWheel)
   }
   const RevolvedSection section = wheel(file, {}, {material(206.9e9, 7800)}, 0.015);
   EXPECT_NEAR(section.mass(), 314.86, 2e-4 * 314.86);
+}
+
+TEST(DrawnSection, RailByCorners)
+{
+  // a box of 60 by 100 mm with a straight crown: corners draw the line of symmetry too, wherever they begin
+  const std::string corners[] = {"0, 0, 0, foot", "30, 0, 0, surface", "30, 100, 0, crown",
+                                 "0, 100, 0, surface"};
+  for (unsigned int first = 0; first < 4; ++first)
+  {
+    std::string text;
+    for (unsigned int k = 0; k < 4; ++k)
+      text += corners[(first + k) % 4] + "\n";
+    const std::string file = file_of("box.csv", text);
+    const SectionOutline outline = SectionOutline::read(file);
+    const GmshFile mesh = mesh_outline(outline, 0.02, true, file);
+    double area = 0;
+    for (const auto &cell : mesh.quadrilaterals)
+      for (unsigned int v = 0; v < 4; ++v)
+      {
+        const auto &p = mesh.nodes[cell[v]], &q = mesh.nodes[cell[(v + 1) % 4]];
+        area += (p[0] * q[1] - p[1] * q[0]) / 2;
+      }
+    EXPECT_NEAR(std::abs(area), 0.06 * 0.1, 1e-12) << first;
+  }
+  std::vector<SectionOutline::Row> crown(1);
+  crown[0].start = {0.03, 0.09};
+  crown[0].end = {0., 0.1};
+  EXPECT_NEAR(CrownManifold::height(crown, -0.015), 0.095, 1e-15);
 }
 
 TEST(DrawnSection, WrongOutlines)
