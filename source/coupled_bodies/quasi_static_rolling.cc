@@ -164,6 +164,7 @@ namespace vibrocontact
 
     /// Solves with the leading edge of its own normal solution: that without friction to begin with, which
     /// tangential forces hardly change, if at all.
+    /// If the rounds end before the edge is that of its own solution, that of the round before stands, declared as a fallback.
     void solve_with_edge(const SweptGrid &grid, ContactProblem &problem, ContactSolver &solver,
                          ContactSolution &state)
     {
@@ -203,6 +204,7 @@ namespace vibrocontact
           return;
         edge = next;
       }
+      ++state.fallbacks;
     }
 
     /// The cases of a chunk on one grid, one after the other.
@@ -280,6 +282,9 @@ namespace vibrocontact
       RollingResult last;
     };
 
+    /// Fewer points of the coarse grid than this, in contact, say nothing about an error.
+    constexpr unsigned int fewest_coarse_points = 4;
+
     /// What the coarse grid says about the resultants of a contact: their error, or what they tend to. The error is that of
     /// force and moment together: either of them alone may happen to be the same on both grids.
     /// @param area of a cell of the own grid [m^2]
@@ -287,19 +292,37 @@ namespace vibrocontact
                      ContactResultants &own)
     {
       if (!(own.normal_force > 0) || !(coarse.normal_force > 0))
+      {
+        if (own.normal_force > 0)
+          own.error_not_known = "the contact is open on the coarser grid";
         return;
+      }
       // of two grids under a given approach the normal forces differ
       const double scale = own.normal_force / coarse.normal_force,
                    x = own.tangential_force[0] - scale * coarse.tangential_force[0],
                    y = own.tangential_force[1] - scale * coarse.tangential_force[1],
                    moment = own.spin_moment - scale * coarse.spin_moment,
-                   radius = std::sqrt(own.contact_points * area / dealii::numbers::PI);
-      own.force_error = grids.error_factor * std::hypot(x, y, moment / radius);
-      own.moment_error = radius * own.force_error;
+                   radius = std::sqrt(own.contact_points * area / dealii::numbers::PI),
+                   bound = own.friction * own.normal_force;
+      const bool bounded = own.utilisation <= 1 + 1e-9;
+      if (coarse.contact_points < fewest_coarse_points)
+        own.error_not_known = "fewer than " + std::to_string(fewest_coarse_points) +
+                              " points are in contact on the coarser grid";
+      else
+      {
+        // that friction limits the force leaves this much of a change that the moment alone shows
+        const double left = bound * std::max(0., 1 - std::min(own.utilisation, coarse.utilisation)),
+                     arm = grids.error_factor * std::abs(moment) / radius;
+        own.normal_force_error = grids.error_factor * std::abs(own.normal_force - coarse.normal_force);
+        const double by_normal_force =
+            own.normal_force_error / own.normal_force *
+            std::hypot(own.tangential_force[0], own.tangential_force[1], own.spin_moment / radius);
+        const double difference = grids.error_factor * std::hypot(x, y);
+        own.force_error = std::hypot(difference, bounded ? std::min(arm, left) : arm, by_normal_force);
+        own.moment_error = radius * std::hypot(difference, arm, by_normal_force);
+      }
       if (!grids.extrapolates)
         return;
-      const double bound = own.friction * own.normal_force;
-      const bool bounded = own.utilisation <= 1 + 1e-9;
       own.tangential_force[0] += x;
       own.tangential_force[1] += y;
       own.spin_moment += moment;
@@ -317,7 +340,8 @@ namespace vibrocontact
     void take_coarse(const RollingGrids &grids, const RollingResult &coarse, RollingResult &own)
     {
       const PlacedContacts &contacts = grids.own.interface.contacts;
-      double force_error = 0, moment_error = 0;
+      double normal_force_error = 0, force_error = 0, moment_error = 0;
+      bool known = true;
       for (unsigned int c = 0; c < own.contacts.size(); ++c)
       {
         ContactResultants &one = own.contacts[c];
@@ -325,17 +349,24 @@ namespace vibrocontact
         if (one.contact_points == 0)
           continue;
         if (one.force_error < 0)
-          return;
+        {
+          known = false;
+          own.error_not_known = one.error_not_known;
+        }
+        normal_force_error += one.normal_force_error;
         force_error += one.force_error;
         moment_error += one.moment_error;
       }
       if (own.contacts.size() == 1)
         take_coarse(grids, contacts.only().cell_area(), coarse, own);
-      else
+      else if (known)
       {
+        own.normal_force_error = normal_force_error;
         own.force_error = force_error;
         own.moment_error = moment_error + grids.error_factor * std::abs(own.spin_moment - coarse.spin_moment);
       }
+      if (own.rolling_case.normal_force > 0 && own.normal_force_error > 0)
+        own.normal_force_error = 0; // given, but for rounding
     }
 
     /// Whether what rolls leaves the first column of its grids open, from which differences start.
@@ -365,17 +396,32 @@ namespace vibrocontact
       RollingResult solve(const unsigned int k)
       {
         RollingResult result = own.solve(k);
+        const auto not_known = [&](const std::string &reason)
+        {
+          result.error_not_known = reason;
+          for (ContactResultants &one : result.contacts)
+            one.error_not_known = reason;
+        };
         if (!rough)
+        {
+          not_known("there is no coarser grid");
           return result;
+        }
         const RollingResult &other = rough->solve(k);
         result.solution.seconds += other.solution.seconds;
-        if (other.solution.converged && starts_open(grids.coarse->interface.contacts, other))
+        const bool is_open = starts_open(grids.coarse->interface.contacts, other);
+        if (other.solution.converged && is_open)
           take_coarse(grids, other, result);
-        else if (grids.extrapolates && result.solution.converged)
+        else
         {
-          result.solution.converged = false;
-          result.failure = "the coarser of the two grids gives no solution to extrapolate with" +
-                           (other.failure.empty() ? "." : ": " + other.failure);
+          not_known(other.solution.converged ? "the contact on the coarser grid reaches its upstream side"
+                                             : "the coarser grid has no solution");
+          if (grids.extrapolates && result.solution.converged)
+          {
+            result.solution.converged = false;
+            result.failure = "the coarser of the two grids gives no solution to extrapolate with" +
+                             (other.failure.empty() ? "." : ": " + other.failure);
+          }
         }
         return result;
       }

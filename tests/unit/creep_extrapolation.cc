@@ -12,16 +12,22 @@ using namespace contact_cases;
 
 namespace
 {
-  /// a case on the grid of the contact and its half
-  std::vector<RollingResult> run_on_two(const Case &one, const double curvature_x = 1 / 0.92,
-                                        const double curvature_y = 1 / 0.6)
+  /// a case on the grid of the contact and its half, or by one grid and its double for the stated error
+  std::vector<RollingResult> run_on_grids(const Case &one, const bool two, const double curvature_x,
+                                          const double curvature_y)
   {
     const auto [a, b, c] = one.pair.constants();
     const std::array<double, 2> edge = {{1, (a + b) / a}};
+    const CreepScheme &scheme = two ? leading_edge_scheme() : find_creep_scheme(one.contact.creep_scheme);
     const auto grid = [&](const double spacing) -> RollingGrid
     {
       ContactParameters contact = one.contact;
       contact.spacing = spacing;
+      if (spacing > one.contact.spacing)
+      {
+        contact.half_length += spacing;
+        contact.half_width += 0.5 * spacing;
+      }
       ContactInterface interface;
       const ContactGrid points = contact.grid();
       interface.contacts.only() = points;
@@ -29,13 +35,21 @@ namespace
         interface.gap.push_back(curvature_x * std::pow(points.x(i), 2) +
                                 curvature_y * std::pow(points.y(i), 2));
       return {interface,
-              [=, pair = one.pair](const double speed)
-              { return rolling_operator(points, pair, leading_edge_scheme(), speed); },
-              leading_edge_scheme(), edge};
+              [=, pair = one.pair, &scheme](const double speed)
+              { return rolling_operator(points, pair, scheme, speed); },
+              scheme, two ? edge : std::array<double, 2>{{0, 0}}};
     };
+    const double h = one.contact.spacing;
     return quasi_static_rolling(one.rolling, one.contact, one.solver,
-                                {grid(0.5 * one.contact.spacing), grid(one.contact.spacing), 1, true},
+                                two ? RollingGrids{grid(0.5 * h), grid(h), 1, true}
+                                    : RollingGrids{grid(h), grid(2 * h), 2, false},
                                 [](const RollingResult &, const ContactProblem &) {});
+  }
+
+  std::vector<RollingResult> run_on_two(const Case &one, const double curvature_x = 1 / 0.92,
+                                        const double curvature_y = 1 / 0.6)
+  {
+    return run_on_grids(one, true, curvature_x, curvature_y);
   }
 
   struct Distance
@@ -175,7 +189,50 @@ TEST(CreepExtrapolation, LimitsByRefinement)
     EXPECT_LE(off.force, result.force_error / bound);
     EXPECT_LE(off.moment, result.moment_error / (bound * radius));
     EXPECT_LE(result.solution.iterations, 16u);
+    // one grid, of either scheme
+    for (const std::string scheme : {"first-order upwind", "second-order upwind"})
+    {
+      one.contact.creep_scheme = scheme;
+      const RollingResult single = run_on_grids(one, false, row.curvature_x, row.curvature_y).front();
+      ASSERT_TRUE(single.solution.converged);
+      const Distance of_one = distance(single, row.limit, radius);
+      std::cout << "  " << scheme << ", one grid: force off by " << of_one.force << ", stated "
+                << single.force_error / bound << "; moment by " << of_one.moment << ", stated "
+                << single.moment_error / (bound * radius) << "\n";
+      EXPECT_EQ(single.normal_force_error, 0);
+      EXPECT_LE(of_one.force, single.force_error / bound);
+      EXPECT_LE(of_one.moment, single.moment_error / (bound * radius));
+    }
   }
+}
+
+TEST(CreepExtrapolation, StatedErrorUnderAGivenApproach)
+{
+  // In full slip the tangential force is mu N, and so is its error by the grid that of N.
+  Case one;
+  one.contact.creep_scheme = "second-order upwind";
+  one.rolling.normal_force.clear();
+  one.rolling.hub_displacement = {0.08e-3};
+  one.rolling.creepage.lateral = 0.05;
+  one.contact.half_length = one.contact.half_width = 0.012;
+  const auto run = [&](const double spacing)
+  {
+    one.contact.spacing = spacing;
+    return run_on_grids(one, false, 1 / 0.92, 1 / 0.6).front();
+  };
+  const RollingResult rough = run(2e-3), fine = run(0.5e-3);
+  const double off = std::abs(rough.tangential_force[1] - fine.tangential_force[1]);
+  std::cout << "F_y " << rough.tangential_force[1] << " +- " << rough.force_error << " N, N "
+            << rough.normal_force << " +- " << rough.normal_force_error << " N; off by " << off << " N\n";
+  EXPECT_GT(off, 1);
+  EXPECT_LE(off, rough.force_error);
+  EXPECT_LE(std::abs(rough.normal_force - fine.normal_force), rough.normal_force_error);
+  EXPECT_TRUE(rough.error_not_known.empty());
+  // of one or two points nothing is known
+  one.rolling.hub_displacement = {1e-6};
+  const RollingResult few = run(2e-3);
+  EXPECT_LT(few.force_error, 0);
+  EXPECT_FALSE(few.error_not_known.empty());
 }
 
 TEST(CreepExtrapolation, AlignmentOfTheGridHardlyMatters)

@@ -36,15 +36,18 @@ namespace vibrocontact
     /// approach less the smallest undeformed gap [m]
     double approach = 0;
     double max_pressure = 0;
-    /// stated error of the tangential force [N] and of the spin moment [Nm] by the grid; negative: not known
-    double force_error = -1, moment_error = -1;
+    /// stated error of the normal and the tangential force [N] and of the spin moment [Nm] by the grid; negative: not known
+    double normal_force_error = -1, force_error = -1, moment_error = -1;
+    /// why they are not known
+    std::string error_not_known;
     unsigned int contact_points = 0, stick_points = 0, slip_points = 0;
 
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int)
     {
       archive &friction &normal_force &tangential_force &spin_moment &utilisation &approach;
-      archive &max_pressure &force_error &moment_error &contact_points &stick_points &slip_points;
+      archive &max_pressure &normal_force_error &force_error &moment_error &error_not_known;
+      archive &contact_points &stick_points &slip_points;
     }
   };
 
@@ -95,8 +98,8 @@ namespace vibrocontact
   /// cold, so that the cases can be shared out over ranks. A case whose solver throws ConvergenceError counts
   /// as not converged, and the others go on.
   ///
-  /// On two grids: each case is solved on both; see RollingGrids. A coarse grid that finds no solution, or whose contact
-  /// reaches its upstream side, leaves the error unknown; where results are extrapolated the case then is not converged.
+  /// On two grids: each case is solved on both; see RollingGrids. A coarse grid that finds no solution, whose contact
+  /// reaches its upstream side or is of fewer than four points, leaves the error unknown; where results are extrapolated the case then is not converged.
   ///
   /// @param finished called after each case, in order, whether it converged or not; on all ranks
   /// @param communicator the ranks that the cases are shared out over, see share_cases()

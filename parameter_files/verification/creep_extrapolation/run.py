@@ -99,6 +99,7 @@ else:
     for case in cases:
         case.update(limit(case))
 
+beyond = []
 for name, entries in (("two grids, the file's and its half", {}),
                       ("one grid, second order", {"Rolling__Grids": "one", "Contact__Creep_scheme": second}),
                       ("one grid, first order", {"Rolling__Grids": "one", "Contact__Creep_scheme": first})):
@@ -115,7 +116,14 @@ for name, entries in (("two grids, the file's and its half", {}),
         seconds += found["seconds"]
         points.append(found["contact_points"])
     n = len(cases)
+    # the bounds of README.md
+    if not entries and (sum(force) / n > 0.004 or max(force) > 0.01 or iterations > 16):
+        beyond.append(f"{name}: force or iterations beyond their bounds")
+    if min(covered) < 0.9 * n:
+        beyond.append(f"{name}: the stated error is below the true one in more than a tenth of the cases")
     print(f"{name}: force off by {100 * sum(force) / n:.2f} % of mu N on average, {100 * max(force):.2f} % at worst; moment "
           f"{100 * sum(moment) / n:.2f} and {100 * max(moment):.2f} % of mu N sqrt(a b); stated error {100 * sum(stated) / n:.2f} % "
           f"on average, not below the true one in {covered[0]} and {covered[1]} of {n} cases; at most {iterations} iterations, "
           f"{min(points)} to {max(points)} points, {seconds:.1f} s")
+if beyond:
+    sys.exit("BEYOND THE BOUNDS: " + "; ".join(beyond))

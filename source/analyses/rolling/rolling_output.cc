@@ -30,8 +30,11 @@ namespace vibrocontact
     // null: not known
     const auto error = [](const double value)
     { return value < 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(value); };
+    one["normal_force_error_N"] = error(of.normal_force_error);
     one["force_error_N"] = error(of.force_error);
     one["spin_moment_error_Nm"] = error(of.moment_error);
+    if (of.force_error < 0 && of.contact_points > 0)
+      one["error_not_known"] = of.error_not_known;
     one["utilisation"] = of.utilisation;
     one["approach_m"] = of.approach;
     one["max_pressure_Pa"] = of.max_pressure;
@@ -81,6 +84,7 @@ namespace vibrocontact
         {"tangential_force_x_N", "/tangential_force_N/0"},
         {"tangential_force_y_N", "/tangential_force_N/1"},
         {"spin_moment_Nm", "/spin_moment_Nm"},
+        {"normal_force_error_N", "/normal_force_error_N"},
         {"force_error_N", "/force_error_N"},
         {"spin_moment_error_Nm", "/spin_moment_error_Nm"},
         {"utilisation", "/utilisation"},
@@ -100,8 +104,8 @@ namespace vibrocontact
         {"Quasi-static rolling, one row per case, in the order of results.json",
          "forces and moment act on body 1; creepage = (velocity of body 1 - body 2) / speed; "
          "converged: 1 yes, 0 no",
-         "errors: stated error of the tangential force (length of the vector) and of the moment by the "
-         "grid; empty: not known"});
+         "errors: stated error of the normal force (0 if it is given), the tangential force (length of the "
+         "vector) and the moment by the grid; empty: not known"});
     for (const auto &one : cases)
     {
       std::vector<Table::Cell> row;
@@ -121,6 +125,20 @@ namespace vibrocontact
     return table;
   }
 
+  namespace
+  {
+    double friction_bound(const nlohmann::ordered_json &one)
+    {
+      return answer_parts::number(one, "friction") * answer_parts::number(one, "normal_force_N");
+    }
+
+    /// Whether a case has a stated error.
+    bool is_known(const nlohmann::ordered_json &one)
+    {
+      return one.contains("force_error_N") && one["force_error_N"].is_number();
+    }
+  } // namespace
+
   std::vector<std::string> rolling_answer(const nlohmann::ordered_json &rolling)
   {
     using namespace answer_parts;
@@ -131,17 +149,26 @@ namespace vibrocontact
     const Json &last = cases.back(), &force = list(last, "tangential_force_N");
     if (cases.size() > 1)
     {
-      std::size_t failed = 0;
-      double least = 1e300, most = -1e300;
+      std::size_t failed = 0, without_error = 0;
+      double least = 1e300, most = -1e300, largest_error = -1;
       for (const Json &one : cases)
       {
         failed += word(one, "status") != "converged";
         least = std::min(least, number(one, "utilisation"));
         most = std::max(most, number(one, "utilisation"));
+        if (is_known(one) && friction_bound(one) > 0)
+          largest_error = std::max(largest_error, number(one, "force_error_N") / friction_bound(one));
+        without_error += !is_known(one) && number(one, "contact_points") > 0;
       }
+      std::string more;
+      if (failed > 0)
+        more += text(", %zu NOT converged", failed);
+      if (largest_error >= 0)
+        more += text(", error by the grid at most %.2g %% of friction's bound", 100 * largest_error);
+      if (without_error > 0)
+        more += text(", error by the grid not known of %zu", without_error);
       lines.push_back(text("%zu cases, utilisation of friction %.3g to %.3g%s; the last one:", cases.size(),
-                           least, most,
-                           failed > 0 ? (", " + std::to_string(failed) + " NOT converged").c_str() : ""));
+                           least, most, more.c_str()));
     }
     if (number(last, "contact_points") == 0)
     {
@@ -153,15 +180,17 @@ namespace vibrocontact
              number(last, "normal_force_N"), force.size() > 0 ? force[0].get<double>() : 0.,
              force.size() > 1 ? force[1].get<double>() : 0., number(last, "utilisation"),
              number(last, "friction"), word(last, "status") == "converged" ? "" : ", NOT converged"));
-    if (last.contains("force_error_N") && last["force_error_N"].is_number())
-      lines.push_back(text("tangential force +- %.3g N (%.2g %% of friction's bound) and spin moment %.4g +- "
-                           "%.2g Nm by the grid",
-                           number(last, "force_error_N"),
-                           number(last, "friction") > 0
-                               ? 100 * number(last, "force_error_N") /
-                                     (number(last, "friction") * number(last, "normal_force_N"))
-                               : 0.,
-                           number(last, "spin_moment_Nm"), number(last, "spin_moment_error_Nm")));
+    if (last.contains("error_not_known"))
+      lines.push_back("error by the grid not known: " + word(last, "error_not_known"));
+    if (is_known(last))
+      lines.push_back(
+          text("tangential force +- %.3g N (%.2g %% of friction's bound) and spin moment %.4g +- "
+               "%.2g Nm by the grid",
+               number(last, "force_error_N"),
+               friction_bound(last) > 0 ? 100 * number(last, "force_error_N") / friction_bound(last) : 0.,
+               number(last, "spin_moment_Nm"), number(last, "spin_moment_error_Nm")));
+    if (is_known(last) && number(last, "normal_force_error_N") > 0)
+      lines.push_back(text("normal force +- %.3g N by the grid", number(last, "normal_force_error_N")));
     lines.push_back(text("largest pressure %.4g MPa, approach %.4g mm; of %.0f points in contact %.0f stick",
                          1e-6 * number(last, "max_pressure_Pa"), 1e3 * number(last, "approach_m"),
                          number(last, "contact_points"), number(last, "stick_points")));

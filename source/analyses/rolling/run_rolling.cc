@@ -103,7 +103,7 @@ namespace vibrocontact
         throw InputError(
             "Entry Rolling/Grids is two, but the compliance of meshed bodies and of bodies known at "
             "their own points exists on one grid only: two half-spaces in one contact can be "
-            "solved on two. Set it to one.");
+            "solved on two. Leave it out.");
       return half_spaces && parameters.rolling.two_grids();
     }
 
