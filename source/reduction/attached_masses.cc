@@ -3,6 +3,7 @@
 #include <vibrocontact/fe/make_elastic_body.h>
 #include <vibrocontact/fe/revolved_section.h>
 #include <vibrocontact/reduction/damped_wheel.h>
+#include <vibrocontact/reduction/revolved_point.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -16,19 +17,12 @@ namespace vibrocontact
     /// how far a damper may be from the nearest point of the section, as a share of its largest radius
     constexpr double farthest_place = 0.03;
 
-    constexpr const char *directions[3] = {"axial", "radial", "circumferential"};
-
     /// What multiplies W, U or V of a mode at an angle.
     double around(const RevolvedShapes &section, const unsigned int mode, const unsigned int component,
                   const double theta)
     {
-      const int n = section.waves[mode];
-      const double c = std::cos(n * theta), s = std::sin(n * theta);
-      if (n == 0)
-        return component == 2 ? -1 : 1;
-      if (component == 2)
-        return section.odd[mode] ? -c : s;
-      return section.odd[mode] ? s : c;
+      const unsigned int n = section.waves[mode];
+      return wave_weight(n, n == 0 ? component == 2 : section.odd[mode], theta, component);
     }
 
     void add_absorbers(const RevolvedShapes &section, const WheelDamper &damper, const unsigned int point,
@@ -37,26 +31,19 @@ namespace vibrocontact
       const double a = section.points[2 * point] - section.hub[0], r = section.points[2 * point + 1];
       for (unsigned int k = 0; k < damper.number; ++k)
       {
-        const double theta = dealii::numbers::PI * (damper.first_angle / 180 + 2. * k / damper.number);
+        const double theta = angle_of(damper, k);
         // along x, y, z: axial, radial, circumferential
         const std::array<double, 3> axes[3] = {
             {{0, 1, 0}}, {{std::sin(theta), 0, -std::cos(theta)}}, {{std::cos(theta), 0, std::sin(theta)}}};
         for (unsigned int c = 0; c < 3; ++c)
         {
-          AttachedMass one;
-          one.label = damper.name + " " + std::to_string(k + 1);
-          one.mass = damper.mass;
+          AttachedMass one{sprung_mass(damper, c), damper.name + " " + std::to_string(k + 1), {}};
           const std::array<double, 3> arm = {{r * std::sin(theta), a, -r * std::cos(theta)}};
           for (unsigned int d = 0; d < 3; ++d)
           {
             const unsigned int e = (d + 1) % 3, f = (d + 2) % 3;
             one.along[d] = axes[c][d];
             one.along[3 + d] = arm[e] * axes[c][f] - arm[f] * axes[c][e];
-          }
-          if (damper.direction == directions[c])
-          {
-            one.omega = 2 * dealii::numbers::PI * damper.frequency;
-            one.loss_factor = damper.loss_factor;
           }
           for (unsigned int mode = 0; mode < section.n_modes(); ++mode)
             one.motion.push_back(section.value(point, c, mode) * around(section, mode, c, theta));
@@ -75,14 +62,10 @@ namespace vibrocontact
         for (int odd = 0; odd < (n == 0 ? 1 : 2); ++odd)
           for (unsigned int c = 0; c < 3; ++c)
           {
-            AttachedMass one;
-            one.label = damper.name + " n=" + std::to_string(n) + (odd ? "#2" : "");
-            one.mass = n == 0 ? damper.mass : damper.mass / 2;
-            if (damper.direction == directions[c])
-            {
-              one.omega = 2 * dealii::numbers::PI * damper.frequency;
-              one.loss_factor = damper.loss_factor;
-            }
+            AttachedMass one{
+                sprung_mass(damper, c), damper.name + " n=" + std::to_string(n) + (odd ? "#2" : ""), {}};
+            if (n > 0)
+              one.mass /= 2;
             if (n == 0 && c == 0)
               one.along[1] = 1;
             if (n == 0 && c == 2)
@@ -105,6 +88,19 @@ namespace vibrocontact
           }
     }
   } // namespace
+
+  SprungMass sprung_mass(const WheelDamper &damper, const unsigned int direction)
+  {
+    constexpr const char *directions[3] = {"axial", "radial", "circumferential"};
+    if (damper.direction != directions[direction])
+      return {damper.mass, 0, 0};
+    return {damper.mass, 2 * dealii::numbers::PI * damper.frequency, damper.loss_factor};
+  }
+
+  double angle_of(const WheelDamper &damper, const unsigned int number)
+  {
+    return dealii::numbers::PI * (damper.first_angle / 180 + 2. * number / damper.number);
+  }
 
   RevolvedShapes shapes_without_modes(const RevolvedSection &section)
   {

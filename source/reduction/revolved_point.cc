@@ -4,6 +4,13 @@
 
 namespace vibrocontact
 {
+  double wave_weight(const unsigned int n, const bool odd, const double angle, const unsigned int amplitude)
+  {
+    if (amplitude == 2)
+      return odd ? -std::cos(n * angle) : std::sin(n * angle);
+    return odd ? std::sin(n * angle) : std::cos(n * angle);
+  }
+
   std::array<double, 3> wave_weights(const unsigned int n, const bool odd, const double angle,
                                      const double half_angle, const unsigned int component)
   {
@@ -49,10 +56,8 @@ namespace vibrocontact
     std::array<double, 3> result{};
     if (!in_section_axes)
       result = wave_weights(n, odd, angle, half_angle, component);
-    else if (component == 2)
-      result[2] = odd ? -std::cos(n * angle) : std::sin(n * angle);
     else
-      result[component] = odd ? std::sin(n * angle) : std::cos(n * angle);
+      result[component] = wave_weight(n, odd, angle, component);
     if (n == 0)
       for (unsigned int c = 0; c < 3; ++c)
         if ((c == 2) != odd)

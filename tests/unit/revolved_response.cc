@@ -1,13 +1,13 @@
 // Frequency response of a body of revolution: modes and Ritz vectors against direct solutions wave by wave, reciprocity, the
 // static answer, and the same point seen from elsewhere around the axle. Of one that turns: the same at rest, reciprocity
 // with the sign of the rotation, peaks where the poles of the free body are, and the poles' sum.
+#include "small_disc.h"
+
 #include <vibrocontact/analyses/frequency_response/revolved_response.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/reduction/reduction_parts.h>
 #include <vibrocontact/reduction/revolved_reduction.h>
-
-#include <deal.II/grid/grid_generator.h>
 
 #include <gtest/gtest.h>
 
@@ -23,12 +23,7 @@ namespace
   RevolvedSection disc()
   {
     run_log().set_screen(false);
-    const auto section = std::make_shared<dealii::Triangulation<2>>();
-    dealii::GridGenerator::subdivided_hyper_rectangle(*section, {1u, 4u}, {-0.02, 0.05}, {0.02, 0.25}, true);
-    ElasticModel<3> model;
-    model.material.loss_factor = 0.01;
-    model.held = {2};
-    return RevolvedSection("disc", section, model, 2);
+    return small_disc(0.01);
   }
 
   /// On the rim: over a patch of the tread (along z, x, y), then at a node of the side.
@@ -175,16 +170,7 @@ TEST(RevolvedResponse, ModesAndDirectSolutionsOfATurningBody)
 // its peaks.
 TEST(RevolvedResponse, PeaksAreThePolesOfTheTurningBody)
 {
-  const auto section_of = [](const double loss_factor)
-  {
-    const auto section = std::make_shared<dealii::Triangulation<2>>();
-    dealii::GridGenerator::subdivided_hyper_rectangle(*section, {1u, 4u}, {-0.02, 0.05}, {0.02, 0.25}, true);
-    ElasticModel<3> model;
-    model.material.loss_factor = loss_factor;
-    model.held = {2};
-    return RevolvedSection("disc", section, model, 2);
-  };
-  const RevolvedSection section = section_of(1e-6);
+  const RevolvedSection section = small_disc(1e-6);
   const Points at = {points(section, 0.3).back()};
   ModeParameters wanted;
   wanted.upper_frequency = 40000;
@@ -192,7 +178,7 @@ TEST(RevolvedResponse, PeaksAreThePolesOfTheTurningBody)
   RevolvedResponse response(section, at, wanted, 3, MPI_COMM_SELF, Omega);
 
   const RevolvedReduction reduction(
-      std::unique_ptr<const RevolvedSection>(new RevolvedSection(section_of(0))), "disc", 0.25, 0., {},
+      std::unique_ptr<const RevolvedSection>(new RevolvedSection(small_disc(0))), "disc", 0.25, 0., {},
       MPI_COMM_SELF);
   SurfaceShapes shapes;
   RevolvedShapes on_section;

@@ -1,10 +1,10 @@
 // Dampers of a wheel in its frequency response: Den Hartog's fixed points, nothing without mass or spring, absorbers in number
 // against a ring, direct solutions against modes and against the modes of a damped wheel, layers against a loss factor.
+#include "small_disc.h"
+
 #include <vibrocontact/analyses/frequency_response/revolved_response.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
-
-#include <deal.II/grid/grid_generator.h>
 
 #include <gtest/gtest.h>
 
@@ -20,12 +20,7 @@ namespace
   RevolvedSection disc_of(const double loss_factor)
   {
     run_log().set_screen(false);
-    const auto section = std::make_shared<dealii::Triangulation<2>>();
-    dealii::GridGenerator::subdivided_hyper_rectangle(*section, {1u, 4u}, {-0.02, 0.05}, {0.02, 0.25}, true);
-    ElasticModel<3> model;
-    model.material.loss_factor = loss_factor;
-    model.held = {2};
-    return RevolvedSection("disc", section, model, 2);
+    return small_disc(loss_factor);
   }
 
   /// On the rim along z, and at a node of the side along y elsewhere.
@@ -94,12 +89,12 @@ TEST(WheelAttachments, FixedPointsOfDenHartog)
     {
       const double omega = w * std::sqrt((1 + sign * std::sqrt(mu / (2 + mu))) / (1 + mu));
       Receptance H = {1 / (mass * (w * w - omega * omega))};
-      attach({{0, mu * mass, w / (1 + mu), eta}}, 1., omega, H);
+      attach({{{mu * mass, w / (1 + mu), eta}, 0}}, 1., omega, H);
       EXPECT_NEAR(std::abs(H[0]) * mass * w * w, height, 1e-9 * height) << "eta " << eta;
     }
   // at the absorber's own frequency the body stands still
   Receptance H = {1 / (mass * (w * w - 80 * 80))};
-  attach({{0, 1., 80., 0.}}, 1., 80., H);
+  attach({{{1., 80., 0.}, 0}}, 1., 80., H);
   EXPECT_LT(std::abs(H[0]), 1e-15);
 }
 

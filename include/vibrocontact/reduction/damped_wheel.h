@@ -13,21 +13,31 @@ namespace vibrocontact
 {
   class RevolvedSection;
 
-  /// A mass on a spring k (1 + j eta) at a place of a body that moves by u = b^T q along one direction, or fixed to it:
+  /// A mass on a spring k (1 + j eta), or fixed.
+  struct SprungMass
+  {
+    /// [kg]; angular frequency sqrt(k / m), 0: fixed [rad/s]; eta [-]
+    double mass = 0, omega = 0, loss_factor = 0;
+
+    bool is_sprung() const { return omega > 0; }
+    double stiffness() const { return mass * omega * omega; }
+  };
+
+  /// Of a damper along a direction: 0 axial, 1 radial, 2 circumferential.
+  SprungMass sprung_mass(const WheelDamper &damper, unsigned int direction);
+  /// Of an absorber, from the contact point around the axle [rad].
+  double angle_of(const WheelDamper &damper, unsigned int number);
+
+  /// A mass at a place of a body that moves by u = b^T q along one direction:
   ///
   ///   m x'' + k (1 + j eta) (x - b^T q) = 0,      force on q: k (1 + j eta) b (x - b^T q)
-  struct AttachedMass
+  struct AttachedMass : SprungMass
   {
     std::string label;
     /// b; n_modes [1/sqrt(kg)]
     std::vector<double> motion;
-    /// [kg]; angular frequency sqrt(k / m), 0: fixed [rad/s]; eta [-]
-    double mass = 0, omega = 0, loss_factor = 0;
     /// translations of the whole body along x, y, z [-] and rotations about them through its hub [m] in terms of its own motion
     std::array<double, 6> along = {{0, 0, 0, 0, 0, 0}};
-
-    bool is_sprung() const { return omega > 0; }
-    double stiffness() const { return mass * omega * omega; }
   };
 
   /// The points and elements of a section alone.

@@ -33,6 +33,9 @@ namespace vibrocontact
     }
   };
 
+  /// What an axial (0), radial (1) or circumferential (2) amplitude of n waves adds to the motion along itself at an angle.
+  double wave_weight(unsigned int n, bool odd, double angle, unsigned int amplitude);
+
   /// What axial, radial and circumferential amplitude of n waves add to the motion along a component of contact, mean
   /// over an angle to both sides. n = 0: of both families.
   std::array<double, 3> wave_weights(unsigned int n, bool odd, double angle, double half_angle,

@@ -59,14 +59,6 @@ namespace vibrocontact
     ReducedBody body;
     std::vector<std::vector<double>> motions(m);
     std::vector<AttachedMass> masses;
-    const auto mass_of = [](const Attachment &one, const double share)
-    {
-      AttachedMass mass;
-      mass.mass = share * one.mass;
-      mass.omega = one.omega;
-      mass.loss_factor = one.loss_factor;
-      return mass;
-    };
     unsigned int n_all = 0;
     for (const ModesOfWave &modes : all)
       n_all += (modes.n == 0 ? 1 : 2) * modes.omega.size();
@@ -99,7 +91,9 @@ namespace vibrocontact
         }
         for (const Attachment &ring : dampers.rings)
         {
-          AttachedMass mass = mass_of(ring, modes.n == 0 ? 1. : 0.5);
+          AttachedMass mass{ring, "", {}};
+          if (modes.n > 0)
+            mass.mass /= 2;
           mass.motion.assign(n_all, 0.);
           for (unsigned int k = 0; k < count; ++k)
             mass.motion[first + k] = modes.rows[k * n_rows + ring.row];
@@ -114,8 +108,7 @@ namespace vibrocontact
         body.trace(i, k) = motions[i][k];
     for (const Attachment &absorber : dampers.absorbers)
     {
-      masses.push_back(mass_of(absorber, 1.));
-      masses.back().motion = motions[n_asked + absorber.row];
+      masses.push_back({absorber, "", motions[n_asked + absorber.row]});
     }
     body = with_attached(std::move(body), masses);
 

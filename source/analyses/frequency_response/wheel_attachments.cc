@@ -1,7 +1,4 @@
 #include <vibrocontact/analyses/frequency_response/wheel_attachments.h>
-#include <vibrocontact/reduction/damped_wheel.h>
-
-#include <deal.II/base/numbers.h>
 
 #include <cmath>
 
@@ -20,9 +17,8 @@ namespace vibrocontact
     {
       const Attachment &one = attachments[a];
       const Complex square = Complex(one.omega * one.omega) * Complex(1, one.loss_factor);
-      const bool is_sprung = one.omega > 0;
-      const Complex p = is_sprung ? square - omega * omega : Complex(1),
-                    q = -share * one.mass * omega * omega * (is_sprung ? square : Complex(1));
+      const Complex p = one.is_sprung() ? square - omega * omega : Complex(1),
+                    q = -share * one.mass * omega * omega * (one.is_sprung() ? square : Complex(1));
       for (unsigned int b = 0; b < n_a; ++b)
         A[std::size_t(b) * n_a + a] = q * H[one.row * n + attachments[b].row] + (a == b ? p : Complex(0));
       for (unsigned int j = 0; j < n; ++j)
@@ -39,7 +35,6 @@ namespace vibrocontact
   WheelAttachments wheel_attachments(const RevolvedSection &section, const std::vector<WheelDamper> &dampers,
                                      const std::string &path)
   {
-    constexpr const char *directions[3] = {"axial", "radial", "circumferential"};
     WheelAttachments result;
     const RevolvedShapes outline = shapes_without_modes(section);
     bool any_layer = false;
@@ -54,13 +49,7 @@ namespace vibrocontact
       for (unsigned int k = 0; k < (damper.is_ring() ? 1 : damper.number); ++k)
         for (unsigned int c = 0; c < 3; ++c)
         {
-          Attachment mass;
-          mass.mass = damper.mass;
-          if (damper.direction == directions[c])
-          {
-            mass.omega = 2 * dealii::numbers::PI * damper.frequency;
-            mass.loss_factor = damper.loss_factor;
-          }
+          Attachment mass{sprung_mass(damper, c)};
           if (damper.is_ring())
           {
             mass.row = result.ring_rows.size();
@@ -70,7 +59,7 @@ namespace vibrocontact
           }
           RevolvedPoint place;
           place.rows = rows;
-          place.angle = dealii::numbers::PI * (damper.first_angle / 180 + 2. * k / damper.number);
+          place.angle = angle_of(damper, k);
           place.component = c;
           place.in_section_axes = true;
           mass.row = result.places.size();

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/analyses/frequency_response/modal_response.h>
 #include <vibrocontact/fe/revolved_section.h>
+#include <vibrocontact/reduction/damped_wheel.h>
 #include <vibrocontact/reduction/revolved_point.h>
 #include <vibrocontact/scene/wheel_damper.h>
 
@@ -10,13 +11,10 @@
 
 namespace vibrocontact
 {
-  /// A mass on a spring k (1 + j eta) at a row of a receptance, or fixed there, as AttachedMass:
-  /// m x'' + k (1 + j eta) (x - u) = 0.
-  struct Attachment
+  /// A mass at a row of a receptance, as AttachedMass: m x'' + k (1 + j eta) (x - u) = 0.
+  struct Attachment : SprungMass
   {
     unsigned int row = 0;
-    /// [kg]; angular frequency sqrt(k / m), 0: fixed [rad/s]; eta [-]
-    double mass = 0, omega = 0, loss_factor = 0;
   };
 
   /// The receptance of a body with masses at some of its rows a, of that without them:
