@@ -27,24 +27,12 @@ namespace vibrocontact
       return result;
     }
 
-    // inverse(a) b
     template <typename Number>
-    Matrix<Number> solve(Matrix<Number> a, Matrix<Number> b, const std::string &what)
+    Matrix<Number> solve(const Matrix<Number> &a, const Matrix<Number> &b, const std::string &what)
     {
-      if (a.m() == 0 || b.n() == 0)
-        return b;
-      try
-      {
-        a.compute_lu_factorization();
-        a.solve(b);
-      }
-      catch (const dealii::ExceptionBase &)
-      {
-        throw ConvergenceError(
-            "The linearised contact has a singular " + what +
-            ": the residual flexibility does not hold the contact points; keep fewer modes.");
-      }
-      return b;
+      return solved(a, b,
+                    "The linearised contact has a singular " + what +
+                        ": the residual flexibility does not hold the contact points; keep fewer modes.");
     }
 
     template <typename Number>

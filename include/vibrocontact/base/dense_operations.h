@@ -1,8 +1,10 @@
 #pragma once
 
 #include <vibrocontact/base/dense.h>
+#include <vibrocontact/base/exceptions.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace vibrocontact
@@ -25,6 +27,25 @@ namespace vibrocontact
   {
     if (A.m() > 0 && A.n() > 0)
       A.vmult(y, x);
+  }
+
+  /// a^-1 b; b itself if either is empty. @param failure what is said if a is singular @throws ConvergenceError then
+  template <typename Number>
+  dealii::LAPACKFullMatrix<Number> solved(dealii::LAPACKFullMatrix<Number> a,
+                                          dealii::LAPACKFullMatrix<Number> b, const std::string &failure)
+  {
+    if (a.m() == 0 || b.n() == 0)
+      return b;
+    try
+    {
+      a.compute_lu_factorization();
+      a.solve(b);
+    }
+    catch (const dealii::ExceptionBase &)
+    {
+      throw ConvergenceError(failure);
+    }
+    return b;
   }
 
   inline double euclidean_norm(const std::vector<double> &x)
