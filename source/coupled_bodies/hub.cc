@@ -71,21 +71,27 @@ namespace vibrocontact
     velocity.vmult(v, moved, true);
   }
 
+  const std::vector<HubKind> &hub_kinds()
+  {
+    static const std::vector<HubKind> kinds = {
+        {"held", false, "it stays at its place in the equilibrium"},
+        {"massless", false, "it follows, the normal force stays as given"},
+        {"suspended", true, "its mass moves on the primary suspension"},
+        {"axle", true, "it moves with the axle and its second wheel on the primary suspension"}};
+    return kinds;
+  }
+
   bool hub_has_mass(const std::string &hub)
   {
-    return hub == "suspended" || hub == "axle";
+    return std::any_of(hub_kinds().begin(), hub_kinds().end(),
+                       [&](const HubKind &kind) { return kind.name == hub && kind.has_mass; });
   }
 
   std::string hub_text(const std::string &hub)
   {
-    if (hub == "held")
-      return "held: it stays at its place in the equilibrium";
-    if (hub == "massless")
-      return "massless: it follows, the normal force stays as given";
-    if (hub == "suspended")
-      return "suspended: its mass moves on the primary suspension";
-    if (hub == "axle")
-      return "axle: it moves with the axle and its second wheel on the primary suspension";
+    for (const HubKind &kind : hub_kinds())
+      if (kind.name == hub)
+        return hub + ": " + kind.text;
     return "none: half-spaces have no hub";
   }
 } // namespace vibrocontact

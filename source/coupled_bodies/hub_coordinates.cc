@@ -10,6 +10,24 @@
 
 namespace vibrocontact
 {
+  DenseMatrix hub_coupling(const ContactPair &pair, const unsigned int n_motions)
+  {
+    /// of the largest
+    constexpr double least_participation = 1e-7;
+    const unsigned int n = std::count(pair.body.begin(), pair.body.end(), 1);
+    DenseMatrix result(n, n_motions);
+    for (unsigned int d = 0; d < std::min(n_motions, pair.participation.n()); ++d)
+    {
+      double largest = 0;
+      for (unsigned int k = 0; k < n; ++k)
+        largest = std::max(largest, std::abs(pair.participation(k, d)));
+      for (unsigned int k = 0; k < n; ++k)
+        if (std::abs(pair.participation(k, d)) > least_participation * largest)
+          result(k, d) = pair.participation(k, d);
+    }
+    return result;
+  }
+
   HubCoordinates suspended_hub(const SuspensionParameters &suspension)
   {
     HubCoordinates hub;
@@ -86,7 +104,8 @@ namespace vibrocontact
       throw InputError(
           "Rolling/Hub is axle, whose hubs turn, which is known of wheels by harmonics with modes "
           "alone: set Wheel/Model of body 1 to harmonics, or Hub to suspended.");
-    const DenseMatrix &Gamma = pair.participation, &wheel = pair.hub_inertia->mass;
+    const DenseMatrix Gamma = hub_coupling(pair, 6);
+    const DenseMatrix &wheel = pair.hub_inertia->mass;
     const AxleMatrices beam = axle_matrices(axle);
     const DenseMatrix basis =
         fixed_interface_basis(beam.stiffness, beam.mass, 12, 2 * dealii::numbers::PI * axle.upper_frequency,
@@ -95,13 +114,9 @@ namespace vibrocontact
 
     HubCoordinates hub;
     hub.n_motions = 6;
-    double largest = 0;
     for (unsigned int k = 0; k < Gamma.m(); ++k)
       for (unsigned int d = 0; d < 6; ++d)
-        largest = std::max(largest, std::abs(Gamma(k, d)));
-    for (unsigned int k = 0; k < Gamma.m(); ++k)
-      for (unsigned int d = 0; d < 6 && pair.body[k] == 1; ++d)
-        if (std::abs(Gamma(k, d)) > least_participation * largest)
+        if (Gamma(k, d) != 0)
         {
           hub.copied.push_back(k);
           break;

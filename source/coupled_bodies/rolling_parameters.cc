@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/named_table.h>
 #include <vibrocontact/coupled_bodies/rolling_parameters.h>
 
 #include <functional>
@@ -44,7 +45,7 @@ namespace vibrocontact
         "The hub of body 1 in stability and transient, after the load has found its place: held "
         "there; massless: it follows under the constant normal force; suspended: section "
         "Suspension; axle: sections Axle and Suspension. Half-spaces have none. Units: none.",
-        Selection("held|massless|suspended|axle"));
+        Selection(selection(names_of(hub_kinds()))));
     prm.enter_subsection("Suspension");
     suspension.declare_parameters(prm);
     prm.leave_subsection();

@@ -66,22 +66,6 @@ namespace vibrocontact
       return result;
     }
 
-    /// Gamma in all coordinates of the hub, without what only round-off moves.
-    DenseMatrix coupling_of(const ContactPair &held, const unsigned int n_1, const HubCoordinates &hub)
-    {
-      DenseMatrix result(n_1, hub.n());
-      for (unsigned int d = 0; d < std::min(hub.n_motions, held.participation.n()); ++d)
-      {
-        double largest = 0;
-        for (unsigned int k = 0; k < n_1; ++k)
-          largest = std::max(largest, std::abs(held.participation(k, d)));
-        for (unsigned int k = 0; k < n_1; ++k)
-          if (std::abs(held.participation(k, d)) > least_participation * largest)
-            result(k, d) = held.participation(k, d);
-      }
-      return result;
-    }
-
     void check_mass(const DenseMatrix &coupling, const double mass)
     {
       DenseMatrix rest(3);
@@ -168,11 +152,12 @@ namespace vibrocontact
     moving->n_motions = hub.n_motions;
     moving->mass = hub.mass(2, 2);
     moving->damping = hub.damping;
-    moving->coupling = coupling_of(held, n_1, hub);
+    moving->coupling.reinit(n_1, n_hub);
+    add_block(moving->coupling, hub_coupling(held, hub.n_motions), 0, 0);
     if (hub.n_motions > 3)
       moving->centre = held.hub_inertia->centre;
     check_mass(moving->coupling, moving->mass);
-    DenseMatrix K(n_own, n_own), M(n_own, n_own), C(n_own, n_own), ratios(n_1, n_1);
+    DenseMatrix K(n_own, n_own), M(n_own, n_own), ratios(n_1, n_1);
     for (unsigned int k = 0; k < n_1; ++k)
     {
       K(k, k) = held.omega[k] * held.omega[k];

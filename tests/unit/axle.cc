@@ -2,6 +2,7 @@
 
 #include "held_bar.h"
 #include "random_structure.h"
+#include "root_distance.h"
 
 #include <vibrocontact/analyses/stability/stability.h>
 #include <vibrocontact/base/dense_operations.h>
@@ -283,21 +284,6 @@ namespace
   std::vector<StabilityRoot> roots_of(const ContactPair &pair, const RollingEquilibrium &about)
   {
     return stability_roots(pair, linearised_contact(pair, creep_schemes().front(), about, {}));
-  }
-
-  /// How far the nearest of others is at most, relative.
-  double distance(const std::vector<StabilityRoot> &roots, const std::vector<StabilityRoot> &others)
-  {
-    double worst = 0;
-    for (const StabilityRoot &a : roots)
-    {
-      double least = 1e300;
-      for (const StabilityRoot &b : others)
-        least = std::min(least, std::hypot(a.growth - b.growth, 2 * pi * (a.frequency - b.frequency)) /
-                                    std::max(1., std::hypot(a.growth, 2 * pi * a.frequency)));
-      worst = std::max(worst, least);
-    }
-    return worst;
   }
 
   ContactPair structure_with_hub(const Wheel &wheel)

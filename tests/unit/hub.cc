@@ -2,6 +2,7 @@
 
 #include "held_bar.h"
 #include "random_structure.h"
+#include "root_distance.h"
 
 #include <vibrocontact/analyses/stability/stability.h>
 #include <vibrocontact/analyses/transient/transient.h>
@@ -45,21 +46,6 @@ namespace
   {
     about.force_given = force_given;
     return stability_roots(pair, linearised_contact(pair, creep_schemes().front(), about, {}));
-  }
-
-  /// Largest relative distance of a root to the nearest one of others.
-  double distance(const std::vector<StabilityRoot> &roots, const std::vector<StabilityRoot> &others)
-  {
-    double worst = 0;
-    for (const StabilityRoot &a : roots)
-    {
-      double least = 1e300;
-      for (const StabilityRoot &b : others)
-        least = std::min(least, std::hypot(a.growth - b.growth, 2 * pi * (a.frequency - b.frequency)) /
-                                    std::max(1., std::hypot(a.growth, 2 * pi * a.frequency)));
-      worst = std::max(worst, least);
-    }
-    return worst;
   }
 } // namespace
 

@@ -132,8 +132,18 @@ namespace vibrocontact
     void act(const DenseVector &by, DenseVector &q, DenseVector &v) const;
   };
 
-  /// Whether the hub moves with a mass of its own: suspended, or on an axle.
+  /// What Rolling/Hub can be.
+  struct HubKind
+  {
+    std::string name;
+    /// whether it moves with a mass of its own (HubCoordinates)
+    bool has_mass;
+    /// for the terminal
+    std::string text;
+  };
+  const std::vector<HubKind> &hub_kinds();
+
   bool hub_has_mass(const std::string &hub);
-  /// Words about a hub for the terminal: "held", "massless", "suspended", "axle", or "none" of half-spaces.
+  /// Its name and words for the terminal; those of "none" for half-spaces.
   std::string hub_text(const std::string &hub);
 } // namespace vibrocontact

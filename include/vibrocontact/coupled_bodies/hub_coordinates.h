@@ -8,9 +8,6 @@
 
 namespace vibrocontact
 {
-  /// Modes of body 1 with less of the largest participation do not move the hub.
-  constexpr double least_participation = 1e-7;
-
   /// What a hub that moves adds to the modes q of body 1 relative to it. Its coordinates y begin with the motions of the hub:
   /// translations along x, y, z and, on an axle, rotations about them. With Gamma of ContactPair::participation for these,
   ///
@@ -32,6 +29,9 @@ namespace vibrocontact
 
     unsigned int n() const { return mass.m(); }
   };
+
+  /// Gamma of the modes of body 1, without those that only round-off lets move the hub along a motion; n x n_motions.
+  DenseMatrix hub_coupling(const ContactPair &pair, unsigned int n_motions);
 
   /// A hub that translates with the unsprung mass on its springs.
   HubCoordinates suspended_hub(const SuspensionParameters &suspension);
