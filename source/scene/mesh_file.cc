@@ -258,7 +258,7 @@ namespace vibrocontact
 
   SectionOutline wheel_outline(const MeshFileParameters &parameters)
   {
-    SectionParameters section("wheel", {"bore", "tread"});
+    SectionParameters section = WheelParameters().section;
     section.outline = parameters.wheel_outline;
     return section.read_outline(parameters.wheel_scale);
   }
