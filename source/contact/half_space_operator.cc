@@ -4,17 +4,17 @@
 
 #include <algorithm>
 #include <complex>
+#include <numeric>
 
 namespace vibrocontact
 {
   /// Cyclic convolution with the nine kernels on a grid padded to at least twice the size.
-  struct HalfSpaceRollingOperator::FourierProduct
+  struct HalfSpaceOperator::FourierProduct
   {
     using Spectrum = std::vector<std::complex<double>>;
 
     /// @param points_x, points_y size of the rectangle of sources and targets
-    FourierProduct(const HalfSpaceRollingOperator &op, const unsigned int points_x,
-                   const unsigned int points_y)
+    FourierProduct(const HalfSpaceOperator &op, const unsigned int points_x, const unsigned int points_y)
         : points_x(points_x), points_y(points_y), n_x(fast_size(2 * points_x - 1)),
           n_y(fast_size(2 * points_y - 1)), n_k(n_x / 2 + 1), real(fftw_alloc_real(std::size_t(n_x) * n_y)),
           complex(reinterpret_cast<std::complex<double> *>(fftw_alloc_complex(std::size_t(n_k) * n_y))),
@@ -113,13 +113,12 @@ namespace vibrocontact
     constexpr std::size_t direct_below = 400000;
   } // namespace
 
-  HalfSpaceRollingOperator::HalfSpaceRollingOperator(const ContactGrid &grid, const HalfSpacePair &pair,
-                                                     const CreepScheme &scheme, const double speed)
+  HalfSpaceOperator::HalfSpaceOperator(const ContactGrid &grid, const HalfSpacePair &pair,
+                                       const std::vector<double> &upstream)
       : grid(grid), width(2 * grid.n_x - 1)
   {
-    const unsigned int height = 2 * grid.n_y - 1, reach = scheme.reach();
+    const unsigned int height = 2 * grid.n_y - 1, reach = upstream.size() - 1;
     const auto table = influences(grid, pair, reach);
-    const double factor = speed / grid.spacing_x;
     for (unsigned int k = 0; k < 9; ++k)
       kernels[k].resize(std::size_t(width) * height);
     for (unsigned int j = 0; j < height; ++j)
@@ -132,19 +131,19 @@ namespace vibrocontact
           kernels[column][at] = (*here)[0][column];
           for (unsigned int row = 1; row < 3; ++row)
           {
-            double derivative = 0;
+            double sum = 0;
             for (unsigned int k = 0; k <= reach; ++k)
-              derivative += scheme.coefficients[k] * (*(here - k))[row][column];
-            kernels[3 * row + column][at] = factor * derivative;
+              sum += upstream[k] * (*(here - k))[row][column];
+            kernels[3 * row + column][at] = sum;
           }
         }
       }
   }
 
-  HalfSpaceRollingOperator::~HalfSpaceRollingOperator() = default;
+  HalfSpaceOperator::~HalfSpaceOperator() = default;
 
-  void HalfSpaceRollingOperator::vmult(DenseVector &y, const DenseVector &R,
-                                       const std::vector<unsigned int> &sources) const
+  void HalfSpaceOperator::vmult(DenseVector &y, const DenseVector &R,
+                                const std::vector<unsigned int> &sources) const
   {
     const unsigned int n = n_points();
     y.reinit(3 * n, true);
@@ -155,8 +154,8 @@ namespace vibrocontact
     whole->vmult(grid, 0, 0, y, R);
   }
 
-  void HalfSpaceRollingOperator::vmult_among(DenseVector &y, const DenseVector &R,
-                                             const std::vector<unsigned int> &sources) const
+  void HalfSpaceOperator::vmult_among(DenseVector &y, const DenseVector &R,
+                                      const std::vector<unsigned int> &sources) const
   {
     if (sources.empty())
       return;
@@ -175,8 +174,8 @@ namespace vibrocontact
     part->vmult(grid, low_x, low_y, y, R);
   }
 
-  void HalfSpaceRollingOperator::vmult_direct(DenseVector &y, const DenseVector &R,
-                                              const std::vector<unsigned int> &sources) const
+  void HalfSpaceOperator::vmult_direct(DenseVector &y, const DenseVector &R,
+                                       const std::vector<unsigned int> &sources) const
   {
     const unsigned int n = n_points();
     y = 0;
@@ -197,7 +196,7 @@ namespace vibrocontact
     }
   }
 
-  void HalfSpaceRollingOperator::extract(const std::vector<unsigned int> &points, DenseMatrix &block) const
+  void HalfSpaceOperator::extract(const std::vector<unsigned int> &points, DenseMatrix &block) const
   {
     const unsigned int m = points.size();
     block.reinit(3 * m);
@@ -218,26 +217,22 @@ namespace vibrocontact
       }
   }
 
-  double HalfSpaceRollingOperator::mean_diagonal(const unsigned int component) const
+  DenseMatrix HalfSpaceOperator::matrix() const
+  {
+    std::vector<unsigned int> all(n_points());
+    std::iota(all.begin(), all.end(), 0u);
+    DenseMatrix result;
+    extract(all, result);
+    return result;
+  }
+
+  double HalfSpaceOperator::mean_diagonal(const unsigned int component) const
   {
     return kernel(component, component, 0, 0);
   }
 
   DenseMatrix half_space_compliance(const ContactGrid &grid, const HalfSpacePair &pair)
   {
-    const auto table = influences(grid, pair, 0);
-    const unsigned int n = grid.n_points(), width = 2 * grid.n_x - 1;
-    DenseMatrix matrix(3 * n);
-    for (unsigned int source = 0; source < n; ++source)
-      for (unsigned int target = 0; target < n; ++target)
-      {
-        const unsigned int i = target % grid.n_x + grid.n_x - 1 - source % grid.n_x;
-        const unsigned int j = target / grid.n_x + grid.n_y - 1 - source / grid.n_x;
-        const auto &u = table[std::size_t(j) * width + i];
-        for (unsigned int row = 0; row < 3; ++row)
-          for (unsigned int column = 0; column < 3; ++column)
-            matrix(contact_row(n, row, target), contact_row(n, column, source)) = u[row][column];
-      }
-    return matrix;
+    return HalfSpaceOperator(grid, pair, {1.}).matrix();
   }
 } // namespace vibrocontact

@@ -249,7 +249,10 @@ namespace vibrocontact
   std::shared_ptr<const ContactOperator> rolling_operator(const ContactGrid &grid, const HalfSpacePair &pair,
                                                           const CreepScheme &scheme, const double speed)
   {
-    return std::make_shared<HalfSpaceRollingOperator>(grid, pair, scheme, speed);
+    std::vector<double> upstream = scheme.coefficients;
+    for (double &coefficient : upstream)
+      coefficient *= speed / grid.spacing_x;
+    return std::make_shared<HalfSpaceOperator>(grid, pair, upstream);
   }
 
   ContactSections ContactSections::with_friction(const double coefficient) const

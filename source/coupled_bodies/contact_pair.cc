@@ -234,12 +234,32 @@ namespace vibrocontact
     return result;
   }
 
+  bool are_half_spaces_alone(const std::vector<ContactBody> &bodies, const PlacedContacts &contacts)
+  {
+    return contacts.all.size() == 1 &&
+           std::none_of(bodies.begin(), bodies.end(), [](const ContactBody &body) { return body.reduced; });
+  }
+
+  HalfSpacePair half_space_pair(const std::vector<ContactBody> &bodies, const ContactSections &sections,
+                                const PlacedContacts &contacts)
+  {
+    const PlacedContact &contact = contacts.all[0];
+    return HalfSpacePair(half_space_material(*bodies[contact.above].parameters),
+                         half_space_material(*bodies[contact.below].parameters), sections.first().coupling);
+  }
+
   ContactPair contact_pair(const std::vector<ContactBody> &bodies, const ContactSections &sections,
                            const PlacedContacts &contacts)
   {
     ContactPair pair;
     pair.interface = contact_interface(bodies, sections, contacts);
     const unsigned int n = contacts.n_points();
+    if (are_half_spaces_alone(bodies, contacts))
+    {
+      const HalfSpacePair both = half_space_pair(bodies, sections, contacts);
+      pair.half_spaces = std::make_shared<const HalfSpaces>(both, contacts.only());
+      return pair;
+    }
     pair.residual.reinit(3 * n, 3 * n);
     unsigned int n_modes = 0, first = 0;
     std::vector<std::string> labels_of_poles;
@@ -298,9 +318,33 @@ namespace vibrocontact
     return pair;
   }
 
+  DenseMatrix residual_flexibility(const ContactPair &pair)
+  {
+    return pair.half_spaces ? pair.half_spaces->flexibility.matrix() : pair.residual;
+  }
+
+  void add_residual_displacement(const DenseMatrix &W, const HalfSpaces *const alone, const DenseVector &R,
+                                 DenseVector &result)
+  {
+    if (alone)
+    {
+      DenseVector displacement;
+      alone->flexibility.vmult(displacement, R, loaded_points(R, alone->flexibility.n_points()));
+      result += displacement;
+      return;
+    }
+    for (unsigned int j = 0; j < R.size(); ++j)
+      if (R[j] != 0)
+      {
+        const double *const column = &W(0, j);
+        for (unsigned int i = 0; i < R.size(); ++i)
+          result[i] += column[i] * R[j];
+      }
+  }
+
   DenseMatrix rest_over_step(const ContactPair &pair, const double h)
   {
-    DenseMatrix result = pair.residual;
+    DenseMatrix result = residual_flexibility(pair);
     for (const RelaxingRest &rest : pair.relaxing)
       result.add(-rest.relaxation / (h + rest.relaxation), rest.flexibility);
     return result;
@@ -316,7 +360,7 @@ namespace vibrocontact
 
   DenseMatrix static_compliance(const ContactPair &pair)
   {
-    DenseMatrix result = pair.residual;
+    DenseMatrix result = residual_flexibility(pair);
     const auto rigid = std::find(pair.omega.begin(), pair.omega.end(), 0.);
     const std::string label = rigid == pair.omega.end() ? "" : pair.labels[rigid - pair.omega.begin()];
     add_modal_compliance(result, pair.trace, pair.omega, label.substr(0, label.find(':')));
@@ -341,6 +385,15 @@ namespace vibrocontact
     DenseMatrix result = sum_over_poles(along, static_weights(along));
     result.add(1., pair.residual_gradient);
     return result;
+  }
+
+  std::shared_ptr<const ContactOperator> static_operator(const ContactPair &pair, const CreepScheme &scheme,
+                                                         const double speed)
+  {
+    const PlacedContacts &contacts = pair.interface.contacts;
+    if (pair.half_spaces)
+      return rolling_operator(contacts.only(), pair.half_spaces->pair, scheme, speed);
+    return rolling_operator(contacts, static_compliance(pair), scheme, speed, static_gradient(pair));
   }
 
   ContactInterface static_interface(const ContactPair &pair)

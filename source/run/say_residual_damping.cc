@@ -98,6 +98,9 @@ namespace vibrocontact
                             const ContactPair &pair, const std::vector<double> &frequencies,
                             const std::string &key, Results &results, const bool relaxes)
   {
+    // half-spaces alone lose nothing, and no other body is there
+    if (pair.half_spaces)
+      return;
     const PlacedContacts &contacts = pair.interface.contacts;
     const unsigned int middle = contacts.all.front().grid.n_points() / 2;
     double further = pair.residual(middle, middle);

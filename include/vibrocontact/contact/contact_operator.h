@@ -58,19 +58,22 @@ namespace vibrocontact
     unsigned int components;
   };
 
-  /// A of two half-spaces rolling on each other: translation invariant, nine kernels over the grid's offsets.
-  /// Few sources are summed directly, many by FFT on a padded grid.
-  class HalfSpaceRollingOperator : public ContactOperator
+  /// A of two half-spaces on each other: translation invariant, nine kernels over the grid's offsets, so that memory grows
+  /// with the grid and not with its square. Few sources are summed directly, many by FFT on a padded grid.
+  class HalfSpaceOperator : public ContactOperator
   {
   public:
-    HalfSpaceRollingOperator(const ContactGrid &grid, const HalfSpacePair &pair, const CreepScheme &scheme,
-                             double speed);
-    ~HalfSpaceRollingOperator() override;
+    /// @param upstream the tangential rows are sums of upstream[k] u(k spacings upstream) [-, 1/s]: {1} of displacements
+    HalfSpaceOperator(const ContactGrid &grid, const HalfSpacePair &pair,
+                      const std::vector<double> &upstream);
+    ~HalfSpaceOperator() override;
     unsigned int n_points() const override { return grid.n_points(); }
     void vmult(DenseVector &y, const DenseVector &R, const std::vector<unsigned int> &sources) const override;
     void extract(const std::vector<unsigned int> &points, DenseMatrix &block) const override;
     double mean_diagonal(unsigned int component) const override;
     bool fast_product() const override { return true; }
+    /// A of all points as a matrix
+    DenseMatrix matrix() const;
     /// FFT over the rectangle that just holds the sources
     void vmult_among(DenseVector &y, const DenseVector &R,
                      const std::vector<unsigned int> &sources) const override;

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/bodies/body_in_contact.h>
 #include <vibrocontact/bodies/reduced_body.h>
+#include <vibrocontact/contact/contact_operator.h>
 #include <vibrocontact/contact/half_space.h>
 #include <vibrocontact/contact/interface.h>
 #include <vibrocontact/coupled_bodies/hub.h>
@@ -14,6 +15,19 @@
 
 namespace vibrocontact
 {
+  /// Two half-spaces, or one and a rigid body, in the only contact of a scene: what they answer depends on the distance
+  /// between points alone, and no matrix of the whole grid is stored.
+  struct HalfSpaces
+  {
+    HalfSpacePair pair;
+    /// W~ by its kernels [m/N]
+    HalfSpaceOperator flexibility;
+
+    HalfSpaces(const HalfSpacePair &pair, const ContactGrid &grid) : pair(pair), flexibility(grid, pair, {1.})
+    {
+    }
+  };
+
   /// The share that a body damped by C = beta K has in W~ of a scene. It follows forces by its rate, as a Kelvin-Voigt element,
   ///
   ///   beta r' + r = W R,     or     r = W s,   beta s' + s = R
@@ -39,12 +53,15 @@ namespace vibrocontact
   /// contacts couples them: by its modes, and by its blocks of W~ between their points.
   ///
   /// trace Psi; residual W~: the residual flexibilities of all bodies (or what Contact/Local flexibility puts in their
-  /// place), the whole compliance of half-spaces, nothing of rigid bodies. Modes and poles of body 1 first, labels as
+  /// place), the whole compliance of half-spaces, nothing of rigid bodies. It is empty where half-spaces are alone: they have
+  /// their kernels. Modes and poles of body 1 first, labels as
   /// body:label. Gradients are those of the bodies that bring some, less the differences between points that V d/dx is
   /// otherwise.
   struct ContactPair : BodyInContact
   {
     ContactInterface interface;
+    /// W~ of half-spaces that nothing else is in contact with, null: W~ is the residual
+    std::shared_ptr<const HalfSpaces> half_spaces;
     /// of each mode and of each pole its body, counted from 1 in the order of Bodies
     std::vector<unsigned int> body, body_of_pole;
     /// residual displacements of the contacts per force on body 1 at its first contact point along the normal [m/N]; 3 n, empty: none
@@ -116,6 +133,12 @@ namespace vibrocontact
   /// square [m/N]. For h = 0 what follows at once alone.
   DenseMatrix rest_over_step(const ContactPair &pair, double h);
 
+  /// Whether half-spaces are alone in the scene.
+  bool are_half_spaces_alone(const std::vector<ContactBody> &bodies, const PlacedContacts &contacts);
+  /// What they are to each other. @pre they are alone
+  HalfSpacePair half_space_pair(const std::vector<ContactBody> &bodies, const ContactSections &sections,
+                                const PlacedContacts &contacts);
+
   /// Two bodies in one contact.
   inline ContactPair contact_pair(const ContactBody &body_1, const ContactBody &body_2,
                                   const ContactParameters &contact, const ContactGrid &grid)
@@ -123,12 +146,22 @@ namespace vibrocontact
     return contact_pair({body_1, body_2}, contact, grid);
   }
 
+  /// W~ as a matrix, that of half-spaces too; 3 n square [m/N].
+  DenseMatrix residual_flexibility(const ContactPair &pair);
+  /// result += W R, 3 n [m]. @param alone half-spaces, whose kernels stand in place of W; or null
+  void add_residual_displacement(const DenseMatrix &W, const HalfSpaces *alone, const DenseVector &R,
+                                 DenseVector &result);
+
   /// W~ + Psi diag(w^-2) Psi^T - 2 Re right diag(1 / lambda) left^T: what a static analysis sees; 3 n square [m/N].
   /// @throws InputError if a body can move freely
   DenseMatrix static_compliance(const ContactPair &pair);
 
   /// The gradients of the poles at rest and of W~, 3 n square [1/N]; empty without any.
   DenseMatrix static_gradient(const ContactPair &pair);
+
+  /// A of steady rolling: static_compliance() and static_gradient() in slip rows.
+  std::shared_ptr<const ContactOperator> static_operator(const ContactPair &pair, const CreepScheme &scheme,
+                                                         double speed);
 
   /// The interface of a static analysis, in whose load_jump the modes answer the constant loads at rest.
   ContactInterface static_interface(const ContactPair &pair);

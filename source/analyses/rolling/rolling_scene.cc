@@ -55,10 +55,7 @@ namespace vibrocontact
     RollingGrids half_spaces(const std::vector<ContactBody> &bodies, const ContactSections &sections,
                              const PlacedContacts &contacts, const bool two)
     {
-      const PlacedContact &contact = contacts.all[0];
-      const HalfSpacePair pair(half_space_material(*bodies[contact.above].parameters),
-                               half_space_material(*bodies[contact.below].parameters),
-                               sections.first().coupling);
+      const HalfSpacePair pair = half_space_pair(bodies, sections, contacts);
       const CreepScheme &scheme =
           two ? leading_edge_scheme() : find_creep_scheme(sections.first().creep_scheme);
       const auto grid = [&](const double factor)
@@ -77,8 +74,7 @@ namespace vibrocontact
   {
     check_hub(bodies[0], contacts);
     const CreepScheme &scheme = find_creep_scheme(sections.first().creep_scheme);
-    if (contacts.all.size() == 1 &&
-        std::none_of(bodies.begin(), bodies.end(), [](const ContactBody &body) { return body.reduced; }))
+    if (are_half_spaces_alone(bodies, contacts))
       return half_spaces(bodies, sections, contacts, two);
     const ContactPair pair = contact_pair(bodies, sections, contacts);
     const auto compliance = std::make_shared<const DenseMatrix>(static_compliance(pair));

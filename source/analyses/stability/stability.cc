@@ -163,8 +163,7 @@ namespace vibrocontact
   std::shared_ptr<const ContactOperator>
   operator_of_stability(const ContactPair &pair, const ContactSections &contact, const double speed)
   {
-    return rolling_operator(pair.interface.contacts, static_compliance(pair),
-                            find_creep_scheme(contact.first().creep_scheme), speed, static_gradient(pair));
+    return static_operator(pair, find_creep_scheme(contact.first().creep_scheme), speed);
   }
 
   void stability_equilibria(const RollingParameters &rolling, const ContactSections &contact,

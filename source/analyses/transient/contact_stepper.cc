@@ -93,7 +93,8 @@ namespace vibrocontact
     const unsigned int n = pair.n_points();
     set_residual_displacement(pair, state);
     state.residual_change = 0;
-    add_loaded_columns(pair.residual, state.force_change, state.residual_change);
+    add_residual_displacement(pair.residual, pair.half_spaces.get(), state.force_change,
+                              state.residual_change);
     std::copy(state.q.begin(), state.q.end(), q.begin());
     displacement = 0;
     multiply(matrices.shapes.amplitudes, q, displacement);
@@ -170,7 +171,7 @@ namespace vibrocontact
     for (unsigned int c = 0; c < 3; ++c)
       for (unsigned int i = 0; i < m; ++i)
         R[contact_row(n, c, points[i])] = solution.R[contact_row(m, c, i)];
-    add_loaded_columns(matrices.residual_flexibility, R, residual);
+    add_residual_displacement(matrices.residual_flexibility, matrices.half_spaces.get(), R, residual);
     std::vector<unsigned int> normal_rows(n);
     std::iota(normal_rows.begin(), normal_rows.end(), 0u);
     add_kept(state, force, normal_rows, residual.begin());

@@ -4,26 +4,15 @@
 
 namespace vibrocontact
 {
-  void add_loaded_columns(const DenseMatrix &W, const DenseVector &R, DenseVector &result)
-  {
-    for (unsigned int j = 0; j < R.size(); ++j)
-      if (R[j] != 0)
-      {
-        const double *const column = &W(0, j);
-        for (unsigned int i = 0; i < R.size(); ++i)
-          result[i] += column[i] * R[j];
-      }
-  }
-
   void set_residual_displacement(const ContactPair &pair, DynamicState &state)
   {
     state.residual_displacement.reinit(state.R.size());
-    add_loaded_columns(pair.residual, state.R, state.residual_displacement);
+    add_residual_displacement(pair.residual, pair.half_spaces.get(), state.R, state.residual_displacement);
     for (unsigned int k = 0; k < pair.relaxing.size(); ++k)
     {
       DenseVector behind = state.relaxed[k];
       behind -= forces_on_rest(pair, k, state);
-      add_loaded_columns(pair.relaxing[k].flexibility, behind, state.residual_displacement);
+      add_residual_displacement(pair.relaxing[k].flexibility, nullptr, behind, state.residual_displacement);
     }
   }
 

@@ -164,7 +164,7 @@ namespace vibrocontact
               results);
       if (massive)
         return;
-      if (parameters.integrator != "exact propagator")
+      if (parameters.integrator != "exact propagator" || pair.half_spaces)
         return;
       const double critical = critical_time_step(yielding(all, pair));
       if (parameters.time_step <= critical)

@@ -156,6 +156,17 @@ namespace vibrocontact
     result.scheme = scheme;
     result.step = h;
     result.speed = speed;
+    if (body.half_spaces)
+    {
+      std::vector<double> upstream = scheme.coefficients;
+      for (double &coefficient : upstream)
+        coefficient *= speed / contacts.only().spacing_x;
+      upstream[0] += 1 / h;
+      result.half_spaces = body.half_spaces;
+      result.half_space_response =
+          std::make_shared<HalfSpaceOperator>(contacts.only(), body.half_spaces->pair, upstream);
+      return result;
+    }
     result.residual_flexibility = result.response = rest_over_step(body, h);
     result.shapes = patch_shapes(all_shapes(body), patch_shape_tolerance);
     PatchShapes &shapes = result.shapes;
@@ -263,19 +274,35 @@ namespace vibrocontact
     // of the whole grid: rho does not move with the points that are nearby
     for (unsigned int c = 0; c < 3; ++c)
     {
-      diagonal[c] = 0;
-      for (unsigned int i = 0; i < n; ++i)
+      diagonal[c] = matrices.half_spaces ? matrices.half_space_response->mean_diagonal(c) : 0;
+      for (unsigned int i = 0; i < n && !matrices.half_spaces; ++i)
         diagonal[c] += matrices.response(contact_row(n, c, i), contact_row(n, c, i)) / n;
     }
   }
 
-  void StepOperator::vmult(DenseVector &y, const DenseVector &R,
-                           const std::vector<unsigned int> &sources) const
+  std::vector<unsigned int> StepOperator::on_grid(const std::vector<unsigned int> &points) const
+  {
+    std::vector<unsigned int> result;
+    for (const unsigned int point : points)
+      result.push_back(nearby[point]);
+    return result;
+  }
+
+  void StepOperator::respond_by_kernels(const DenseVector &R, const std::vector<unsigned int> &sources) const
+  {
+    const unsigned int m = n_points(), n = matrices.contacts.n_points();
+    DenseVector on_all(3 * n), displacement_of_all;
+    for (unsigned int c = 0; c < 3; ++c)
+      for (const unsigned int j : sources)
+        on_all[contact_row(n, c, nearby[j])] = R[contact_row(m, c, j)];
+    matrices.half_spaces->flexibility.vmult(displacement_of_all, on_all, on_grid(sources));
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      residual[i] = displacement_of_all[rows[i]];
+  }
+
+  void StepOperator::respond_by_columns(const DenseVector &R, const std::vector<unsigned int> &sources) const
   {
     const unsigned int m = n_points(), n = matrices.contacts.n_points(), n_sources = sources.size();
-    y.reinit(3 * m + rows.size());
-    if (n_sources == 0)
-      return;
     if (sources != sources_before)
     {
       residual_columns.reinit(rows.size(), 3 * n_sources);
@@ -305,6 +332,19 @@ namespace vibrocontact
       for (unsigned int j = 0; j < n_sources; ++j)
         forces[contact_row(n_sources, c, j)] = R[contact_row(m, c, sources[j])];
     residual_columns.vmult(residual, forces);
+  }
+
+  void StepOperator::vmult(DenseVector &y, const DenseVector &R,
+                           const std::vector<unsigned int> &sources) const
+  {
+    const unsigned int m = n_points();
+    y.reinit(3 * m + rows.size());
+    if (sources.empty())
+      return;
+    if (matrices.half_spaces)
+      respond_by_kernels(R, sources);
+    else
+      respond_by_columns(R, sources);
     std::copy(residual.begin(), residual.end(), y.begin() + 3 * m);
 
     modal_numbers(R, c_normal, c_tangential);
@@ -360,6 +400,8 @@ namespace vibrocontact
 
   void StepOperator::extract(const std::vector<unsigned int> &points, DenseMatrix &block) const
   {
+    if (matrices.half_spaces)
+      return matrices.half_space_response->extract(on_grid(points), block);
     const unsigned int n = matrices.contacts.n_points(), m = points.size();
     block.reinit(3 * m);
     for (unsigned int component = 0; component < 3; ++component)

@@ -54,10 +54,8 @@ namespace vibrocontact
   {
     const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
     const CreepScheme &scheme = find_creep_scheme(contact.first().creep_scheme);
-    ContactProblem problem =
-        rolling_problem(rolling_operator(pair.interface.contacts, static_compliance(pair), scheme,
-                                         drive.creepage.speed, static_gradient(pair)),
-                        static_interface(pair), scheme, drive.creepage, contact);
+    ContactProblem problem = rolling_problem(static_operator(pair, scheme, drive.creepage.speed),
+                                             static_interface(pair), scheme, drive.creepage, contact);
     problem.title = "equilibrium from which the transient starts";
     problem.normal_force = drive.normal_force;
     problem.approach = drive.approach;

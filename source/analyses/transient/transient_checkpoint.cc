@@ -103,6 +103,17 @@ namespace vibrocontact
           sums[j] += weight(i) * matrix(i, j);
       return sums;
     }
+
+    std::vector<double> flexibility_marks(const ContactPair &pair)
+    {
+      if (!pair.half_spaces)
+        return weighted_sums(pair.residual);
+      DenseVector weights(3 * pair.n_points()), sums(weights.size());
+      for (unsigned int i = 0; i < weights.size(); ++i)
+        weights[i] = weight(i);
+      add_residual_displacement(pair.residual, pair.half_spaces.get(), weights, sums);
+      return {sums.begin(), sums.end()};
+    }
   } // namespace
 
   MarchCheckpoint transient_checkpoint(const std::string &folder)
@@ -117,7 +128,7 @@ namespace vibrocontact
       relaxations.push_back(rest.relaxation);
     return {{"frequencies", pair.omega},  {"damping ratios", pair.damping_ratio},
             {"loads", pair.modal_load},   {"mode shapes", weighted_sums(pair.trace)},
-            {"poles", pole_marks(pair)},  {"flexibility", weighted_sums(pair.residual)},
+            {"poles", pole_marks(pair)},  {"flexibility", flexibility_marks(pair)},
             {"relaxations", relaxations}, {"gap", pair.interface.gap}};
   }
 

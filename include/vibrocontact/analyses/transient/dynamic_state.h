@@ -55,6 +55,4 @@ namespace vibrocontact
   /// Powers of forces and slips on the same points. @param rate R . du/dt of the tangential displacements [W]
   void set_powers(const DenseVector &R, const DenseVector &slip, const DenseVector &rigid_slip,
                   unsigned int n, double rate, DynamicState &state);
-  /// result += W R, columns without force left out.
-  void add_loaded_columns(const DenseMatrix &W, const DenseVector &R, DenseVector &result);
 } // namespace vibrocontact

@@ -8,6 +8,7 @@
 #include <vibrocontact/propagators/modal_step.h>
 #include <vibrocontact/propagators/step_weights.h>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -21,8 +22,11 @@ namespace vibrocontact
     CreepScheme scheme;
     /// h [s], V [m/s]
     double step = 0, speed = 0;
-    /// W~ over the step (rest_over_step()) [m/N] and the operator A of ContactStepper; 3 n square
+    /// W~ over the step (rest_over_step()) [m/N] and the operator A of ContactStepper; 3 n square, empty of half-spaces alone
     DenseMatrix residual_flexibility, response;
+    /// half-spaces alone: W~ and A by their kernels; null: by these matrices
+    std::shared_ptr<const HalfSpaces> half_spaces;
+    std::shared_ptr<const HalfSpaceOperator> half_space_response;
     /// what d/dx of W~ is beyond the differences between points; 3 n square [1/N] or empty
     DenseMatrix residual_gradient;
     /// where poles have gradients, behind these one number per row that has one; its column of the basis is zero
@@ -60,7 +64,7 @@ namespace vibrocontact
     void vmult(DenseVector &y, const DenseVector &R, const std::vector<unsigned int> &sources) const override;
     void extract(const std::vector<unsigned int> &points, DenseMatrix &block) const override;
     double mean_diagonal(unsigned int component) const override { return diagonal[component]; }
-    bool fast_product() const override { return false; }
+    bool fast_product() const override { return matrices.half_space_response != nullptr; }
 
     /// the points of the grid, in the operator's order
     const std::vector<unsigned int> &points() const { return nearby; }
@@ -89,6 +93,11 @@ namespace vibrocontact
     /// of the nearby points: basis, and StepMatrices::by_displacement and by_velocity side by side; 3
     /// n_points x rank, twice the rank
     DenseMatrix basis, by_motion;
+    /// The same points of the grid.
+    std::vector<unsigned int> on_grid(const std::vector<unsigned int> &points) const;
+    /// Residual displacements of the rows behind y: of half-spaces alone, and by columns of W~.
+    void respond_by_kernels(const DenseVector &R, const std::vector<unsigned int> &sources) const;
+    void respond_by_columns(const DenseVector &R, const std::vector<unsigned int> &sources) const;
     /// columns of W~ of the sources of the last product, and their forces
     mutable std::vector<unsigned int> sources_before;
     mutable DenseMatrix residual_columns, gradient_columns;
