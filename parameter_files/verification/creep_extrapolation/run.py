@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Extrapolated creep forces of random cases against limits by refinement; see README.md.
 Usage: run.py [PROGRAM] [--seed N]: the cases of cases.csv, or 30 new ones with limits of their own (20 minutes)"""
-import csv
 import json
 import math
 import os
@@ -10,6 +9,8 @@ import subprocess
 import sys
 import tempfile
 
+import creep_cases
+
 here = os.path.dirname(os.path.abspath(__file__))
 arguments = sys.argv[1:]
 seed = None
@@ -17,55 +18,15 @@ if "--seed" in arguments:
     seed = int(arguments.pop(arguments.index("--seed") + 1))
     arguments.remove("--seed")
 program = arguments[0] if arguments else os.path.join(here, "..", "..", "..", "build", "vibrocontact")
-load, curvature_x, n_cases = 66000., 1 / 0.92, 30
-inverse_modulus = 2 * (1 - 0.3 ** 2) / 205e9
+n_cases = 30
 first, second = "first-order upwind", "second-order upwind"
-
-
-def elliptic(m):
-    """Complete integrals K and E of the parameter m by the arithmetic-geometric mean."""
-    a, b, total, power = 1., math.sqrt(1 - m), m / 2, 0.5
-    while abs(a - b) > 1e-15 * a:
-        a, b, c = (a + b) / 2, math.sqrt(a * b), (a - b) / 2
-        power *= 2
-        total += power * c * c
-    K = math.pi / (2 * a)
-    return K, K * (1 - total)
-
-
-def hertz(ratio):
-    """Curvature along y and half axes of the contact whose axes have a ratio a / b."""
-    kappa = min(ratio, 1 / ratio)
-    K, E = elliptic(1 - kappa ** 2)
-    larger_over_smaller = (E / kappa ** 2 - K) / (K - E)
-    curvature_y = curvature_x * (larger_over_smaller if ratio > 1 else 1 / larger_over_smaller)
-    minor = (1.5 * load * inverse_modulus * kappa * E / (math.pi * (curvature_x + curvature_y))) ** (1 / 3)
-    return curvature_y, *((minor / kappa, minor) if ratio > 1 else (minor, minor / kappa))
-
-
-def draw(generator):
-    ratio = math.exp(generator.uniform(math.log(0.3), math.log(3)))
-    curvature_y, a, b = hertz(ratio)
-    return {"curvature_y": curvature_y, "a_m": a, "b_m": b,
-            "spacing_m": math.sqrt(math.pi * a * b / generator.uniform(80, 110)), "friction": generator.uniform(0.1, 0.6),
-            "longitudinal": generator.uniform(-0.004, 0.004), "lateral": generator.uniform(-0.004, 0.004),
-            "spin_1_m": generator.uniform(-1, 1), "offset_x": generator.uniform(-0.5, 0.5),
-            "offset_y": generator.uniform(-0.5, 0.5)}
-
 
 def solve(case, refined=1, offset=None, **entries):
     """Fx, Fy over mu N, moment over mu N sqrt(a b), their stated errors and what else the program says."""
-    h = case["spacing_m"] / refined
-    x, y = offset or (case["offset_x"], case["offset_y"])
-    values = {"rail/Half-space/Radius y": 0.5 / case["curvature_y"], "Contact/Friction coefficient": case["friction"],
-              "Contact/Grid spacing": h, "Contact/Half length": case["a_m"] + 3.2 * h,
-              "Contact/Half width": case["b_m"] + 2.2 * h, "Contact/Offset x": x, "Contact/Offset y": y,
-              "Rolling/Longitudinal creepage": case["longitudinal"], "Rolling/Lateral creepage": case["lateral"],
-              "Rolling/Spin": case["spin_1_m"]}
-    settings = [f"{entry}={value!r}" for entry, value in values.items()]
+    settings = [f"{entry}={value!r}" for entry, value in creep_cases.settings(case, refined, offset).items()]
     settings += [f"{entry.replace('__', '/').replace('_', ' ')}={value}" for entry, value in entries.items()]
     with tempfile.TemporaryDirectory() as folder:
-        command = [program, os.path.join(here, "rolling.prm"), "--quiet", "--output", folder]
+        command = [program, creep_cases.FILE, "--quiet", "--output", folder]
         for one in settings:
             command += ["--set", one]
         subprocess.run(command, check=True)
@@ -73,8 +34,8 @@ def solve(case, refined=1, offset=None, **entries):
             found = json.load(file)["analyses"]["quasi_static_rolling"]["cases"][0]
     bound = case["friction"] * found["normal_force_N"]
     arm = math.sqrt(case["a_m"] * case["b_m"])
-    return ([force / bound for force in found["tangential_force_N"]] + [found["spin_moment_Nm"] / bound / arm],
-            found["force_error_N"] / bound, found["spin_moment_error_Nm"] / bound / arm, found)
+    return (creep_cases.over_friction(case, found), found["force_error_N"] / bound,
+            found["spin_moment_error_Nm"] / bound / arm, found)
 
 
 def limit(case):
@@ -90,12 +51,10 @@ def limit(case):
 
 
 if seed is None:
-    with open(os.path.join(here, "cases.csv")) as table:
-        cases = [{name: float(value) for name, value in row.items()}
-                 for row in csv.DictReader(line for line in table if not line.startswith("#"))]
+    cases = creep_cases.stored()
 else:
     generator = random.Random(seed)
-    cases = [draw(generator) for _ in range(n_cases)]
+    cases = [creep_cases.draw(generator) for _ in range(n_cases)]
     for case in cases:
         case.update(limit(case))
 

@@ -1,0 +1,60 @@
+"""Ratios kept between versions: cost of each point over that of its study's default, and its error. No absolute time."""
+import csv
+import os
+import statistics
+
+FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "baseline.csv")
+SLOWER, LESS_EXACT = 1.5, 1.2
+COLUMNS = ["study", "label", "cost_ratio", "spread", "error"]
+
+
+def rows_of(studies):
+    """Rows of the measured studies, the first default of each with ratio 1."""
+    rows = []
+    for study in studies:
+        reference = next((point for point in study.points if point.default), None)
+        for point in study.points:
+            rows.append({"study": study.name, "label": point.label, "cost_ratio": point.median / reference.median,
+                         "spread": point.spread * reference.spread, "error": max(point.error, study.floor)})
+    return rows
+
+
+def write(studies, name=FILE):
+    """Rewrites the rows of these studies, keeps those of others."""
+    measured = {study.name for study in studies}
+    rows = [row for row in (read(name) if os.path.exists(name) else []) if row["study"] not in measured] + rows_of(studies)
+    with open(name + ".part", "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(COLUMNS)
+        for row in sorted(rows, key=lambda row: row["study"]):
+            writer.writerow([f"{row[column]:.3g}" if isinstance(row[column], float) else row[column] for column in COLUMNS])
+    os.replace(name + ".part", name)
+
+
+def read(name=FILE):
+    if not os.path.exists(name):
+        raise SystemExit(f"run.py: there is no baseline {name}: write one with --write-baseline")
+    with open(name, newline="", encoding="utf-8") as file:
+        return [{column: row[column] if column in ("study", "label") else float(row[column]) for column in COLUMNS}
+                for row in csv.DictReader(file)]
+
+
+def worse(studies, name=FILE):
+    """What became slower or less exact than the baseline, as sentences; points and studies it does not hold are left out."""
+    kept = {(row["study"], row["label"]): row for row in read(name)}
+    found = []
+    for study in studies:
+        rows = [(row, kept[row["study"], row["label"]]) for row in rows_of([study]) if (row["study"], row["label"]) in kept]
+        for now, then in rows:
+            allowed = max(SLOWER, now["spread"], then["spread"])
+            if now["cost_ratio"] > allowed * then["cost_ratio"]:
+                found.append(f"{study.name}: {now['label']} became slower: {now['cost_ratio']:.3g} times the default, "
+                             f"{then['cost_ratio']:.3g} before")
+            if now["error"] > LESS_EXACT * then["error"] + study.floor:
+                found.append(f"{study.name}: {now['label']} became less exact: {now['error']:.3g}, {then['error']:.3g} before")
+        # where the default itself became slower, all others became cheaper than it by one factor
+        others = [then["cost_ratio"] / now["cost_ratio"] for now, then in rows if now["cost_ratio"] != 1]
+        spread = max([SLOWER] + [max(now["spread"], then["spread"]) for now, then in rows])
+        if len(others) > 1 and statistics.median(others) > spread:
+            found.append(f"{study.name}: the default became slower: all others by {statistics.median(others):.3g} cheaper beside it")
+    return found

@@ -1,0 +1,89 @@
+"""Runs of the program and of the benchmark executables, and what they cost."""
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+import time
+from dataclasses import dataclass
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+# one BLAS thread per rank; mpirun also as root and with more ranks than cores
+ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
+                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+
+
+@dataclass
+class Runs:
+    """Repeated runs of one file: processor seconds (user and system, all ranks) and seconds of the clock of each,
+    results.json of each."""
+    processor: list
+    clock: list
+    results: list
+
+    def analysis(self, name, run=-1):
+        """Object of an analysis in results.json of a run, by default of the last."""
+        return self.results[run]["analyses"][name]
+
+
+def processor_seconds(command, folder=None):
+    """Runs a command; processor seconds of it and of all it started, seconds of the clock. A failure is an error with its
+    last lines."""
+    begin = time.perf_counter()
+    with tempfile.TemporaryFile("w+") as said:
+        child = subprocess.Popen(command, stdout=said, stderr=said, stdin=subprocess.DEVNULL, env=ENVIRONMENT, cwd=folder)
+        _, status, usage = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        clock = time.perf_counter() - begin
+        if child.returncode != 0:
+            said.seek(0)
+            raise RuntimeError(f"{' '.join(command)} ended with {child.returncode}: {said.read()[-2000:]}")
+    return usage.ru_utime + usage.ru_stime, clock
+
+
+class Bench:
+    """What a study measures with.
+
+    quick        take the small cases
+    repetitions  of each run
+    cache        folder of reductions, made once per report
+    """
+
+    def __init__(self, build, quick, repetitions, cache, say=print):
+        self.build, self.quick, self.repetitions, self.cache, self.say = build, quick, repetitions, cache, say
+        self.path = os.path.join(build, "vibrocontact")
+
+    def run(self, file, settings=None, ranks=1, repetitions=None, cached=False, results=True):
+        """Repeated runs of a parameter file (relative to the root of the sources) with entries set; cached: with the
+        report's cache of reductions, else without any."""
+        entries = {"Output/Figures": "false", "Output/Fields": "false", "Output/Cache directory": self.cache if cached else ""}
+        entries.update(settings or {})
+        runs = Runs([], [], [])
+        for _ in range(repetitions or self.repetitions):
+            with tempfile.TemporaryDirectory() as folder:
+                command = [] if ranks == 1 else ["mpirun", "-q", "--oversubscribe", "--bind-to", "none", "-n", str(ranks)]
+                command += [self.path, os.path.join(ROOT, file), "--quiet", "--output", folder]
+                for entry, value in entries.items():
+                    command += ["--set", f"{entry}={value if isinstance(value, str) else repr(value)}"]
+                processor, clock = processor_seconds(command)
+                runs.processor.append(processor)
+                runs.clock.append(clock)
+                if results:
+                    with open(os.path.join(folder, "results.json"), encoding="utf-8") as file_of_results:
+                        runs.results.append(json.load(file_of_results))
+        return runs
+
+    def parameters(self):
+        """What --parameters prints."""
+        return subprocess.run([self.path, "--parameters"], check=True, text=True, stdout=subprocess.PIPE, env=ENVIRONMENT).stdout
+
+    def executable(self, name, *arguments):
+        """Lines that a benchmark executable of tests/benchmarks prints, as lists of cells; it is built if the build tree can."""
+        path = os.path.join(self.build, "tests", name)
+        if os.path.exists(os.path.join(self.build, "build.ninja")) and shutil.which("ninja"):
+            subprocess.run(["ninja", "-C", self.build, name], check=True, stdout=subprocess.DEVNULL)
+        elif not os.path.exists(path):
+            raise RuntimeError(f"there is no {path}: build it (ninja -C {self.build} {name})")
+        said = subprocess.run([path, *map(str, arguments)], check=True, text=True, stdout=subprocess.PIPE, env=ENVIRONMENT)
+        return [line.split(",") for line in said.stdout.splitlines() if line and not line.startswith("#")]

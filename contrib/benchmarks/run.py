@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""Error against cost of every method that the program lets a file choose, in one report; see doc/benchmarks.md.
+
+  run.py [--quick] [--only STUDY ...] [--output DIR]     measures and writes DIR/report.html
+  run.py --list                                          studies and the members on their pictures; exit 1 if one is on none
+
+Exit: 0 done; 1 wrong use; 2 a study failed, or --quick or --compare found something slower or less exact than the baseline."""
+import argparse
+import os
+import shutil
+import sys
+import tempfile
+import time
+
+import baseline
+import members
+import program
+import report
+from studies import ALL
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--quick", action="store_true", help="the cheap studies in five minutes, compared with the baseline")
+    parser.add_argument("--output", default=os.path.join("results", "benchmarks"), metavar="DIR", help="default: %(default)s")
+    parser.add_argument("--only", nargs="+", metavar="STUDY", default=[], help="these studies alone")
+    parser.add_argument("--repetitions", type=int, metavar="N", help="of each run; default 3 with --quick, else 5")
+    parser.add_argument("--build", default=os.path.join(program.ROOT, "build"), metavar="DIR", help="build tree; default: build")
+    parser.add_argument("--baseline", default=baseline.FILE, metavar="FILE", help="stored ratios; default: baseline.csv")
+    parser.add_argument("--compare", action="store_true", help="compare with the baseline, as --quick does anyway")
+    parser.add_argument("--write-baseline", action="store_true", help="rewrite the baseline's rows of the studies that run")
+    parser.add_argument("--pictures", metavar="DIR", help="copy the pictures there as benchmark_STUDY.png (doc/pictures)")
+    parser.add_argument("--list", action="store_true", help="list studies and members, run nothing")
+    options = parser.parse_args()
+    unknown = set(options.only) - {study.name for study in ALL}
+    if unknown:
+        sys.exit(f"run.py: there is no study {', '.join(sorted(unknown))}; there are {', '.join(study.name for study in ALL)}")
+    if not os.access(os.path.join(options.build, "vibrocontact"), os.X_OK):
+        sys.exit(f"run.py: there is no program {options.build}/vibrocontact: build it, or name its build tree with --build")
+    return options
+
+
+def list_studies(bench):
+    """Every study with its members; what is on no picture ends with 1."""
+    for study in ALL:
+        print(f"{study.name}{'' if study.quick else ' (full only)'}: {study.title}")
+        for entry, choices in study.choices.items():
+            print(f"    {entry} = {', '.join(choices)}")
+    missing = members.without_picture(bench.parameters(), ALL)
+    for sentence in missing:
+        print(f"MISSING: {sentence}")
+    return 1 if missing else 0
+
+
+def main():
+    options = arguments()
+    with tempfile.TemporaryDirectory(prefix="benchmarks_") as cache:
+        bench = program.Bench(os.path.abspath(options.build), options.quick, options.repetitions or (3 if options.quick else 5), cache)
+        if options.list:
+            return list_studies(bench)
+        os.makedirs(options.output, exist_ok=True)
+        studies = [study for study in ALL if study.name in options.only or
+                   (not options.only and (study.quick or not options.quick))]
+        head, measured, failures, comparison = report.environment(bench), [], {}, None
+        for study in studies:
+            begin = time.perf_counter()
+            try:
+                study.run(bench)
+            except Exception as error:  # the other studies go on; it ends with 2
+                failures[study.name] = str(error)
+                print(f"{study.name}: FAILED: {error}", flush=True)
+                continue
+            measured.append(study)
+            report.draw(study, os.path.join(options.output, study.name + ".png"))
+            report.write_table(study, os.path.join(options.output, study.name + ".csv"))
+            if options.pictures:
+                shutil.copy(os.path.join(options.output, study.name + ".png"),
+                            os.path.join(options.pictures, f"benchmark_{study.name}.png"))
+            off = study.defaults_off_front()
+            print(f"{study.name}: {len(study.points)} points in {time.perf_counter() - begin:.0f} s, default "
+                  + (f"not on the front: {', '.join(point.label for point in off)}" if off else "on the front"), flush=True)
+            report.write(measured, failures, None, head, options.output)
+        if options.write_baseline:
+            baseline.write(measured, options.baseline)
+        elif options.quick or options.compare:
+            comparison = baseline.worse(measured, options.baseline)
+            print("\n".join(f"WORSE: {sentence}" for sentence in comparison) or "Nothing became slower or less exact than the baseline.")
+        report.write(measured, failures, comparison, head, options.output)
+        print(f"{options.output}/report.html")
+    return 2 if failures or comparison else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
