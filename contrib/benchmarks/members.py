@@ -16,6 +16,8 @@ NOT_METHODS = {
     "Periodic/Stop direction": "direction", "Periodic/Continuation/Parameter": "what is varied",
     "Output/Deformation": "output", "Output/Contact patches": "output",
 }
+# Members that compute something else, or nothing.
+NOT_MEMBERS = {("Periodic/Continuation/Stability", "none"): "no stability"}
 # Entries whose choices stand in their text because several may be named.
 LISTS = {"Identification/Method": re.compile(r"^(.*?), or several, separated by commas")}
 
@@ -59,5 +61,6 @@ def without_picture(parameters, studies):
     missing = []
     for entry, members in choices(parameters).items():
         if entry not in NOT_METHODS:
-            missing += [f"{entry} = {member} is on no picture" for member in members if member not in shown.get(entry, ())]
+            missing += [f"{entry} = {member} is on no picture" for member in members
+                        if member not in shown.get(entry, ()) and (entry, member) not in NOT_MEMBERS]
     return missing

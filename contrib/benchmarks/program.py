@@ -1,4 +1,5 @@
 """Runs of the program and of the benchmark executables, and what they cost."""
+import csv
 import json
 import os
 import shutil
@@ -17,14 +18,26 @@ ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", OM
 @dataclass
 class Runs:
     """Repeated runs of one file: processor seconds (user and system, all ranks) and seconds of the clock of each,
-    results.json of each."""
+    results.json of each, and what `read` made of the folder of each."""
     processor: list
     clock: list
     results: list
+    read: list
 
     def analysis(self, name, run=-1):
         """Object of an analysis in results.json of a run, by default of the last."""
         return self.results[run]["analyses"][name]
+
+
+def read_json(name):
+    with open(name, encoding="utf-8") as file:
+        return json.load(file)
+
+
+def read_table(name):
+    """Rows of a table of the program as dictionaries."""
+    with open(name, newline="", encoding="utf-8") as lines:
+        return list(csv.DictReader(line for line in lines if not line.startswith("#")))
 
 
 def processor_seconds(command, folder=None):
@@ -54,12 +67,12 @@ class Bench:
         self.build, self.quick, self.repetitions, self.cache, self.say = build, quick, repetitions, cache, say
         self.path = os.path.join(build, "vibrocontact")
 
-    def run(self, file, settings=None, ranks=1, repetitions=None, cached=False, results=True):
+    def run(self, file, settings=None, ranks=1, repetitions=None, cached=False, read=None):
         """Repeated runs of a parameter file (relative to the root of the sources) with entries set; cached: with the
-        report's cache of reductions, else without any."""
+        report's cache of reductions, else without any; read: function of the folder of results."""
         entries = {"Output/Figures": "false", "Output/Fields": "false", "Output/Cache directory": self.cache if cached else ""}
         entries.update(settings or {})
-        runs = Runs([], [], [])
+        runs = Runs([], [], [], [])
         for _ in range(repetitions or self.repetitions):
             with tempfile.TemporaryDirectory() as folder:
                 command = [] if ranks == 1 else ["mpirun", "-q", "--oversubscribe", "--bind-to", "none", "-n", str(ranks)]
@@ -69,9 +82,9 @@ class Bench:
                 processor, clock = processor_seconds(command)
                 runs.processor.append(processor)
                 runs.clock.append(clock)
-                if results:
-                    with open(os.path.join(folder, "results.json"), encoding="utf-8") as file_of_results:
-                        runs.results.append(json.load(file_of_results))
+                runs.results.append(read_json(os.path.join(folder, "results.json")))
+                if read:
+                    runs.read.append(read(folder))
         return runs
 
     def parameters(self):

@@ -1,4 +1,5 @@
 """All studies, one module per family; a new family is one line here."""
-from . import creep
+from . import convolution, creep, identification, periodic, ranks, reduction, solvers, stability, transient
 
-ALL = [*creep.STUDIES]
+FAMILIES = [creep, solvers, reduction, stability, transient, convolution, periodic, identification, ranks]
+ALL = [study for family in FAMILIES for study in family.STUDIES]
