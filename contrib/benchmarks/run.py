@@ -84,7 +84,7 @@ def main():
             baseline.write(measured, options.baseline)
         elif options.quick or options.compare:
             comparison = baseline.worse(measured, options.baseline)
-            print("\n".join(f"WORSE: {sentence}" for sentence in comparison) or "Nothing became slower or less exact than the baseline.")
+            print("\n".join(f"WORSE: {sentence}" for sentence in comparison) or f"Nothing of the {len(measured)} studies that ran became slower or less exact than the baseline.")
         report.write(measured, failures, comparison, head, options.output)
         print(f"{options.output}/report.html")
     return 2 if failures or comparison else 0

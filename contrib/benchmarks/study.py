@@ -73,10 +73,11 @@ class Study:
                 raise RuntimeError(f"study {self.name}: no point shows {entry} = {', '.join(sorted(missing))}")
 
     def dominates(self, one, other):
-        """Whether one is clearly cheaper and no less exact than other, or clearly more exact and no dearer."""
+        """Whether one is clearly cheaper and no less exact than other, or clearly more exact and not clearly dearer."""
         error, its_error = max(one.error, self.floor), max(other.error, self.floor)
         cheaper = one.median * CHEAPER < other.median and max(one.seconds) < min(other.seconds)
-        return (cheaper and error <= its_error) or (error * MORE_EXACT < its_error and one.median <= other.median)
+        return (cheaper and error <= its_error) or (error * MORE_EXACT < its_error and
+                                                       one.median < other.median * CHEAPER)
 
     def better_than(self, point):
         return [other for other in self.points if self.dominates(other, point)]

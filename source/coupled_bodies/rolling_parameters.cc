@@ -57,7 +57,7 @@ namespace vibrocontact
                       "the other of half of it, and "
                       "forces extrapolated to a vanishing spacing, for which the slip is corrected at the "
                       "leading edge; automatic: "
-                      "two where creepages are swept. Units: none.",
+                      "two where bodies roll. Units: none.",
                       Selection("automatic|one|two"));
     prm.enter_subsection("Sweep");
     prm.add_parameter("Longitudinal creepage", sweep.longitudinal,
@@ -96,8 +96,7 @@ namespace vibrocontact
 
   bool RollingParameters::two_grids() const
   {
-    return grids == "two" || (grids == "automatic" && creepage.speed > 0 &&
-                              !(sweep.longitudinal.empty() && sweep.lateral.empty() && sweep.spin.empty()));
+    return grids == "two" || (grids == "automatic" && creepage.speed > 0);
   }
 
   void RollingParameters::check(const bool frictionless) const

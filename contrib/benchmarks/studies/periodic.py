@@ -39,17 +39,23 @@ def bases(file):
 
 
 def forms(bench):
-    """Forms of the residual with smooth bases, laws, and models of the bar."""
+    """Forms of the residual, laws, models of the bar; weighting by Haar's functions, which only the strong form takes."""
+    variants = [(form, "penalty", "finite elements", "fourier:fourier") for form in ("strong", "weak", "distributional")]
+    variants += [("distributional", "linear", "finite elements", "fourier:fourier"),
+                 ("distributional", "signorini", "finite elements", "fourier:fourier"),
+                 ("distributional", "penalty", "reduced", "fourier:fourier"),
+                 ("strong", "penalty", "finite elements", "fourier:haar"), ("strong", "penalty", "finite elements", "bspline:haar")]
     points = []
-    variants = [(form, "penalty", "finite elements") for form in ("strong", "weak", "distributional")]
-    variants += [("distributional", "linear", "finite elements"), ("distributional", "signorini", "finite elements"),
-                 ("distributional", "penalty", "reduced")]
-    for form, law, model in variants:
+    for form, law, model, pair in variants:
+        trial, weighting = pair.split(":")
+        curve = f"{form}, {law}, {model}" + ("" if trial == weighting else f", {pair}")
         for number in (64, 127) if bench.quick else (16, 32, 64, 127, 255):
-            entries = {FORM: form, LAW: law, MODEL: model}
+            if weighting == "haar" and number % 2:
+                number += 1
+            entries = {FORM: form, LAW: law, MODEL: model, TRIAL: trial, WEIGHTING: weighting}
             runs = bench.run(RIGID_BAR if law == "signorini" else BAR, {**NO_COMPARISON, **entries, "Periodic/Number of functions": number})
             for found, seconds in solutions(runs):
-                points.append(Point(f"{form}, {law}, {model}, {number}", f"{form}, {law}, {model}", seconds, found["error_to_reference"],
+                points.append(Point(f"{curve}, {number}", curve, seconds, found["error_to_reference"],
                                     (form, law, model, number) == ("distributional", "penalty", "reduced", 127), entries))
     return points
 
@@ -61,7 +67,7 @@ def stability(bench):
         for number in (63,) if bench.quick else (31, 63, 127):
             runs = bench.run(BAR_RESPONSE, {"Periodic/Continuation/Pairs": "", "Periodic/Continuation/Stability": method,
                                             "Periodic/Number of functions": number})
-            found = runs.analysis("periodic") if isinstance(runs.analysis("periodic"), dict) else runs.results[-1]["analyses"]["response"]
+            found = runs.analysis("response")
             seconds = [run["analyses"]["response"]["stability_seconds"] for run in runs.results]
             points.append(Point(f"{method}, {number} functions", method, seconds,
                                 max(abs(abs(one) - 1) for one in found["multiplier_at_folds"]), (method, number) == ("monodromy", 127)
@@ -77,7 +83,8 @@ STUDIES = [
     Study("periodic_rigid", "Bases of periodic motions, rigid stop", "Displacements against " + SHOOTING, COST, ERROR,
           {TRIAL: ["fourier", "bspline", "daubechies6", "haar"]}, bases(RIGID_BAR), floor=1e-6, quick=False),
     Study("periodic_forms", "Forms, laws and models of periodic motions", "Displacements against " + SHOOTING, COST, ERROR,
-          {FORM: ["strong", "weak", "distributional"], LAW: ["penalty", "linear", "signorini"], MODEL: ["reduced", "finite elements"]},
+          {FORM: ["strong", "weak", "distributional"], LAW: ["penalty", "linear", "signorini"], MODEL: ["reduced", "finite elements"],
+           WEIGHTING: ["fourier", "haar"]},
           forms, floor=1e-6),
     Study("periodic_stability", "Multipliers along a response curve", "at a fold a multiplier is one, whatever the motion.",
           "seconds of the multipliers of the curve [s]", "largest distance of the multiplier at the folds from one [-]",

@@ -12,7 +12,7 @@ def measure(bench):
     for division in (0.24,) if bench.quick else (0.24, 0.12):
         for ranks in (1, 2):
             found, runs = wheel_frequencies(bench, {"wheel/Wheel/Coarse division": division, "wheel/Wheel/Contact division": division,
-                                                    "wheel/Modes/Upper frequency": LIMIT}, ranks=ranks, repetitions=min(3, bench.repetitions))
+                                                    "wheel/Modes/Upper frequency": LIMIT}, ranks=ranks, repetitions=1 if bench.quick else min(3, bench.repetitions))
             points.append(Point(f"{ranks} ranks, cells of {division:g} m", f"{ranks} ranks", runs.clock, frequency_error(found, exact),
                                 ranks == 1 and division == 0.24, {}))
     return points

@@ -53,7 +53,7 @@ def wheel(bench):
                             frequency_error(found, exact), degree == 3 and refinements == 0, {"Wheel/Model": "harmonics"}))
     if not bench.quick:
         found, runs = wheel_frequencies(bench, {"wheel/Wheel/Model": "solid", "wheel/Modes/Upper frequency": limit}, repetitions=1)
-        points.append(Point("solid", "solid", runs.processor, frequency_error(found, exact), False, {"Wheel/Model": "solid"}))
+        points.append(Point("solid", "solid", runs.processor, frequency_error(found, exact), True, {"Wheel/Model": "solid"}))
     return points
 
 
@@ -146,13 +146,17 @@ def block(bench):
     return points
 
 
+SOLID = ("scripts rely on solid bodies by default, and they alone take any mesh, any place of contact and any number of contacts; a file says "
+         "Model = harmonics or periodic in one line.")
 WHOLE = "processor time of the whole program [s]"
 STUDIES = [
     Study("wheel", "Modes of a wheel by harmonics and by solid elements", "the section by harmonics of degree 4 with halved cells.", WHOLE,
-          "largest relative error of all frequencies [-]", {"Wheel/Model": ["solid", "harmonics"]}, wheel, floor=1e-6),
+          "largest relative error of all frequencies [-]", {"Wheel/Model": ["solid", "harmonics"]}, wheel, floor=1e-6,
+          reason=SOLID),
     Study("rail", "Mobilities of a rail, solid and without ends", "for solid rails the rail without ends, which shares only the section's elements; "
           "for that one 48 m of hexahedra, stored by parameter_files/verification/long_rail.", WHOLE, "largest error of the levels [-]",
-          {"Rail/Model": ["solid", "periodic"], "Frequency response/Method": ["modal", "direct"]}, rail, quick=False, floor=1e-4),
+          {"Rail/Model": ["solid", "periodic"], "Frequency response/Method": ["modal", "direct"]}, rail, quick=False, floor=1e-4,
+          reason=SOLID),
     Study("ring", "Models of the ring", "the closed form order by order, written down once more in tests/ring_order.py.", WHOLE,
           "error of the receptance over its largest (analytic), of the frequencies (elements) [-]",
           {"Ring/Model": ["analytic", "beam elements", "solid elements"]}, ring, floor=1e-6),

@@ -1,0 +1,47 @@
+# contrib/benchmarks/run.py: its report, its comparison with a baseline in which one row is cheaper and one more exact than can
+# be, and a member without a picture.
+python=/usr/bin/python3
+$python -c 'import matplotlib' 2>/dev/null || exit 77
+scripts=$(dirname "$3")/contrib/benchmarks
+build=$(dirname "$1")
+fail() { echo "$*"; exit 1; }
+
+$python -B "$scripts/run.py" --build "$build" --list >list.txt || fail "a member is on no picture: $(grep MISSING list.txt)"
+grep -q "Contact/Solver/Method = automatic, few points" list.txt || fail "no list"
+$python -B - "$scripts" "$1" <<'END' || fail "a new member without a picture is not found"
+import subprocess, sys
+sys.path.insert(0, sys.argv[1])
+import members
+from studies import ALL
+text = subprocess.run([sys.argv[2], "--parameters"], text=True, stdout=subprocess.PIPE).stdout
+new = text.replace("first-order upwind, second-order upwind", "first-order upwind, third-order upwind, second-order upwind")
+assert new != text and members.without_picture(text, ALL) == []
+assert members.without_picture(new, ALL) == ["Contact/Creep scheme = third-order upwind is on no picture"]
+END
+
+cat >planted.csv <<'END'
+study,label,cost_ratio,spread,error
+ring,analytic,1,1,1e-6
+ring,beam elements,1e-3,1,1
+ring,solid elements,1e3,1,1e-5
+END
+code=0
+$python -B "$scripts/run.py" --build "$build" --quick --repetitions 1 --only ring --output report --baseline planted.csv >said.txt || code=$?
+[ $code = 2 ] || fail "exit code $code: $(cat said.txt)"
+grep -q 'WORSE: ring: beam elements became slower' said.txt || fail "slower is not said: $(cat said.txt)"
+grep -q 'WORSE: ring: solid elements became less exact' said.txt || fail "less exact is not said: $(cat said.txt)"
+[ "$(grep -c WORSE said.txt)" = 2 ] || fail "more than was planted: $(cat said.txt)"
+for file in report.html ring.png ring.csv; do
+  [ -s report/$file ] || fail "no $file"
+done
+for words in 'Truth: the closed form order by order' 'solid elements became less exact' 'on the front' 'machine'; do
+  grep -q "$words" report/report.html || fail "the report does not say: $words"
+done
+$python -B - <<'END' || fail "the table is wrong"
+import csv
+rows = list(csv.DictReader(line for line in open("report/ring.csv") if not line.startswith("#")))
+assert [row["label"] for row in rows] == ["analytic", "beam elements", "solid elements"]
+assert [row["default"] for row in rows] == ["1", "0", "0"]
+assert all(float(row["cost_median_s"]) > 0 for row in rows)
+assert float(rows[0]["error"]) < 1e-6 and float(rows[1]["error"]) < 1e-4 and float(rows[2]["error"]) < 1e-2
+END
