@@ -81,8 +81,12 @@ namespace vibrocontact
     text.bytes = bytes;
     const auto at = [&](const unsigned int line) { return file_name + ":" + std::to_string(line) + ": "; };
 
+    const std::size_t zero = bytes.find('\0');
+    if (zero != std::string::npos)
+      throw InputError(at(1 + std::count(bytes.begin(), bytes.begin() + zero, '\n')) +
+                       "this is not a text file; give a parameter file (.prm)");
     const std::size_t strange = first_byte_outside_utf8(bytes);
-    if (strange < bytes.size() && bytes.find('\0') == std::string::npos)
+    if (strange < bytes.size())
     {
       const std::size_t begin = strange == 0 ? 0 : bytes.rfind('\n', strange - 1) + 1;
       throw InputError(at(1 + std::count(bytes.begin(), bytes.begin() + strange, '\n')) +
@@ -102,8 +106,6 @@ namespace vibrocontact
     for (std::string raw; std::getline(stream, raw);)
     {
       const unsigned int first_line = ++line_number;
-      if (raw.find('\0') != std::string::npos)
-        throw InputError(at(first_line) + "this is not a text file; give a parameter file (.prm)");
       const std::size_t indentation = std::min(raw.find_first_not_of(" \t"), raw.size());
       std::string line = trimmed(raw.substr(0, raw.find('#')));
       while (!line.empty() && line.back() == '\\')
@@ -156,7 +158,7 @@ namespace vibrocontact
         throw InputError(at(first_line) + "include is not supported; copy the lines of that file to here");
       else
         throw InputError(
-            at(first_line) + "cannot read the line \"" + line.substr(0, 60) + "\"; " +
+            at(first_line) + "cannot read the line \"" + first_letters(line, 60) + "\"; " +
             (line.find('=') != std::string::npos && nearest_names(keyword, {"set"}).empty()
                  ? "write \"set\" in front of it"
                  : "a line is \"set Entry = value\", \"subsection Name\", \"end\" or a comment after #"));

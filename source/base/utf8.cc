@@ -28,6 +28,12 @@ namespace vibrocontact
     return text.size();
   }
 
+  std::string first_letters(const std::string &text, const std::size_t n)
+  {
+    const std::string begin = text.substr(0, n);
+    return begin.substr(0, first_byte_outside_utf8(begin));
+  }
+
   std::string as_utf8(const std::string &text)
   {
     if (first_byte_outside_utf8(text) == text.size())

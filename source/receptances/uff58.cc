@@ -58,7 +58,7 @@ namespace vibrocontact
       [[noreturn]] void fail(const std::string &what) const
       {
         throw InputError("The universal file \"" + file_name + "\", line " + std::to_string(line) + ", " +
-                         what);
+                         as_utf8(what));
       }
 
       /// A number in columns begin to begin + width of a line; blank is zero.

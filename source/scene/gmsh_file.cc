@@ -88,7 +88,7 @@ namespace vibrocontact
     private:
       [[noreturn]] void damaged(const std::string &what) const
       {
-        throw InputError("The mesh file " + name + " " + what + ".");
+        throw InputError("The mesh file " + name + " " + as_utf8(what) + ".");
       }
 
       /// Elements of which no body is made, with their number and groups.

@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/base/utf8.h>
 #include <vibrocontact/scene/section.h>
 
 #include <deal.II/base/utilities.h>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 namespace vibrocontact
@@ -150,9 +152,12 @@ namespace vibrocontact
 
   SectionOutline SectionOutline::read(const std::string &file, const double scale)
   {
-    std::ifstream stream(file);
-    if (!stream)
+    std::ifstream bytes(file, std::ios::binary);
+    if (!bytes)
       throw InputError("Cannot read the section outline " + file + "; give the path of an existing file.");
+    // names of parts and regions are those of the parameter file, which is UTF-8
+    std::istringstream stream(
+        as_utf8({std::istreambuf_iterator<char>(bytes), std::istreambuf_iterator<char>()}));
     SectionOutline outline;
     outline.tolerance *= scale;
     const double mm = 1e-3 * scale;
