@@ -14,6 +14,7 @@ import time
 
 import baseline
 import members
+import other_programs
 import program
 import report
 from studies import ALL
@@ -23,7 +24,8 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="the cheap studies in five minutes, compared with the baseline")
     parser.add_argument("--output", default=os.path.join("results", "benchmarks"), metavar="DIR", help="default: %(default)s")
-    parser.add_argument("--only", nargs="+", metavar="STUDY", default=[], help="these studies alone")
+    parser.add_argument("--only", nargs="+", metavar="STUDY", default=[],
+                        help="these studies alone; peers: the comparisons with other programs")
     parser.add_argument("--repetitions", type=int, metavar="N", help="of each run; default 3 with --quick, else 5")
     parser.add_argument("--build", default=os.path.join(program.ROOT, "build"), metavar="DIR", help="build tree; default: build")
     parser.add_argument("--baseline", default=baseline.FILE, metavar="FILE", help="stored ratios; default: baseline.csv")
@@ -32,7 +34,7 @@ def arguments():
     parser.add_argument("--pictures", metavar="DIR", help="copy the pictures there as benchmark_STUDY.png (doc/pictures)")
     parser.add_argument("--list", action="store_true", help="list studies and members, run nothing")
     options = parser.parse_args()
-    unknown = set(options.only) - {study.name for study in ALL}
+    unknown = set(options.only) - {study.name for study in ALL} - {"peers"}
     if unknown:
         sys.exit(f"run.py: there is no study {', '.join(sorted(unknown))}; there are {', '.join(study.name for study in ALL)}")
     if not os.access(os.path.join(options.build, "vibrocontact"), os.X_OK):
@@ -80,12 +82,16 @@ def main():
             print(f"{study.name}: {len(study.points)} points in {time.perf_counter() - begin:.0f} s, default "
                   + (f"not on the front: {', '.join(point.label for point in off)}" if off else "on the front"), flush=True)
             report.write(measured, failures, None, head, options.output)
+        sections = ""
+        if not options.only or "peers" in options.only:
+            sections, failed = other_programs.compare(bench, options.output)
+            failures.update(failed)
         if options.write_baseline:
             baseline.write(measured, options.baseline)
         elif options.quick or options.compare:
             comparison = baseline.worse(measured, options.baseline)
             print("\n".join(f"WORSE: {sentence}" for sentence in comparison) or f"Nothing of the {len(measured)} studies that ran became slower or less exact than the baseline.")
-        report.write(measured, failures, comparison, head, options.output)
+        report.write(measured, failures, comparison, head, options.output, sections)
         print(f"{options.output}/report.html")
     return 2 if failures or comparison else 0
 
