@@ -95,33 +95,40 @@ namespace
   {
     const auto by_fixed_point = forces(set, "fixed point", 1e-12),
                by_newton = forces(set, "semi-smooth newton", 1e-12);
-    for (const ContactSolverEntry &row : contact_solvers())
+    struct Measured
     {
-      if (row.takes && !row.takes(set.problems[0]))
-        continue;
-      for (const double tolerance :
-           quick ? std::vector<double>{1e-5, 1e-10} : std::vector<double>{1e-2, 1e-3, 1e-5, 1e-7, 1e-10})
+      std::string method;
+      double tolerance;
+      std::vector<DenseVector> found;
+      std::vector<double> seconds;
+    };
+    std::vector<Measured> all;
+    for (const ContactSolverEntry &row : contact_solvers())
+      if (!row.takes || row.takes(set.problems[0]))
+        for (const double tolerance :
+             quick ? std::vector<double>{1e-5, 1e-10} : std::vector<double>{1e-2, 1e-3, 1e-5, 1e-7, 1e-10})
+          all.push_back({row.name, tolerance, {}, {}});
+    // in turns, so that what disturbs the machine for a while disturbs all of them
+    for (unsigned int k = 0; k < repetitions; ++k)
+      for (Measured &one : all)
       {
-        std::vector<DenseVector> found;
-        std::vector<double> seconds;
-        for (unsigned int k = 0; k < repetitions; ++k)
-        {
-          const std::clock_t begin = std::clock();
-          found = forces(set, row.name, tolerance);
-          seconds.push_back(double(std::clock() - begin) / CLOCKS_PER_SEC);
-        }
-        double error = 0;
-        const auto &truth = row.name == "fixed point" ? by_newton : by_fixed_point;
-        for (unsigned int k = 0; k < found.size(); ++k)
-          if (truth[k].l2_norm() > 0)
-            error = std::max(error, difference(found[k], truth[k]));
-        std::printf("%s,%s,%g,%.3e", set.name.c_str(), row.name.c_str(), tolerance, error);
-        for (const double one : seconds)
-          std::printf(",%.6e", one);
-        std::printf("\n");
-        std::fflush(stdout);
+        const std::clock_t begin = std::clock();
+        one.found = forces(set, one.method, one.tolerance);
+        one.seconds.push_back(double(std::clock() - begin) / CLOCKS_PER_SEC);
       }
+    for (const Measured &one : all)
+    {
+      double error = 0;
+      const auto &truth = one.method == "fixed point" ? by_newton : by_fixed_point;
+      for (unsigned int k = 0; k < one.found.size(); ++k)
+        if (truth[k].l2_norm() > 0)
+          error = std::max(error, difference(one.found[k], truth[k]));
+      std::printf("%s,%s,%g,%.3e", set.name.c_str(), one.method.c_str(), one.tolerance, error);
+      for (const double seconds : one.seconds)
+        std::printf(",%.6e", seconds);
+      std::printf("\n");
     }
+    std::fflush(stdout);
   }
 } // namespace
 
