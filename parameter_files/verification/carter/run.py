@@ -33,7 +33,8 @@ with tempfile.TemporaryDirectory() as folder:
         for cells in (20, 40, 80, 160):
             h = 2 * a / cells
             subprocess.run([program, example, "--quiet", "--output", folder, "--set", "Output/Figures=false",
-                            "--set", "Output/Fields=false", "--set", f"Contact/Creep scheme={scheme}",
+                            "--set", "Output/Fields=false", "--set", "Rolling/Grids=one",
+                            "--set", f"Contact/Creep scheme={scheme}",
                             "--set", f"Contact/Grid spacing={h}"], check=True)
             with open(os.path.join(folder, "results.json")) as file:
                 case = json.load(file)["analyses"]["quasi_static_rolling"]["cases"][0]

@@ -20,7 +20,7 @@ with tempfile.TemporaryDirectory() as folder:
                 for y in (0, 0.5):
                     subprocess.run(
                         [program, example, "--quiet", "--output", folder, "--set", "Output/Figures=false",
-                         "--set", "Output/Fields=false", "--set", f"Contact/Creep scheme={scheme}",
+                         "--set", "Output/Fields=false", "--set", "Rolling/Grids=one", "--set", f"Contact/Creep scheme={scheme}",
                          "--set", f"Contact/Grid spacing={spacing}e-3", "--set", f"Contact/Offset x={x}",
                          "--set", f"Contact/Offset y={y}"], check=True)
                     with open(os.path.join(folder, "results.json")) as file:
