@@ -344,6 +344,11 @@ namespace vibrocontact
       else if (number == outline.rows.size() || outline.rows[number].region != row.region)
         throw open(row.end, "");
     }
+    if (loops.empty())
+      throw InputError(
+          "The section outline " + file +
+          " encloses nothing: all of its curves lie on its line of symmetry, a = 0; draw its right half, "
+          "at a >= 0.");
     loops.pop_back();
     check_crossings(loops, file);
     return loops;
