@@ -151,6 +151,10 @@ namespace vibrocontact
       if (nz > nzmax)
         refuse("has more triplets (nz) than places for them (nzmax)");
       const std::size_t entries = nz >= 0 ? nz : nzmax;
+      // room is made for all rows and columns: those of a problem have an entry for every point at least
+      if (std::size_t(std::max(m, n)) > 3 * entries + 3)
+        refuse("has " + std::to_string(m) + " rows and " + std::to_string(n) + " columns but only " +
+               std::to_string(entries) + " entries");
       const std::vector<int> p = file.integers(path + "/p", nz >= 0 ? entries : (nz == -1 ? n : m) + 1);
       const std::vector<int> index = file.integers(path + "/i", entries);
       const std::vector<double> x = finite_numbers(file, file_name, path + "/x", nzmax);
