@@ -45,7 +45,7 @@ namespace vibrocontact
     {
       std::vector<double> one = {static_cast<double>(value)};
       (*this)(name, one);
-      value = static_cast<T>(one.at(0));
+      value = number_as<T>(one.at(0));
     }
 
     /// lists of small whole numbers and enumerations

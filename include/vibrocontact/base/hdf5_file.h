@@ -1,12 +1,29 @@
 #pragma once
 
 #include <vibrocontact/base/dense.h>
+#include <vibrocontact/base/exceptions.h>
 
+#include <algorithm>
+#include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace vibrocontact
 {
+  /// A number of a file as what it is to be: a count (below 2^53), a flag, or a number.
+  /// @throws InputError if the type has no such value
+  template <typename T>
+  T number_as(const double value)
+  {
+    if constexpr (!std::is_floating_point_v<T>)
+      if (!(value >= static_cast<double>(std::numeric_limits<T>::min()) &&
+            value <= std::min(9007199254740992., static_cast<double>(std::numeric_limits<T>::max()))))
+        throw InputError("A count in a file is " + std::to_string(value) +
+                         ", which is none: the file is damaged; write it anew.");
+    return static_cast<T>(value);
+  }
+
   /// How the numbers of a set are kept in a file.
   struct Hdf5Storage
   {

@@ -207,9 +207,9 @@ namespace vibrocontact
       void operator()(const std::string &name, T &value) const
       {
         if constexpr (std::is_enum_v<T>)
-          value = static_cast<T>(static_cast<unsigned char>(file.number(name)));
+          value = static_cast<T>(number_as<unsigned char>(file.number(name)));
         else if constexpr (std::is_arithmetic_v<T>)
-          value = file.number(name);
+          value = number_as<T>(file.number(name));
         else if constexpr (std::is_same_v<T, std::string>)
           value = file.text(name);
         else if constexpr (std::is_same_v<T, std::vector<std::string>>)
