@@ -1,0 +1,173 @@
+"""Shipped scenes, what is asked of each, and which entries make its model smaller: the table of smallest_models.py.
+
+Values of a knob run from small to fine; the last is the truth of the knob. Entries that go with a knob (an element length with its
+step) stand in the same dictionary. Errors are relative to the quantity; of several numbers the largest one counts, each over its scale.
+"""
+from dataclasses import dataclass, field
+
+
+@dataclass
+class Knob:
+    """name, values by label from small to fine as entries, and the label of what the file ships."""
+    name: str
+    shipped: str
+    values: dict
+
+
+@dataclass
+class Scene:
+    """file       below parameter_files/examples
+    quantity   in words
+    ask        function of an analyses object of results.json: numbers by name
+    knobs      entries to vary, one at a time
+    base       entries of all runs of the study: what the quantity does not need is switched off
+    exact      closed form by name, where there is one
+    scale      what errors are over: "each" number itself, or the "largest" of them
+    expensive  only when named
+    reason     why the file keeps more than the smallest model, or less than 1 %"""
+    file: str
+    quantity: str
+    ask: object
+    knobs: list
+    base: dict = field(default_factory=dict)
+    exact: dict = field(default_factory=dict)
+    scale: str = "each"
+    expensive: bool = False
+    reason: str = ""
+
+
+def one(name, entry, shipped, *values, more=None):
+    """Knob of one entry; more(value): entries that go with it."""
+    return Knob(name, str(shipped), {str(value): {entry: value, **(more(value) if more else {})} for value in values})
+
+
+def growths(analyses):
+    """Growth rates of the unstable roots by name [1/s]."""
+    return {root["label"]: root["growth_1_s"] for root in analyses["stability"]["unstable"]}
+
+
+def forces(analyses):
+    """Tangential forces and normal force of all rolling cases, over the normal force."""
+    rolling = analyses["quasi_static_rolling"]
+    cases = [case for contact in rolling["contacts"].values() for case in contact["cases"]] if "contacts" in rolling else rolling["cases"]
+    return {f"case {k} {axis}": case["tangential_force_N"][i] / case["normal_force_N"]
+            for k, case in enumerate(cases) for i, axis in enumerate("xy")}
+
+
+def motion(analyses):
+    """Swing of the tip [m], impulse [N s] and energy [J] of a periodic motion."""
+    found = analyses["periodic"][0]
+    return {"swing": found["tip_max_m"] - found["tip_min_m"], "impulse": found["impulse_Ns"][0], "energy": found["energy_norm_J"]}
+
+
+def contact_range(analyses):
+    """From the first grazing to the highest fold [Hz], 0 without them."""
+    response = analyses["response"]
+    return {"contact range": max(response["folds_Hz"], default=0.) - min(response["grazing_Hz"], default=0.)}
+
+
+def impulse(analyses):
+    """Impulse of a transient [N s]."""
+    return {"impulse": analyses["transient"]["impulse_Ns"]}
+
+
+def impulses(analyses):
+    """Impulses of the points of a modal convolution [N s]; the largest is their scale."""
+    return {f"point {k}": value for k, value in enumerate(analyses["modal_convolution"]["impulse_Ns"])}
+
+
+def friction_work(analyses):
+    """Work of friction of a modal convolution [J]."""
+    return {"friction": analyses["modal_convolution"]["friction_J"]}
+
+
+def end_force(analyses):
+    """Tangential force at the end and impulse of a transient [N, N s]."""
+    return {"end": analyses["transient"]["last"]["tangential_force_N"][1]}
+
+
+def fit(analyses):
+    """One plus the error E of the fitted poles: what is left to one is E itself."""
+    return {"fit": 1 + analyses["identification"][0]["error_E"]}
+
+
+NO_PAIRS = {"Periodic/Comparison/Pairs": "", "Periodic/Reference": "false"}
+NO_ESTIMATE = {"Transient/Error estimate": "false"}
+FUNCTIONS = (15, 31, 63, 127, 255)
+
+
+def bar_knobs(functions, *numbers):
+    return [one("functions", "Periodic/Number of functions", functions, *numbers),
+            one("elements", "bar/Bar/Divisions", 25, 10, 15, 25, 50, 100),
+            Knob("modes", "all", {**{str(n): {"Periodic/Model": "reduced", "bar/Modes/Count": n} for n in (2, 5, 10)}, "all": {}})]
+
+
+SCENES = [
+    Scene("axial_bar_150", "swing, impulse and energy of the periodic motion", motion, bar_knobs(127, *FUNCTIONS), NO_PAIRS),
+    Scene("axial_bar_1275", "swing, impulse and energy of the periodic motion", motion, bar_knobs(127, *FUNCTIONS), NO_PAIRS),
+    Scene("axial_bar_signorini", "swing, impulse and energy of the periodic motion", motion, bar_knobs(63, *FUNCTIONS), NO_PAIRS),
+    Scene("axial_bar_response", "frequencies in contact: first grazing to fold", contact_range,
+          bar_knobs(63, 15, 31, 63, 127), {"Periodic/Continuation/Pairs": "", "Periodic/Continuation/Location tolerance": 1e-3}),
+    Scene("blade_rub", "frequencies in contact: first grazing to fold", contact_range,
+          [one("functions", "Periodic/Number of functions", 101, 15, 31, 63, 101, 201), one("modes", "blade/Modes/Count", 20, 1, 3, 6, 10, 20, 40),
+           Knob("elements", "16 x 8, degree 3", {
+               "8 x 4, degree 2": {"blade/Blade/Length divisions": 8, "blade/Blade/Chord divisions": 4, "blade/Blade/Element degree": 2},
+               "8 x 4, degree 3": {"blade/Blade/Length divisions": 8, "blade/Blade/Chord divisions": 4},
+               "16 x 8, degree 3": {}, "24 x 12, degree 3": {"blade/Blade/Length divisions": 24, "blade/Blade/Chord divisions": 12}})],
+          {"Periodic/Continuation/Pairs": "", "Periodic/Continuation/Numbers": ""}),
+    Scene("bouncing_bar", "impulse, closed form 200 N s", impulse,
+          [one("modes", "bar/Modes/Count", 20, 5, 10, 20, 40), one("step, s", "Transient/Time step", 1e-3, 4e-3, 2e-3, 1e-3, 5e-4)],
+          NO_ESTIMATE, {"impulse": 200.}),
+    Scene("bouncing_bar_gravity", "impulse, closed form 1600 N s", impulse,
+          [one("elements and step", "bar/Bar/Divisions", 200, 25, 50, 100, 200, 400, more=lambda n: {"Transient/Time step": 10 / n / 120})],
+          NO_ESTIMATE, {"impulse": 1600.}),
+    Scene("carter", "force over mu N, closed form 0.64", forces,
+          [one("grid, m", "Contact/Grid spacing", 0.000125, 5e-4, 2.5e-4, 1.25e-4)],
+          {}, {"case 0 x": -0.64 * 0.3, "case 0 y": 0.}, "largest"),
+    Scene("creep_curves", "creep forces of all cases over mu N", forces,
+          [one("grid, m", "Contact/Grid spacing", 0.001, 2e-3, 1.5e-3, 1e-3, 5e-4)], {}, {}, "largest"),
+    Scene("half_space_rolling", "creep force over mu N", forces,
+          [one("grid, m", "Contact/Grid spacing", 0.001, 3e-3, 2e-3, 1.5e-3, 1e-3, 5e-4, 2.5e-4)], {}, {}, "largest"),
+    Scene("rolling_transient", "lateral force at the end, limit of the creep force 0.712 mu N", end_force,
+          [one("grid, m", "Contact/Grid spacing", 0.001, 2e-3, 1.5e-3, 1e-3, 5e-4),
+           Knob("step, s", "1e-05", {str(h): {"Transient/Time step": h} for h in (1e-4, 4e-5, 2e-5, 1e-5, 5e-6)})],
+          {"Analyses": "transient", **NO_ESTIMATE}, {"end": -0.712 * 0.3 * 66000}),
+    Scene("several_contacts", "growth of the unstable roots", growths, [one("modes", "block/Modes/Count", 20, 5, 10, 20, 40, 80)],
+          {}, {}, "largest"),
+    Scene("sliding_layer", "growth of the unstable roots", growths,
+          [Knob("elements", "16 x 8", {f"{2 * n} x {n}": {"layer/Layer/Divisions x": 2 * n, "layer/Layer/Divisions z": n} for n in (4, 8, 12, 16)}),
+           one("degree", "layer/Layer/Element degree", 1, 1, 2)], {"Analyses": "stability"}, {}, "largest"),
+    Scene("identify_tyre", "error E of the fit", fit,
+          [one("pairs of poles", "Identification/Numbers of pole pairs", "16, 25", 8, 12, 16, 20, 25, 30)],
+          {"Identification/Method": "vector fitting", "Identification/Stabilisation chart": "false"}, {"fit": 1.}),
+    Scene("tyre_from_data", "impulses, those of the ring itself known", impulses,
+          [one("pairs of poles", "Identification/Numbers of pole pairs", 25, 8, 12, 16, 20, 25, 30),
+           one("step, s", "Modal convolution/Time step", 2e-05, 8e-5, 4e-5, 2e-5, 1e-5)], {}, {}, "largest"),
+    Scene("oscillator_on_belt", "work of friction", friction_work,
+          [one("step, s", "Modal convolution/Time step", 2.5e-05, 4e-4, 2e-4, 1e-4, 5e-5, 2.5e-5, 1.25e-5)]),
+    Scene("oscillator_on_sine", "impulse", impulses, [one("step, s", "Modal convolution/Time step", 0.0001, 1e-3, 4e-4, 1e-4, 5e-5)]),
+    Scene("tyre_three_points", "impulses of the points", impulses,
+          [one("orders", "tyre/Ring/Highest order", 60, 10, 20, 30, 40, 50, 60, 120),
+           one("step, s", "Modal convolution/Time step", 2e-05, 1.6e-4, 8e-5, 4e-5, 2e-5, 1e-5)], {}, {}, "largest"),
+    Scene("tyre_rolling", "impulse of all points", lambda analyses: {"impulse": sum(analyses["modal_convolution"]["impulse_Ns"])},
+          [one("orders", "tyre/Ring/Highest order", 50, 20, 30, 40, 50, 80),
+           Knob("points", "100", {str(n): {"tyre/Ring/Contact points": n, "tyre/Ring/Contact spacing": 0.12 / n, "tyre/Ring/Tread stiffness": 4032000 / n}
+                                  for n in (25, 50, 100, 200)}),
+           one("step, s", "Modal convolution/Time step", 1.953125e-05, 7.8125e-5, 3.90625e-5, 1.953125e-5, 9.765625e-6)],
+          {"Modal convolution/End time": 0.1}),
+    Scene("wheel_study", "growth of the unstable roots", growths,
+          [one("modes to, Hz", "wheel/Modes/Upper frequency", 6000, 4500, 6000, 9000), one("grid, m", "Contact/Grid spacing", 0.0015, 3e-3, 1.5e-3, 1e-3),
+           one("section cells, m", "wheel/Wheel/Section cell size", 0.012, 24e-3, 12e-3, 8e-3)], {"Analyses": "stability"}, {}, "largest", True),
+    Scene("curve_squeal", "growth of the unstable roots", growths,
+          [one("modes to, Hz", "wheel/Modes/Upper frequency", 8000, 4000, 6000, 8000, 12000), one("grid, m", "Contact/Grid spacing", 0.001, 2e-3, 1e-3, 5e-4)],
+          {"Analyses": "stability"}, {}, "largest", True),
+    Scene("squeal_map", "growth of the unstable roots at one place", growths,
+          [one("modes to, Hz", "wheel/Modes/Upper frequency", 5000, 3000, 5000, 8000), one("rail's modes to, Hz", "rail/Modes/Upper frequency", 5000, 3000, 5000, 10000)],
+          {"Stability/Sweep/Entry": "", "Stability/Sweep/Range": "", "Stability/Sweep/Second entry": "", "Stability/Sweep/Second values": ""}, {}, "largest", True),
+    Scene("wheel_on_rail", "forces over the normal force", forces,
+          [one("wheel's modes to, Hz", "wheel/Modes/Upper frequency", 8000, 2000, 8000), one("grid, m", "Contact/Grid spacing", 0.001, 2e-3, 1e-3)],
+          {"Analyses": "quasi-static rolling"}, {}, "largest", True),
+    Scene("curve_squeal_solid", "growth of the unstable roots", growths,
+          [one("modes to, Hz", "wheel/Modes/Upper frequency", 8000, 5000, 8000), one("rail's modes to, Hz", "rail/Modes/Upper frequency", 5000, 3500, 5000)],
+          {"Analyses": "quasi-static rolling, stability"}, {}, "largest", True),
+]
