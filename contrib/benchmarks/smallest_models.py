@@ -44,9 +44,11 @@ def error(found, truth, scale):
 def study(bench, scene, knob):
     """Rows (label, error, seconds, what was said) of a knob, from small to fine."""
     found = {label: run(bench, scene, entries) for label, entries in knob.values.items()}
-    answers = [answer for answer, _ in found.values() if answer]
+    answers = [answer for answer, _ in found.values() if answer is not None]
     truth = scene.exact or (answers[-1] if answers else {})
-    return [(label, error(answer, truth, scene.scale), cost, "") if answer else (label, None, None, cost) for label, (answer, cost) in found.items()]
+    if not truth:
+        return [(label, None, None, cost if answer is None else "there is nothing to compare") for label, (answer, cost) in found.items()]
+    return [(label, error(answer, truth, scene.scale), cost, "") if answer is not None else (label, None, None, cost) for label, (answer, cost) in found.items()]
 
 
 def verdict(scene, knob, rows):
