@@ -75,7 +75,8 @@ namespace vibrocontact
 
   ContactResidual::ContactResidual(const ContactProblem &problem, const double tangential_factor)
       : rho_normal(1 / problem.A->mean_diagonal(0)),
-        rho_tangential(tangential_rho(problem, tangential_factor)), problem(problem)
+        rho_tangential(tangential_rho(problem, tangential_factor)), tangential_factor(tangential_factor),
+        problem(problem)
   {
     if (!(rho_normal > 0 && rho_tangential > 0 && std::isfinite(rho_normal) && std::isfinite(rho_tangential)))
     {
@@ -88,6 +89,21 @@ namespace vibrocontact
     }
   }
 
+  double ContactResidual::rho_normal_of(const unsigned int point) const
+  {
+    const double compliance = problem.A->diagonal(0, point);
+    return compliance > 0 ? 1 / compliance : rho_normal;
+  }
+
+  double ContactResidual::rho_tangential_of(const unsigned int point) const
+  {
+    const unsigned int n_tangential = problem.n_components() - 1;
+    double compliance = 0;
+    for (unsigned int c = 1; c <= n_tangential; ++c)
+      compliance += problem.A->diagonal(c, point);
+    return compliance > 0 ? n_tangential * tangential_factor / compliance : rho_tangential;
+  }
+
   double ContactResidual::evaluate(const DenseVector &R, const DenseVector &y, DenseVector &projected,
                                    std::vector<ContactStatus> &status) const
   {
@@ -95,33 +111,38 @@ namespace vibrocontact
     if (projected.size() != n_components * n)
       projected.reinit(n_components * n);
     status.resize(n);
-    double difference = 0, scale = 0, normal = 0;
+    double normal_defect = 0, tangential_defect = 0, normal = 0, friction_limit = 0;
     for (unsigned int i = 0; i < n; ++i)
     {
-      const double force = problem.normal_law[i].project(R[i], y[i], rho_normal).force;
+      const double force = problem.normal_law[i].project(R[i], y[i], rho_normal_of(i)).force;
       projected[i] = force;
       status[i] = force > 0 ? ContactStatus::stick : ContactStatus::open;
-      difference += std::pow(R[i] - force, 2);
+      normal_defect += std::pow(R[i] - force, 2);
       normal += force * force;
       if (n_components == 1)
         continue;
       const auto own = at_point(R, n, n_components, i), slip = at_point(y, n, n_components, i);
-      const DiscProjection friction = project_on_disc(
-          {{own[1] - rho_tangential * slip[1], own[2] - rho_tangential * slip[2]}}, problem.mu[i] * force);
+      const double rho = rho_tangential_of(i);
+      const DiscProjection friction =
+          project_on_disc({{own[1] - rho * slip[1], own[2] - rho * slip[2]}}, problem.mu[i] * force);
       if (force > 0 && !friction.sticks)
         status[i] = ContactStatus::slip;
       for (unsigned int c = 1; c < n_components; ++c)
       {
         projected[c * n + i] = friction.force[c - 1];
-        difference += std::pow(own[c] - friction.force[c - 1], 2);
+        tangential_defect += std::pow(own[c] - friction.force[c - 1], 2);
       }
-      scale += std::pow(problem.mu[i] * force, 2);
+      friction_limit += std::pow(std::min(problem.mu[i], 1.) * force, 2);
     }
-    if (scale == 0)
-      scale = normal;
-    if (scale == 0)
-      scale = difference; // forces that all have to go: as wrong as can be
-    return difference == 0 ? 0 : std::sqrt(difference / scale);
+    if (normal_defect == 0 && tangential_defect == 0)
+      return 0;
+    if (normal == 0)
+      return 1; // forces that all have to go: as wrong as can be
+    if (friction_limit == 0)
+      friction_limit = normal;
+    constexpr double least = 1e-3;
+    return std::sqrt(normal_defect / std::max(friction_limit, least * least * normal) +
+                     tangential_defect / friction_limit);
   }
 
   std::vector<unsigned int> loaded_points(const DenseVector &R, const unsigned int n_points)

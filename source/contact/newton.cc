@@ -67,14 +67,25 @@ namespace vibrocontact
     void find()
     {
       begin();
-      while (s.residual > parameters.tolerance && s.iterations < parameters.max_newton_iterations)
+      bool goes_on = true;
+      while (goes_on)
       {
-        ++s.iterations;
-        const bool improves = find_step() && take_step();
-        if (!improves && !fall_back())
-          break;
+        while (goes_on && s.residual > parameters.tolerance &&
+               s.iterations < parameters.max_newton_iterations)
+        {
+          ++s.iterations;
+          const bool improves = find_step() && take_step();
+          goes_on = improves || fall_back();
+        }
+        finish();
+        // what long steps left of rounding in y was found out: once more, from there
+        goes_on = goes_on && !s.converged && s.iterations < parameters.max_newton_iterations;
+        if (goes_on)
+        {
+          judge_state();
+          best = s;
+        }
       }
-      finish();
     }
 
     void begin()
@@ -113,7 +124,7 @@ namespace vibrocontact
     /// Newton's direction into dR and d_approach; false if there is none
     bool find_step()
     {
-      J.linearise(*problem, residual->rho_normal, residual->rho_tangential, s.R, s.y);
+      J.linearise(*problem, *residual, s.R, s.y);
       const std::vector<unsigned int> &points = J.points();
       const unsigned int m = points.size();
       if (problem->force_given() && m == 0)

@@ -2,33 +2,34 @@
 
 namespace vibrocontact
 {
-  void NewtonJacobian::linearise(const ContactProblem &of, const double rho_normal,
-                                 const double rho_tangential, const DenseVector &R, const DenseVector &y)
+  void NewtonJacobian::linearise(const ContactProblem &of, const ContactResidual &residual,
+                                 const DenseVector &R, const DenseVector &y)
   {
     problem = &of;
     n = of.n_points();
     components = of.n_components();
-    rho_t = rho_tangential;
     active.clear();
     rows.clear();
     for (unsigned int i = 0; i < n; ++i)
     {
-      const NormalLaw::Projection normal = of.normal_law[i].project(R[i], y[i], rho_normal);
+      const NormalLaw::Projection normal = of.normal_law[i].project(R[i], y[i], residual.rho_normal_of(i));
       if (normal.by_force == 0 && normal.by_gap == 0)
         continue;
       active.push_back(i);
       if (components == 1)
       {
-        rows.push_back({normal.by_force, normal.by_gap, {}, {}});
+        rows.push_back({normal.by_force, normal.by_gap, {}, {}, 0});
         continue;
       }
       const auto force = at_point(R, n, components, i), slip = at_point(y, n, components, i);
-      const DiscProjection friction = project_on_disc(
-          {{force[1] - rho_t * slip[1], force[2] - rho_t * slip[2]}}, of.mu[i] * normal.force);
+      const double rho = residual.rho_tangential_of(i);
+      const DiscProjection friction =
+          project_on_disc({{force[1] - rho * slip[1], force[2] - rho * slip[2]}}, of.mu[i] * normal.force);
       rows.push_back({normal.by_force,
                       normal.by_gap,
                       friction.by_trial,
-                      {{of.mu[i] * friction.by_radius[0], of.mu[i] * friction.by_radius[1]}}});
+                      {{of.mu[i] * friction.by_radius[0], of.mu[i] * friction.by_radius[1]}},
+                      rho});
     }
   }
 
@@ -42,7 +43,7 @@ namespace vibrocontact
                                               const double dsy) const
   {
     const double dP = r.by_force * dN + r.by_gap * dgap;
-    const double tx = dTx - rho_t * dsx, ty = dTy - rho_t * dsy;
+    const double tx = dTx - r.rho * dsx, ty = dTy - r.rho * dsy;
     return {{dN - dP, dTx - r.by_trial[0][0] * tx - r.by_trial[0][1] * ty - r.by_radius[0] * dP,
              dTy - r.by_trial[1][0] * tx - r.by_trial[1][1] * ty - r.by_radius[1] * dP}};
   }

@@ -36,6 +36,11 @@ namespace vibrocontact
     virtual void extract(const std::vector<unsigned int> &points, DenseMatrix &block) const = 0;
     /// mean of the diagonal entries of a component's own block
     virtual double mean_diagonal(unsigned int component) const = 0;
+    /// the diagonal entry of a point, or the mean where points hardly differ
+    virtual double diagonal(const unsigned int component, const unsigned int /*point*/) const
+    {
+      return mean_diagonal(component);
+    }
     /// whether vmult costs much less than a dense product, so that iterative solvers pay for many points
     virtual bool fast_product() const = 0;
   };
@@ -51,6 +56,11 @@ namespace vibrocontact
     void vmult(DenseVector &y, const DenseVector &R, const std::vector<unsigned int> &sources) const override;
     void extract(const std::vector<unsigned int> &points, DenseMatrix &block) const override;
     double mean_diagonal(unsigned int component) const override;
+    double diagonal(const unsigned int component, const unsigned int point) const override
+    {
+      const unsigned int row = contact_row(n_points(), component, point);
+      return matrix(row, row);
+    }
     bool fast_product() const override { return false; }
 
   private:

@@ -94,7 +94,7 @@ namespace vibrocontact
     /// of a start: y is that of R and approach for the problem to be solved, nobody has to compute it
     bool response_known = false;
     bool converged = false;
-    /// norm of R - projections over norm of mu N (over norm of N without friction), see ContactResidual
+    /// relative size of R - projections, see ContactResidual
     double residual = 0;
     unsigned int iterations = 0, factorisations = 0, linear_iterations = 0, fallbacks = 0;
     /// of those who ask for a solution, not for a step
@@ -104,9 +104,14 @@ namespace vibrocontact
     bool is_finite() const;
   };
 
-  /// The residual by which all solvers are judged: R minus its projections with rho = 1 / mean diagonal of A.
+  /// The residual by which all solvers are judged: R minus its projections, each point with rho of its own, 1 / A_nn and
+  /// 2 / (A_xx + A_yy). One rho for all would not see the forces of points that are much stiffer than the mean.
   ///
-  ///   F_n = N - P(N, gap; rho_n),   F_t = T - Proj_disc(mu P)(T - rho_t s),   residual = |F| / |mu N|
+  ///   F_n = N - P(N, gap; rho_n),   F_t = T - Proj_disc(mu P)(T - rho_t s)
+  ///   residual^2 = |F_n|^2 / max(|m N|, |N| / 1000)^2 + |F_t|^2 / |m N|^2,   m = min(mu, 1)
+  ///
+  /// So the forces of friction are right to the tolerance for any mu: below 1e-3 the normal ones would otherwise have to be
+  /// right beyond rounding, above 1 sticking ones would not be looked at. Without friction it is |F_n| / |N|.
   class ContactResidual
   {
   public:
@@ -118,9 +123,15 @@ namespace vibrocontact
     double evaluate(const DenseVector &R, const DenseVector &y, DenseVector &projected,
                     std::vector<ContactStatus> &status) const;
 
+    /// of a point [N/m], [N s/m]
+    double rho_normal_of(unsigned int point) const;
+    double rho_tangential_of(unsigned int point) const;
+
+    /// those of the mean diagonal, of points without compliance of their own
     const double rho_normal, rho_tangential;
 
   private:
+    const double tangential_factor;
     const ContactProblem &problem;
   };
 

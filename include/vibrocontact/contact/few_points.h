@@ -14,7 +14,7 @@ namespace vibrocontact
   ///   y = A R + b - approach a,   N_i = P(N_i, gap_i; rho_i),   T_i = Proj_disc(mu_i N_i)(T_i - rho_i' s_i)
   ///
   /// each point with rho of its own, 1 / A_nn and 1 / max(A_xx, A_yy). Where Newton's steps do not lower the defect the
-  /// points are projected one after the other.
+  /// points are projected one after the other, in turn wholly and by shorter steps.
   ///
   /// Steps go on while the largest defect of a projection falls, to 1e-11 of the largest force or of that which would
   /// close the widest gap; what they leave is projected once. It has converged where ContactResidual, which judges all
@@ -35,7 +35,8 @@ namespace vibrocontact
   private:
     double linearise(const ContactProblem &problem, const ContactResidual &judge, const double *R);
     bool take_step(const ContactProblem &problem, const ContactResidual &judge, double *R, double &error);
-    double project(const ContactProblem &problem, const ContactResidual &judge, double *R);
+    double project(const ContactProblem &problem, const ContactResidual &judge, double *R,
+                   double relaxation = 1);
     bool find(const ContactProblem &problem, const ContactResidual &judge, ContactSolution &state,
               double &error);
 

@@ -26,13 +26,15 @@ namespace vibrocontact
       double by_force, by_gap;
       std::array<Vector2, 2> by_trial;
       Vector2 by_radius;
+      /// rho_t of the point [N s/m]
+      double rho;
     };
     using Rows = std::vector<Row>;
 
     /// Takes a state of a problem, which is referred to until the next one.
-    /// @param rho_normal, rho_tangential those of the projections [N/m, N s/m]
-    void linearise(const ContactProblem &problem, double rho_normal, double rho_tangential,
-                   const DenseVector &R, const DenseVector &y);
+    /// @param residual whose rho the projections have
+    void linearise(const ContactProblem &problem, const ContactResidual &residual, const DenseVector &R,
+                   const DenseVector &y);
 
     /// active points, ascending
     const std::vector<unsigned int> &points() const { return active; }
@@ -66,7 +68,6 @@ namespace vibrocontact
 
     const ContactProblem *problem = nullptr;
     unsigned int n = 0, components = 3;
-    double rho_t = 0;
     std::vector<unsigned int> active;
     Rows rows;
     mutable DenseVector dR, dy;

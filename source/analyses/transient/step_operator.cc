@@ -274,9 +274,9 @@ namespace vibrocontact
     // of the whole grid: rho does not move with the points that are nearby
     for (unsigned int c = 0; c < 3; ++c)
     {
-      diagonal[c] = matrices.half_spaces ? matrices.half_space_response->mean_diagonal(c) : 0;
+      mean[c] = matrices.half_spaces ? matrices.half_space_response->mean_diagonal(c) : 0;
       for (unsigned int i = 0; i < n && !matrices.half_spaces; ++i)
-        diagonal[c] += matrices.response(contact_row(n, c, i), contact_row(n, c, i)) / n;
+        mean[c] += matrices.response(contact_row(n, c, i), contact_row(n, c, i)) / n;
     }
   }
 

@@ -63,8 +63,15 @@ namespace vibrocontact
     unsigned int n_points() const override { return nearby.size(); }
     void vmult(DenseVector &y, const DenseVector &R, const std::vector<unsigned int> &sources) const override;
     void extract(const std::vector<unsigned int> &points, DenseMatrix &block) const override;
-    double mean_diagonal(unsigned int component) const override { return diagonal[component]; }
-    bool fast_product() const override { return matrices.half_space_response != nullptr; }
+    double mean_diagonal(unsigned int component) const override { return mean[component]; }
+    double diagonal(const unsigned int component, const unsigned int point) const override
+    {
+      if (matrices.half_spaces)
+        return mean[component];
+      const unsigned int row = contact_row(matrices.contacts.n_points(), component, nearby[point]);
+      return matrices.response(row, row);
+    }
+    bool fast_product() const override { return matrices.half_spaces != nullptr; }
 
     /// the points of the grid, in the operator's order
     const std::vector<unsigned int> &points() const { return nearby; }
@@ -89,7 +96,7 @@ namespace vibrocontact
     unsigned int n_wet = 0;
     /// V d/dx + 1/h at each nearby point: places among the wet points and their factors [1/s]
     std::vector<std::vector<std::pair<unsigned int, double>>> transport;
-    double diagonal[3];
+    double mean[3];
     /// of the nearby points: basis, and StepMatrices::by_displacement and by_velocity side by side; 3
     /// n_points x rank, twice the rank
     DenseMatrix basis, by_motion;
