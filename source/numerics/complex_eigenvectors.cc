@@ -1,15 +1,43 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/numerics/complex_eigenvectors.h>
 
 #include <deal.II/lac/lapack_templates.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace vibrocontact
 {
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    /// Largest entry of A - right diag(values) left over that of A.
+    double missing(const dealii::LAPACKFullMatrix<Complex> &A, const ComplexEigenvectors &found)
+    {
+      const unsigned int n = A.m();
+      dealii::LAPACKFullMatrix<Complex> scaled(n, n), product(n, n);
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+          scaled(i, j) = Complex(found.right(i, j)) * found.values[j];
+      scaled.mmult(product, found.left);
+      double size = 0, worst = 0;
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          size = std::max(size, std::abs(Complex(A(i, j))));
+          worst = std::max(worst, std::abs(Complex(product(i, j)) - Complex(A(i, j))));
+        }
+      return size > 0 ? worst / size : 0;
+    }
+  } // namespace
+
   ComplexEigenvectors complex_eigenvectors(dealii::LAPACKFullMatrix<std::complex<double>> A,
                                            const std::string &of)
   {
-    using Complex = std::complex<double>;
     const unsigned int n = A.m();
+    const dealii::LAPACKFullMatrix<Complex> given(A);
     ComplexEigenvectors result;
     result.values.resize(n);
     result.right.reinit(n, n);
@@ -27,6 +55,11 @@ namespace vibrocontact
       for (unsigned int i = 0; i < n; ++i)
         result.left(i, j) = result.right(i, j);
     result.left.invert();
+    const double error = missing(given, result);
+    if (!(error < 1e-6))
+      throw ConvergenceError("There are not as many independent eigenvectors as " + of +
+                             ": two of them are one (their sum leaves " + number_text(error) +
+                             " of the matrix); change a stiffness, a speed or a frequency by a millionth.");
     return result;
   }
 } // namespace vibrocontact

@@ -68,15 +68,19 @@ namespace vibrocontact
   ModalStep exact_step(const double omega, const double zeta, const double step,
                        const ReactionWeighting weighting)
   {
-    // State (q, h v, h^2 p, h^2 (p1 - p0)) over the step scaled to one: all entries are of order one.
-    const long double wh = static_cast<long double>(omega) * step;
+    // State (s q, h v, h^2 p, h^2 (p1 - p0)) over the step scaled to one. With s = max(1, w h) entries are of the order of w h at
+    // most: unscaled, (w h)^2 would cost digits in long steps.
+    const long double wh = static_cast<long double>(omega) * step, scale = std::max(1.L, wh);
     LongMatrix a{};
-    a[0][1] = 1;
-    a[1][0] = -wh * wh;
+    a[0][1] = scale;
+    a[1][0] = -wh * wh / scale;
     a[1][1] = -2 * zeta * wh;
     a[1][2] = 1;
     a[2][3] = 1;
-    const LongMatrix e = exponential(a);
+    LongMatrix e = exponential(a);
+    for (unsigned int j = 1; j < 4; ++j)
+      e[0][j] /= scale;
+    e[1][0] *= scale;
     const long double h = step;
     ModalStep s;
     for (unsigned int i = 0; i < 2; ++i)

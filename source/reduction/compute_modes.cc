@@ -136,7 +136,10 @@ namespace vibrocontact
       text << "orthonormality error " << modes.orthonormality_error << ", residual " << modes.residual;
       run_log().line(text.str());
       if (!(modes.orthonormality_error < 1e-8) || !(modes.residual < 1e-4))
-        throw ConvergenceError("Body '" + system.body + "': the modes are not accurate: " + text.str() + ".");
+        throw ConvergenceError(
+            "Body '" + system.body + "': the modes are not accurate: " + text.str() +
+            "; rounding of the stiffness is more than its weakest motions resist: it or its "
+            "cells are too slender, or its materials too unlike.");
     }
   } // namespace
 

@@ -93,6 +93,29 @@ namespace vibrocontact
          << cost.operations / 1e9 << " Gflop, " << cost.megabytes_rank << " MB on the fullest rank, "
          << cost.megabytes_total << " MB in all";
     run_log().line(text.str());
+    if (phi.empty())
+      check_digits();
+  }
+
+  // What a second solution finds in the residual of the first is the error that rounding makes of a static answer.
+  void Flexibility::check_digits()
+  {
+    Vector motion(system.locally_owned, system.communicator), force(motion), u(motion), left(motion),
+        more(motion);
+    motion = 1.;
+    system.mass.vmult(force, motion);
+    vmult(u, force);
+    system.stiffness.vmult(left, u);
+    left.sadd(-1., force);
+    vmult(more, left);
+    const double error = force.l2_norm() > 0 ? more.l2_norm() / u.l2_norm() : 0;
+    if (!(error < 1e-3))
+      throw InputError(
+          "Body '" + system.body + "': its stiffness has no digits left for its weakest motion, as " +
+          number_text(100 * error) +
+          " % of a static answer are rounding; it or its cells are too slender, or its materials too "
+          "unlike: make it shorter or thicker, or a body of Type = bar or rail that knows "
+          "slender ones.");
   }
 
   void Flexibility::make_rigid_modes()

@@ -29,7 +29,8 @@ namespace vibrocontact
   class Flexibility
   {
   public:
-    /// @throws InputError if a motion said to be rigid costs energy, or a body said to be held is not
+    /// @throws InputError if a motion said to be rigid costs energy, a body said to be held is not, or rounding leaves less than
+    /// three digits of how a held one bends under its own weight in all directions
     explicit Flexibility(const SecondOrderSystem &system);
 
     /// u = G f
@@ -52,6 +53,7 @@ namespace vibrocontact
 
   private:
     void make_rigid_modes();
+    void check_digits();
     std::vector<dealii::types::global_dof_index> support_dofs() const;
 
     const SecondOrderSystem &system;

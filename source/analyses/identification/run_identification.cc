@@ -4,6 +4,7 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/output/verdict.h>
 #include <vibrocontact/receptances/frequency_csv.h>
 #include <vibrocontact/receptances/uff58.h>
@@ -14,6 +15,27 @@
 
 namespace vibrocontact
 {
+  namespace
+  {
+    /// E of a fit that follows nothing [-]
+    constexpr double misses_most = 0.5;
+
+    /// Refuses where not even the best of some fits follows the data: noise has no poles.
+    void check_best(const std::vector<Identification> &fits, Results &results)
+    {
+      const auto best = std::min_element(fits.begin(), fits.end(),
+                                         [](const Identification &a, const Identification &b)
+                                         { return a.worst() < b.worst(); });
+      if (best != fits.end() && !(best->worst() < misses_most))
+        refuse("identification",
+               "No model follows the data: the best, by " + best->method + " with " +
+                   std::to_string(best->n_asked) + " pole pairs, misses E = " + number_text(best->worst()) +
+                   " of the worst entry; they are noise, or need more in Identification/Numbers of pole "
+                   "pairs or a narrower band.",
+               results);
+    }
+  } // namespace
+
   void run_identification(const Parameters &parameters, const MeasuredData &measured,
                           const std::string &folder, Results &results)
   {
@@ -50,6 +72,7 @@ namespace vibrocontact
         one["chart"] = "identification_chart.csv";
       list.push_back(one);
     }
+    check_best(fits, results);
     std::vector<ChartPole> chart;
     if (own.chart)
     {
