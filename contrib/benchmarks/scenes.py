@@ -49,9 +49,14 @@ def growths(analyses):
 def forces(analyses):
     """Tangential forces and normal force of all rolling cases, over the normal force."""
     rolling = analyses["quasi_static_rolling"]
-    cases = [case for contact in rolling["contacts"].values() for case in contact["cases"]] if "contacts" in rolling else rolling["cases"]
     return {f"case {k} {axis}": case["tangential_force_N"][i] / case["normal_force_N"]
-            for k, case in enumerate(cases) for i, axis in enumerate("xy")}
+            for k, case in enumerate(rolling["cases"]) for i, axis in enumerate("xy")}
+
+
+def contact_loads(analyses):
+    """Normal force of each of several contacts [N]."""
+    contacts = analyses["quasi_static_rolling"]["contacts"]
+    return {name: contact["cases"][0]["normal_force_N"] for name, contact in contacts.items()}
 
 
 def motion(analyses):
@@ -132,10 +137,10 @@ SCENES = [
           [one("grid, m", "Contact/Grid spacing", 0.001, 2e-3, 1.5e-3, 1e-3, 5e-4),
            Knob("step, s", "1e-05", {str(h): {"Transient/Time step": h} for h in (1e-4, 4e-5, 2e-5, 1e-5, 5e-6)})],
           {"Analyses": "transient", **NO_ESTIMATE}, {"end": -0.712 * 0.3 * 66000}),
-    Scene("several_contacts", "forces of both contacts over the normal force", forces,
-          [one("modes", "block/Modes/Count", 20, 1, 5, 20, 40), Knob("grid and elements", "2 mm", {
+    Scene("several_contacts", "normal forces of both contacts", contact_loads,
+          [Knob("grid and elements", "2 mm", {
               "2 mm": {}, "1 mm": {"block/Block/Divisions x": 30, "block/Block/Divisions y": 14, "block/Block/Divisions z": 4,
-                                   "left/Grid spacing": 1e-3, "right/Grid spacing": 1e-3}})],
+                                   "left/Grid spacing": 1e-3, "right/Grid spacing": 1e-3, "left/Half width": 3e-3, "right/Half width": 3e-3}})],
           {"Analyses": "quasi-static rolling"}, {}, "largest"),
     Scene("sliding_layer", "growth of the unstable roots", growths,
           [Knob("elements", "16 x 8", {f"{2 * n} x {n}": {"layer/Layer/Divisions x": 2 * n, "layer/Layer/Divisions z": n} for n in (4, 8, 12, 16)}),

@@ -54,6 +54,8 @@ def study(bench, scene, knob):
 def verdict(scene, knob, rows):
     """The smallest value from which on all errors stay within 1 %, its error, its cost over the shipped one's, and what that means."""
     by_label = {label: (wrong, cost) for label, wrong, cost, _ in rows}
+    if all(wrong is None for _, wrong, _, _ in rows):
+        return "", None, None, "nothing compared"
     last = len(rows) if scene.exact else len(rows) - 1
     smallest = None
     for label, wrong, _, _ in reversed(rows[:last]):
