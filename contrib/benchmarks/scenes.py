@@ -46,6 +46,12 @@ def growths(analyses):
     return {root["label"]: root["growth_1_s"] for root in analyses["stability"]["unstable"]}
 
 
+def lowest_growth(analyses):
+    """Growth rate and frequency of the unstable root of the lowest frequency [1/s, Hz]."""
+    root = min(analyses["stability"]["unstable"], key=lambda root: root["frequency_Hz"])
+    return {"growth": root["growth_1_s"], "frequency": root["frequency_Hz"]}
+
+
 def forces(analyses):
     """Tangential forces and normal force of all rolling cases, over the normal force."""
     rolling = analyses["quasi_static_rolling"]
@@ -142,9 +148,9 @@ SCENES = [
               "2 mm": {}, "1 mm": {"block/Block/Divisions x": 30, "block/Block/Divisions y": 14, "block/Block/Divisions z": 4,
                                    "left/Grid spacing": 1e-3, "right/Grid spacing": 1e-3, "left/Half width": 3e-3, "right/Half width": 3e-3}})],
           {"Analyses": "quasi-static rolling"}, {}, "largest"),
-    Scene("sliding_layer", "growth of the unstable roots", growths,
+    Scene("sliding_layer", "growth and frequency of the lowest unstable root", lowest_growth,
           [Knob("elements", "16 x 8", {f"{2 * n} x {n}": {"layer/Layer/Divisions x": 2 * n, "layer/Layer/Divisions z": n} for n in (4, 8, 12, 16)}),
-           one("degree", "layer/Layer/Element degree", 1, 1, 2)], {"Analyses": "stability"}, {}, "largest"),
+           one("degree", "layer/Layer/Element degree", 1, 1, 2)], {"Analyses": "stability"}),
     Scene("identify_tyre", "error E of the fit", fit,
           [one("pairs of poles", "Identification/Numbers of pole pairs", "16, 25", 8, 12, 16, 20, 25, 30)],
           {"Identification/Method": "vector fitting", "Identification/Stabilisation chart": "false"}, {"fit": 1.}),
