@@ -1,4 +1,5 @@
-"""Ratios kept between versions: cost of each point over that of its study's default, and its error. No absolute time."""
+"""Ratios kept between versions: least cost of each point over that of its study's default (other work on the machine only adds),
+and its error. No absolute time."""
 import csv
 import os
 import statistics
@@ -14,7 +15,7 @@ def rows_of(studies):
     for study in studies:
         reference = next((point for point in study.points if point.default), None)
         for point in study.points:
-            rows.append({"study": study.name, "label": point.label, "cost_ratio": point.median / reference.median,
+            rows.append({"study": study.name, "label": point.label, "cost_ratio": min(point.seconds) / min(reference.seconds),
                          "spread": point.spread * reference.spread, "error": max(point.error, study.floor)})
     return rows
 
