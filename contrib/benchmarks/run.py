@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Error against cost of every method that the program lets a file choose, in one report; see doc/benchmarks.md.
 
   run.py [--quick] [--only STUDY ...] [--output DIR]     measures and writes DIR/report.html

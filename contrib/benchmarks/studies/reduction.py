@@ -146,8 +146,7 @@ def block(bench):
     return points
 
 
-SOLID = ("scripts rely on solid bodies by default, and they alone take any mesh, any place of contact and any number of contacts; a file says "
-         "Model = harmonics or periodic in one line.")
+SOLID = "scripts rely on solid bodies where a file says nothing; Model = harmonics or periodic is one line of it."
 WHOLE = "processor time of the whole program [s]"
 STUDIES = [
     Study("wheel", "Modes of a wheel by harmonics and by solid elements", "the section by harmonics of degree 4 with halved cells.", WHOLE,
