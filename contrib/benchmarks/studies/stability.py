@@ -24,8 +24,8 @@ def error(found, exact):
     return max(min(distance(root, one) for one in found) / root[0] for root in exact)
 
 
-def solve(bench, file, entries):
-    runs = bench.run(file, {"Analyses": "stability", **entries}, read=roots)
+def solve(bench, file, entries, repetitions=None):
+    runs = bench.run(file, {"Analyses": "stability", **entries}, read=roots, repetitions=repetitions)
     return runs.read[-1], [run["analyses"]["stability"]["cases"][0]["seconds"] for run in runs.results]
 
 
@@ -53,7 +53,7 @@ def segment(bench):
                           ("reduced, paper", {MODEL: "reduced", LINEARISATION: "paper"}),
                           ("attachment inertia", {MODEL: "attachment inertia"})):
         for count in (10, 20, 40, 80):
-            found, seconds = solve(bench, SEGMENT, {**entries, "segment/Modes/Count": count})
+            found, seconds = solve(bench, SEGMENT, {**entries, "segment/Modes/Count": count}, min(2, bench.repetitions))
             points.append(Point(f"{name}, {count} modes", name, seconds, error(found, exact), name == "reduced, consistent" and count == 40,
                                 entries))
     return points
