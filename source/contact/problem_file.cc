@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/hdf5_file.h>
+#include <vibrocontact/base/utf8.h>
 #include <vibrocontact/contact/problem_file.h>
 
 #include <cmath>
@@ -107,7 +108,8 @@ namespace vibrocontact
     {
       if (file.has(law + "numbers"))
         return finite_numbers(file, file_name, law + "numbers", 0);
-      if (!file.has(law + "amplitude") || find_normal_law(file.text(law + "name"), laws).parameters.empty())
+      if (!file.has(law + "amplitude") ||
+          find_normal_law(as_utf8(file.text(law + "name")), laws).parameters.empty())
         return {};
       return {finite_numbers(file, file_name, law + "amplitude", 1).front(),
               finite_numbers(file, file_name, law + "exponent", 1).front()};
@@ -119,7 +121,8 @@ namespace vibrocontact
       const auto law = [&](const unsigned int number)
       {
         const std::string group = law_group(number);
-        return create_normal_law(file.text(group + "name"), law_numbers(file, file_name, group, laws), laws);
+        return create_normal_law(as_utf8(file.text(group + "name")),
+                                 law_numbers(file, file_name, group, laws), laws);
       };
       if (!file.has("/vibrocontact/law_of_point"))
         return law(0);
@@ -268,7 +271,7 @@ namespace vibrocontact
     ContactProblem problem;
     problem.A = std::make_shared<DenseContactOperator>(std::move(A));
     if (file.has(local + "/info/title"))
-      problem.title = file.text(local + "/info/title");
+      problem.title = as_utf8(file.text(local + "/info/title"));
     problem.b = reordered(finite_numbers(file, file_name, local + "/vectors/q", 3 * n));
     problem.mu = finite_numbers(file, file_name, local + "/vectors/mu", n);
     for (const double mu : problem.mu)
