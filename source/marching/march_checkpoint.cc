@@ -126,6 +126,8 @@ namespace vibrocontact
                  march.exchange(file);
                  for (Recorder *const recorder : recorders)
                    recorder->exchange(file);
+                 if (!(march.time() == reader->number("time")))
+                   throw InputError("The march stands at another time than its checkpoint.");
                });
     return true;
   }
