@@ -2,6 +2,7 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/petsc_check.h>
+#include <vibrocontact/reduction/all_modes.h>
 #include <vibrocontact/reduction/block_product.h>
 #include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/krylov_schur.h>
@@ -73,6 +74,18 @@ namespace vibrocontact
       return result;
     }
 
+    unsigned int n_dofs_with_mass(const SecondOrderSystem &system)
+    {
+      Vector diagonal(system.locally_owned, system.communicator);
+      MatGetDiagonal(system.mass, diagonal);
+      const PetscScalar *values = nullptr;
+      VecGetArrayRead(diagonal, &values);
+      const unsigned int n_own = std::count_if(values, values + diagonal.locally_owned_size(),
+                                               [](const PetscScalar m) { return m > 0; });
+      VecRestoreArrayRead(diagonal, &values);
+      return dealii::Utilities::MPI::sum(n_own, system.communicator);
+    }
+
     // Number of modes below an angular frequency, rigid ones included.
     unsigned int count_below(const SecondOrderSystem &system, const double omega, Modes &modes)
     {
@@ -133,7 +146,8 @@ namespace vibrocontact
         }
       }
       std::ostringstream text;
-      text << "orthonormality error " << modes.orthonormality_error << ", residual " << modes.residual;
+      text << modes.n_solves << " solves, orthonormality error " << modes.orthonormality_error
+           << ", residual " << modes.residual;
       run_log().line(text.str());
       if (!(modes.orthonormality_error < 1e-8) || !(modes.residual < 1e-4))
         throw ConvergenceError(
@@ -167,8 +181,8 @@ namespace vibrocontact
     }
     else
       n_below = parameters.count;
-    const unsigned int n_dynamic = system.stiffness.m() - n_rigid;
-    if (n_below + 2 > n_dynamic)
+    const unsigned int n_moving = n_dofs_with_mass(system);
+    if (n_below + 2 + n_rigid > n_moving)
       throw InputError("Body '" + system.body + "': " + std::to_string(n_below) +
                        " modes are more than its " + std::to_string(system.stiffness.m()) +
                        " dofs can tell; ask for fewer.");
@@ -176,12 +190,15 @@ namespace vibrocontact
     const auto destroy = [](Mat matrix) { MatDestroy(&matrix); };
     const std::unique_ptr<std::remove_pointer_t<Mat>, decltype(destroy)> mass(compact(system.mass), destroy);
 
-    // A single Krylov sequence sees one mode of an exactly double frequency: what the count misses is sought
-    // again, next to the modes found so far.
+    // A Krylov sequence sees as many modes of one frequency as its blocks have columns: what the count misses
+    // is sought again, next to the modes found so far. LAPACK solves bodies of few dofs.
     unsigned int n_kept = 0, n_missing = n_below;
     for (unsigned int attempt = 0;; ++attempt)
     {
-      krylov_schur(system, flexibility, mass.get(), n_missing + 2, modes);
+      if (modes.omega.size() + krylov_dimension(n_missing + 2) > n_moving)
+        modes = all_modes(system, modes);
+      else
+        krylov_schur(system, flexibility, mass.get(), n_missing + 2, modes);
       // The pair of the last mode comes along.
       n_kept = n_rigid + n_below;
       while (n_kept > n_rigid && n_kept + 1 < modes.omega.size() &&

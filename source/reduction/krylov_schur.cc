@@ -1,80 +1,95 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
-#include <vibrocontact/base/petsc_check.h>
+#include <vibrocontact/reduction/block_product.h>
 #include <vibrocontact/reduction/krylov_schur.h>
 
-#include <slepceps.h>
+#include <deal.II/base/mpi.h>
+
+#include <AnasaziBasicEigenproblem.hpp>
+#include <AnasaziBlockKrylovSchurSolMgr.hpp>
+#include <AnasaziEpetraAdapter.hpp>
+#include <Epetra_Map.h>
+#include <Epetra_MpiComm.h>
+#include <Epetra_MultiVector.h>
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
+#include <functional>
 #include <numeric>
 
 namespace vibrocontact
 {
   using Vector = dealii::PETScWrappers::MPI::Vector;
+  /// out = A in, several columns at once
+  using BlockOperator = std::function<void(const Epetra_MultiVector &in, Epetra_MultiVector &out)>;
+} // namespace vibrocontact
 
+namespace Anasazi
+{
+  template <>
+  class OperatorTraits<double, Epetra_MultiVector, vibrocontact::BlockOperator>
+  {
+  public:
+    static void Apply(const vibrocontact::BlockOperator &A, const Epetra_MultiVector &x,
+                      Epetra_MultiVector &y)
+    {
+      A(x, y);
+    }
+  };
+} // namespace Anasazi
+
+namespace vibrocontact
+{
   namespace
   {
     constexpr double tolerance = 1e-10;
 
-    struct InverseContext
-    {
-      const SecondOrderSystem &system;
-      Flexibility &flexibility;
-      Progress &progress;
-      Vector in, out;
-      unsigned int n_solves = 0;
-      /// what a solve threw: it must not cross PETSc, which is C
-      std::exception_ptr failure;
-    };
+    /// columns of a block: a solve reads all factors from memory, and for 8 columns that takes little longer
+    /// than for one
+    constexpr unsigned int block_size = 8;
 
-    /// Errors are returned only; otherwise PETSc prints the stack of its calls as well.
-    struct Quiet
+    /// of the basis; convergence mostly comes before it is full
+    unsigned int krylov_blocks(const unsigned int n_wanted)
     {
-      Quiet() { PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr); }
-      ~Quiet() { PetscPopErrorHandler(); }
-    };
+      return std::max(4u, 3 + (22 * n_wanted / 10 + block_size - 1) / block_size);
+    }
 
-    /// The eigensolver, given back at the end of the scope.
-    struct Solver
+    /// own rows, column by column
+    std::vector<double> values_of(const Epetra_MultiVector &columns)
     {
-      explicit Solver(const MPI_Comm communicator)
-      {
-        petsc_check(EPSCreate(communicator, &eps), "EPSCreate");
-      }
-      ~Solver()
-      {
-        const Quiet quiet; // after a failed solve its parts are not in order
-        EPSDestroy(&eps);
-      }
-      Solver(const Solver &) = delete;
-      Solver &operator=(const Solver &) = delete;
+      std::vector<double> values(std::size_t(columns.MyLength()) * columns.NumVectors());
+      columns.ExtractCopy(values.data(), columns.MyLength());
+      return values;
+    }
 
-      EPS eps = nullptr;
-    };
-
-    PetscErrorCode apply_flexibility(PC pc, Vec x, Vec y)
+    void set_values(const std::vector<double> &values, Epetra_MultiVector &columns)
     {
-      void *context = nullptr;
-      if (const PetscErrorCode error = PCShellGetContext(pc, &context))
-        return error;
-      auto &my = *static_cast<InverseContext *>(context);
-      try
-      {
-        petsc_check(VecCopy(x, my.in), "VecCopy");
-        my.flexibility.vmult(my.out, my.in);
-        petsc_check(VecCopy(my.out, y), "VecCopy");
-      }
-      catch (...)
-      {
-        my.failure = std::current_exception();
-        return PETSC_ERR_LIB;
-      }
-      ++my.n_solves;
-      my.progress.advance();
-      return 0;
+      const std::size_t n = columns.MyLength();
+      for (int j = 0; j < columns.NumVectors(); ++j)
+        std::copy_n(values.data() + j * n, n, columns[j]);
+    }
+
+    /// Columns by own rows: through rank 0, which has those of a flexibility.
+    void solve(Flexibility &flexibility, const MPI_Comm communicator, std::vector<double> &columns,
+               const unsigned int n_columns)
+    {
+      const int n_own = columns.size() / n_columns;
+      const auto sizes = dealii::Utilities::MPI::all_gather(communicator, n_own);
+      std::vector<int> offsets(1, 0);
+      std::partial_sum(sizes.begin(), sizes.end(), std::back_inserter(offsets));
+      const bool is_host = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+      DenseMatrix all;
+      if (is_host)
+        all.reinit(offsets.back(), n_columns);
+      for (unsigned int j = 0; j < n_columns; ++j)
+        MPI_Gatherv(columns.data() + std::size_t(j) * n_own, n_own, MPI_DOUBLE,
+                    is_host ? &all(0, j) : nullptr, sizes.data(), offsets.data(), MPI_DOUBLE, 0,
+                    communicator);
+      flexibility.vmult(all);
+      for (unsigned int j = 0; j < n_columns; ++j)
+        MPI_Scatterv(is_host ? &all(0, j) : nullptr, sizes.data(), offsets.data(), MPI_DOUBLE,
+                     columns.data() + std::size_t(j) * n_own, n_own, MPI_DOUBLE, 0, communicator);
     }
 
     void sort_modes(Modes &modes)
@@ -95,85 +110,102 @@ namespace vibrocontact
     }
   } // namespace
 
+  unsigned int krylov_dimension(const unsigned int n_wanted)
+  {
+    return (krylov_blocks(n_wanted) + 1) * block_size;
+  }
+
   void krylov_schur(const SecondOrderSystem &system, Flexibility &flexibility, Mat mass,
                     const unsigned int n_wanted, Modes &modes)
   {
-    const unsigned int n_first = modes.omega.size();
-    Vector prototype(system.locally_owned, system.communicator);
-    const PetscInt n = system.stiffness.m();
-    // Modes converge at about two solves each. Convergence is looked at when the basis is full; keeping
-    // nearly all of it at a restart makes the steps after that short.
-    const PetscInt basis = std::min<PetscInt>(n, std::max<PetscInt>(1.9 * n_wanted, n_wanted + 20));
-    // solves are what takes time: the basis once, and a tenth of it after a restart
-    Progress progress(system.body + ": " + std::to_string(n_wanted) + " modes", 1.1 * basis);
-    InverseContext inverse{system, flexibility, progress, prototype, prototype, 0, nullptr};
-
-    const Solver solver(system.communicator);
-    const EPS eps = solver.eps;
-    ST st;
-    KSP ksp;
-    PC pc;
-    petsc_check(EPSSetOperators(eps, system.stiffness, mass), "EPSSetOperators");
-    EPSSetProblemType(eps, EPS_GHEP);
-    EPSSetType(eps, EPSKRYLOVSCHUR);
-    EPSSetWhichEigenpairs(eps, EPS_TARGET_MAGNITUDE);
-    EPSSetTarget(eps, 0.);
-    petsc_check(EPSGetST(eps, &st), "EPSGetST");
-    STSetType(st, STSINVERT);
-    STSetMatMode(st, ST_MATMODE_SHELL);
-    petsc_check(STGetKSP(st, &ksp), "STGetKSP");
-    KSPSetType(ksp, KSPPREONLY);
-    petsc_check(KSPGetPC(ksp, &pc), "KSPGetPC");
-    PCSetType(pc, PCSHELL);
-    PCShellSetContext(pc, &inverse);
-    PCShellSetApply(pc, apply_flexibility);
-    EPSKrylovSchurSetRestart(eps, 0.9);
-    EPSSetDimensions(eps, n_wanted, basis, PETSC_DEFAULT);
-    EPSSetTolerances(eps, tolerance, 200);
-
-    Vector start(prototype);
-    for (unsigned int i = 0; i < system.locally_owned.n_elements(); ++i)
+    const int block = block_size;
+    const unsigned int n_first = modes.omega.size(), n_blocks = krylov_blocks(n_wanted);
+    const Epetra_MpiComm communicator(system.communicator);
+    const Epetra_Map map(static_cast<int>(system.stiffness.m()),
+                         static_cast<int>(system.locally_owned.n_elements()), 0, communicator);
+    // Modes converge at about two and a half solves each.
+    Progress progress(system.body + ": " + std::to_string(n_wanted) + " modes", 2.5 * n_wanted + 3 * block);
+    const BlockOperator inertia = [&](const Epetra_MultiVector &in, Epetra_MultiVector &out)
+    { set_values(block_product(mass, values_of(in), in.NumVectors()), out); };
+    const BlockOperator inverse = [&](const Epetra_MultiVector &in, Epetra_MultiVector &out)
     {
-      const auto dof = system.locally_owned.nth_index_in_set(i);
-      start(dof) = std::sin(1. + n_first + 0.7390851 * dof * (1. + 1e-3 * (dof % 97)));
-    }
-    start.compress(dealii::VectorOperation::insert);
-    system.mass.vmult(inverse.in, start);
-    flexibility.vmult(start, Vector(inverse.in));
-    Vec start_vec = start;
-    EPSSetInitialSpace(eps, 1, &start_vec);
-    std::vector<Vec> known(modes.shapes.begin() + modes.n_rigid_modes, modes.shapes.end());
-    if (!known.empty())
-      EPSSetDeflationSpace(eps, known.size(), known.data());
+      std::vector<double> values = block_product(mass, values_of(in), in.NumVectors());
+      solve(flexibility, system.communicator, values, in.NumVectors());
+      set_values(values, out);
+      modes.n_solves += in.NumVectors();
+      progress.advance(in.NumVectors());
+    };
 
-    PetscErrorCode error = 0;
+    Epetra_MultiVector random(map, block);
+    for (int j = 0; j < block; ++j)
+      for (int i = 0; i < map.NumMyElements(); ++i)
+      {
+        const int dof = map.GID(i);
+        random[j][i] = std::sin(1. + n_first + 1.6180340 * j +
+                                (0.7390851 + 0.0314159 * j) * dof * (1. + 1e-3 * (dof % 97)));
+      }
+    const auto start = Teuchos::rcp(new Epetra_MultiVector(map, block));
+    inverse(random, *start);
+
+    using Problem = Anasazi::BasicEigenproblem<double, Epetra_MultiVector, BlockOperator>;
+    const auto problem = Teuchos::rcp(new Problem(Teuchos::rcpFromRef(inverse), start));
+    problem->setM(Teuchos::rcpFromRef(inertia));
+    problem->setHermitian(true);
+    problem->setNEV(n_wanted);
+    const unsigned int n_known = n_first - modes.n_rigid_modes;
+    if (n_known > 0)
     {
-      const Quiet quiet;
-      error = EPSSolve(eps);
+      const auto known = Teuchos::rcp(new Epetra_MultiVector(map, n_known));
+      for (unsigned int k = 0; k < n_known; ++k)
+      {
+        const PetscScalar *values = nullptr;
+        VecGetArrayRead(modes.shapes[modes.n_rigid_modes + k], &values);
+        std::copy_n(values, map.NumMyElements(), (*known)[k]);
+        VecRestoreArrayRead(modes.shapes[modes.n_rigid_modes + k], &values);
+      }
+      problem->setAuxVecs(known);
     }
-    if (inverse.failure)
-      std::rethrow_exception(inverse.failure);
-    petsc_check(error, "EPSSolve");
-    PetscInt n_converged = 0;
-    petsc_check(EPSGetConverged(eps, &n_converged), "EPSGetConverged");
-    if (n_converged < static_cast<PetscInt>(n_wanted))
-      throw ConvergenceError("Body '" + system.body + "': only " + std::to_string(n_converged) + " of " +
+    problem->setProblem();
+
+    Teuchos::ParameterList options;
+    options.set("Which", "LM");
+    options.set("Block Size", block);
+    options.set("Num Blocks", static_cast<int>(n_blocks));
+    options.set("Step Size", 2);
+    options.set("Maximum Restarts", 200);
+    options.set("Convergence Tolerance", tolerance);
+    options.set("In Situ Restarting", true);
+    options.set("Verbosity", static_cast<int>(Anasazi::Errors));
+    Anasazi::BlockKrylovSchurSolMgr<double, Epetra_MultiVector, BlockOperator> solver(problem, options);
+    try
+    {
+      solver.solve();
+    }
+    catch (const Anasazi::AnasaziError &error)
+    {
+      throw ConvergenceError("Body '" + system.body +
+                             "': the modes' Krylov sequence broke down: " + error.what());
+    }
+    const auto &solution = problem->getSolution();
+    if (solution.numVecs < static_cast<int>(n_wanted))
+      throw ConvergenceError("Body '" + system.body + "': only " + std::to_string(solution.numVecs) + " of " +
                              std::to_string(n_wanted) + " modes converged to " + number_text(tolerance) +
                              ".");
-    for (PetscInt i = 0; i < n_converged; ++i)
+    for (int i = 0; i < solution.numVecs; ++i)
     {
-      PetscScalar lambda = 0, imaginary = 0;
-      modes.shapes.push_back(prototype);
-      petsc_check(EPSGetEigenpair(eps, i, &lambda, &imaginary, modes.shapes.back(), nullptr),
-                  "EPSGetEigenpair");
+      const double lambda = 1 / solution.Evals[i].realpart;
       if (!(lambda > 0))
         throw ConvergenceError("Body '" + system.body + "': a mode has the squared frequency " +
                                number_text(lambda) +
                                " (rad/s)^2, which is not positive; is the body held, and does its mesh have "
                                "cells of reasonable shape?");
       modes.omega.push_back(std::sqrt(lambda));
+      modes.shapes.emplace_back(system.locally_owned, system.communicator);
+      PetscScalar *values = nullptr;
+      VecGetArray(modes.shapes.back(), &values);
+      std::copy_n((*solution.Evecs)[i], map.NumMyElements(), values);
+      VecRestoreArray(modes.shapes.back(), &values);
     }
-    modes.n_solves += inverse.n_solves;
 
     sort_modes(modes);
   }

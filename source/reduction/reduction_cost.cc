@@ -28,8 +28,8 @@ namespace vibrocontact
     {
       if (counts_first)
         cost.stages.push_back({"count of modes", 4 * size + factor_seconds, cost.kept + 0.7 * factors});
-      cost.stages.push_back({std::to_string(std::lround(n_modes)) + " modes", 1.7 * size * n_modes,
-                             cost.kept + 3 * number * n_dofs * n_modes});
+      cost.stages.push_back({std::to_string(std::lround(n_modes)) + " modes", 0.6 * size * n_modes,
+                             cost.kept + 4.4 * number * n_dofs * n_modes});
       cost.kept += number * n_dofs * n_modes;
     }
     for (const ReductionStage &stage : cost.stages)
