@@ -2,6 +2,7 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/fe/dense_system.h>
 #include <vibrocontact/reduction/all_modes.h>
+#include <vibrocontact/reduction/reduction_parts.h>
 #include <vibrocontact/run/unreduced_pair.h>
 
 #include <deal.II/base/timer.h>
@@ -46,5 +47,36 @@ namespace vibrocontact
     }
     result.prepared = std::move(pair);
     return result;
+  }
+
+  ReducedBody with_all_modes(ReducedBody body, const SecondOrderSystem &system, const Modes &all)
+  {
+    const unsigned int n_kept = body.omega.size(), n = all.omega.size();
+    const ModalReduction modal = modal_reduction(system, all);
+    body.trace = modal.trace;
+    body.loss = DenseMatrix();
+    body.modal_load = modal.load;
+    body.participation = modal.participation;
+    for (unsigned int k = n_kept; k < n; ++k)
+    {
+      body.omega.push_back(all.omega[k]);
+      body.damping_ratio.push_back(0);
+      body.labels.push_back("mode " + std::to_string(k + 1 - body.n_rigid_modes));
+    }
+    if (n == n_moving_dofs(system))
+    {
+      body.residual = 0;
+      std::fill(body.residual_load.begin(), body.residual_load.end(), 0.);
+    }
+    else // massless dofs have no mode: what the modes found leave of the flexibility is theirs
+      for (unsigned int k = n_kept; k < n; ++k)
+        for (unsigned int j = 0; j < body.trace.m(); ++j)
+        {
+          const double answer = body.trace(j, k) / (body.omega[k] * body.omega[k]);
+          body.residual_load[j] -= answer * body.modal_load[k];
+          for (unsigned int i = 0; i < body.trace.m(); ++i)
+            body.residual(i, j) -= body.trace(i, k) * answer;
+        }
+    return body;
   }
 } // namespace vibrocontact

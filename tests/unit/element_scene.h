@@ -5,6 +5,7 @@
 #include <vibrocontact/fe/layer_elements.h>
 #include <vibrocontact/reduction/all_modes.h>
 #include <vibrocontact/reduction/reduction_parts.h>
+#include <vibrocontact/run/unreduced_pair.h>
 
 #include <memory>
 

@@ -16,7 +16,7 @@ using namespace vibrocontact;
 
 namespace
 {
-  struct Scene
+  struct MarchedScene
   {
     std::string name;
     ContactPair pair;
@@ -38,7 +38,7 @@ namespace
     StepErrors errors;
   };
 
-  Marched march(const Scene &scene, const double step, const bool estimate, const unsigned int k,
+  Marched march(const MarchedScene &scene, const double step, const bool estimate, const unsigned int k,
                 const double shift)
   {
     TransientParameters parameters = scene.parameters;
@@ -80,7 +80,7 @@ namespace
 
   /// Rms over the starts of estimated and true errors.
   /// @param below, above the estimate may be so many times less or more than the truth
-  void compare(const Scene &scene, const double below, const double above)
+  void compare(const MarchedScene &scene, const double below, const double above)
   {
     std::vector<Marched> fine(n_starts);
     for (const double step : scene.steps)
@@ -113,9 +113,9 @@ namespace
 namespace
 {
   /// A bar thrown against a stop, from gaps that differ by parts of a step.
-  Scene thrown_bar(const std::string &name, const ContactPair &pair, const TransientParameters &parameters)
+  MarchedScene thrown_bar(const std::string &name, const ContactPair &pair, const TransientParameters &parameters)
   {
-    return Scene{name,
+    return MarchedScene{name,
                  pair,
                  parameters,
                  at_rest(),
@@ -162,7 +162,7 @@ TEST(StepErrors, BouncingBarOfElements)
 // A mass that grows into stick-slip, from pushes of several sizes: sticking begins in another order.
 TEST(StepErrors, StickSlip)
 {
-  Scene scene;
+  MarchedScene scene;
   scene.name = "stick-slip";
   scene.pair = Flutter::pair(5e-4);
   scene.drive = Flutter::drive;
@@ -181,10 +181,10 @@ TEST(StepErrors, StickSlip)
 namespace
 {
   /// A damped body of three modes and a residual flexibility on a sine of the height, from pushes of several sizes.
-  Scene on_a_sine(const std::string &name, const std::string &height)
+  MarchedScene on_a_sine(const std::string &name, const std::string &height)
   {
     const double pi = dealii::numbers::PI;
-    Scene scene;
+    MarchedScene scene;
     scene.name = name;
     ContactPair &pair = scene.pair;
     ContactGrid &grid = pair.interface.contacts.only();
