@@ -57,7 +57,7 @@ namespace vibrocontact
                       "the other of half of it, and "
                       "forces extrapolated to a vanishing spacing, for which the slip is corrected at the "
                       "leading edge; automatic: "
-                      "two where bodies roll. Units: none.",
+                      "two where two half-spaces roll. Units: none.",
                       Selection("automatic|one|two"));
     prm.enter_subsection("Sweep");
     prm.add_parameter("Longitudinal creepage", sweep.longitudinal,

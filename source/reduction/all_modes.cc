@@ -107,6 +107,7 @@ namespace vibrocontact
     all.omega.insert(all.omega.end(), rest.omega.begin(), rest.omega.end());
     for (auto &shape : rest.shapes)
       all.shapes.push_back(std::move(shape));
+    sort(all);
     return all;
   }
 } // namespace vibrocontact

@@ -181,8 +181,8 @@ namespace vibrocontact
     }
     else
       n_below = parameters.count;
-    const unsigned int n_moving = n_dofs_with_mass(system);
-    if (n_below + 2 + n_rigid > n_moving)
+    const unsigned int n_massive = n_dofs_with_mass(system);
+    if (n_below + 2 + n_rigid > n_massive)
       throw InputError("Body '" + system.body + "': " + std::to_string(n_below) +
                        " modes are more than its " + std::to_string(system.stiffness.m()) +
                        " dofs can tell; ask for fewer.");
@@ -195,7 +195,7 @@ namespace vibrocontact
     unsigned int n_kept = 0, n_missing = n_below;
     for (unsigned int attempt = 0;; ++attempt)
     {
-      if (modes.omega.size() + krylov_dimension(n_missing + 2) > n_moving)
+      if (modes.omega.size() + krylov_dimension(n_missing + 2) > n_massive)
         modes = all_modes(system, modes);
       else
         krylov_schur(system, flexibility, mass.get(), n_missing + 2, modes);

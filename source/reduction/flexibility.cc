@@ -114,8 +114,7 @@ namespace vibrocontact
           "Body '" + system.body + "': its stiffness has no digits left for its weakest motion, as " +
           number_text(100 * error) +
           " % of a static answer are rounding; it or its cells are too slender, or its materials too "
-          "unlike: make it shorter or thicker, or a body of Type = bar or rail that knows "
-          "slender ones.");
+          "unlike: make it shorter or thicker, or take a rail of Type = beam rail.");
   }
 
   void Flexibility::make_rigid_modes()

@@ -91,23 +91,6 @@ namespace vibrocontact
         MPI_Scatterv(is_host ? &all(0, j) : nullptr, sizes.data(), offsets.data(), MPI_DOUBLE,
                      columns.data() + std::size_t(j) * n_own, n_own, MPI_DOUBLE, 0, communicator);
     }
-
-    void sort_modes(Modes &modes)
-    {
-      std::vector<unsigned int> order(modes.omega.size());
-      std::iota(order.begin(), order.end(), 0);
-      std::stable_sort(order.begin(), order.end(),
-                       [&](unsigned int a, unsigned int b) { return modes.omega[a] < modes.omega[b]; });
-      std::vector<double> omega;
-      std::vector<Vector> shapes;
-      for (const unsigned int i : order)
-      {
-        omega.push_back(modes.omega[i]);
-        shapes.push_back(modes.shapes[i]);
-      }
-      modes.omega = std::move(omega);
-      modes.shapes = std::move(shapes);
-    }
   } // namespace
 
   unsigned int krylov_dimension(const unsigned int n_wanted)
@@ -183,8 +166,12 @@ namespace vibrocontact
     }
     catch (const Anasazi::AnasaziError &error)
     {
-      throw ConvergenceError("Body '" + system.body +
-                             "': the modes' Krylov sequence broke down: " + error.what());
+      run_log().line(error.what());
+      throw ConvergenceError(
+          "Body '" + system.body +
+          "': the block Krylov sequence of its modes broke down, as it does where its stiffness "
+          "has no digits left; check the shape of its cells and the ratio of its materials, or "
+          "ask for fewer modes.");
     }
     const auto &solution = problem->getSolution();
     if (solution.numVecs < static_cast<int>(n_wanted))
@@ -207,6 +194,6 @@ namespace vibrocontact
       VecRestoreArray(modes.shapes.back(), &values);
     }
 
-    sort_modes(modes);
+    sort(modes);
   }
 } // namespace vibrocontact

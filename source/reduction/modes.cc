@@ -2,7 +2,10 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/reduction/modes.h>
 
+#include <algorithm>
+#include <numeric>
 #include <sstream>
+#include <utility>
 
 namespace vibrocontact
 {
@@ -66,5 +69,23 @@ namespace vibrocontact
     text << upper_frequency << ' ' << count << ' ' << damping_0 << ' ' << damping_1 << ' ' << damping_2 << ' '
          << rim_radius;
     return text.str();
+  }
+
+  void sort(Modes &modes)
+  {
+    std::vector<unsigned int> order(modes.omega.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](const unsigned int a, const unsigned int b)
+                     { return modes.omega[a] < modes.omega[b]; });
+    std::vector<double> omega;
+    std::vector<dealii::PETScWrappers::MPI::Vector> shapes;
+    for (const unsigned int i : order)
+    {
+      omega.push_back(modes.omega[i]);
+      shapes.push_back(modes.shapes[i]);
+    }
+    modes.omega = std::move(omega);
+    modes.shapes = std::move(shapes);
   }
 } // namespace vibrocontact

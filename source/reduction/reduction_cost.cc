@@ -9,6 +9,8 @@ namespace vibrocontact
   {
     /// with modes
     constexpr unsigned int supposed_waves = 24;
+    /// of modes, however few: five blocks of a Krylov basis and those in work
+    constexpr unsigned int fewest_vectors = 64;
   } // namespace
 
   ReductionCost reduction_cost(const double n_dofs, const double n_rows, const double n_modes,
@@ -29,7 +31,7 @@ namespace vibrocontact
       if (counts_first)
         cost.stages.push_back({"count of modes", 4 * size + factor_seconds, cost.kept + 0.7 * factors});
       cost.stages.push_back({std::to_string(std::lround(n_modes)) + " modes", 0.6 * size * n_modes,
-                             cost.kept + 4.4 * number * n_dofs * n_modes});
+                             cost.kept + number * n_dofs * (4.4 * n_modes + fewest_vectors)});
       cost.kept += number * n_dofs * n_modes;
     }
     for (const ReductionStage &stage : cost.stages)

@@ -133,7 +133,8 @@ TEST(HardCurves, TongueOfAHundredThousandth)
     settings.x_scale = settings.p_scale = settings.residual_scale = radius;
     settings.location_tolerance = 1e-6 * radius;
     const Curve curve = continue_curve(circle, start_at(1 + 0.8 * radius, 2 + 0.6 * radius), settings);
-    if (radius < 1e-5)
+    // closed, or told
+    if (radius < 1e-5 && curve.end != Curve::End::closed)
     {
       EXPECT_NE(curve.reason().find("Newton's method did not converge"), std::string::npos) << curve.reason();
       continue;

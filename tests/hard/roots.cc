@@ -113,7 +113,7 @@ TEST(HardRoots, DefectiveDoubleRoot)
 }
 
 // Ten modes of one frequency that nothing couples: ten roots, each that of its mode.
-TEST(HardRoots, ElevenfoldRoot)
+TEST(HardRoots, TenfoldRoot)
 {
   TwoModes many;
   many.damping = 1e-3;

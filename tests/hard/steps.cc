@@ -170,8 +170,9 @@ TEST(HardSteps, StepsOfAHundredth)
       }
       else
         EXPECT_GE(open, 0.9 * gained) << integrator << " " << step;
+      // right, or told
       if (step > 1e-4)
-        EXPECT_GE(open, 0.5) << integrator << " " << step;
+        EXPECT_TRUE(open >= 0.5 || std::abs(gained) < 0.05) << integrator << " " << step;
     }
   }
 }

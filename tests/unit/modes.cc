@@ -119,8 +119,7 @@ TEST(ModesMpi, OneRankAsTwo)
 
 TEST(Modes, DoubleFrequenciesAreAllFound)
 {
-  // A block with square faces has exactly double frequencies, which a single Krylov sequence does not see at
-  // once; LAPACK on the full matrices is the reference.
+  // A block with square faces has exactly double frequencies; LAPACK on the full matrices is the reference.
   for (const bool free : {false, true})
   {
     BlockParameters parameters = bar(0.1, 0.1, 0.06, 2);
@@ -148,5 +147,66 @@ TEST(Modes, DoubleFrequenciesAreAllFound)
     K.compute_generalized_eigenvalues_symmetric(M, vectors);
     for (unsigned int i = modes.n_rigid_modes; i < modes.omega.size(); ++i)
       EXPECT_NEAR(modes.omega[i] / std::sqrt(K.eigenvalue(i).real()), 1., 1e-8) << "mode " << i;
+  }
+}
+
+namespace
+{
+  /// Equal chains of equal masses [1 kg] and springs [1 N/m], each held at its first spring.
+  SecondOrderSystem equal_chains(const unsigned int n_chains, const unsigned int n_links)
+  {
+    SecondOrderSystem system;
+    system.body = "chains";
+    system.communicator = MPI_COMM_SELF;
+    const unsigned int n = n_chains * n_links;
+    system.locally_owned = dealii::complete_index_set(n);
+    dealii::DynamicSparsityPattern pattern(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = i == 0 ? 0 : i - 1; j <= std::min(n - 1, i + 1); ++j)
+        pattern.add(i, j);
+    for (auto *const matrix : {&system.mass, &system.stiffness})
+      matrix->reinit(system.locally_owned, system.locally_owned, pattern, MPI_COMM_SELF);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const bool is_last = (i + 1) % n_links == 0;
+      system.mass.set(i, i, 1.);
+      system.stiffness.set(i, i, is_last ? 1. : 2.);
+      if (!is_last)
+      {
+        system.stiffness.set(i, i + 1, -1.);
+        system.stiffness.set(i + 1, i, -1.);
+      }
+      system.dof_position.emplace_back(i % n_links, i / n_links, 0);
+      system.dof_direction.push_back(0);
+    }
+    for (auto *const matrix : {&system.mass, &system.stiffness})
+      matrix->compress(dealii::VectorOperation::insert);
+    return system;
+  }
+} // namespace
+
+TEST(Modes, FrequenciesOfMoreCopiesThanABlockHasColumns)
+{
+  // By a second Krylov sequence beside the first, and by LAPACK beside it where few dofs are left; the frequencies
+  // 2 sin((2 k - 1) pi / (4 n + 2)) of a chain of n links are known.
+  struct Case
+  {
+    unsigned int n_chains, n_links, count;
+  };
+  for (const Case &c : {Case{12, 40, 24}, Case{24, 3, 12}})
+  {
+    const SecondOrderSystem system = equal_chains(c.n_chains, c.n_links);
+    Flexibility flexibility(system);
+    ModeParameters parameters;
+    parameters.count = c.count;
+    const Modes modes = compute_modes(system, flexibility, parameters);
+    ASSERT_GE(modes.omega.size(), c.count);
+    EXPECT_LT(modes.orthonormality_error, 1e-9);
+    for (unsigned int i = 0; i < modes.omega.size(); ++i)
+    {
+      const unsigned int k = i / c.n_chains;
+      EXPECT_NEAR(modes.omega[i], 2 * std::sin((2 * k + 1) * dealii::numbers::PI / (4 * c.n_links + 2)), 1e-9)
+          << "mode " << i;
+    }
   }
 }

@@ -113,21 +113,22 @@ namespace
 namespace
 {
   /// A bar thrown against a stop, from gaps that differ by parts of a step.
-  MarchedScene thrown_bar(const std::string &name, const ContactPair &pair, const TransientParameters &parameters)
+  MarchedScene thrown_bar(const std::string &name, const ContactPair &pair,
+                          const TransientParameters &parameters)
   {
     return MarchedScene{name,
-                 pair,
-                 parameters,
-                 at_rest(),
-                 0,
-                 {1.6e-2, 8e-3, 4e-3, 2e-3, 1e-3},
-                 5e-5,
-                 true,
-                 [&pair](DynamicState &state, const unsigned int k, const double step)
-                 {
-                   for (unsigned int i = 0; i < pair.n_modes(); ++i)
-                     state.q[i] += pair.participation(i, 2) * 10 * step * k / n_starts;
-                 }};
+                        pair,
+                        parameters,
+                        at_rest(),
+                        0,
+                        {1.6e-2, 8e-3, 4e-3, 2e-3, 1e-3},
+                        5e-5,
+                        true,
+                        [&pair](DynamicState &state, const unsigned int k, const double step)
+                        {
+                          for (unsigned int i = 0; i < pair.n_modes(); ++i)
+                            state.q[i] += pair.participation(i, 2) * 10 * step * k / n_starts;
+                        }};
   }
 } // namespace
 

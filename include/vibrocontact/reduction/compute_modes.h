@@ -14,8 +14,8 @@ namespace vibrocontact
   /// - Completeness: one more factorisation, of K - s M without keeping factors, counts the modes below s
   ///   (Sylvester's law of inertia): before the solution at the frequency limit, which also tells how many
   ///   modes to ask for, or after it in the gap behind the last mode kept.
-  /// - A frequency that is exactly double shows once in a single Krylov sequence: what the count misses is
-  ///   sought again, deflating the modes found.
+  /// - A Krylov sequence of blocks sees an exactly multiple frequency as often as a block has columns: what the
+  ///   count misses is sought again, deflating the modes found.
   /// - A pair (frequencies within 1e-3) is never split: the partner of the last mode is kept too.
   /// - Pairs within 1e-6 are turned until one mode is symmetric and the other antisymmetric to the plane
   ///   x = 0.

@@ -55,4 +55,7 @@ namespace vibrocontact
     /// wall time of the count of modes below the limit [s]
     double seconds_count = 0;
   };
+
+  /// By ascending frequency; equal ones stay in their order.
+  void sort(Modes &modes);
 } // namespace vibrocontact

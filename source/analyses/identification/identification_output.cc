@@ -84,7 +84,7 @@ namespace vibrocontact
                          word(*best, "method").c_str(), number(*best, "n_pole_pairs"),
                          number(*best, "error_E"),
                          fits.size() > 1 ? text(", of %zu fits", fits.size()).c_str() : ""));
-    if (number(*best, "error_E") >= 0.5)
+    if (number(*best, "error_E") >= misses_most)
       lines.push_back("distrust it: it does not follow the data");
     if (best->value("target_reached", true) == false)
       lines.push_back("distrust it: the target error is not reached");

@@ -17,9 +17,6 @@ namespace vibrocontact
 {
   namespace
   {
-    /// E of a fit that follows nothing [-]
-    constexpr double misses_most = 0.5;
-
     /// Refuses where not even the best of some fits follows the data: noise has no poles.
     void check_best(const std::vector<Identification> &fits, Results &results)
     {

@@ -13,6 +13,9 @@
 
 namespace vibrocontact
 {
+  /// E of a fit that follows nothing [-]
+  constexpr double misses_most = 0.5;
+
   /// `subsection Identification`: a body known by measured or computed Green's functions becomes poles.
   struct IdentificationParameters
   {
