@@ -19,6 +19,26 @@ assert new != text and members.without_picture(text, ALL) == []
 assert members.without_picture(new, ALL) == ["Contact/Creep scheme = third-order upwind is on no picture"]
 END
 
+# a row whose stored runs spread 154-fold hides neither its own fivefold cost nor that the default became slower
+$python -B - "$scripts" <<'END' || fail "spread rows hide what became slower"
+import sys
+sys.path.insert(0, sys.argv[1])
+import baseline
+from study import Point, Study
+
+def costs(default, **others):
+    study = Study("one", "", "", "", "", {}, None)
+    study.points = [Point("default", "", default, 0., True)] + [Point(name, "", seconds, 0.) for name, seconds in others.items()]
+    return [study]
+
+baseline.write(costs([1., 1.], wild=[1., 154.], calm=[1., 1.], even=[3., 3.]), "spread.csv")
+assert baseline.worse(costs([1., 1.], wild=[1., 1.], calm=[1., 1.4], even=[4.2, 4.2]), "spread.csv") == []
+slower, = baseline.worse(costs([1., 1.], wild=[5., 5.], calm=[1., 1.], even=[3., 3.]), "spread.csv")
+assert "wild became slower: 5 times the default, 1 before" in slower, slower
+slower, = baseline.worse(costs([2., 2.], wild=[1., 1.], calm=[1., 1.], even=[3., 3.]), "spread.csv")
+assert "the default became slower" in slower, slower
+END
+
 cat >planted.csv <<'END'
 study,label,cost_ratio,spread,error
 ring,analytic,1,1,1e-6
