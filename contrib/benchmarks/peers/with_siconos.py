@@ -112,15 +112,25 @@ def read_problem(file_name):
 
 
 def residual(W, q, mu, r):
-    """Vibrocontact's measure: r less its projections over mu N, rho = 1 / mean diagonal, one for normal and one for tangential rows."""
-    u = W @ r + q
-    normal, tangential = r[0::3], r.reshape(-1, 3)[:, 1:]
-    rho_n, rho_t = 1 / W.diagonal()[0::3].mean(), 1 / np.concatenate((W.diagonal()[1::3], W.diagonal()[2::3])).mean()
-    pushed = np.maximum(normal - rho_n * u[0::3], 0.)
-    moved = tangential - rho_t * u.reshape(-1, 3)[:, 1:]
-    length = np.linalg.norm(moved, axis=1)
-    moved *= np.minimum(1., mu * pushed / np.maximum(length, 1e-300))[:, None]
-    return np.sqrt(((normal - pushed)**2).sum() + ((tangential - moved)**2).sum()) / np.linalg.norm(mu * normal)
+    """Vibrocontact's measure (ContactResidual): forces less their projections, rho of each point, over m N with m = min(mu, 1); normal ones over N / 1000
+    at least."""
+    forces, responses, diagonal = (rows.reshape(-1, 3) for rows in (r, W @ r + q, W.diagonal()))
+
+    def rho(compliance):
+        return 1 / np.where(compliance > 0, compliance, compliance.mean())
+
+    normal = np.maximum(forces[:, 0] - rho(diagonal[:, 0]) * responses[:, 0], 0.)
+    tangential = forces[:, 1:] - rho(diagonal[:, 1:].mean(axis=1))[:, None] * responses[:, 1:]
+    length = np.linalg.norm(tangential, axis=1)
+    tangential *= np.minimum(1., mu * normal / np.maximum(length, 1e-300))[:, None]
+    normal_defect, tangential_defect = np.linalg.norm(forces[:, 0] - normal), np.linalg.norm(forces[:, 1:] - tangential)
+    total, limit = np.linalg.norm(normal), np.linalg.norm(np.minimum(mu, 1.) * normal)
+    if normal_defect == 0 and tangential_defect == 0:
+        return 0.
+    if total == 0:
+        return 1.  # forces that all have to go
+    limit = limit or total
+    return np.hypot(normal_defect / max(limit, 1e-3 * total), tangential_defect / limit)
 
 
 def solve_by_siconos(W, q, mu, method, iterations):
