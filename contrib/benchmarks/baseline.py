@@ -46,9 +46,9 @@ def slower_beyond(now, then):
     return min(max(SLOWER, now["spread"], then["spread"]), MOST_SPREAD)
 
 
-def worse(studies, name=FILE):
-    """What became slower or less exact than the baseline, as sentences; points and studies it does not hold are left out."""
-    kept = {(row["study"], row["label"]): row for row in read(name)}
+def worse(studies, stored):
+    """What became slower or less exact than the stored rows, as sentences; points and studies they do not hold are left out."""
+    kept = {(row["study"], row["label"]): row for row in stored}
     found = []
     for study in studies:
         rows = [(row, kept[row["study"], row["label"]]) for row in rows_of([study]) if (row["study"], row["label"]) in kept]

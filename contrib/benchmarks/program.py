@@ -1,9 +1,11 @@
 """Runs of the program and of the benchmark executables, and what they cost."""
+import argparse
 import csv
 import json
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 from dataclasses import dataclass
@@ -13,6 +15,16 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 # one BLAS thread per rank; mpirun also as root and with more ranks than cores
 ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
                    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+
+
+class Parser(argparse.ArgumentParser):
+    """Options of a script with its text as help. Wrong options end with 1, as all wrong use: 2 says that something failed."""
+
+    def __init__(self, text):
+        super().__init__(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
+
+    def error(self, message):
+        self.exit(1, f"{self.prog}: {message}; see {self.prog} --help\n")
 
 
 @dataclass

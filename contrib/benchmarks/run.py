@@ -5,7 +5,6 @@
   run.py --list                                          studies and the members on their pictures; exit 1 if one is on none
 
 Exit: 0 done; 1 wrong use; 2 a study failed, or --quick or --compare found something slower or less exact than the baseline."""
-import argparse
 import os
 import shutil
 import sys
@@ -21,7 +20,7 @@ from studies import ALL
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = program.Parser(__doc__)
     parser.add_argument("--quick", action="store_true", help="the cheap studies in five minutes, compared with the baseline")
     parser.add_argument("--output", default=os.path.join("results", "benchmarks"), metavar="DIR", help="default: %(default)s")
     parser.add_argument("--only", nargs="+", metavar="STUDY", default=[],
@@ -34,6 +33,11 @@ def arguments():
     parser.add_argument("--pictures", metavar="DIR", help="copy the pictures there as benchmark_STUDY.png (doc/pictures)")
     parser.add_argument("--list", action="store_true", help="list studies and members, run nothing")
     options = parser.parse_args()
+    if options.repetitions is not None and options.repetitions < 1:
+        parser.error(f"--repetitions {options.repetitions}: at least one run is needed")
+    for folder in (options.pictures, os.path.dirname(os.path.abspath(options.baseline)) if options.write_baseline else None):
+        if folder and not os.path.isdir(folder):
+            parser.error(f"there is no folder {folder}: make it first")
     unknown = set(options.only) - {study.name for study in ALL} - {"peers"}
     if unknown:
         sys.exit(f"run.py: there is no study {', '.join(sorted(unknown))}; there are {', '.join(study.name for study in ALL)}")
@@ -61,6 +65,8 @@ def main():
         if options.list:
             return list_studies(bench)
         os.makedirs(options.output, exist_ok=True)
+        compares = (options.quick or options.compare) and not options.write_baseline
+        kept = baseline.read(options.baseline) if compares else []
         studies = [study for study in ALL if study.name in options.only or
                    (not options.only and (study.quick or not options.quick))]
         head, measured, failures, comparison = report.environment(bench), [], {}, None
@@ -88,8 +94,8 @@ def main():
             failures.update(failed)
         if options.write_baseline:
             baseline.write(measured, options.baseline)
-        elif options.quick or options.compare:
-            comparison = baseline.worse(measured, options.baseline)
+        elif compares:
+            comparison = baseline.worse(measured, kept)
             print("\n".join(f"WORSE: {sentence}" for sentence in comparison) or f"Nothing of the {len(measured)} studies that ran became slower or less exact than the baseline.")
         report.write(measured, failures, comparison, head, options.output, sections)
         print(f"{options.output}/report.html")

@@ -5,7 +5,6 @@
 
 One entry of the shipped file is varied at a time; truth is its finest value, or the closed form of scenes.py. Writes smallest_models.csv (the smallest
 value from which on the error stays below 1 %, and whether the file uses it) and smallest_models_runs.csv (every run)."""
-import argparse
 import csv
 import json
 import os
@@ -76,7 +75,7 @@ def verdict(scene, knob, rows):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = program.Parser(__doc__)
     parser.add_argument("--scenes", nargs="+", default=[], metavar="NAME", help="these alone, expensive ones too")
     parser.add_argument("--expensive", action="store_true", help="also the wheels, rails and maps: an hour")
     parser.add_argument("--build", default=os.path.join(program.ROOT, "build"), metavar="DIR", help="build tree; default: build")

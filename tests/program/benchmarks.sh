@@ -32,12 +32,27 @@ def costs(default, **others):
     return [study]
 
 baseline.write(costs([1., 1.], wild=[1., 154.], calm=[1., 1.], even=[3., 3.]), "spread.csv")
-assert baseline.worse(costs([1., 1.], wild=[1., 1.], calm=[1., 1.4], even=[4.2, 4.2]), "spread.csv") == []
-slower, = baseline.worse(costs([1., 1.], wild=[5., 5.], calm=[1., 1.], even=[3., 3.]), "spread.csv")
+stored = baseline.read("spread.csv")
+assert baseline.worse(costs([1., 1.], wild=[1., 1.], calm=[1., 1.4], even=[4.2, 4.2]), stored) == []
+slower, = baseline.worse(costs([1., 1.], wild=[5., 5.], calm=[1., 1.], even=[3., 3.]), stored)
 assert "wild became slower: 5 times the default, 1 before" in slower, slower
-slower, = baseline.worse(costs([2., 2.], wild=[1., 1.], calm=[1., 1.], even=[3., 3.]), "spread.csv")
+slower, = baseline.worse(costs([2., 2.], wild=[1., 1.], calm=[1., 1.], even=[3., 3.]), stored)
 assert "the default became slower" in slower, slower
 END
+
+# wrong use is said before anything runs, and ends with 1
+refused() { # regex, options
+  words=$1; shift; code=0
+  $python -B "$scripts/run.py" --build "$build" --output wrong "$@" >said.txt 2>&1 || code=$?
+  [ $code = 1 ] || fail "run.py $*: exit code $code: $(cat said.txt)"
+  grep -q -e "$words" said.txt && ! grep -q points said.txt || fail "run.py $*: $(cat said.txt)"
+}
+refused 'unrecognized arguments: --speed' --speed
+refused 'expected one argument' --quick --repetitions
+refused '--repetitions 0: at least one' --quick --repetitions 0
+refused 'there is no folder nowhere' --quick --pictures nowhere
+refused 'there is no folder .*nowhere' --write-baseline --baseline nowhere/new.csv
+refused 'there is no baseline nowhere.csv' --quick --only ring --baseline nowhere.csv
 
 cat >planted.csv <<'END'
 study,label,cost_ratio,spread,error

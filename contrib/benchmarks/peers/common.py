@@ -2,7 +2,6 @@
 
 Times are processor seconds of a whole process and all it starts, with one thread each: they hardly change with other work on the machine.
 """
-import argparse
 import csv
 import json
 import os
@@ -12,7 +11,7 @@ import time
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.dirname(HERE))
 sys.dont_write_bytecode = True
-from program import ROOT, Bench, processor_seconds  # noqa: E402
+from program import ROOT, Bench, Parser, processor_seconds  # noqa: E402
 
 EXAMPLES = os.path.join(ROOT, "parameter_files", "examples")
 SKIPPED = 77
@@ -20,7 +19,7 @@ SKIPPED = 77
 
 def options(text):
     """Options of a comparison: --build, --quick, --output; `bench` runs the program."""
-    parser = argparse.ArgumentParser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(text)
     parser.add_argument("--build", default=os.path.join(ROOT, "build"), metavar="DIR", help="build tree; default: build")
     parser.add_argument("--quick", action="store_true", help="small sizes only")
     parser.add_argument("--output", default=os.path.join("results", "benchmarks"), metavar="DIR", help="folder of the tables; default: %(default)s")
