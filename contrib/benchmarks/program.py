@@ -75,8 +75,8 @@ class Bench:
     cache        folder of reductions, made once per report
     """
 
-    def __init__(self, build, quick, repetitions, cache, say=print):
-        self.build, self.quick, self.repetitions, self.cache, self.say = build, quick, repetitions, cache, say
+    def __init__(self, build, quick, repetitions, cache):
+        self.build, self.quick, self.repetitions, self.cache = build, quick, repetitions, cache
         self.path = os.path.join(build, "vibrocontact")
 
     def run(self, file, settings=None, ranks=1, repetitions=None, cached=False, read=None):

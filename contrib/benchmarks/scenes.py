@@ -23,8 +23,7 @@ class Scene:
     base       entries of all runs of the study: what the quantity does not need is switched off
     exact      closed form by name, where there is one
     scale      what errors are over: "each" number itself, or the "largest" of them
-    expensive  only when named
-    reason     why the file keeps more than the smallest model, or less than 1 %"""
+    expensive  runs only when named or with --expensive"""
     file: str
     quantity: str
     ask: object
@@ -33,7 +32,6 @@ class Scene:
     exact: dict = field(default_factory=dict)
     scale: str = "each"
     expensive: bool = False
-    reason: str = ""
 
 
 def one(name, entry, shipped, *values, more=None):

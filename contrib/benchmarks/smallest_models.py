@@ -77,7 +77,7 @@ def verdict(scene, knob, rows):
 def main():
     parser = program.Parser(__doc__)
     parser.add_argument("--scenes", nargs="+", default=[], metavar="NAME", help="these alone, expensive ones too")
-    parser.add_argument("--expensive", action="store_true", help="also the wheels, rails and maps: an hour")
+    parser.add_argument("--expensive", action="store_true", help="also wheels, rails and maps: hours of processor time")
     parser.add_argument("--build", default=os.path.join(program.ROOT, "build"), metavar="DIR", help="build tree; default: build")
     parser.add_argument("--output", default=os.path.join("results", "benchmarks"), metavar="DIR", help="default: %(default)s")
     options = parser.parse_args()
@@ -96,7 +96,7 @@ def main():
                 runs += [(scene.file, knob.name, *row) for row in rows]
                 smallest, wrong, ratio, said = verdict(scene, knob, rows)
                 summary.append((scene.file, scene.quantity, knob.name, knob.shipped, smallest, "" if wrong is None else f"{wrong:.2e}",
-                                "" if ratio is None else f"{ratio:.2f}", said + (f": {scene.reason}" if scene.reason and said != "used" else "")))
+                                "" if ratio is None else f"{ratio:.2f}", said))
                 print(" | ".join(summary[-1]), flush=True)
                 for label, wrong, cost, sentence in rows:
                     print(f"    {label}: " + (sentence if wrong is None else f"error {wrong:.2e}, {cost:.2f} s"), flush=True)
