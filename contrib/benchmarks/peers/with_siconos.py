@@ -8,7 +8,6 @@ Contact problems: FCLIB files that a run of Vibrocontact writes and, without --q
 approach that Vibrocontact found. Siconos solves them by block Gauss-Seidel (NSGS), Alart and
 Curnier's nonsmooth Newton method (NSN_AC) and ADMM. Its rows are scaled by the mean diagonal, which changes no solution.
 """
-import glob
 import os
 import tempfile
 import time
