@@ -94,6 +94,7 @@ namespace vibrocontact
         json["constant_since_s"] = still; // an impact that is over, no oscillation
       else if (varies(late))
       {
+        json["varies"] = true;
         const auto peaks = spectral_peaks(late);
         for (const SpectralPeak &peak : peaks)
         {

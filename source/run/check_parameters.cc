@@ -401,6 +401,11 @@ namespace vibrocontact
                   std::to_string(one.grid.n_y);
       }
       points += " contact points";
+      if (!dense && scene.runs("quasi-static rolling") && rolling.two_grids())
+      {
+        n_points *= 4;
+        points += ", four times as many on the finer of two grids (Rolling/Grids)";
+      }
       if (n_points > (dense ? 5000 : 250000))
         throw InputError(
             contact().section + "/Grid spacing asks for " + points + ", more than the " +

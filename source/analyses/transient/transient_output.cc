@@ -194,6 +194,24 @@ namespace vibrocontact
         line += "; steady (" + change + ")";
       return line;
     }
+
+    std::string text_without_cycle(const nlohmann::ordered_json &transient)
+    {
+      using namespace answer_parts;
+      bool varies = false;
+      for (const Json &signal : list(transient, "signals"))
+        varies = varies || (signal.value("varies", false) && signal.at("peaks").empty());
+      const Json last = transient.value("last", Json::object());
+      std::string line =
+          varies ? "the last part of the run is too short to tell a frequency of what varies in it"
+                 : "nothing oscillates in the last part of the run";
+      line += text("; at its end the normal force is %.6g N", number(last, "normal_force_N"));
+      const Json tangential = last.value("tangential_force_N", Json::array());
+      if (tangential.size() == 2 && number(transient, "friction") > 0)
+        line += text(", the tangential force (%.6g, %.6g) N", tangential[0].get<double>(),
+                     tangential[1].get<double>());
+      return line;
+    }
   } // namespace
 
   std::vector<std::string> transient_answer(const nlohmann::ordered_json &transient)
@@ -206,8 +224,7 @@ namespace vibrocontact
            number(signal["cycle"], "amplitude") > least_swing * number(transient, "rms_normal_force_N")))
         lines.push_back(cycle_text(signal));
     if (lines.empty())
-      lines.push_back(text("nothing oscillates in the last part of the run; normal force at its end %.6g N",
-                           number(transient.value("last", Json::object()), "normal_force_N")));
+      lines.push_back(text_without_cycle(transient));
     const Json contact = transient.value("contact_states", Json::object());
     if (is_given(contact, "stick_part"))
     {
