@@ -5,6 +5,8 @@
 #include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/modes.h>
 
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
 #include <gtest/gtest.h>
 
 using namespace vibrocontact;
@@ -153,9 +155,8 @@ TEST(Modes, DoubleFrequenciesAreAllFound)
 namespace
 {
   /// Equal chains of equal masses [1 kg] and springs [1 N/m], each held at its first spring.
-  SecondOrderSystem equal_chains(const unsigned int n_chains, const unsigned int n_links)
+  void equal_chains(const unsigned int n_chains, const unsigned int n_links, SecondOrderSystem &system)
   {
-    SecondOrderSystem system;
     system.body = "chains";
     system.communicator = MPI_COMM_SELF;
     const unsigned int n = n_chains * n_links;
@@ -181,7 +182,6 @@ namespace
     }
     for (auto *const matrix : {&system.mass, &system.stiffness})
       matrix->compress(dealii::VectorOperation::insert);
-    return system;
   }
 } // namespace
 
@@ -195,7 +195,8 @@ TEST(Modes, FrequenciesOfMoreCopiesThanABlockHasColumns)
   };
   for (const Case &c : {Case{12, 40, 24}, Case{24, 3, 12}})
   {
-    const SecondOrderSystem system = equal_chains(c.n_chains, c.n_links);
+    SecondOrderSystem system;
+    equal_chains(c.n_chains, c.n_links, system);
     Flexibility flexibility(system);
     ModeParameters parameters;
     parameters.count = c.count;
