@@ -34,11 +34,29 @@ def write(studies, name=FILE):
 
 
 def read(name=FILE):
+    """Rows of a baseline; one that cannot be read ends the script with one sentence."""
+    def refuse(sentence):
+        raise SystemExit(f"run.py: {sentence}; write one with --write-baseline, or name another with --baseline")
+
     if not os.path.exists(name):
-        raise SystemExit(f"run.py: there is no baseline {name}: write one with --write-baseline")
-    with open(name, newline="", encoding="utf-8") as file:
-        return [{column: row[column] if column in ("study", "label") else float(row[column]) for column in COLUMNS}
-                for row in csv.DictReader(file)]
+        refuse(f"there is no baseline {name}")
+    try:
+        with open(name, newline="", encoding="utf-8") as file:
+            table = csv.DictReader(file)
+            missing = [column for column in COLUMNS if column not in (table.fieldnames or [])]
+            if missing:
+                refuse(f"{name} is no baseline to read or rewrite, as it has no column {', '.join(missing)}")
+            rows = []
+            for row in table:
+                try:
+                    rows.append({column: row[column] if column in ("study", "label") else float(row[column]) for column in COLUMNS})
+                except (TypeError, ValueError):
+                    refuse(f"{name}:{table.line_num} is no row of a baseline, as {', '.join(COLUMNS[2:])} are not all numbers")
+                if not all(0 <= rows[-1][column] < float("inf") for column in COLUMNS[2:]):
+                    refuse(f"{name}:{table.line_num} is no row of a baseline, as {', '.join(COLUMNS[2:])} are not all finite and at least 0")
+            return rows
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        refuse(f"the baseline {name} cannot be read ({getattr(error, 'strerror', None) or error})")
 
 
 def slower_beyond(now, then):
@@ -47,7 +65,7 @@ def slower_beyond(now, then):
 
 
 def worse(studies, stored):
-    """What became slower or less exact than the stored rows, as sentences; points and studies they do not hold are left out."""
+    """What became slower or less exact than the stored rows, as sentences; verdict names what they do not hold."""
     kept = {(row["study"], row["label"]): row for row in stored}
     found = []
     for study in studies:
@@ -63,3 +81,20 @@ def worse(studies, stored):
         if len(others) > 1 and statistics.median(others) > statistics.median(slower_beyond(now, then) for now, then in rows):
             found.append(f"{study.name}: the default became slower: all others by {statistics.median(others):.3g} cheaper beside it")
     return found
+
+
+def verdict(studies, stored, found):
+    """Sentences on what was compared, what was not, and that nothing became worse where nothing was `found`."""
+    kept = {(row["study"], row["label"]) for row in stored}
+    held = {study for study, _ in kept}
+    compared = [study for study in studies if any((study.name, point.label) in kept for point in study.points)]
+    said = [f"Not compared, as the baseline has no row of it: {study.name}." for study in studies if study.name not in held]
+    said += [f"Not compared, as the baseline has no row of it: {study.name}: {point.label}." for study in studies if study.name in held
+             for point in study.points if (study.name, point.label) not in kept]
+    if not studies:
+        said.append("No study was compared with the baseline: none was measured.")
+    elif not compared:
+        said.append("No study was compared with the baseline.")
+    elif not found:
+        said.append(f"Nothing of the {len(compared)} studies compared became slower or less exact than the baseline.")
+    return said

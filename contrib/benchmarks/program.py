@@ -23,7 +23,38 @@ class Parser(argparse.ArgumentParser):
         super().__init__(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
 
     def error(self, message):
-        self.exit(1, f"{self.prog}: {message}; see {self.prog} --help\n")
+        self.refuse(f"{message}; see {self.prog} --help")
+
+    def refuse(self, sentence):
+        self.exit(1, f"{self.prog}: {sentence}\n")
+
+    def add_build_and_output(self):
+        """Build tree and folder of results; check_build and check_output say what is wrong with them."""
+        self.add_argument("--build", default=os.path.join(ROOT, "build"), metavar="DIR", help="build tree; default: build")
+        self.add_argument("--output", default=os.path.join("results", "benchmarks"), metavar="DIR", help="folder of results; default: %(default)s")
+
+    def check_build(self, build):
+        """Refuses a build tree without a program that lists its entries."""
+        path = os.path.join(build, "vibrocontact")
+        if not (os.path.isfile(path) and os.access(path, os.X_OK)):
+            self.refuse(f"there is no program {path} that can be executed: build it, or name its build tree with --build")
+        try:
+            done = subprocess.run([path, "--parameters"], text=True, errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=ENVIRONMENT)
+            said, works = done.stdout, done.returncode == 0 and "set Analyses" in done.stdout
+        except OSError as error:
+            said, works = error.strerror, False
+        if not works:
+            last = (said.strip().splitlines() or ["no word"])[-1]
+            self.refuse(f"{path} --parameters does not list the entries ({last}): build it anew, or name its build tree with --build")
+
+    def check_output(self, folder):
+        """Makes the folder of results; refuses one that cannot be made or written to."""
+        try:
+            os.makedirs(folder, exist_ok=True)
+            with tempfile.TemporaryFile(dir=folder):
+                pass
+        except OSError as error:
+            self.refuse(f"cannot write to --output {folder}: {error.strerror}; name a folder")
 
 
 @dataclass

@@ -102,9 +102,9 @@ def default_rows(studies):
     return rows
 
 
-def write(studies, failures, comparison, head, folder, sections=""):
-    """The page. failures: sentences by study that has no picture; comparison: sentences of what became worse, or None; sections:
-    further html of others."""
+def write(studies, failures, worse, said, head, folder, sections=""):
+    """The page. failures: sentences by study that has no picture; worse, said: sentences of what became worse than the
+    baseline and on what was compared, both empty without one; sections: further html of others."""
     text = [f"<!DOCTYPE html><meta charset='utf-8'><title>Error against cost</title><style>{STYLE}</style>",
             "<h1>Error against cost</h1>", table(["", ""], head),
             "<p>Each picture: error against an independent truth over cost in seconds. Grey: the front, the points that no other "
@@ -112,9 +112,9 @@ def write(studies, failures, comparison, head, folder, sections=""):
     for name, sentence in failures.items():
         text.append(f"<p class='bad'>{html.escape(name)} has no picture: {html.escape(sentence)}</p>")
     text += ["<h2>Defaults</h2>", table(["study", "default", "cost [s]", "error", "verdict"], default_rows(studies))]
-    if comparison is not None:
-        text.append("<h2>Against the baseline</h2>" + ("".join(f"<p class='bad'>{html.escape(one)}</p>" for one in comparison)
-                                                     or "<p>Nothing became slower or less exact.</p>"))
+    if worse or said:
+        text.append("<h2>Against the baseline</h2>" + "".join(f"<p class='bad'>{html.escape(one)}</p>" for one in worse)
+                    + "".join(f"<p>{html.escape(one)}</p>" for one in said))
     for study in studies:
         text += [f"<h2 id='{study.name}'>{html.escape(study.title)}</h2>", f"<img src='{study.name}.png' alt='{study.name}'>",
                  f"<p class='caption'>Truth: {html.escape(study.truth)} <a href='{study.name}.csv'>Table</a>.</p>"]

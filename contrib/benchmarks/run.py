@@ -22,11 +22,10 @@ from studies import ALL
 def arguments():
     parser = program.Parser(__doc__)
     parser.add_argument("--quick", action="store_true", help="the cheap studies in five minutes, compared with the baseline")
-    parser.add_argument("--output", default=os.path.join("results", "benchmarks"), metavar="DIR", help="default: %(default)s")
+    parser.add_build_and_output()
     parser.add_argument("--only", nargs="+", metavar="STUDY", default=[],
                         help="these studies alone; peers: the comparisons with other programs")
     parser.add_argument("--repetitions", type=int, metavar="N", help="of each run; default 3 with --quick, else 5")
-    parser.add_argument("--build", default=os.path.join(program.ROOT, "build"), metavar="DIR", help="build tree; default: build")
     parser.add_argument("--baseline", default=baseline.FILE, metavar="FILE", help="stored ratios; default: baseline.csv")
     parser.add_argument("--compare", action="store_true", help="compare with the baseline, as --quick does anyway")
     parser.add_argument("--write-baseline", action="store_true", help="rewrite the baseline's rows of the studies that run")
@@ -40,9 +39,10 @@ def arguments():
             parser.error(f"there is no folder {folder}: make it first")
     unknown = set(options.only) - {study.name for study in ALL} - {"peers"}
     if unknown:
-        sys.exit(f"run.py: there is no study {', '.join(sorted(unknown))}; there are {', '.join(study.name for study in ALL)}")
-    if not os.access(os.path.join(options.build, "vibrocontact"), os.X_OK):
-        sys.exit(f"run.py: there is no program {options.build}/vibrocontact: build it, or name its build tree with --build")
+        parser.refuse(f"there is no study {', '.join(sorted(unknown))}; there are {', '.join(study.name for study in ALL)}, peers")
+    parser.check_build(options.build)
+    if not options.list:
+        parser.check_output(options.output)
     return options
 
 
@@ -64,12 +64,12 @@ def main():
         bench = program.Bench(os.path.abspath(options.build), options.quick, options.repetitions or (3 if options.quick else 5), cache)
         if options.list:
             return list_studies(bench)
-        os.makedirs(options.output, exist_ok=True)
         compares = (options.quick or options.compare) and not options.write_baseline
-        kept = baseline.read(options.baseline) if compares else []
+        # also one that is rewritten must be readable, as rows of other studies stay
+        kept = baseline.read(options.baseline) if compares or (options.write_baseline and os.path.exists(options.baseline)) else []
         studies = [study for study in ALL if study.name in options.only or
                    (not options.only and (study.quick or not options.quick))]
-        head, measured, failures, comparison = report.environment(bench), [], {}, None
+        head, measured, failures, comparison, said = report.environment(bench), [], {}, [], []
         for study in studies:
             begin = time.perf_counter()
             try:
@@ -87,7 +87,7 @@ def main():
             off = study.defaults_off_front()
             print(f"{study.name}: {len(study.points)} points in {time.perf_counter() - begin:.0f} s, default "
                   + (f"not on the front: {', '.join(point.label for point in off)}" if off else "on the front"), flush=True)
-            report.write(measured, failures, None, head, options.output)
+            report.write(measured, failures, [], [], head, options.output)
         sections = ""
         if not options.only or "peers" in options.only:
             sections, failed = other_programs.compare(bench, options.output)
@@ -96,8 +96,9 @@ def main():
             baseline.write(measured, options.baseline)
         elif compares:
             comparison = baseline.worse(measured, kept)
-            print("\n".join(f"WORSE: {sentence}" for sentence in comparison) or f"Nothing of the {len(measured)} studies that ran became slower or less exact than the baseline.")
-        report.write(measured, failures, comparison, head, options.output, sections)
+            said = baseline.verdict(measured, kept, comparison)
+            print("\n".join([f"WORSE: {sentence}" for sentence in comparison] + said))
+        report.write(measured, failures, comparison, said, head, options.output, sections)
         print(f"{options.output}/report.html")
     return 2 if failures or comparison else 0
 

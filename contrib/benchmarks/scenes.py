@@ -131,7 +131,7 @@ SCENES = [
           [one("elements and step", "bar/Bar/Divisions", 200, 25, 50, 100, 200, 400, more=lambda n: {"Transient/Time step": 10 / n / 120})],
           NO_ESTIMATE, {"impulse": 1600.}),
     Scene("carter", "force over mu N, closed form 0.64", forces,
-          [one("grid, m", "Contact/Grid spacing", 0.0005, 5e-4, 2.5e-4, 1.25e-4)],
+          [one("grid, m", "Contact/Grid spacing", 0.0005, 2e-3, 1e-3, 5e-4, 2.5e-4, 1.25e-4)],
           {}, {"case 0 x": -0.64 * 0.3, "case 0 y": 0.}, "largest"),
     Scene("creep_curves", "creep forces of all cases over mu N", forces,
           [one("grid, m", "Contact/Grid spacing", 0.0015, 2e-3, 1.5e-3, 1e-3, 5e-4)], {}, {}, "largest"),

@@ -78,13 +78,14 @@ def main():
     parser = program.Parser(__doc__)
     parser.add_argument("--scenes", nargs="+", default=[], metavar="NAME", help="these alone, expensive ones too")
     parser.add_argument("--expensive", action="store_true", help="also wheels, rails and maps: hours of processor time")
-    parser.add_argument("--build", default=os.path.join(program.ROOT, "build"), metavar="DIR", help="build tree; default: build")
-    parser.add_argument("--output", default=os.path.join("results", "benchmarks"), metavar="DIR", help="default: %(default)s")
+    parser.add_build_and_output()
     options = parser.parse_args()
+    options.scenes = [os.path.basename(name).removesuffix(".prm") for name in options.scenes]
     unknown = set(options.scenes) - {scene.file for scene in SCENES}
     if unknown:
-        sys.exit(f"there is no scene {', '.join(sorted(unknown))}; there are {', '.join(scene.file for scene in SCENES)}")
-    os.makedirs(options.output, exist_ok=True)
+        parser.refuse(f"there is no scene {', '.join(sorted(unknown))}; there are {', '.join(scene.file for scene in SCENES)}")
+    parser.check_build(options.build)
+    parser.check_output(options.output)
     summary, runs = [], []
     with tempfile.TemporaryDirectory(prefix="smallest_") as cache:
         bench = program.Bench(os.path.abspath(options.build), False, 1, cache)

@@ -53,6 +53,34 @@ refused '--repetitions 0: at least one' --quick --repetitions 0
 refused 'there is no folder nowhere' --quick --pictures nowhere
 refused 'there is no folder .*nowhere' --write-baseline --baseline nowhere/new.csv
 refused 'there is no baseline nowhere.csv' --quick --only ring --baseline nowhere.csv
+echo study,label >columns.csv
+refused 'columns.csv is no baseline.* no column cost_ratio, spread, error' --quick --only ring --baseline columns.csv
+refused 'columns.csv is no baseline' --only ring --write-baseline --baseline columns.csv
+printf 'study,label,cost_ratio,spread,error\nring,analytic,1,,1\n' >numbers.csv
+refused 'numbers.csv:2 is no row of a baseline' --quick --only ring --baseline numbers.csv
+refused 'cannot write to --output columns.csv' --only ring --output columns.csv
+refused 'cannot write to --output /proc/nothing' --only ring --output /proc/nothing
+mkdir -p folder/vibrocontact fails
+printf '#!/bin/sh\necho broken library; exit 3\n' >fails/vibrocontact
+chmod +x fails/vibrocontact
+refused 'no program folder/vibrocontact that can be executed' --list --build folder
+refused 'fails/vibrocontact --parameters does not list the entries (broken library)' --list --build fails
+
+$python -B - "$scripts" <<'END' || fail "what was not compared is not said"
+import sys
+sys.path.insert(0, sys.argv[1])
+import baseline
+from study import Point, Study
+
+study = Study("one", "", "", "", "", {}, None)
+study.points = [Point("default", "", [1.], 0., True), Point("new", "", [1.], 0.)]
+row = {"study": "one", "label": "default"}
+assert baseline.verdict([], [row], []) == ["No study was compared with the baseline: none was measured."]
+assert baseline.verdict([study], [], []) == ["Not compared, as the baseline has no row of it: one.", "No study was compared with the baseline."]
+assert baseline.verdict([study], [row], []) == ["Not compared, as the baseline has no row of it: one: new.",
+                                                "Nothing of the 1 studies compared became slower or less exact than the baseline."]
+assert baseline.verdict([study], [row], ["worse"]) == ["Not compared, as the baseline has no row of it: one: new."]
+END
 
 cat >planted.csv <<'END'
 study,label,cost_ratio,spread,error

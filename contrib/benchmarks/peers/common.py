@@ -20,14 +20,12 @@ SKIPPED = 77
 def options(text):
     """Options of a comparison: --build, --quick, --output; `bench` runs the program."""
     parser = Parser(text)
-    parser.add_argument("--build", default=os.path.join(ROOT, "build"), metavar="DIR", help="build tree; default: build")
     parser.add_argument("--quick", action="store_true", help="small sizes only")
-    parser.add_argument("--output", default=os.path.join("results", "benchmarks"), metavar="DIR", help="folder of the tables; default: %(default)s")
+    parser.add_build_and_output()
     chosen = parser.parse_args()
     chosen.bench = Bench(os.path.abspath(chosen.build), chosen.quick, 1, "")
-    if not os.access(chosen.bench.path, os.X_OK):
-        sys.exit(f"there is no program {chosen.bench.path}: build it, or name its build tree with --build")
-    os.makedirs(chosen.output, exist_ok=True)
+    parser.check_build(chosen.bench.build)
+    parser.check_output(chosen.output)
     return chosen
 
 
