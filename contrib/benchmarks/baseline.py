@@ -96,5 +96,5 @@ def verdict(studies, stored, found):
     elif not compared:
         said.append("No study was compared with the baseline.")
     elif not found:
-        said.append(f"Nothing of the {len(compared)} studies compared became slower or less exact than the baseline.")
+        said.append(f"Nothing of the {len(compared)} {'study' if len(compared) == 1 else 'studies'} compared became slower or less exact than the baseline.")
     return said

@@ -75,8 +75,8 @@ def main():
             try:
                 study.run(bench)
             except Exception as error:  # the other studies go on; it ends with 2
-                failures[study.name] = str(error)
-                print(f"{study.name}: FAILED: {error}", flush=True)
+                failures[study.name] = str(error).strip()
+                print(f"{study.name}: FAILED: {failures[study.name]}", flush=True)
                 continue
             measured.append(study)
             report.draw(study, os.path.join(options.output, study.name + ".png"))

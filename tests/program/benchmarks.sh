@@ -78,7 +78,7 @@ row = {"study": "one", "label": "default"}
 assert baseline.verdict([], [row], []) == ["No study was compared with the baseline: none was measured."]
 assert baseline.verdict([study], [], []) == ["Not compared, as the baseline has no row of it: one.", "No study was compared with the baseline."]
 assert baseline.verdict([study], [row], []) == ["Not compared, as the baseline has no row of it: one: new.",
-                                                "Nothing of the 1 studies compared became slower or less exact than the baseline."]
+                                                "Nothing of the 1 study compared became slower or less exact than the baseline."]
 assert baseline.verdict([study], [row], ["worse"]) == ["Not compared, as the baseline has no row of it: one: new."]
 END
 
