@@ -204,6 +204,14 @@ namespace vibrocontact
       while (n_kept > n_rigid && n_kept + 1 < modes.omega.size() &&
              modes.omega[n_kept] < modes.omega[n_kept - 1] * (1 + pair_tolerance))
         ++n_kept;
+      // equal ones up to the last that was found: there may be more of them
+      if (!by_frequency && attempt < 4 && n_kept > n_rigid &&
+          modes.omega[n_kept] < modes.omega[n_kept - 1] * (1 + pair_tolerance))
+      {
+        run_log().line("the last modes found are equal: more are sought beside them");
+        n_missing = n_below;
+        continue;
+      }
       double bound = limit;
       unsigned int expected = n_rigid + n_below;
       if (!by_frequency)
