@@ -202,9 +202,8 @@ namespace vibrocontact
       for (const Json &signal : list(transient, "signals"))
         varies = varies || (signal.value("varies", false) && signal.at("peaks").empty());
       const Json last = transient.value("last", Json::object());
-      std::string line =
-          varies ? "the last part of the run is too short to tell a frequency of what varies in it"
-                 : "nothing oscillates in the last part of the run";
+      std::string line = varies ? "no oscillation of several periods in the last part of the run"
+                                : "nothing oscillates in the last part of the run";
       line += text("; at its end the normal force is %.6g N", number(last, "normal_force_N"));
       const Json tangential = last.value("tangential_force_N", Json::array());
       if (tangential.size() == 2 && number(transient, "friction") > 0)
