@@ -110,11 +110,12 @@ namespace vibrocontact
     vmult(more, left);
     const double error = force.l2_norm() > 0 ? more.l2_norm() / u.l2_norm() : 0;
     if (!(error < 1e-3))
-      throw InputError(
-          "Body '" + system.body + "': its stiffness has no digits left for its weakest motion, as " +
-          number_text(100 * error) +
-          " % of a static answer are rounding; it or its cells are too slender, or its materials too "
-          "unlike: make it shorter or thicker, or take a rail of Type = beam rail.");
+      throw InputError("Body '" + system.body +
+                       "': its stiffness has no digits left for its weakest motion, as " +
+                       number_text(100 * error) +
+                       " % of a static answer are rounding; nothing holds one of its motions, it or its "
+                       "cells are too slender, or its materials too "
+                       "unlike: make it shorter or thicker, or take a rail of Type = beam rail.");
   }
 
   void Flexibility::make_rigid_modes()

@@ -121,7 +121,8 @@ TEST(BeamRailMpi, static_stiffness_and_levers)
 {
   BeamRailParameters rail;
   rail.pad_length = 0;
-  rail.foot_width = 0;
+  // no breadth to speak of, but enough that the foot does not roll over
+  rail.foot_width = 0.02;
   // no lever of the pads' longitudinal springs below the centroid, which holds the beam's slope
   rail.pad_stiffness_x = 1e3;
   ContactGrid grid = one_point();
