@@ -2,13 +2,13 @@
 // grazing, two functions, penalties of 1e14, resonance without damping.
 
 #include "../unit/axial_bar.h"
+#include "../unit/plane_curve.h"
 #include "report.h"
 
 #include <vibrocontact/analyses/periodic/balance.h>
 #include <vibrocontact/analyses/periodic/periodic_error.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/laws/normal_laws.h>
-#include <vibrocontact/numerics/continuation.h>
 
 #include <gtest/gtest.h>
 
@@ -19,25 +19,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  /// One equation by functions of (x, p).
-  struct Plane : CurveEquations
-  {
-    std::function<double(double, double)> value, by_unknown, by_parameter;
-
-    void evaluate(const std::vector<double> &x, double p, std::vector<double> &residual, DenseMatrix *by_x,
-                  std::vector<double> *by_p) override
-    {
-      residual = {value(x[0], p)};
-      if (by_x)
-      {
-        by_x->reinit(1, 1);
-        (*by_x)(0, 0) = by_unknown(x[0], p);
-      }
-      if (by_p)
-        *by_p = {by_parameter(x[0], p)};
-    }
-  };
-
   CurvePoint start_at(const double x, const double p)
   {
     CurvePoint point;

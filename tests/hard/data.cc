@@ -1,5 +1,6 @@
 // Measured data that are noise, conjugated, negated, mislabelled or of poles on the axis: told, refused or followed.
 
+#include "../unit/noisy_data.h"
 #include "../unit/ring_data.h"
 #include "report.h"
 
@@ -11,7 +12,6 @@
 
 #include <cmath>
 #include <functional>
-#include <random>
 
 using namespace vibrocontact;
 using Complex = std::complex<double>;
@@ -45,24 +45,6 @@ namespace
       value = change(value);
   }
 
-  FrequencyData with_noise(FrequencyData data, const double share)
-  {
-    std::mt19937_64 generator(5);
-    std::normal_distribution<double> normal;
-    for (FrequencyData::Entry &entry : data.entries)
-    {
-      double square = 0;
-      for (const Complex &value : entry.values)
-        square += std::norm(value);
-      for (Complex &value : entry.values)
-      {
-        const double real = normal(generator);
-        value += share * std::sqrt(square / entry.values.size() / 2) * Complex(real, normal(generator));
-      }
-    }
-    return data;
-  }
-
   std::string complaint(const FrequencyData &data)
   {
     return judge_data(data, false, 0).complaint;
@@ -73,7 +55,7 @@ namespace
 TEST(HardData, NoiseOfAThird)
 {
   for (const double share : {0.01, 0.1, 0.3})
-    EXPECT_EQ(complaint(with_noise(ring(), share)), "") << share;
+    EXPECT_EQ(complaint(noisy(ring(), share, 5)), "") << share;
 }
 
 // Conjugates are told under noise as without: any driving point gives energy then.
@@ -82,7 +64,7 @@ TEST(HardData, ConjugatedAndNegatedUnderNoise)
   for (const double share : {0.01, 0.1})
     for (const bool conjugated : {false, true})
     {
-      FrequencyData data = with_noise(ring(), share);
+      FrequencyData data = noisy(ring(), share, 5);
       for (FrequencyData::Entry &entry : data.entries)
         turn(entry, [&](const Complex value) { return conjugated ? std::conj(value) : -value; });
       EXPECT_NE(complaint(data).find("give energy to the force"), std::string::npos) << share << conjugated;

@@ -1,6 +1,6 @@
 // Curves R(x, p) = 0 by pseudo-arc-length. Truth: closed forms of the curve, its folds, kinks and branch points.
 
-#include <vibrocontact/numerics/continuation.h>
+#include "plane_curve.h"
 
 #include <gtest/gtest.h>
 
@@ -11,33 +11,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  /// One equation by functions of (x, p).
-  struct Plane : CurveEquations
-  {
-    std::function<double(double, double)> value, by_unknown, by_parameter, event;
-    std::function<std::size_t(double, double)> which = [](double, double) { return 0; };
-    std::size_t met = 0;
-
-    void evaluate(const std::vector<double> &x, double p, std::vector<double> &residual, DenseMatrix *by_x,
-                  std::vector<double> *by_p) override
-    {
-      residual = {value(x[0], p)};
-      if (by_x)
-      {
-        by_x->reinit(1, 1);
-        (*by_x)(0, 0) = by_unknown(x[0], p);
-      }
-      if (by_p)
-        *by_p = {by_parameter(x[0], p)};
-      met = which(x[0], p);
-    }
-    std::size_t piece() const override { return met; }
-    std::vector<double> events(const std::vector<double> &x, double p) override
-    {
-      return event ? std::vector<double>{event(x[0], p)} : std::vector<double>{};
-    }
-  };
-
   CurvePoint start_at(const double x, const double p)
   {
     CurvePoint point;
