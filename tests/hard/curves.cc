@@ -19,14 +19,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  CurvePoint start_at(const double x, const double p)
-  {
-    CurvePoint point;
-    point.x = {x};
-    point.p = p;
-    return point;
-  }
-
   std::vector<double> folds_of(const Curve &curve)
   {
     std::vector<double> folds;

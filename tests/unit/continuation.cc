@@ -11,14 +11,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  CurvePoint start_at(const double x, const double p)
-  {
-    CurvePoint point;
-    point.x = {x};
-    point.p = p;
-    return point;
-  }
-
   std::vector<CurvePoint> special(const Curve &curve, const CurvePoint::Kind kind)
   {
     std::vector<CurvePoint> result;

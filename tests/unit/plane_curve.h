@@ -33,4 +33,12 @@ namespace vibrocontact
       return event ? std::vector<double>{event(x[0], p)} : std::vector<double>{};
     }
   };
+
+  inline CurvePoint start_at(const double x, const double p)
+  {
+    CurvePoint point;
+    point.x = {x};
+    point.p = p;
+    return point;
+  }
 } // namespace vibrocontact
