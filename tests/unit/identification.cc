@@ -1,5 +1,6 @@
 // Identification: the tyre paper's ring from its frequency response, exact sums of poles, and what makes a model usable
 // in contact.
+#include "noisy_data.h"
 #include "ring_data.h"
 
 #include <vibrocontact/analyses/identification/identification.h>
@@ -310,4 +311,29 @@ TEST(Identification, FitsOfTheRingAreRepairedForContact)
   EXPECT_GT(missed.front().worst(), 0.05);
   EXPECT_FALSE(missed.front().target_reached);
   EXPECT_FALSE(missed.front().fit.converged);
+}
+
+// So many numbers follow anything: E of a fit is told from what it would leave of noise.
+TEST(Identification, NoiseWithManyPairsFollowsNoData)
+{
+  FrequencyData silent, noise;
+  silent.labels = {"A_z"};
+  for (unsigned int k = 1; k <= 100; ++k)
+    silent.frequency.push_back(k);
+  silent.entries.push_back({0, 0, std::vector<Complex>(100, 1e-6)});
+  noise = noisy(silent, 1, 3);
+  for (Complex &value : noise.entries[0].values)
+    value -= 1e-6;
+  IdentificationParameters parameters;
+  parameters.enforce_passivity = parameters.repair = false;
+  parameters.contact_step = 0;
+  parameters.pairs = {5, 49};
+  const auto fits = identify(parameters, noise, [](const Identification &) {});
+  // p = 4 n numbers of 200
+  EXPECT_NEAR(fits[0].error_of_noise, std::sqrt(0.9), 1e-12);
+  EXPECT_NEAR(fits[1].error_of_noise, std::sqrt(0.02), 1e-12);
+  EXPECT_GT(fits[0].worst(), 0.5);
+  EXPECT_LT(fits[1].worst(), 0.5);
+  for (const Identification &one : fits)
+    EXPECT_FALSE(one.follows_data()) << one.n_asked << ' ' << one.worst();
 }

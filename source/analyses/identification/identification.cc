@@ -189,6 +189,9 @@ namespace vibrocontact
       rules.direct = parameters.direct;
       rules.zero_initial_value = parameters.zero_initial_value;
       rules.real_amplitudes = method == "lsce with real amplitudes";
+      const double entries = data.values.size(), numbers = 2 * entries * data.omega.size(),
+                   fitted = n_pairs * (2 + entries * (rules.real_amplitudes ? 1 : 2));
+      result.error_of_noise = std::sqrt(std::max(0., 1 - fitted / numbers));
       result.passivity_looked_at = parameters.enforce_passivity && !parameters.rolling;
       const auto take = [&](const PoleFit &fit)
       {

@@ -37,6 +37,7 @@ namespace vibrocontact
                    {"n_pole_pairs", one.fit.n_pairs()},
                    {"n_pole_pairs_asked", one.n_asked},
                    {"error_E", one.worst()},
+                   {"error_E_of_noise", one.error_of_noise},
                    {"error_E_entries", one.errors},
                    {"entries", entries},
                    {"converged", one.fit.converged},
@@ -84,7 +85,7 @@ namespace vibrocontact
                          word(*best, "method").c_str(), number(*best, "n_pole_pairs"),
                          number(*best, "error_E"),
                          fits.size() > 1 ? text(", of %zu fits", fits.size()).c_str() : ""));
-    if (number(*best, "error_E") >= misses_most)
+    if (number(*best, "error_E") >= misses_most * number(*best, "error_E_of_noise"))
       lines.push_back("distrust it: it does not follow the data");
     if (best->value("target_reached", true) == false)
       lines.push_back("distrust it: the target error is not reached");

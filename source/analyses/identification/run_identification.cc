@@ -17,18 +17,28 @@ namespace vibrocontact
 {
   namespace
   {
-    /// Refuses where not even the best of some fits follows the data: noise has no poles.
+    /// Refuses where none of some fits follows the data: noise has no poles.
     void check_best(const std::vector<Identification> &fits, Results &results)
     {
       const auto best = std::min_element(fits.begin(), fits.end(),
                                          [](const Identification &a, const Identification &b)
                                          { return a.worst() < b.worst(); });
-      if (best != fits.end() && !(best->worst() < misses_most))
+      if (best == fits.end() ||
+          std::any_of(fits.begin(), fits.end(), [](const Identification &one) { return one.follows_data(); }))
+        return;
+      const std::string missed = "No model follows the data: the best, by " + best->method + " with " +
+                                 std::to_string(best->n_asked) +
+                                 " pole pairs, misses E = " + number_text(best->worst()) +
+                                 " of the worst entry";
+      if (best->worst() < misses_most)
         refuse("identification",
-               "No model follows the data: the best, by " + best->method + " with " +
-                   std::to_string(best->n_asked) + " pole pairs, misses E = " + number_text(best->worst()) +
-                   " of the worst entry; they are noise, or need more in Identification/Numbers of pole "
-                   "pairs or a narrower band.",
+               missed + ", and that many pairs would leave only " + number_text(best->error_of_noise) +
+                   " of noise; ask for fewer in Identification/Numbers of pole pairs, or give more lines.",
+               results);
+      else
+        refuse("identification",
+               missed + "; they are noise, or need more in Identification/Numbers of pole pairs or a "
+                        "narrower band.",
                results);
     }
   } // namespace

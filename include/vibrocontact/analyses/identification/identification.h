@@ -13,7 +13,7 @@
 
 namespace vibrocontact
 {
-  /// E of a fit that follows nothing [-]
+  /// E of a fit that follows nothing, over what it would leave of noise [-]
   constexpr double misses_most = 0.5;
 
   /// `subsection Identification`: a body known by measured or computed Green's functions becomes poles.
@@ -70,9 +70,13 @@ namespace vibrocontact
     bool passivity_looked_at = false;
     /// whether E is within Target error, if there is one
     bool target_reached = true;
+    /// E that a fit of so many pairs leaves of noise alone, sqrt(1 - p / N): p = 2 n (1 + entries) numbers of the poles and
+    /// residues, N = 2 lines entries of the data
+    double error_of_noise = 1;
     double seconds = 0;
 
     double worst() const;
+    bool follows_data() const { return worst() < misses_most * error_of_noise; }
     /// The passive model would differ by more than 5 % (rms receptance), or there is none.
     bool passivity_refused() const;
   };
