@@ -11,13 +11,15 @@ COLUMNS = ["study", "label", "cost_ratio", "spread", "error"]
 
 
 def rows_of(studies):
-    """Rows of the measured studies, the first default of each with ratio 1."""
+    """Rows of the measured studies, the first default of each with ratio 1; one row for each error of a point."""
     rows = []
     for study in studies:
         reference = next((point for point in study.points if point.default), None)
         for point in study.points:
-            rows.append({"study": study.name, "label": point.label, "cost_ratio": min(point.seconds) / min(reference.seconds),
-                         "spread": point.spread * reference.spread, "error": max(point.error, study.floor)})
+            for quantity in study.quantities():
+                rows.append({"study": study.name, "label": point.label + (f": {quantity}" if quantity else ""),
+                             "cost_ratio": min(point.seconds) / min(reference.seconds),
+                             "spread": point.spread * reference.spread, "quantity": quantity, "error": study.error_of(point, quantity)})
     return rows
 
 
@@ -71,13 +73,13 @@ def worse(studies, stored):
     for study in studies:
         rows = [(row, kept[row["study"], row["label"]]) for row in rows_of([study]) if (row["study"], row["label"]) in kept]
         for now, then in rows:
-            if now["cost_ratio"] > slower_beyond(now, then) * then["cost_ratio"]:
+            if not now["quantity"] and now["cost_ratio"] > slower_beyond(now, then) * then["cost_ratio"]:
                 found.append(f"{study.name}: {now['label']} became slower: {now['cost_ratio']:.3g} times the default, "
                              f"{then['cost_ratio']:.3g} before")
             if now["error"] > LESS_EXACT * then["error"] + study.floor:
                 found.append(f"{study.name}: {now['label']} became less exact: {now['error']:.3g}, {then['error']:.3g} before")
         # where the default itself became slower, all others became cheaper than it by one factor
-        others = [then["cost_ratio"] / now["cost_ratio"] for now, then in rows if now["cost_ratio"] != 1]
+        others = [then["cost_ratio"] / now["cost_ratio"] for now, then in rows if not now["quantity"] and now["cost_ratio"] != 1]
         if len(others) > 1 and statistics.median(others) > statistics.median(slower_beyond(now, then) for now, then in rows):
             found.append(f"{study.name}: the default became slower: all others by {statistics.median(others):.3g} cheaper beside it")
     return found
@@ -89,8 +91,8 @@ def verdict(studies, stored, found):
     held = {study for study, _ in kept}
     compared = [study for study in studies if any((study.name, point.label) in kept for point in study.points)]
     said = [f"Not compared, as the baseline has no row of it: {study.name}." for study in studies if study.name not in held]
-    said += [f"Not compared, as the baseline has no row of it: {study.name}: {point.label}." for study in studies if study.name in held
-             for point in study.points if (study.name, point.label) not in kept]
+    said += [f"Not compared, as the baseline has no row of it: {row['study']}: {row['label']}." for row in rows_of(studies)
+             if row["study"] in held and (row["study"], row["label"]) not in kept]
     if not studies:
         said.append("No study was compared with the baseline: none was measured.")
     elif not compared:

@@ -9,7 +9,10 @@ NOT_METHODS = {
     "Ring/Pressure": "load", "Mesh/Geometry": "shape", "Rolling/Hub": "support",
     "Wheel/Damper/NAME/Kind": "kind of damper", "Wheel/Damper/NAME/Direction": "direction",
     "Contact/Normal law": "law of the surfaces", "Contact/Friction law": "law of the surfaces",
-    "Stability/Loss": "law of the material", "Stability/Roots": "which roots", "Transient/Initial state": "start",
+    "Stability/Loss": "law of the material", "Stability/Roots": "which roots",
+    # stability_sweep shows it all the same, with the share of the roots that each lists
+    "Stability/Roots of a sweep": "which roots: all, or those that grow or may; the argument by which the latter are complete does not see "
+                                  "one that grows between two complete cases only", "Transient/Initial state": "start",
     "Modal convolution/Initial state": "start", "Road/Profile": "road", "Road/Class": "road",
     "Road/Table interpolation": "road between its samples",
     "Frequency response/Spacing": "which frequencies", "Frequency response/Quantity": "which quantity",

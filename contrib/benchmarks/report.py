@@ -42,26 +42,37 @@ def environment(bench):
              + (", quick part" if bench.quick else ""))]
 
 
-def draw(study, name):
-    """Error over cost of all points, spread as bars, the front as a line, defaults ringed; whole or not at all."""
-    figure, axis = plt.subplots(figsize=(6.4, 4.4))
+def draw_quantity(study, quantity, axis):
+    """One diagram of a picture."""
+    def errors(points):
+        return [study.error_of(point, quantity) for point in points]
     curves = list(dict.fromkeys(point.curve for point in study.points))
     colours = plt.get_cmap("tab10" if len(curves) <= 10 else "tab20").colors
     for k, curve in enumerate(curves):
         points = sorted((point for point in study.points if point.curve == curve), key=lambda point: point.median)
-        costs, errors = [point.median for point in points], [max(point.error, study.floor) for point in points]
         bars = [[point.median - min(point.seconds) for point in points], [max(point.seconds) - point.median for point in points]]
-        axis.errorbar(costs, errors, xerr=bars, marker="osD^vP*X"[k // len(colours) % 8 if len(curves) > 20 else k % 8], ms=5, lw=0.8,
+        axis.errorbar([point.median for point in points], errors(points), xerr=bars,
+                      marker="osD^vP*X"[k // len(colours) % 8 if len(curves) > 20 else k % 8], ms=5, lw=0.8,
                       color=colours[k % len(colours)], label=curve, capsize=2)
-    front = study.front()
-    axis.plot([point.median for point in front], [max(point.error, study.floor) for point in front], color="0.75", lw=5,
-              zorder=0, solid_capstyle="round", drawstyle="steps-post", label="front")
-    defaults = [point for point in study.points if point.default]
-    axis.plot([point.median for point in defaults], [max(point.error, study.floor) for point in defaults], "o", ms=14, mew=2,
-              mfc="none", mec="#c0392b", ls="none", label="default")
-    axis.set(xscale="log", yscale="log", xlabel=study.cost, ylabel=study.error, title=study.title)
+    front, defaults = study.front([quantity]), [point for point in study.points if point.default]
+    axis.plot([point.median for point in front], errors(front), color="0.75", lw=5, zorder=0, solid_capstyle="round",
+              drawstyle="steps-post", label="front")
+    axis.plot([point.median for point in defaults], errors(defaults), "o", ms=14, mew=2, mfc="none", mec="#c0392b", ls="none",
+              label="default")
+    axis.set(xscale="log", yscale="log", ylabel=study.further[quantity] if quantity else study.error)
     axis.grid(alpha=0.3)
-    axis.legend(fontsize=7, loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
+
+
+def draw(study, name):
+    """Error over cost of all points, spread as bars, the front as a line, defaults ringed; one below the other for each quantity, with
+    the front of that quantity alone. Whole or not at all."""
+    quantities = study.quantities()
+    figure, axes = plt.subplots(len(quantities), figsize=(6.4, 4.4 if len(quantities) == 1 else 3.6 * len(quantities)), squeeze=False, sharex=True)
+    for axis, quantity in zip(axes[:, 0], quantities):
+        draw_quantity(study, quantity, axis)
+    axes[0, 0].set_title(study.title)
+    axes[-1, 0].set_xlabel(study.cost)
+    axes[0, 0].legend(fontsize=7, loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
     figure.savefig(name + ".part", format="png", dpi=100, bbox_inches="tight")
     plt.close(figure)
     os.replace(name + ".part", name)
@@ -73,10 +84,11 @@ def write_table(study, name):
     with open(name + ".part", "w", newline="", encoding="utf-8") as file:
         file.write(f"# {study.title}\n# truth: {study.truth}\n# cost: {study.cost}\n# error: {study.error}\n")
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["label", "curve", "cost_median_s", "cost_least_s", "cost_most_s", "runs", "error", "default", "on_front"])
+        writer.writerow(["label", "curve", "cost_median_s", "cost_least_s", "cost_most_s", "runs", "error", *study.further,
+                         "default", "on_front"])
         for point in study.points:
             writer.writerow([point.label, point.curve, point.median, min(point.seconds), max(point.seconds), len(point.seconds),
-                             point.error, int(point.default), int(point in front)])
+                             point.error, *(point.further[quantity] for quantity in study.further), int(point.default), int(point in front)])
     os.replace(name + ".part", name)
 
 
@@ -87,18 +99,27 @@ def table(head, rows):
 
 
 def default_rows(studies):
-    """Each default: study, label, cost, error, whether on the front, and what beats it or why it stays."""
+    """Each default: study, label, cost, errors, whether on the front, and what beats it, by one quantity alone too, or why it stays."""
+    def those(better, study, point, quantities):
+        def errors(other):
+            return ", ".join(f"{study.error_of(other, quantity):.2g}" for quantity in quantities)
+        return "; ".join(f"{other.label} ({other.median / point.median:.2g} of the cost, error {errors(other)})" for other in better[:3])
     rows = []
     for study in studies:
         for point in study.points:
             if not point.default:
                 continue
+            quantities = study.quantities()
             better = study.better_than(point)
-            verdict = "on the front" if not better else "NOT on the front: " + "; ".join(
-                f"{other.label} ({other.median / point.median:.2g} of the cost, error {other.error:.2g})" for other in better[:3])
+            verdict = "NOT on the front: " + those(better, study, point, quantities) if better else "on the front"
             if better and study.reason:
                 verdict += ". Stays because " + study.reason
-            rows.append([study.name, point.label, f"{point.median:.3g}", f"{point.error:.2g}", verdict])
+            for quantity in quantities if study.further and not better else ():
+                alone = study.better_than(point, [quantity])
+                if alone:
+                    verdict += f"; by {quantity or 'the first error'} alone better: " + those(alone, study, point, [quantity])
+            rows.append([study.name, point.label, f"{point.median:.3g}",
+                         ", ".join(f"{study.error_of(point, quantity):.2g}" for quantity in quantities), verdict])
     return rows
 
 
@@ -108,7 +129,7 @@ def write(studies, failures, worse, said, head, folder, sections=""):
     text = [f"<!DOCTYPE html><meta charset='utf-8'><title>Error against cost</title><style>{STYLE}</style>",
             "<h1>Error against cost</h1>", table(["", ""], head),
             "<p>Each picture: error against an independent truth over cost in seconds. Grey: the front, the points that no other "
-            "one beats in both. Red ring: what the program does by default.</p>"]
+            "one beats in both; of several errors, in all of them. Red ring: what the program does by default.</p>"]
     for name, sentence in failures.items():
         text.append(f"<p class='bad'>{html.escape(name)} has no picture: {html.escape(sentence)}</p>")
     text += ["<h2>Defaults</h2>", table(["study", "default", "cost [s]", "error", "verdict"], default_rows(studies))]

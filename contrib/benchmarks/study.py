@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 
 CHEAPER = 1.15  # medians closer than that are equal: repeated runs differ as much
 MORE_EXACT = 1.1
+EQUAL = 1 + 1e-6  # errors of two ways to the same numbers differ by rounding
 
 
 @dataclass
@@ -16,6 +17,7 @@ class Point:
     error    against the truth of the study, in the unit of the study's error
     default  true for what the program does without being told
     choices  value by entry of the parameter file ("Contact/Creep scheme": "first-order upwind")
+    further  errors of the study's further quantities, by their names
     """
     label: str
     curve: str
@@ -23,6 +25,7 @@ class Point:
     error: float
     default: bool = False
     choices: dict = field(default_factory=dict)
+    further: dict = field(default_factory=dict)
 
     @property
     def median(self):
@@ -46,6 +49,8 @@ class Study:
     quick    whether run.py --quick runs it
     floor    errors below are round-off or the truth's own error, and count as equal
     reason   why the default stays although the picture shows better ones, else empty
+    further  errors of other quantities that are asked of the same runs: what each is, with its unit, by a short name. A point then
+             beats another only if it is no less exact in any of them
     """
     name: str
     title: str
@@ -57,6 +62,7 @@ class Study:
     quick: bool = True
     floor: float = 1e-12
     reason: str = ""
+    further: dict = field(default_factory=dict)
     points: list = field(default_factory=list)
 
     def run(self, bench):
@@ -72,19 +78,28 @@ class Study:
             if missing and not bench.quick:
                 raise RuntimeError(f"study {self.name}: no point shows {entry} = {', '.join(sorted(missing))}")
 
-    def dominates(self, one, other):
-        """Whether one is clearly cheaper and no less exact than other, or clearly more exact and not clearly dearer."""
-        error, its_error = max(one.error, self.floor), max(other.error, self.floor)
+    def quantities(self):
+        """Names of the errors: "" of the first, then those of further ones."""
+        return ["", *self.further]
+
+    def error_of(self, point, quantity):
+        return max(point.further[quantity] if quantity else point.error, self.floor)
+
+    def dominates(self, one, other, quantities):
+        """Whether one is clearly cheaper and no less exact than other, or clearly more exact, in no quantity clearly less, and not
+        clearly dearer."""
+        errors = [(self.error_of(one, quantity), self.error_of(other, quantity)) for quantity in quantities]
         cheaper = one.median * CHEAPER < other.median and max(one.seconds) < min(other.seconds)
-        return (cheaper and error <= its_error) or (error * MORE_EXACT < its_error and
-                                                       one.median < other.median * CHEAPER)
+        more_exact = any(ours * MORE_EXACT < theirs for ours, theirs in errors) and all(ours <= theirs * MORE_EXACT for ours, theirs in errors)
+        return (cheaper and all(ours <= theirs * EQUAL for ours, theirs in errors)) or (more_exact and one.median < other.median * CHEAPER)
 
-    def better_than(self, point):
-        return [other for other in self.points if self.dominates(other, point)]
+    def better_than(self, point, quantities=None):
+        """Points that beat a point, by all errors or by some of them alone."""
+        return [other for other in self.points if self.dominates(other, point, self.quantities() if quantities is None else quantities)]
 
-    def front(self):
-        """Points that no other one dominates, by cost."""
-        return sorted((point for point in self.points if not self.better_than(point)), key=lambda point: point.median)
+    def front(self, quantities=None):
+        """Points that no other one beats, by cost."""
+        return sorted((point for point in self.points if not self.better_than(point, quantities)), key=lambda point: point.median)
 
     def defaults_off_front(self):
         return [point for point in self.points if point.default and self.better_than(point)]
