@@ -17,6 +17,10 @@ namespace vibrocontact
     /// Fewer points of the coarse grid than this, in contact, say nothing about an error.
     constexpr unsigned int fewest_coarse_points = 4;
 
+    /// By where the contact's edge lies in its cells, extrapolated forces scatter over alignments of the grid by this much of mu N, rms,
+    /// over the number of points in contact: as the square of the spacing over the size (measured, doc/contact.md "Creep and grid").
+    constexpr double alignment_scatter = 0.4;
+
     /// What the coarse grid says about the resultants of a contact: their error, or what they tend to. The error is that of
     /// force and moment together: either of them alone may happen to be the same on both grids.
     /// @param area of a cell of the own grid [m^2]
@@ -42,16 +46,19 @@ namespace vibrocontact
                               " points are in contact on the coarser grid";
       else
       {
-        // that friction limits the force leaves this much of a change that the moment alone shows
+        // That friction limits the force leaves this much of a change that the moment alone shows, or neither of the two where
+        // both grids happen to agree.
         const double left = bound * std::max(0., 1 - std::min(own.utilisation, coarse.utilisation)),
-                     arm = grids.error_factor * std::abs(moment) / radius;
+                     unseen =
+                         std::hypot(grids.error_factor * moment / radius,
+                                    grids.extrapolates ? alignment_scatter * bound / own.contact_points : 0.);
         own.normal_force_error = grids.error_factor * std::abs(own.normal_force - coarse.normal_force);
         const double by_normal_force =
             own.normal_force_error / own.normal_force *
             std::hypot(own.tangential_force[0], own.tangential_force[1], own.spin_moment / radius);
         const double difference = grids.error_factor * std::hypot(x, y);
-        own.force_error = std::hypot(difference, bounded ? std::min(arm, left) : arm, by_normal_force);
-        own.moment_error = radius * std::hypot(difference, arm, by_normal_force);
+        own.force_error = std::hypot(difference, bounded ? std::min(unseen, left) : unseen, by_normal_force);
+        own.moment_error = radius * std::hypot(difference, unseen, by_normal_force);
       }
       if (!grids.extrapolates)
         return;
