@@ -1,4 +1,5 @@
 #include <vibrocontact/bodies/identified_model.h>
+#include <vibrocontact/numerics/complex_singular_values.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,17 +29,17 @@ namespace vibrocontact
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)
           residue(i, j) = fit.residues[map.entry[i * n + j]][k];
-      residue.compute_svd();
+      const ComplexSingularValues decomposed = complex_singular_values(residue);
       for (unsigned int c = 0; c < n; ++c)
       {
         Component component;
         component.pole = k;
-        component.sigma = std::abs(residue.singular_value(c));
+        component.sigma = decomposed.values[c];
         component.importance = component.sigma / std::abs(fit.poles[k].real());
         for (unsigned int i = 0; i < n; ++i)
         {
-          component.right.push_back(std::sqrt(component.sigma) * residue.get_svd_u()(i, c));
-          component.left.push_back(std::sqrt(component.sigma) * residue.get_svd_vt()(c, i));
+          component.right.push_back(std::sqrt(component.sigma) * decomposed.left(i, c));
+          component.left.push_back(std::sqrt(component.sigma) * decomposed.right(c, i));
         }
         whole = std::max(whole, component.importance);
         components.push_back(component);

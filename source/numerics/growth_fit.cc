@@ -1,7 +1,7 @@
+#include <vibrocontact/numerics/complex_singular_values.h>
 #include <vibrocontact/numerics/growth_fit.h>
 
 #include <deal.II/base/numbers.h>
-#include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +16,6 @@ namespace vibrocontact
     using Matrix = dealii::LAPACKFullMatrix<Complex>;
     constexpr unsigned int n_instants = 64, n_columns = 24, most_motions = 12;
     constexpr double two_pi = 2 * dealii::numbers::PI;
-
-    double singular(const Matrix &matrix, const unsigned int i)
-    {
-      return matrix.singular_value(i).real();
-    }
 
     /// The part of the signal near a frequency, shifted to zero frequency, at equally distant instants.
     struct Band
@@ -86,15 +81,15 @@ namespace vibrocontact
       for (unsigned int i = 0; i < m; ++i)
         for (unsigned int j = 0; j <= n; ++j)
           hankel(i, j) = values[i + j];
-      hankel.compute_svd();
+      const ComplexSingularValues decomposed = complex_singular_values(hankel);
       unsigned int rank = 0;
-      while (rank < most_motions && singular(hankel, rank) > 1e-7 * singular(hankel, 0))
+      while (rank < most_motions && decomposed.values[rank] > 1e-7 * decomposed.values[0])
         ++rank;
       if (rank == 0)
         return {};
       // The rows of V^H are T Z, Z the powers 0 ... n of each z in a row: B, all but the first column, is
       // T diag(z) T^-1 A, A all but the last, w; and A A^H = I - w w^H.
-      const Matrix &vt = hankel.get_svd_vt();
+      const Matrix &vt = decomposed.right;
       Matrix step(rank, rank);
       std::vector<Complex> carried(rank, 0.); // B A^H w
       double size = 0;
@@ -129,23 +124,22 @@ namespace vibrocontact
       for (unsigned int j = 0; j < z.size(); ++j)
         for (unsigned int k = 0; k < values.size(); ++k)
           powers(k, j) = std::pow(z[j], double(k));
-      const Matrix kept = powers;
-      powers.compute_svd();
+      const ComplexSingularValues decomposed = complex_singular_values(powers);
       std::vector<Complex> result(z.size(), 0.);
-      for (unsigned int r = 0; r < z.size() && singular(powers, r) > 1e-12 * singular(powers, 0); ++r)
+      for (unsigned int r = 0; r < z.size() && decomposed.values[r] > 1e-12 * decomposed.values[0]; ++r)
       {
         Complex sum = 0;
         for (unsigned int k = 0; k < values.size(); ++k)
-          sum += std::conj(powers.get_svd_u()(k, r)) * values[k];
+          sum += std::conj(decomposed.left(k, r)) * values[k];
         for (unsigned int j = 0; j < z.size(); ++j)
-          result[j] += std::conj(powers.get_svd_vt()(r, j)) * sum / singular(powers, r);
+          result[j] += std::conj(decomposed.right(r, j)) * sum / decomposed.values[r];
       }
       double missed = 0, all = 0;
       for (unsigned int k = 0; k < values.size(); ++k)
       {
         Complex rest = values[k];
         for (unsigned int j = 0; j < z.size(); ++j)
-          rest -= kept(k, j) * result[j];
+          rest -= powers(k, j) * result[j];
         missed += std::norm(rest);
         all += std::norm(values[k]);
       }

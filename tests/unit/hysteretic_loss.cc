@@ -11,6 +11,7 @@
 #include <vibrocontact/coupled_bodies/suspended_pair.h>
 #include <vibrocontact/fe/beam_elements.h>
 #include <vibrocontact/numerics/complex_eigenvectors.h>
+#include <vibrocontact/numerics/complex_singular_values.h>
 #include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/harmonic_solver.h>
 #include <vibrocontact/reduction/reduction_parts.h>
@@ -294,8 +295,8 @@ TEST(HystereticLoss, OnASuspendedHubIsThatOfTheBodyInItsOwnCoordinates)
     }
     for (unsigned int d = 0; d < 3; ++d)
       Z(4 + d, 4 + d) = s * s * suspension.mass + suspension.stiffness[d];
-    Z.compute_svd();
-    EXPECT_LT(std::abs(Z.singular_value(6) / Z.singular_value(0)), 1e-12) << root.frequency;
+    const std::vector<double> values = complex_singular_values(Z).values;
+    EXPECT_LT(values[6] / values[0], 1e-12) << root.frequency;
   }
 }
 
