@@ -178,9 +178,20 @@ namespace vibrocontact
       SparsityTools::distribute_sparsity_pattern(pattern, body.locally_owned, communicator,
                                                  body.locally_relevant);
       system.stiffness.reinit(body.locally_owned, body.locally_owned, pattern, communicator);
-      system.mass.reinit(system.stiffness);
       if (system.has_loss)
         system.loss_stiffness.reinit(system.stiffness);
+    }
+    {
+      // the mass couples no two directions: a third of the entries
+      Table<2, DoFTools::Coupling> couplings(dim, dim);
+      couplings.fill(DoFTools::none);
+      for (unsigned int d = 0; d < dim; ++d)
+        couplings(d, d) = DoFTools::always;
+      DynamicSparsityPattern pattern(body.locally_relevant);
+      DoFTools::make_sparsity_pattern(body.dof_handler, couplings, pattern, body.constraints, false);
+      SparsityTools::distribute_sparsity_pattern(pattern, body.locally_owned, communicator,
+                                                 body.locally_relevant);
+      system.mass.reinit(body.locally_owned, body.locally_owned, pattern, communicator);
     }
     if (system.has_load)
       system.load.reinit(body.locally_owned, communicator);

@@ -37,37 +37,46 @@ namespace vibrocontact
     void add_row(const SecondOrderSystem &system,
                  const dealii::PETScWrappers::MPI::SparseMatrix *const linear, const PetscInt row)
     {
-      const auto read = [&](Mat matrix, std::vector<double> &into, const bool with_places)
+      const auto read = [&](Mat matrix, const auto &take)
       {
         PetscInt m = 0;
         const PetscInt *c = nullptr;
         const PetscScalar *v = nullptr;
         petsc_check(MatGetRow(matrix, row, &m, &c, &v), "MatGetRow");
-        for (PetscInt k = 0; k < m; ++k)
-          if (c[k] <= row)
-          {
-            if (with_places)
-            {
-              rows.push_back(row + 1);
-              columns.push_back(c[k] + 1);
-            }
-            into.push_back(v[k]);
-          }
+        for (PetscInt k = 0; k < m && c[k] <= row; ++k)
+          take(c[k] + 1, v[k]);
         MatRestoreRow(matrix, row, &m, &c, &v);
       };
-      read(system.stiffness, stiffness, true);
-      read(system.mass, mass, false);
+      const std::size_t first = stiffness.size();
+      read(system.stiffness,
+           [&](const MUMPS_INT column, const double value)
+           {
+             rows.push_back(row + 1);
+             columns.push_back(column);
+             stiffness.push_back(value);
+           });
+      // the others have no place that the stiffness does not have
+      for (auto *const values : {&loss, &mass, &of_frequency})
+        values->resize(stiffness.size(), 0.);
+      const auto read_beside = [&](Mat matrix, std::vector<double> &into)
+      {
+        std::size_t place = first;
+        read(matrix,
+             [&](const MUMPS_INT column, const double value)
+             {
+               while (place < columns.size() && columns[place] < column)
+                 ++place;
+               AssertThrow(
+                   place < columns.size() && columns[place] == column,
+                   dealii::ExcMessage("The matrices of body " + system.body + " differ in their patterns."));
+               into[place] = value;
+             });
+      };
+      read_beside(system.mass, mass);
       if (system.has_loss)
-        read(system.loss_stiffness, loss, false);
-      else
-        loss.resize(stiffness.size(), 0.);
+        read_beside(system.loss_stiffness, loss);
       if (linear)
-        read(*linear, of_frequency, false);
-      else
-        of_frequency.resize(stiffness.size(), 0.);
-      AssertThrow(mass.size() == stiffness.size() && loss.size() == stiffness.size() &&
-                      of_frequency.size() == stiffness.size(),
-                  dealii::ExcMessage("The matrices of body " + system.body + " differ in their patterns."));
+        read_beside(*linear, of_frequency);
     }
 
     /// The entries and the order of all ranks on each of them.

@@ -27,7 +27,7 @@ namespace vibrocontact
     std::string body;
     MPI_Comm communicator = MPI_COMM_NULL;
     dealii::IndexSet locally_owned;
-    /// M [kg], K [N/m]: symmetric, same sparsity
+    /// M [kg], K [N/m]: symmetric; M has no place that K does not have, of a solid a third of them
     dealii::PETScWrappers::MPI::SparseMatrix mass, stiffness;
     /// imaginary part of the hysteretic stiffness, sum of eta_e K_e over cells and pads [N/m]; empty if
     /// lossless
