@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -89,6 +90,11 @@ namespace vibrocontact
     }
     left.bytes = std::max(0., left.bytes);
     return left;
+  }
+
+  void return_free_memory()
+  {
+    malloc_trim(0);
   }
 
   std::string bytes_text(const double bytes)

@@ -8,7 +8,9 @@
 namespace vibrocontact
 {
   BodyReduction::BodyReduction(const ReductionRequest &request, const Maker &maker, MPI_Comm communicator)
-      : asked(request), maker(maker), communicator(communicator), cache(request.cache_directory, communicator)
+      : asked(request), maker(maker), communicator(communicator),
+        cache(request.cache_directory, communicator),
+        chosen(request.solver.method == "iterative" ? StiffnessSolver::iterative : StiffnessSolver::direct)
   {
   }
 
@@ -49,7 +51,7 @@ namespace vibrocontact
       const Log::Part part(heading());
       const SecondOrderSystem &matrices = system();
       dealii::Timer timer;
-      factorised = std::make_unique<Flexibility>(matrices);
+      factorised = std::make_unique<Flexibility>(matrices, chosen);
       timings.emplace_back("factorisation", timer.wall_time());
     }
     return *factorised;

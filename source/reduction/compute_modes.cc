@@ -1,7 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
-#include <vibrocontact/base/petsc_check.h>
 #include <vibrocontact/reduction/all_modes.h>
 #include <vibrocontact/reduction/block_product.h>
 #include <vibrocontact/reduction/compute_modes.h>
@@ -25,54 +24,6 @@ namespace vibrocontact
   {
     constexpr double pair_tolerance = 1e-3;
     const double two_pi = 2 * dealii::numbers::PI;
-
-    // The mass matrix without the zeros that it inherits from the stiffness's pattern (two thirds of it): a
-    // third of the time. To be destroyed by the caller.
-    Mat compact(Mat mass)
-    {
-      PetscInt begin = 0, end = 0, n = 0;
-      MatGetOwnershipRange(mass, &begin, &end);
-      MatGetSize(mass, &n, nullptr);
-      const PetscInt n_local = end - begin;
-      std::vector<PetscInt> n_own(n_local, 0), n_other(n_local, 0), columns;
-      std::vector<PetscScalar> values;
-      const auto read_row = [&](const PetscInt row)
-      {
-        PetscInt m = 0;
-        const PetscInt *c = nullptr;
-        const PetscScalar *v = nullptr;
-        columns.clear();
-        values.clear();
-        petsc_check(MatGetRow(mass, row, &m, &c, &v), "MatGetRow");
-        for (PetscInt k = 0; k < m; ++k)
-          if (v[k] != 0 || c[k] == row)
-          {
-            columns.push_back(c[k]);
-            values.push_back(v[k]);
-          }
-        MatRestoreRow(mass, row, &m, &c, &v);
-      };
-      for (PetscInt row = begin; row < end; ++row)
-      {
-        read_row(row);
-        for (const PetscInt c : columns)
-          ++(c >= begin && c < end ? n_own : n_other)[row - begin];
-      }
-      Mat result;
-      petsc_check(MatCreateAIJ(PetscObjectComm(reinterpret_cast<PetscObject>(mass)), n_local, n_local, n, n,
-                               0, n_own.data(), 0, n_other.data(), &result),
-                  "MatCreateAIJ");
-      for (PetscInt row = begin; row < end; ++row)
-      {
-        read_row(row);
-        petsc_check(
-            MatSetValues(result, 1, &row, columns.size(), columns.data(), values.data(), INSERT_VALUES),
-            "MatSetValues");
-      }
-      MatAssemblyBegin(result, MAT_FINAL_ASSEMBLY);
-      petsc_check(MatAssemblyEnd(result, MAT_FINAL_ASSEMBLY), "MatAssemblyEnd");
-      return result;
-    }
 
     unsigned int n_dofs_with_mass(const SecondOrderSystem &system)
     {
@@ -99,8 +50,33 @@ namespace vibrocontact
       return shifted.n_negative();
     }
 
+    // Without factors that count: whether a second search, beside the modes found, meets another one below an angular
+    // frequency. It need not be exact: pairs are never split, so that such a one lies further below than that.
+    bool has_others_below(const SecondOrderSystem &system, Flexibility &flexibility, const double omega,
+                          const unsigned int n_massive, Modes &modes)
+    {
+      if (modes.omega.size() + krylov_dimension(1) > n_massive)
+        return false; // all of them are there
+      constexpr double tolerance = 1e-3;
+      dealii::Timer timer;
+      Modes beside = modes;
+      krylov_schur(system, flexibility, 1, beside, tolerance);
+      modes.n_solves = beside.n_solves;
+      modes.seconds_count += timer.wall_time();
+      const auto number = [omega](const Modes &some)
+      {
+        return std::count_if(some.omega.begin(), some.omega.end(),
+                             [omega](double other) { return other < omega; });
+      };
+      const auto found = number(beside) - number(modes);
+      run_log().line("a second search beside the modes met " + (found > 0 ? std::to_string(found) : "no") +
+                     " other below " + number_text(omega / two_pi) + " Hz (" + time_text(timer.wall_time()) +
+                     "); iterative solves cannot count them");
+      return found > 0;
+    }
+
     // Mass-normalises, then measures orthonormality and residuals.
-    void verify(const SecondOrderSystem &system, Mat mass, Modes &modes)
+    void verify(const SecondOrderSystem &system, Modes &modes)
     {
       constexpr unsigned int block_size = 16;
       const PetscInt n_rows = system.locally_owned.n_elements();
@@ -123,7 +99,7 @@ namespace vibrocontact
           columns.insert(columns.end(), values, values + n_rows);
           VecRestoreArrayRead(modes.shapes[first + k], &values);
         }
-        const auto inertia = block_product(mass, columns, n),
+        const auto inertia = block_product(system.mass, columns, n),
                    elastic = block_product(system.stiffness, columns, n);
         for (unsigned int k = 0; k < n; ++k)
         {
@@ -169,6 +145,11 @@ namespace vibrocontact
     const unsigned int n_rigid = modes.n_rigid_modes;
     const double limit = two_pi * parameters.upper_frequency;
     const bool by_frequency = parameters.upper_frequency > 0;
+    if (by_frequency && flexibility.is_iterative())
+      throw InputError(
+          "Body '" + system.body +
+          "': iterative solves cannot count the modes below Modes/Upper frequency; set that to 0 "
+          "and give a Count.");
 
     unsigned int n_below = 0; // elastic modes wanted
     if (by_frequency)
@@ -187,9 +168,6 @@ namespace vibrocontact
                        " modes are more than its " + std::to_string(system.stiffness.m()) +
                        " dofs can tell; ask for fewer.");
 
-    const auto destroy = [](Mat matrix) { MatDestroy(&matrix); };
-    const std::unique_ptr<std::remove_pointer_t<Mat>, decltype(destroy)> mass(compact(system.mass), destroy);
-
     // A Krylov sequence sees as many modes of one frequency as its blocks have columns: what the count misses
     // is sought again, next to the modes found so far. LAPACK solves bodies of few dofs.
     unsigned int n_kept = 0, n_missing = n_below;
@@ -198,7 +176,7 @@ namespace vibrocontact
       if (modes.omega.size() + krylov_dimension(n_missing + 2) > n_massive)
         modes = all_modes(system, modes);
       else
-        krylov_schur(system, flexibility, mass.get(), n_missing + 2, modes);
+        krylov_schur(system, flexibility, n_missing + 2, modes);
       // The pair of the last mode comes along.
       n_kept = n_rigid + n_below;
       while (n_kept > n_rigid && n_kept + 1 < modes.omega.size() &&
@@ -215,10 +193,19 @@ namespace vibrocontact
       double bound = limit;
       unsigned int expected = n_rigid + n_below;
       if (!by_frequency)
-      {
         bound = (modes.omega[n_kept - 1] + modes.omega[n_kept]) / 2;
-        expected = count_below(system, bound, modes);
+      if (flexibility.is_iterative())
+      {
+        if (!has_others_below(system, flexibility, bound, n_massive, modes))
+          break;
+        if (attempt == 4)
+          throw ConvergenceError("Body '" + system.body + "': beside the modes found below " +
+                                 number_text(bound / two_pi) + " Hz there are always others.");
+        n_missing = 1;
+        continue;
       }
+      if (!by_frequency)
+        expected = count_below(system, bound, modes);
       const unsigned int found =
           std::count_if(modes.omega.begin(), modes.omega.end(), [&](double omega) { return omega < bound; });
       if (found == expected)
@@ -237,7 +224,9 @@ namespace vibrocontact
                      " Hz, stay together");
     modes.omega.resize(n_kept);
     modes.shapes.resize(n_kept);
-    verify(system, mass.get(), modes);
+    verify(system, modes);
+    if (flexibility.is_iterative())
+      run_log().line(flexibility.iterations_text());
     orient_modes(system, modes);
     return modes;
   }

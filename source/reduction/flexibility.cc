@@ -1,6 +1,8 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/reduction/block_product.h>
+#include <vibrocontact/reduction/conjugate_gradients.h>
 #include <vibrocontact/reduction/flexibility.h>
 
 #include <deal.II/base/mpi.h>
@@ -36,22 +38,24 @@ namespace vibrocontact
     /// of the contact compliance, between two reports
     constexpr unsigned int columns_at_once = 128;
 
-    std::vector<double> gather_on_host(const Vector &v)
+    /// of the conjugate gradients: far more than approximate factors that are worth anything need
+    constexpr unsigned int most_iterations = 40;
+    constexpr double solve_tolerance = 1e-12;
+
+    std::string compliance_error(const std::string &body)
     {
-      const MPI_Comm communicator = v.get_mpi_communicator();
-      const int local = v.locally_owned_size();
-      const auto sizes = dealii::Utilities::MPI::all_gather(communicator, local);
-      std::vector<int> offsets(1, 0);
-      for (const int size : sizes)
-        offsets.push_back(offsets.back() + size);
-      const bool is_host = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-      std::vector<double> all(is_host ? v.size() : 0);
+      return "The contact compliance of body '" + body +
+             "' is not symmetric and positive definite: its mesh has badly shaped cells or its "
+             "material numbers are out of range; mend those.";
+    }
+
+    std::vector<double> own_values(const Vector &v)
+    {
       const PetscScalar *values = nullptr;
       VecGetArrayRead(v, &values);
-      MPI_Gatherv(values, local, MPI_DOUBLE, all.data(), sizes.data(), offsets.data(), MPI_DOUBLE, 0,
-                  communicator);
+      std::vector<double> result(values, values + v.locally_owned_size());
       VecRestoreArrayRead(v, &values);
-      return all;
+      return result;
     }
 
     void broadcast(DenseMatrix &matrix, MPI_Comm communicator)
@@ -65,7 +69,8 @@ namespace vibrocontact
     }
   } // namespace
 
-  Flexibility::Flexibility(const SecondOrderSystem &system_) : system(system_)
+  Flexibility::Flexibility(const SecondOrderSystem &system_, const StiffnessSolver solver_)
+      : system(system_), solver(solver_)
   {
     for (const auto &row : system.trace.rows)
       for (const auto &[dof, weight] : row)
@@ -80,19 +85,23 @@ namespace vibrocontact
     }
     SymmetricFactorization::Options options;
     options.name = system.body + ": stiffness";
-    options.schur_dofs = trace_dofs;
+    options.approximate = is_iterative();
+    if (!is_iterative())
+      options.schur_dofs = trace_dofs;
     options.fixed_dofs = fixed_dofs;
     factors = std::make_unique<SymmetricFactorization>(system.stiffness, nullptr, 0., options);
 
     const auto &cost = factors->statistics();
     std::ostringstream text;
     text.precision(3);
-    text << system.body << ": stiffness factorised: ordering " << time_text(cost.seconds_ordering)
-         << ", analysis " << time_text(cost.seconds_analysis) << ", factorisation "
-         << time_text(cost.seconds_factorization) << ", " << cost.factor_entries / 1e6 << " million entries, "
-         << cost.operations / 1e9 << " Gflop, " << cost.megabytes_rank << " MB on the fullest rank, "
-         << cost.megabytes_total << " MB in all";
+    text << system.body << ": stiffness factorised" << (is_iterative() ? " approximately" : "")
+         << ": ordering " << time_text(cost.seconds_ordering) << ", analysis "
+         << time_text(cost.seconds_analysis) << ", factorisation " << time_text(cost.seconds_factorization)
+         << ", " << cost.factor_entries / 1e6 << " million entries, " << cost.operations / 1e9 << " Gflop, "
+         << cost.megabytes_rank << " MB on the fullest rank, " << cost.megabytes_total << " MB in all";
     run_log().line(text.str());
+    if (is_iterative())
+      MatNorm(system.stiffness, NORM_INFINITY, &stiffness_norm);
     if (phi.empty())
       check_digits();
   }
@@ -203,57 +212,125 @@ namespace vibrocontact
 
   void Flexibility::vmult(Vector &u, const Vector &f)
   {
-    if (phi.empty())
-    {
-      factors->solve(f, u);
-      return;
-    }
-    Vector balanced(f);
-    for (unsigned int i = 0; i < phi.size(); ++i)
-      balanced.add(-(phi[i] * f), inertia[i]);
-    for (const auto dof : fixed_dofs)
-      if (balanced.in_local_range(dof))
-        balanced(dof) = 0;
-    balanced.compress(dealii::VectorOperation::insert);
-    factors->solve(balanced, u);
-    for (unsigned int i = 0; i < phi.size(); ++i)
-      u.add(-(inertia[i] * u), phi[i]);
+    std::vector<double> values = own_values(f);
+    vmult(values, 1);
+    PetscScalar *place = nullptr;
+    VecGetArray(u, &place);
+    std::copy(values.begin(), values.end(), place);
+    VecRestoreArray(u, &place);
   }
 
-  void Flexibility::vmult(DenseMatrix &columns)
+  void Flexibility::vmult(std::vector<double> &columns, const unsigned int n_columns)
   {
-    const unsigned int n_rigid = phi.size();
+    const std::size_t n = system.locally_owned.n_elements(), n_rigid = phi.size();
     std::vector<std::vector<double>> shapes, forces;
     for (unsigned int i = 0; i < n_rigid; ++i)
     {
-      shapes.push_back(gather_on_host(phi[i]));
-      forces.push_back(gather_on_host(inertia[i]));
+      shapes.push_back(own_values(phi[i]));
+      forces.push_back(own_values(inertia[i]));
     }
     // column -= sum_i b_i (a_i . column)
     const auto project =
         [&](const std::vector<std::vector<double>> &a, const std::vector<std::vector<double>> &b)
     {
-      if (columns.m() == 0)
-        return;
-      for (unsigned int j = 0; j < columns.n(); ++j)
+      std::vector<double> factors(n_rigid * n_columns);
+      for (unsigned int j = 0; j < n_columns; ++j)
         for (unsigned int i = 0; i < n_rigid; ++i)
-        {
-          double *const column = &columns(0, j);
-          const double factor = std::inner_product(a[i].begin(), a[i].end(), column, 0.);
-          for (unsigned int k = 0; k < columns.m(); ++k)
-            column[k] -= factor * b[i][k];
-        }
+          factors[j * n_rigid + i] =
+              std::inner_product(a[i].begin(), a[i].end(), columns.begin() + j * n, 0.);
+      MPI_Allreduce(MPI_IN_PLACE, factors.data(), factors.size(), MPI_DOUBLE, MPI_SUM, system.communicator);
+      for (unsigned int j = 0; j < n_columns; ++j)
+        for (unsigned int i = 0; i < n_rigid; ++i)
+          for (std::size_t k = 0; k < n; ++k)
+            columns[j * n + k] -= factors[j * n_rigid + i] * b[i][k];
     };
-    project(shapes, forces);
-    if (columns.m() > 0)
-      for (const auto dof : fixed_dofs)
-        for (unsigned int j = 0; j < columns.n(); ++j)
-          columns(dof, j) = 0;
-    factors->solve(columns);
-    project(forces, shapes);
+    if (n_rigid > 0)
+      project(shapes, forces);
+    free_fixed_dofs(columns, n_columns);
+    solve(columns, n_columns);
+    if (n_rigid > 0)
+      project(forces, shapes);
+  }
+
+  void Flexibility::free_fixed_dofs(std::vector<double> &columns, const unsigned int n_columns) const
+  {
+    const std::size_t n = system.locally_owned.n_elements();
+    for (const auto dof : fixed_dofs)
+      if (system.locally_owned.is_element(dof))
+        for (unsigned int j = 0; j < n_columns; ++j)
+          columns[j * n + system.locally_owned.index_within_set(dof)] = 0;
+  }
+
+  void Flexibility::solve(std::vector<double> &columns, const unsigned int n_columns)
+  {
+    if (!is_iterative())
+    {
+      factors->solve(columns, n_columns);
+      return;
+    }
+    // K_c: the fixed dofs have no part in it
+    const ColumnOperator stiffness = [&](const std::vector<double> &in, const unsigned int n)
+    {
+      std::vector<double> out = block_product(system.stiffness, in, n);
+      free_fixed_dofs(out, n);
+      return out;
+    };
+    const ColumnOperator preconditioner = [&](const std::vector<double> &in, const unsigned int n)
+    {
+      std::vector<double> out = in;
+      factors->solve(out, n);
+      free_fixed_dofs(out, n);
+      return out;
+    };
+    const ConjugateGradientsResult result =
+        conjugate_gradients(system.communicator, stiffness, preconditioner, columns, n_columns,
+                            stiffness_norm, solve_tolerance, most_iterations);
+    n_iterations += result.n_iterations;
+    ++n_blocks;
+    residual = std::max(residual, result.measured);
+    if (!result.converged)
+      throw ConvergenceError(
+          "Body '" + system.body + "': conjugate gradients leave a residual of " +
+          number_text(std::max(result.residual, result.measured)) + " after " +
+          std::to_string(result.n_iterations) + " steps, more than " + number_text(solve_tolerance) +
+          ": single precision has no digits left for its weakest motion; set " + system.body +
+          "/Solver/Method to direct, or make it or its cells less slender and its materials less unlike.");
+  }
+
+  std::string Flexibility::iterations_text() const
+  {
+    if (!is_iterative())
+      return "";
+    return number_text(double(n_iterations) / std::max(1u, n_blocks)) +
+           " steps of conjugate gradients in the mean, residual " + number_text(residual);
   }
 
   DenseMatrix Flexibility::contact_compliance()
+  {
+    const unsigned int n = system.trace.rows.size();
+    DenseMatrix result;
+    if (is_iterative())
+    {
+      std::vector<unsigned int> all(n);
+      std::iota(all.begin(), all.end(), 0u);
+      result = contact_compliance_columns(all);
+    }
+    else
+      result = compliance_by_complement();
+    double largest = 0, asymmetry = 0;
+    for (unsigned int c = 0; c < n; ++c)
+      for (unsigned int r = 0; r <= c; ++r)
+      {
+        largest = std::max(largest, std::abs(result(r, c)));
+        asymmetry = std::max(asymmetry, std::abs(result(r, c) - result(c, r)));
+        result(r, c) = result(c, r) = (result(r, c) + result(c, r)) / 2;
+      }
+    if (!(asymmetry <= 1e-8 * largest))
+      throw ConvergenceError(compliance_error(system.body));
+    return result;
+  }
+
+  DenseMatrix Flexibility::compliance_by_complement()
   {
     const unsigned int n = system.trace.rows.size(), m = trace_dofs.size(), n_rigid = phi.size();
     // K_c^+ M Phi_R at the contact, and Phi_R there
@@ -319,21 +396,9 @@ namespace vibrocontact
             for (unsigned int j = 0; j < n_rigid; ++j)
               result(r, c) += shape[i][r] * energy(i, j) * shape[j][c];
           }
-      double largest = 0, asymmetry = 0;
-      for (unsigned int c = 0; c < n; ++c)
-        for (unsigned int r = 0; r <= c; ++r)
-        {
-          largest = std::max(largest, std::abs(result(r, c)));
-          asymmetry = std::max(asymmetry, std::abs(result(r, c) - result(c, r)));
-          result(r, c) = result(c, r) = (result(r, c) + result(c, r)) / 2;
-        }
-      is_good = is_good && asymmetry <= 1e-8 * largest;
     }
     if (!dealii::Utilities::MPI::broadcast(system.communicator, is_good))
-      throw ConvergenceError(
-          "The contact compliance of body '" + system.body +
-          "' is not symmetric and positive definite: its mesh has badly shaped cells or its "
-          "material numbers are out of range; mend those.");
+      throw ConvergenceError(compliance_error(system.body));
     broadcast(result, system.communicator);
     return result;
   }
@@ -341,28 +406,32 @@ namespace vibrocontact
   DenseMatrix Flexibility::contact_compliance_columns(const std::vector<unsigned int> &rows,
                                                       const unsigned int block_size)
   {
-    const bool is_host = dealii::Utilities::MPI::this_mpi_process(system.communicator) == 0;
-    const unsigned int n = system.trace.rows.size();
-    DenseMatrix result(n, rows.size());
-    for (unsigned int first = 0; first < rows.size(); first += block_size)
+    const unsigned int n = system.trace.rows.size(), n_columns = rows.size();
+    const std::size_t n_own = system.locally_owned.n_elements();
+    std::vector<std::vector<std::pair<std::size_t, double>>> own_rows(n);
+    for (unsigned int r = 0; r < n; ++r)
+      for (const auto &[dof, weight] : system.trace.rows[r])
+        if (system.locally_owned.is_element(dof))
+          own_rows[r].emplace_back(system.locally_owned.index_within_set(dof), weight);
+    DenseMatrix result(n, n_columns);
+    Progress progress(system.body + ": contact compliance, " + std::to_string(n_columns) + " columns",
+                      n_columns);
+    for (unsigned int first = 0; first < n_columns; first += block_size)
     {
-      const unsigned int m = std::min<unsigned int>(block_size, rows.size() - first);
-      DenseMatrix columns;
-      if (is_host)
-      {
-        columns.reinit(system.stiffness.m(), m);
-        for (unsigned int j = 0; j < m; ++j)
-          for (const auto &[dof, weight] : system.trace.rows[rows[first + j]])
-            columns(dof, j) = weight;
-      }
-      vmult(columns);
-      if (is_host)
-        for (unsigned int j = 0; j < m; ++j)
-          for (unsigned int r = 0; r < n; ++r)
-            for (const auto &[dof, weight] : system.trace.rows[r])
-              result(r, first + j) += weight * columns(dof, j);
+      const unsigned int m = std::min<unsigned int>(block_size, n_columns - first);
+      std::vector<double> columns(n_own * m, 0.);
+      for (unsigned int j = 0; j < m; ++j)
+        for (const auto &[i, weight] : own_rows[rows[first + j]])
+          columns[j * n_own + i] += weight;
+      vmult(columns, m);
+      for (unsigned int j = 0; j < m; ++j)
+        for (unsigned int r = 0; r < n; ++r)
+          for (const auto &[i, weight] : own_rows[r])
+            result(r, first + j) += weight * columns[j * n_own + i];
+      progress.advance(m);
     }
-    broadcast(result, system.communicator);
+    for (unsigned int j = 0; j < n_columns; ++j)
+      MPI_Allreduce(MPI_IN_PLACE, &result(0, j), n, MPI_DOUBLE, MPI_SUM, system.communicator);
     return result;
   }
 

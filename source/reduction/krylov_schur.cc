@@ -43,11 +43,13 @@ namespace vibrocontact
 {
   namespace
   {
-    constexpr double tolerance = 1e-10;
-
     /// columns of a block: a solve reads all factors from memory, and for 8 columns that takes little longer
     /// than for one
     constexpr unsigned int block_size = 8;
+
+    /// of the basis that a body of many dofs has room for beside: the lowest 20 modes of a cube take 168 solves with them, 312
+    /// without
+    constexpr unsigned int spare_blocks = 11;
 
     /// of the basis; convergence mostly comes before it is full
     unsigned int krylov_blocks(const unsigned int n_wanted)
@@ -69,28 +71,6 @@ namespace vibrocontact
       for (int j = 0; j < columns.NumVectors(); ++j)
         std::copy_n(values.data() + j * n, n, columns[j]);
     }
-
-    /// Columns by own rows: through rank 0, which has those of a flexibility.
-    void solve(Flexibility &flexibility, const MPI_Comm communicator, std::vector<double> &columns,
-               const unsigned int n_columns)
-    {
-      const int n_own = columns.size() / n_columns;
-      const auto sizes = dealii::Utilities::MPI::all_gather(communicator, n_own);
-      std::vector<int> offsets(1, 0);
-      std::partial_sum(sizes.begin(), sizes.end(), std::back_inserter(offsets));
-      const bool is_host = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-      DenseMatrix all;
-      if (is_host)
-        all.reinit(offsets.back(), n_columns);
-      for (unsigned int j = 0; j < n_columns; ++j)
-        MPI_Gatherv(columns.data() + std::size_t(j) * n_own, n_own, MPI_DOUBLE,
-                    is_host ? &all(0, j) : nullptr, sizes.data(), offsets.data(), MPI_DOUBLE, 0,
-                    communicator);
-      flexibility.vmult(all);
-      for (unsigned int j = 0; j < n_columns; ++j)
-        MPI_Scatterv(is_host ? &all(0, j) : nullptr, sizes.data(), offsets.data(), MPI_DOUBLE,
-                     columns.data() + std::size_t(j) * n_own, n_own, MPI_DOUBLE, 0, communicator);
-    }
   } // namespace
 
   unsigned int krylov_dimension(const unsigned int n_wanted)
@@ -98,22 +78,25 @@ namespace vibrocontact
     return (krylov_blocks(n_wanted) + 1) * block_size;
   }
 
-  void krylov_schur(const SecondOrderSystem &system, Flexibility &flexibility, Mat mass,
-                    const unsigned int n_wanted, Modes &modes)
+  void krylov_schur(const SecondOrderSystem &system, Flexibility &flexibility, const unsigned int n_wanted,
+                    Modes &modes, const double tolerance)
   {
     const int block = block_size;
-    const unsigned int n_first = modes.omega.size(), n_blocks = krylov_blocks(n_wanted);
+    const unsigned int n_first = modes.omega.size(),
+                       n_blocks =
+                           krylov_blocks(n_wanted) +
+                           (system.stiffness.m() > 100 * krylov_dimension(n_wanted) ? spare_blocks : 0);
     const Epetra_MpiComm communicator(system.communicator);
     const Epetra_Map map(static_cast<int>(system.stiffness.m()),
                          static_cast<int>(system.locally_owned.n_elements()), 0, communicator);
     // Modes converge at about two and a half solves each.
     Progress progress(system.body + ": " + std::to_string(n_wanted) + " modes", 2.5 * n_wanted + 3 * block);
     const BlockOperator inertia = [&](const Epetra_MultiVector &in, Epetra_MultiVector &out)
-    { set_values(block_product(mass, values_of(in), in.NumVectors()), out); };
+    { set_values(block_product(system.mass, values_of(in), in.NumVectors()), out); };
     const BlockOperator inverse = [&](const Epetra_MultiVector &in, Epetra_MultiVector &out)
     {
-      std::vector<double> values = block_product(mass, values_of(in), in.NumVectors());
-      solve(flexibility, system.communicator, values, in.NumVectors());
+      std::vector<double> values = block_product(system.mass, values_of(in), in.NumVectors());
+      flexibility.vmult(values, in.NumVectors());
       set_values(values, out);
       modes.n_solves += in.NumVectors();
       progress.advance(in.NumVectors());

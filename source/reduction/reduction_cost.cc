@@ -13,26 +13,40 @@ namespace vibrocontact
     constexpr unsigned int fewest_vectors = 64;
   } // namespace
 
-  ReductionCost reduction_cost(const double n_dofs, const double n_rows, const double n_modes,
-                               const bool counts_first)
+  ReductionCost reduction_cost(const ReductionSize &size, const StiffnessSolver solver)
   {
-    const double size = n_dofs / 287e3, number = 8;
-    const double matrices = 5e3 * n_dofs, factors = 2.8e9 * std::pow(size, 1.25),
-                 factor_seconds = 17 * std::pow(size, 1.5);
+    const double number = 8, n = size.n_dofs, relative = n / 287e3,
+                 entries = 21 * size.compactness * std::pow(n, 4. / 3),
+                 operations = 0.2 * std::pow(entries, 1.5);
+    const bool iterative = solver == StiffnessSolver::iterative;
+    const double matrices = 4e3 * n, factors = (iterative ? 5. : 11.) * entries,
+                 ordering_seconds = 4 * relative,
+                 factor_seconds = iterative ? operations / 2 / 12e9 : operations / 10e9,
+                 // a column of a block: four steps of a product and of both factors, at 3 and 4 Gflop/s
+        column_seconds = 4 * (2 * 190 * n / 3e9 + 3 * entries / 4e9),
+                 // b, r, z and both directions of a block, and what is on its way to rank 0
+        block_bytes = iterative ? 7 * 32 * number * n : 0;
     ReductionCost cost;
+    cost.solver = solver;
     cost.kept = matrices + factors;
-    cost.stages.push_back({"mesh and assembly", 8 * size, matrices});
-    cost.stages.push_back({"factorisation", 4 * size + factor_seconds, cost.kept});
-    if (n_rows > 0)
-      cost.stages.push_back(
-          {"contact compliance", 0.02 * size * n_rows, cost.kept + 2 * number * n_rows * n_rows});
-    if (n_modes > 0)
+    cost.stages.push_back({"mesh and assembly", 8 * relative, matrices});
+    cost.stages.push_back({iterative ? "approximate factorisation" : "factorisation",
+                           ordering_seconds + factor_seconds, cost.kept});
+    if (size.n_rows > 0)
+      cost.stages.push_back({"contact compliance",
+                             iterative ? column_seconds * size.n_rows : 0.02 * relative * size.n_rows,
+                             cost.kept + 2 * number * size.n_rows * size.n_rows + block_bytes});
+    if (size.n_modes > 0)
     {
-      if (counts_first)
-        cost.stages.push_back({"count of modes", 4 * size + factor_seconds, cost.kept + 0.7 * factors});
-      cost.stages.push_back({std::to_string(std::lround(n_modes)) + " modes", 0.6 * size * n_modes,
-                             cost.kept + number * n_dofs * (4.4 * n_modes + fewest_vectors)});
-      cost.kept += number * n_dofs * n_modes;
+      if (size.counts_first)
+        cost.stages.push_back(
+            {"count of modes", ordering_seconds + factor_seconds, cost.kept + 0.7 * factors});
+      const double n_solves = 2.5 * size.n_modes + 24 + 40;
+      cost.stages.push_back(
+          {std::to_string(std::lround(size.n_modes)) + " modes",
+           iterative ? column_seconds * n_solves : 0.6 * relative * size.n_modes,
+           cost.kept + number * n * (4.4 * size.n_modes + fewest_vectors) + block_bytes / 4});
+      cost.kept += number * n * size.n_modes;
     }
     for (const ReductionStage &stage : cost.stages)
       cost.peak = std::max(cost.peak, stage.bytes);

@@ -88,6 +88,8 @@ namespace vibrocontact
     result.rigid_load = products(system, flexibility.rigid_modes(), system.n_rigid_modes);
     run_log().line("contact compliance of " + std::to_string(n_rows) +
                    " rows: " + time_text(timer.wall_time()));
+    if (flexibility.is_iterative())
+      run_log().line(flexibility.iterations_text());
     return result;
   }
 

@@ -254,6 +254,11 @@ namespace vibrocontact
     check_contacts(*this);
     for (const auto &[name, mode] : modes)
       mode.check(name + "/Modes");
+    for (const auto &[name, solver] : stiffness_solvers)
+      if (solver.method == "iterative" && modes.at(name).upper_frequency > 0)
+        throw InputError(
+            name + "/Solver/Method is iterative, which has no factors to count the modes below " + name +
+            "/Modes/Upper frequency with: set that to 0 and give a Count, or take Method = direct.");
     for (const AnalysisType &type : scene.known_analyses)
       if (scene.runs(type.name) && !type.sweep_section.empty())
         sweeps.at(type.name).check(type.sweep_section);

@@ -107,6 +107,7 @@ namespace vibrocontact
       entries.add_if(use.loads, "loads matter to the analysis", body.name + "/Loads", "Gravity");
     if (body.is_solid())
     {
+      entries.add(body.name + "/Solver", "Method");
       const std::vector<double> &traction = body.loads.traction;
       entries.add_if(use.loads && traction != std::vector<double>(traction.size()),
                      "loads matter to the analysis and there is a Traction", body.name + "/Loads",

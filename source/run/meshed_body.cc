@@ -25,7 +25,8 @@ namespace vibrocontact
     for (const DeclaredParameters::Entry &entry : parameters.entries)
     {
       const bool own = entry.section == body || entry.section.rfind(body + "/", 0) == 0;
-      if (!own || entry.section == body + "/Modes" || (entry.name == "Materials" && entry.value.empty()))
+      if (!own || entry.section == body + "/Modes" || entry.section == body + "/Solver" ||
+          (entry.name == "Materials" && entry.value.empty()))
         continue;
       if (as_drawn && (entry.name == "Web thickness change" || entry.name == "Web radii"))
         continue;
@@ -85,13 +86,14 @@ namespace vibrocontact
   namespace
   {
     ReductionRequest request(const BodyParameters &parameters, const ModeParameters &modes,
-                             const double lateral_position, const std::string &key,
-                             const std::string &cache_directory)
+                             const StiffnessSolverParameters &solver, const double lateral_position,
+                             const std::string &key, const std::string &cache_directory)
     {
       ReductionRequest request;
       request.body = parameters.name;
       request.key = key;
       request.modes = modes;
+      request.solver = solver;
       request.cache_directory = cache_directory;
       request.flows = parameters.rolls();
       if (const auto height = parameters.axle_height(lateral_position))
@@ -100,13 +102,14 @@ namespace vibrocontact
     }
   } // namespace
 
-  MeshedBody::MeshedBody(const BodyParameters &parameters, const ModeParameters &modes, const bool above,
+  MeshedBody::MeshedBody(const BodyParameters &parameters, const ModeParameters &modes,
+                         const StiffnessSolverParameters &solver, const bool above,
                          const double lateral_position, const std::vector<ContactPlace> &places,
                          const std::string &key, const std::string &cache_directory,
                          const MPI_Comm communicator)
       : parameters(parameters), above(above), lateral_position(lateral_position), places(places),
         communicator(communicator),
-        reduction(request(parameters, modes, lateral_position, key, cache_directory),
+        reduction(request(parameters, modes, solver, lateral_position, key, cache_directory),
                   {[this]() { return assemble(); },
                    parameters.is_revolved() ? BodyReduction::Revolve([this]() { return revolve(); })
                                             : BodyReduction::Revolve()},

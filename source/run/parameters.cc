@@ -68,6 +68,8 @@ namespace vibrocontact
       {
         prm.enter_subsection(body.name);
         declare("Modes", modes[body.name]);
+        if (body.is_solid())
+          declare("Solver", stiffness_solvers[body.name]);
         prm.leave_subsection();
       }
     declare("Output", output);

@@ -10,6 +10,7 @@
 #include <vibrocontact/reduction/damped_wheel.h>
 #include <vibrocontact/reduction/reduction_cost.h>
 #include <vibrocontact/run/prepare_bodies.h>
+#include <vibrocontact/scene/mesh_compactness.h>
 #include <vibrocontact/waveguide/rail_section.h>
 
 #include <deal.II/base/mpi.h>
@@ -44,9 +45,12 @@ namespace vibrocontact
     const BodyParameters &body = parameters.scene.bodies[k];
     if (!body.is_meshed())
       return nullptr;
-    return std::make_unique<MeshedBody>(body, parameters.modes.at(body.name), parameters.is_above(k),
-                                        lateral_position(parameters, k), parameters.places(k), key,
-                                        parameters.output.cache_directory, MPI_COMM_WORLD);
+    const auto solver = parameters.stiffness_solvers.find(body.name);
+    return std::make_unique<MeshedBody>(
+        body, parameters.modes.at(body.name),
+        solver == parameters.stiffness_solvers.end() ? StiffnessSolverParameters() : solver->second,
+        parameters.is_above(k), lateral_position(parameters, k), parameters.places(k), key,
+        parameters.output.cache_directory, MPI_COMM_WORLD);
   }
 
   std::unique_ptr<TrackBody> track_body(const Parameters &parameters, const std::string &key,
@@ -145,14 +149,26 @@ namespace vibrocontact
     /// of modes up to a frequency: how many there are is told by the factorised stiffness only
     constexpr double supposed_modes = 100;
 
-    /// Of a solid body whose mesh is made.
-    ReductionCost cost_of(const Parameters &parameters, MeshedBody &body)
+    /// Of a solid body whose mesh is made, by the solver that its entry asks for: an automatic choice is direct unless
+    /// that does not fit the memory beside what other bodies keep [byte] and the iterative one can do what is asked.
+    ReductionCost cost_of(const Parameters &parameters, MeshedBody &body, const double kept = 0)
     {
-      const ModeParameters &modes = body.reduction.request().modes;
-      const double n_modes = modes.count > 0 ? modes.count : supposed_modes;
-      return reduction_cost(body.elastic_body().dof_handler.n_dofs(),
-                            parameters.has_contact() ? 3. * parameters.placed_contacts().n_points() : 0.,
-                            wants_modes(parameters, body) ? n_modes : 0., modes.count == 0);
+      const ReductionRequest &request = body.reduction.request();
+      ReductionSize size;
+      size.n_dofs = body.elastic_body().dof_handler.n_dofs();
+      size.compactness = mesh_compactness(*body.elastic_body().mesh.triangulation);
+      size.n_rows = parameters.has_contact() ? 3. * parameters.placed_contacts().n_points() : 0.;
+      if (wants_modes(parameters, body))
+        size.n_modes = request.modes.count > 0 ? request.modes.count : supposed_modes;
+      size.counts_first = request.modes.count == 0;
+      const ReductionCost direct = reduction_cost(size),
+                          iterative = reduction_cost(size, StiffnessSolver::iterative);
+      if (request.solver.method != "automatic")
+        return request.solver.method == "direct" ? direct : iterative;
+      const double n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+      const bool fits = memory_shortage("", (kept + direct.peak) / n_ranks, MPI_COMM_WORLD).empty(),
+                 by_frequency = size.n_modes > 0 && size.counts_first;
+      return fits || by_frequency ? direct : iterative;
     }
 
     /// Each body keeps its factors while the next one is reduced.
@@ -243,7 +259,8 @@ namespace vibrocontact
         body->check_contact();
         if (cached)
           continue;
-        const ReductionCost cost = cost_of(parameters, *body);
+        const ReductionCost cost = cost_of(parameters, *body, kept);
+        body->reduction.choose(cost.solver);
         peak = std::max(peak, kept + cost.peak);
         kept += cost.kept;
       }
@@ -261,7 +278,12 @@ namespace vibrocontact
       drawn.push_back({&parameters.scene.bodies[k], solid ? &bodies[k]->elastic_body() : nullptr});
       print_body(*drawn.back().parameters, drawn.back().solid);
       if (solid)
-        print_cost(cost_of(parameters, *bodies[k]));
+      {
+        const ReductionCost cost = cost_of(parameters, *bodies[k]);
+        run_log().value("solver of its stiffness",
+                        cost.solver == StiffnessSolver::iterative ? "iterative" : "direct");
+        print_cost(cost);
+      }
       if (bodies[k] && bodies[k]->parameters.is_revolved())
       {
         const RevolvedReduction &waves = bodies[k]->reduction.revolved();

@@ -36,6 +36,8 @@ namespace
       {"Output/Cache directory", "where results go"},
       {"Output/Figures", "drawn of the results"},
       {"Output/Fields", "drawn of the results, where an analysis has fields"},
+      {"block/Solver/Method", "the answers are the same to 1e-9 by either"},
+      {"upper/Solver/Method", "the answers are the same to 1e-9 by either"},
       {"Contact/Solver/Tolerance", "a solve has to meet it before it counts, and mostly does far better"},
       {"Contact/Solver/Force change", "a solve has to meet it before it counts"},
       {"Contact/Solver/Max Newton iterations", "a solve that needs more is not converged"},

@@ -60,9 +60,9 @@ TEST(MemoryMpi, AShortageIsOneSentenceOnEveryRank)
 TEST(ReductionCost, OfTheMainJobIsThatMeasured)
 {
   // wheel, then rail, whose peak meets what the wheel keeps: 8.3 GB measured on two ranks
-  const ReductionCost wheel = reduction_cost(287175, 1800, 101, true),
-                      rail = reduction_cost(199785, 1800, 237, true);
+  const ReductionCost wheel = reduction_cost({287175, 0.65, 1800, 101, true}),
+                      rail = reduction_cost({199785, 0.4, 1800, 237, true});
   EXPECT_NEAR(std::max(wheel.peak, wheel.kept + rail.peak), 8.3e9, 0.15 * 8.3e9);
-  EXPECT_LT(reduction_cost(10000, 300, 0, false).peak, 2e8);
+  EXPECT_LT(reduction_cost({10000, 1, 300, 0, false}).peak, 2e8);
   EXPECT_GT(wheel.peak, wheel.stages[1].bytes);
 }

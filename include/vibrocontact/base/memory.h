@@ -22,6 +22,9 @@ namespace vibrocontact
   /// @param root for tests: where /proc and /sys stand
   MemoryLeft memory_left(const std::string &root = "");
 
+  /// Gives the machine back what this process has freed but still holds: the patterns of an assembly, before the factors.
+  void return_free_memory();
+
   /// "8.3 GB"
   std::string bytes_text(double bytes);
 

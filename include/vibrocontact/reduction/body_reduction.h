@@ -19,6 +19,8 @@ namespace vibrocontact
     /// everything that determines matrices and trace (mesh, material, boundary, grid), as text
     std::string key;
     ModeParameters modes;
+    /// of a solid body; the answers are the same to 1e-9, so that it is no part of the key
+    StiffnessSolverParameters solver = {};
     /// a wheel's modes are labelled and damped by Eq. 23, any other body's by strain energy
     std::optional<WheelFrame> wheel;
     /// its material turns past its contact points: SecondOrderSystem::flow belongs to its modes
@@ -73,6 +75,8 @@ namespace vibrocontact
     /// The factorised system; factorises it.
     Flexibility &flexibility();
     bool was_factorised() const { return static_cast<bool>(factorised); }
+    /// Before it is factorised: what an automatic choice of the solver has become. Without, it is direct.
+    void choose(StiffnessSolver solver) { chosen = solver; }
     /// Whether the parts asked for are in the cache; they are loaded if so. Collective.
     bool is_cached(bool with_statics, bool with_modes);
     /// File that keeps the modes between runs; empty without a cache.
@@ -99,6 +103,7 @@ namespace vibrocontact
     std::unique_ptr<SecondOrderSystem> assembled;
     std::unique_ptr<RevolvedReduction> by_harmonics;
     std::unique_ptr<Flexibility> factorised;
+    StiffnessSolver chosen;
     std::optional<StaticReduction> static_part;
     std::optional<ModalReduction> modal_part;
     std::shared_ptr<const FlowReduction> flow_part;

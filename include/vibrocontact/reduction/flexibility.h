@@ -2,9 +2,11 @@
 
 #include <vibrocontact/base/dense.h>
 #include <vibrocontact/fe/second_order_system.h>
+#include <vibrocontact/reduction/stiffness_solver.h>
 #include <vibrocontact/reduction/symmetric_factorization.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace vibrocontact
@@ -24,25 +26,27 @@ namespace vibrocontact
   /// answer. G does not depend on the dofs chosen, G M Phi_R = 0, and G = sum over elastic modes of phi phi^T
   /// / w^2: no shifted K is passed off as K^-1.
   ///
-  /// The Schur complement on the trace dofs comes with the factorisation, so that P_c G P_c^T needs no solves
-  /// but those for Phi_R. All members are collective.
+  /// Direct: the Schur complement on the trace dofs comes with the factorisation, so that P_c G P_c^T needs no
+  /// solves but those for Phi_R. Iterative: an approximate factorisation of K preconditions conjugate gradients, several
+  /// columns at once, to a residual of 1e-12; P_c G P_c^T is solved column by column. All members are collective, and
+  /// those that solve throw a ConvergenceError if the conjugate gradients do not get there.
   class Flexibility
   {
   public:
     /// @throws InputError if a motion said to be rigid costs energy, a body said to be held is not, or rounding leaves less than
     /// three digits of how a held one bends under its own weight in all directions
-    explicit Flexibility(const SecondOrderSystem &system);
+    explicit Flexibility(const SecondOrderSystem &system, StiffnessSolver solver = StiffnessSolver::direct);
 
     /// u = G f
     void vmult(dealii::PETScWrappers::MPI::Vector &u, const dealii::PETScWrappers::MPI::Vector &f);
-    /// columns <- G columns, full vectors on rank 0 (n_dofs x m)
-    void vmult(DenseMatrix &columns);
+    /// columns <- G columns: own rows, column by column
+    void vmult(std::vector<double> &columns, unsigned int n_columns);
 
-    /// P_c G P_c^T, 3 n square [m/N], symmetric; replicated. By the Schur complement.
+    /// P_c G P_c^T, 3 n square [m/N], symmetric; replicated. By the Schur complement, or by solves if iterative.
     DenseMatrix contact_compliance();
-    /// The columns `rows` of P_c G P_c^T by blocked solves: the second method, for checks; replicated.
+    /// The columns `rows` of P_c G P_c^T by blocked solves: the only way if iterative, otherwise for checks; replicated.
     DenseMatrix contact_compliance_columns(const std::vector<unsigned int> &rows,
-                                           unsigned int block_size = 64);
+                                           unsigned int block_size = 32);
 
     /// u = G (P_c^T R + F): static displacement under contact forces on the body (3 n, [N]) and its loads [m]
     void static_displacement(dealii::PETScWrappers::MPI::Vector &u, const DenseVector &R);
@@ -50,18 +54,31 @@ namespace vibrocontact
     /// Phi_R, mass-orthonormal [1/sqrt(kg)]
     const std::vector<dealii::PETScWrappers::MPI::Vector> &rigid_modes() const { return phi; }
     const SymmetricFactorization &factorization() const { return *factors; }
+    bool is_iterative() const { return solver == StiffnessSolver::iterative; }
+    /// What the solves were like so far, as text; empty if direct.
+    std::string iterations_text() const;
 
   private:
     void make_rigid_modes();
     void check_digits();
     std::vector<dealii::types::global_dof_index> support_dofs() const;
+    DenseMatrix compliance_by_complement();
+    /// columns <- K_c^+ columns; balanced and without force on the fixed dofs
+    void solve(std::vector<double> &columns, unsigned int n_columns);
+    void free_fixed_dofs(std::vector<double> &columns, unsigned int n_columns) const;
 
     const SecondOrderSystem &system;
+    const StiffnessSolver solver;
     /// dofs of the trace, sorted
     std::vector<dealii::types::global_dof_index> trace_dofs;
     std::vector<dealii::types::global_dof_index> fixed_dofs;
     /// Phi_R and M Phi_R
     std::vector<dealii::PETScWrappers::MPI::Vector> phi, inertia;
     std::unique_ptr<SymmetricFactorization> factors;
+    /// largest sum of a row of |K|: no eigenvalue is larger [N/m]
+    double stiffness_norm = 0;
+    /// of the conjugate gradients: steps of all blocks, blocks, largest residual measured
+    unsigned int n_iterations = 0, n_blocks = 0;
+    double residual = 0;
   };
 } // namespace vibrocontact

@@ -52,7 +52,7 @@ namespace vibrocontact
     double residual = 0;
     /// solves with the factorised stiffness [-]
     unsigned int n_solves = 0;
-    /// wall time of the count of modes below the limit [s]
+    /// wall time of the count of modes below the limit, or of the second search that stands for it [s]
     double seconds_count = 0;
   };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vibrocontact/reduction/stiffness_solver.h>
+
 #include <string>
 #include <vector>
 
@@ -13,24 +15,39 @@ namespace vibrocontact
     double seconds, bytes;
   };
 
-  /// What the reduction of a solid body costs, told from its size before anything is made. Quadratic hexahedra, measured
-  /// on the shipped wheel (287,175 dofs) and rail (199,785) with MUMPS and METIS:
+  /// What is known of a solid body and its reduction before anything is made.
+  struct ReductionSize
+  {
+    double n_dofs = 0;
+    /// scene/mesh_compactness.h: 1 for a cube
+    double compactness = 1;
+    /// of the contact, 0 without
+    double n_rows = 0;
+    /// 0: no modes
+    double n_modes = 0;
+    /// the modes up to a frequency are counted before they are sought
+    bool counts_first = false;
+  };
+
+  /// What the reduction of a solid body costs, told from its size. Quadratic hexahedra, measured on cubes up to 1 million
+  /// dofs, the shipped wheel (287,175) and rail (199,785) with MUMPS and METIS; c is the compactness:
   ///
-  ///     matrices, mesh       5 kB per dof
-  ///     factors              2.8 GB (n / 287,000)^1.25, with the workspace of MUMPS
-  ///     count of modes       a second factorisation that keeps nothing: 0.7 of the first
+  ///     matrices, mesh       4 kB per dof
+  ///     factors              21 c n^(4/3) entries of 8 bytes, with the workspace of MUMPS 11 bytes
+  ///     approximate factors  the same entries by 5 bytes, workspace and all
+  ///     operations           0.2 e^(3/2) for e entries, at 10 Gflop/s; approximate 0.1 e^(3/2) at 12
+  ///     count of modes       a second factorisation that keeps nothing: 0.7 of the first; if iterative, a second search
   ///     modes                3 vectors per mode (the basis is twice as long as what is sought)
-  ///     contact compliance   two dense matrices of the size of its rows
+  ///     contact compliance   two dense matrices of the size of its rows; if iterative, blocks of 32 columns
   struct ReductionCost
   {
     std::vector<ReductionStage> stages;
+    StiffnessSolver solver = StiffnessSolver::direct;
     /// largest over the stages, and what stays when they are done [byte]
     double peak = 0, kept = 0;
   };
 
-  /// @param n_rows of the contact, 0 without; @param n_modes 0: no modes
-  /// @param counts_first the modes up to a frequency are counted before they are sought
-  ReductionCost reduction_cost(double n_dofs, double n_rows, double n_modes, bool counts_first);
+  ReductionCost reduction_cost(const ReductionSize &size, StiffnessSolver solver = StiffnessSolver::direct);
 
   /// The same of a body that is solved wave by wave around its axle, measured on the section of the shipped wheel (3,900
   /// dofs, cubic): 40 ms for each number of waves, with modes and without. One number is held in memory at a time.

@@ -23,6 +23,10 @@ namespace vibrocontact
   /// With Schur dofs s and the others i:  S = A_ss - A_si A_ii^-1 A_is,  (A^-1)_ss = S^-1.  Solves use S too,
   /// so that the complement costs nothing beside the factorisation. Right-hand sides and solutions pass
   /// through rank 0 (2 MB per column of 258,000 dofs). All members are collective.
+  ///
+  /// An approximate factorisation is made in single precision, and blocks of its fronts far from the diagonal are
+  /// kept as products of low rank (Amestoy, Buttari, L'Excellent, Mary 2019, doi 10.1145/3242094): less than half the
+  /// memory. Its solves precondition conjugate_gradients().
   class SymmetricFactorization
   {
   public:
@@ -32,6 +36,8 @@ namespace vibrocontact
       std::string name = "matrix";
       /// A is positive definite: no pivoting
       bool definite = true;
+      /// single precision and blocks of low rank; without Schur complement
+      bool approximate = false;
       /// keep the factors for solves; otherwise only Schur complement and inertia are wanted
       bool keep_factors = true;
       /// dofs of the Schur complement, sorted; the same on all ranks
@@ -47,7 +53,7 @@ namespace vibrocontact
       double seconds_ordering = 0, seconds_analysis = 0, seconds_factorization = 0, seconds_solves = 0;
       /// memory that MUMPS used on the rank that used most, and on all ranks [MB]
       double megabytes_rank = 0, megabytes_total = 0;
-      /// entries of the factors [-], operations of the factorisation [flop]
+      /// entries of the factors as they are kept [-], operations of the factorisation [flop]
       double factor_entries = 0, operations = 0;
       /// columns solved so far
       unsigned int n_solves = 0;
@@ -65,8 +71,8 @@ namespace vibrocontact
 
     /// x = A^-1 b, vectors distributed by rows as the matrix.
     void solve(Vec b, Vec x);
-    /// Several columns at once, each a full vector on rank 0 (n_dofs x m); untouched on the other ranks.
-    void solve(DenseMatrix &columns);
+    /// The same for several columns at once, in place: own rows, column by column.
+    void solve(std::vector<double> &columns, unsigned int n_columns);
 
     /// S on rank 0 (symmetric, order of schur_dofs), empty on the others.
     const DenseMatrix &schur_complement() const;
@@ -74,8 +80,10 @@ namespace vibrocontact
     unsigned int n_negative() const;
     const Statistics &statistics() const;
 
-  private:
+    /// in double or single precision
     struct Implementation;
+
+  private:
     std::unique_ptr<Implementation> implementation;
   };
 } // namespace vibrocontact

@@ -25,8 +25,9 @@ namespace vibrocontact
   public:
     /// @param above whether this is body 1; @param key see body_key()
     /// @param places of its contacts; none if no analysis has contact
-    MeshedBody(const BodyParameters &parameters, const ModeParameters &modes, bool above,
-               double lateral_position, const std::vector<ContactPlace> &places, const std::string &key,
+    MeshedBody(const BodyParameters &parameters, const ModeParameters &modes,
+               const StiffnessSolverParameters &solver, bool above, double lateral_position,
+               const std::vector<ContactPlace> &places, const std::string &key,
                const std::string &cache_directory, MPI_Comm communicator);
 
     /// Makes mesh and dofs of a solid. What is wrong with them is thrown here, before the expensive steps.

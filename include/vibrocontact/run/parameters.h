@@ -11,6 +11,7 @@
 #include <vibrocontact/contact/interface.h>
 #include <vibrocontact/output/output_parameters.h>
 #include <vibrocontact/reduction/modes.h>
+#include <vibrocontact/reduction/stiffness_solver.h>
 #include <vibrocontact/run/entry_tables.h>
 #include <vibrocontact/run/parameter_sweep.h>
 #include <vibrocontact/scene/scene.h>
@@ -43,6 +44,8 @@ namespace vibrocontact
     PeriodicParameters periodic;
     /// of the meshed bodies, by name
     std::map<std::string, ModeParameters> modes;
+    /// of solid bodies, by their names
+    std::map<std::string, StiffnessSolverParameters> stiffness_solvers;
     IdentificationParameters identification;
     /// of the analyses that take a Sweep, by name
     std::map<std::string, ParameterSweep> sweeps;
