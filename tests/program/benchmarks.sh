@@ -82,6 +82,27 @@ assert baseline.verdict([study], [row], []) == ["Not compared, as the baseline h
 assert baseline.verdict([study], [row], ["worse"]) == ["Not compared, as the baseline has no row of it: one: new."]
 END
 
+# of two quantities, one point beats another only if it is no less exact in either; the baseline holds both errors, and the cost once
+$python -B - "$scripts" <<'END' || fail "errors of two quantities"
+import sys
+sys.path.insert(0, sys.argv[1])
+import baseline, report
+from study import Point, Study
+
+study = Study("two", "", "", "", "", {}, None, further={"impulse": ""})
+study.points = [Point("default", "", [1.], 1., True, {}, {"impulse": 2.}), Point("other", "", [1.], 2., False, {}, {"impulse": 1.}),
+                Point("worse", "", [1.], 2., False, {}, {"impulse": 2.})]
+assert [point.label for point in study.front()] == ["default", "other"]
+assert [point.label for point in study.better_than(study.points[0], ["impulse"])] == ["other"]
+verdict = report.default_rows([study])[0][-1]
+assert verdict.startswith("on the front; by impulse alone better: other"), verdict
+baseline.write([study], "two.csv")
+stored = baseline.read("two.csv")
+assert [row["label"] for row in stored[:2]] == ["default", "default: impulse"] and baseline.worse([study], stored) == []
+study.points[1].further["impulse"], study.points[1].seconds = 1.5, [9.]
+assert [sentence.split(" became ")[1].split(":")[0] for sentence in baseline.worse([study], stored)] == ["slower", "less exact"]
+END
+
 cat >planted.csv <<'END'
 study,label,cost_ratio,spread,error
 ring,analytic,1,1,1e-6

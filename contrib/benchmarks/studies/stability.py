@@ -94,5 +94,5 @@ STUDIES = [
           "largest distance of the lowest roots over their frequency [-]",
           {MODEL: ["reduced", "attachment inertia"], LINEARISATION: ["consistent", "paper"]}, segment, quick=False, floor=1e-5),
     Study("stability_sweep", "Roots over friction, 31 values", "the two ways against each other: all roots by LAPACK, and Newton's method "
-          "from the roots of the value before.", "processor time of the whole program [s]", "largest difference of growth over frequency [-]",
-          {FOLLOWED: ["complete", "followed"]}, sweep, quick=False, floor=1e-8, further={"roots not listed": "share of all roots that is not listed [-]"})]
+          "from the roots of the value before.", "processor time of the whole program [s]", "growth over frequency: difference [-]",
+          {FOLLOWED: ["complete", "followed"]}, sweep, quick=False, floor=1e-8, further={"roots not listed": "share of the roots not listed [-]"})]
