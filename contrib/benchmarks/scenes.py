@@ -5,6 +5,8 @@ step) stand in the same dictionary. Errors are relative to the quantity; of seve
 """
 from dataclasses import dataclass, field
 
+import program
+
 
 @dataclass
 class Knob:
@@ -18,7 +20,7 @@ class Knob:
 class Scene:
     """file       below parameter_files/examples
     quantity   in words
-    ask        function of an analyses object of results.json: numbers by name
+    ask        function of an analyses object of results.json, and beside the analyses the "folder" of its tables: numbers by name
     knobs      entries to vary, one at a time
     base       entries of all runs of the study: what the quantity does not need is switched off
     exact      closed form by name, where there is one
@@ -42,6 +44,12 @@ def one(name, entry, shipped, *values, more=None):
 def growths(analyses):
     """Growth rates of the unstable roots by name [1/s]."""
     return {root["label"]: root["growth_1_s"] for root in analyses["stability"]["unstable"]}
+
+
+def rim_growth(analyses):
+    """Growth rate [1/s] and frequency [Hz] of the largest motion of the rim in a transient."""
+    growth = next(one for one in analyses["transient"]["signals"] if one["name"] == "wheel_rim_axial_velocity")["growth"][0]
+    return {"growth": growth["growth_1_s"], "frequency": growth["frequency_Hz"]}
 
 
 def lowest_growth(analyses):
@@ -95,6 +103,41 @@ def end_force(analyses):
     return {"end": analyses["transient"]["last"]["tangential_force_N"][1]}
 
 
+def levels(analyses):
+    """Magnitudes of all mobilities of a point under a force at itself [m/(N s)], at every frequency."""
+    found = {}
+    for row in program.read_table(f"{analyses['folder']}/frequency_response_rail.csv"):
+        for column, value in row.items():
+            words = column.removesuffix("_real_m_Ns").split("_")
+            if column.endswith("_real_m_Ns") and words[:2] == words[2:]:
+                found[f"{words[0]} {words[1]}, {float(row['frequency_Hz']):.0f} Hz"] = abs(
+                    complex(float(value), float(row[column.replace("real", "imag")])))
+    return found
+
+
+def irregular_levels(analyses):
+    """Magnitudes of the mobilities on a track that scatters [m/(N s)], at every frequency."""
+    return {f"{column}, {float(row['frequency_Hz']):.0f} Hz": float(row[column])
+            for row in program.read_table(f"{analyses['folder']}/irregular_track_rail.csv") for column in ("midspan_z_m_Ns", "midspan_y_m_Ns")}
+
+
+def peak(analyses):
+    """Largest vertical mobility mid-span [m/(N s)] and its frequency [Hz]."""
+    maxima = analyses["frequency_response"]["bodies"]["rail"]["maxima"]
+    highest = max((one for one in maxima if one["point"] == "midspan_z"), key=lambda one: one["magnitude"])
+    return {"magnitude": highest["magnitude"], "frequency": highest["frequency_Hz"]}
+
+
+def truncation(analyses):
+    """One plus the error E of the receptance at the driving point by the poles that contact runs with."""
+    return {"poles": 1 + next(one for one in analyses["frequency_response"]["bodies"]["tyre"]["truncation"] if one["poles"])["error_E_driving_point"]}
+
+
+def time_in_contact(analyses):
+    """Share of the time in contact, of every case of a sweep [-]."""
+    return {f"case {k}": case["modal_convolution"]["closed_points_mean"] for k, case in enumerate(analyses["modal_convolution_sweep"]["cases"])}
+
+
 def fit(analyses):
     """One plus the error E of the fitted poles: what is left to one is E itself."""
     return {"fit": 1 + analyses["identification"][0]["error_E"]}
@@ -102,6 +145,11 @@ def fit(analyses):
 
 NO_PAIRS = {"Periodic/Comparison/Pairs": "", "Periodic/Reference": "false"}
 NO_ESTIMATE = {"Transient/Error estimate": "false"}
+SIX = {"Frequency response/Number of frequencies": 6, "Frequency response/Refined frequencies": 0}
+# of periodic_track.prm, whose section is the same
+RAIL_LEVELS = {"midspan z, 265 Hz": 6.21574e-6, "midspan y, 265 Hz": 3.25405e-5, "support z, 265 Hz": 5.57112e-6,
+               "midspan z, 1061 Hz": 1.286980e-5, "midspan y, 1061 Hz": 1.541920e-5, "support z, 1061 Hz": 1.928724e-6,
+               "midspan z, 4244 Hz": 3.193185e-6, "midspan y, 4244 Hz": 2.182142e-5, "support z, 4244 Hz": 4.058935e-6}
 FUNCTIONS = (15, 31, 63, 127, 255)
 
 
@@ -167,12 +215,34 @@ SCENES = [
                                   for n in (25, 50, 100, 200)}),
            one("step, s", "Modal convolution/Time step", 1.953125e-05, 7.8125e-5, 3.90625e-5, 1.953125e-5, 9.765625e-6)],
           {"Modal convolution/End time": 0.1}),
+    Scene("ring_green_functions", "error E of the poles that contact runs with, driving point", truncation,
+          [one("orders", "tyre/Ring/Highest order", 60, 5, 10, 15, 20, 25, 40, 60)],
+          {"Frequency response/Truncated orders": "", "Frequency response/Impulse response time": 0}, {"poles": 1.}),
+    Scene("speeds_over_a_sine", "share of the time in contact, 24 cases", time_in_contact,
+          [one("step, s", "Modal convolution/Time step", 4e-05, 1.6e-4, 8e-5, 4e-5, 2e-5, 1e-5, 5e-6)],
+          {"Modal convolution/Error estimate": "false"}, {}, "largest"),
+    Scene("periodic_track", "peak mid-span, its level and frequency", peak,
+          [Knob("frequencies", "24 and 24", {f"{n} and {n}": {"Frequency response/Number of frequencies": n, "Frequency response/Refined frequencies": n}
+                                             for n in (6, 12, 24)})],
+          {"Frequency response/Points": "midspan: 0, 0, z"}),
+    Scene("periodic_track", "vertical and lateral mobilities at six frequencies", levels,
+          [one("degree", "rail/Rail/Element degree", 2, 1, 2, 3)], SIX),
+    Scene("random_track", "mobilities mid-span at six frequencies", irregular_levels,
+          [one("degree", "rail/Rail/Element degree", 2, 1, 2, 3), one("supports", "rail/Rail/Supports", 40, 10, 20, 40, 80)], {**SIX, "Frequency response/Pass bands": "false"}),
+    Scene("rail_mobility", "mobilities of the solid rail at 265, 1061 and 4244 Hz, those of the rail without ends known", levels,
+          [Knob("length, m", "24", {str(n): {"rail/Rail/Length": n} for n in (12, 24, 36)})],
+          {"Frequency response/Bodies": "rail", "Frequency response/First frequency": 265.25, "Frequency response/Last frequency": 4244,
+           "Frequency response/Number of frequencies": 3, "Frequency response/Refined frequencies": 0}, RAIL_LEVELS, "each", True),
     Scene("wheel_study", "growth of the unstable roots", growths,
-          [one("modes to, Hz", "wheel/Modes/Upper frequency", 6000, 4500, 6000, 9000), one("grid, m", "Contact/Grid spacing", 0.0015, 3e-3, 1.5e-3, 1e-3),
+          [one("modes to, Hz", "wheel/Modes/Upper frequency", 6000, 4500, 6000, 9000), one("grid, m", "Contact/Grid spacing", 0.0015, 3e-3, 1.5e-3, 1e-3, 7.5e-4),
            one("section cells, m", "wheel/Wheel/Section cell size", 0.012, 24e-3, 12e-3, 8e-3)], {"Analyses": "stability"}, {}, "largest", True),
     Scene("curve_squeal", "growth of the unstable roots", growths,
-          [one("modes to, Hz", "wheel/Modes/Upper frequency", 8000, 4000, 6000, 8000, 12000), one("grid, m", "Contact/Grid spacing", 0.001, 2e-3, 1e-3, 5e-4)],
+          [one("modes to, Hz", "wheel/Modes/Upper frequency", 8000, 4000, 6000, 8000, 12000), one("grid, m", "Contact/Grid spacing", 0.001, 2e-3, 1e-3, 7.5e-4)],
           {"Analyses": "stability"}, {}, "largest", True),
+    Scene("curve_squeal", "growth and frequency of the rim's axial motion, first 0.05 s", rim_growth,
+          [one("step, s", "Transient/Time step", 2e-06, 8e-6, 4e-6, 2e-6, 1e-6)],
+          {"Transient/End time": 0.05, "Transient/History interval": 2.4e-5, "Transient/Error estimate": "false",
+           "Transient/Signals/Patch begin": 0, "Transient/Signals/Patch interval": 0}, {}, "each", True),
     Scene("squeal_map", "growth of the unstable roots at one place", growths,
           [one("modes to, Hz", "wheel/Modes/Upper frequency", 5000, 3000, 5000, 8000), one("rail's modes to, Hz", "rail/Modes/Upper frequency", 5000, 3000, 5000, 10000)],
           {"Stability/Sweep/Entry": "", "Stability/Sweep/Range": "", "Stability/Sweep/Second entry": "", "Stability/Sweep/Second values": ""}, {}, "largest", True),

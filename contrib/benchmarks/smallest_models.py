@@ -31,7 +31,8 @@ def run(bench, scene, entries):
         except RuntimeError as error:
             return None, str(error).strip().splitlines()[-1].rsplit("vibrocontact: ", 1)[-1]
         with open(os.path.join(folder, "results.json"), encoding="utf-8") as results:
-            return scene.ask(json.load(results)["analyses"]), seconds
+            analyses = json.load(results)["analyses"]
+        return scene.ask({**analyses, "folder": folder}), seconds
 
 
 def error(found, truth, scale):
