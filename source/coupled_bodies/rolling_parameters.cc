@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/named_table.h>
+#include <vibrocontact/coupled_bodies/creepage_limits.h>
 #include <vibrocontact/coupled_bodies/rolling_parameters.h>
 
 #include <functional>
@@ -28,12 +29,14 @@ namespace vibrocontact
                       "Rolling speed; 0 in a transient or with a Sliding velocity. Units: m/s.",
                       Double(0, 1000));
     prm.add_parameter("Longitudinal creepage", creepage.longitudinal,
-                      "Velocity of body 1 minus body 2 along x over the speed. Units: none.", Double(-1, 1));
+                      "Velocity of body 1 minus body 2 along x over the speed. Units: none.",
+                      Double(-most_creepage, most_creepage));
     prm.add_parameter("Lateral creepage", creepage.lateral,
-                      "Velocity of body 1 minus body 2 along y over the speed. Units: none.", Double(-1, 1));
+                      "Velocity of body 1 minus body 2 along y over the speed. Units: none.",
+                      Double(-most_creepage, most_creepage));
     prm.add_parameter("Spin", creepage.spin,
                       "Rotation of body 1 against body 2 about +z over the speed. Units: 1/m.",
-                      Double(-1000, 1000));
+                      Double(-most_spin, most_spin));
     prm.add_parameter("Sliding velocity x", creepage.sliding_x,
                       "Velocity of body 1 minus body 2 along x beside the creepage. Units: m/s.",
                       Double(-1000, 1000));
@@ -62,13 +65,13 @@ namespace vibrocontact
     prm.enter_subsection("Sweep");
     prm.add_parameter("Longitudinal creepage", sweep.longitudinal,
                       "Values of one curve, all other entries at their single values. Units: none.",
-                      list(-1, 1));
+                      list(-most_creepage, most_creepage));
     prm.add_parameter("Lateral creepage", sweep.lateral,
                       "Values of one curve, all other entries at their single values. Units: none.",
-                      list(-1, 1));
+                      list(-most_creepage, most_creepage));
     prm.add_parameter("Spin", sweep.spin,
                       "Values of one curve, all other entries at their single values. Units: 1/m.",
-                      list(-1000, 1000));
+                      list(-most_spin, most_spin));
     prm.add_parameter("Normal force", sweep.normal_force,
                       "Values of one curve, all other entries at their single values. Units: N.", list(0));
     prm.add_parameter("Hub displacement", sweep.hub_displacement,

@@ -4,6 +4,8 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/expression.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/coupled_bodies/creepage_limits.h>
 #include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
 
 #include <algorithm>
@@ -25,6 +27,8 @@ namespace vibrocontact
       std::string entry, column, unit;
       const std::string &expression;
       double constant;
+      /// of its size, that of the entry of section Rolling
+      double most = std::numeric_limits<double>::infinity();
     };
 
     InputError wrong_value(const std::string &name, const double value, const std::string &unit,
@@ -76,22 +80,12 @@ namespace vibrocontact
           const LinearTable linear(name(source), table->column("time_s"), *values);
           linear(0);
           linear(parameters.end_time);
-          return linear;
+          return within_limits(source, linear);
         }
         if (source.expression.empty())
           return [constant = source.constant](double) { return constant; };
-        return [name = name(source), unit = source.unit,
-                expression =
-                    read_expression(source.expression, "t", "Transient/" + source.entry,
-                                    "the time t: write for instance 0.002*min(t/0.01,1)")](const double time)
-        {
-          const double value = expression(time);
-          if (!std::isfinite(value))
-            throw wrong_value(
-                name, value, unit, time,
-                ", which is no finite number: write an expression that is one throughout the run.");
-          return value;
-        };
+        return within_limits(source, read_expression(source.expression, "t", "Transient/" + source.entry,
+                                                     "the time t: write for instance 0.002*min(t/0.01,1)"));
       }
 
       double last_time() const
@@ -109,6 +103,24 @@ namespace vibrocontact
       }
 
     private:
+      FunctionOfTime within_limits(const Source &source, const FunctionOfTime &given) const
+      {
+        return [given, name = name(source), entry = source.entry, unit = source.unit,
+                most = source.most](const double time)
+        {
+          const double value = given(time);
+          if (!std::isfinite(value))
+            throw wrong_value(
+                name, value, unit, time,
+                ", which is no finite number: write an expression that is one throughout the run.");
+          if (std::abs(value) > most)
+            throw wrong_value(name, value, unit, time,
+                              ", beyond the limits of Rolling/" + entry + ", " + number_text(-most) + " to " +
+                                  number_text(most) + ": keep it within them.");
+          return value;
+        };
+      }
+
       const std::string known = "known are time_s, longitudinal_creepage, lateral_creepage, spin_1_m, "
                                 "exciting_force_N and either normal_force_N or hub_displacement_m.";
       const TransientParameters &parameters;
@@ -157,12 +169,14 @@ namespace vibrocontact
     Sources sources(transient);
     const Source force = force_source(transient, constant.normal_force),
                  hub = hub_source(transient, constant.hub_displacement);
-    const auto longitudinal =
-                   sources.function({"Longitudinal creepage", "longitudinal_creepage", "",
-                                     transient.longitudinal_creepage, constant.creepage.longitudinal}),
-               lateral = sources.function({"Lateral creepage", "lateral_creepage", "",
-                                           transient.lateral_creepage, constant.creepage.lateral}),
-               spin = sources.function({"Spin", "spin_1_m", "1/m", transient.spin, constant.creepage.spin});
+    const auto longitudinal = sources.function({"Longitudinal creepage", "longitudinal_creepage", "",
+                                                transient.longitudinal_creepage,
+                                                constant.creepage.longitudinal, most_creepage}),
+               lateral =
+                   sources.function({"Lateral creepage", "lateral_creepage", "", transient.lateral_creepage,
+                                     constant.creepage.lateral, most_creepage}),
+               spin = sources.function(
+                   {"Spin", "spin_1_m", "1/m", transient.spin, constant.creepage.spin, most_spin});
     const bool moved = sources.given(hub);
     const bool by_force = sources.given(force) || (!moved && constant.normal_force > 0);
     if (by_force && moved)
