@@ -4,6 +4,7 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_file.h>
 #include <vibrocontact/numerics/chebyshev_fit.h>
+#include <vibrocontact/scene/carried_waves.h>
 #include <vibrocontact/scene/road.h>
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 #include <complex>
 #include <cstdint>
 #include <limits>
-#include <sstream>
 
 namespace vibrocontact
 {
@@ -19,8 +19,8 @@ namespace vibrocontact
   {
     const double pi = std::acos(-1.);
 
-    /// steps of the height below it are none [m]
-    constexpr double least_step = 1e-12;
+    /// steps of the height below it are none; no road is higher [m]
+    constexpr double least_step = 1e-12, most_height = 1000;
 
     FunctionBreaks breaks_of(const std::function<double(double)> &f, const double begin, const double end,
                              const double length, const std::string &entry, const std::string &variable,
@@ -32,6 +32,31 @@ namespace vibrocontact
                          number_text(begin) + " and " + number_text(end) + " " + unit +
                          " (noise, or ever faster swings): give a table in its place.");
       return found;
+    }
+
+    /// The shortest distance of points that stand apart, 0 of a single one [m].
+    double spacing_of(std::vector<double> places)
+    {
+      std::sort(places.begin(), places.end());
+      double spacing = 0;
+      for (std::size_t i = 1; i < places.size(); ++i)
+        if (const double distance = places[i] - places[i - 1]; distance > 1e-9)
+          spacing = spacing > 0 ? std::min(spacing, distance) : distance;
+      return spacing;
+    }
+
+    /// The height in front of a fit, which would only spread what is no number.
+    std::function<double(double)> checked(const std::function<double(double)> &height)
+    {
+      return [height](const double s)
+      {
+        const double value = height(s);
+        if (!(std::abs(value) <= most_height))
+          throw InputError("Road/Expression is " + number_text(value) + " m at s = " + number_text(s) +
+                           " m, but heights are finite numbers from " + number_text(-most_height) + " to " +
+                           number_text(most_height) + " m: mend it there.");
+        return value;
+      };
     }
   } // namespace
 
@@ -136,6 +161,18 @@ namespace vibrocontact
     const auto [first, last] = std::minmax_element(places.begin(), places.end());
     make_profile(parameters, *first, *last + distance(end_time));
     find_steps();
+    if (const double spacing = spacing_of(places); spacing > 0)
+    {
+      const std::string way_out = "the distance of the contact points";
+      if (parameters.profile == "ISO 8608")
+        check_carried_wave("The road of Road/Class", 1 / parameters.last_wavenumber, spacing,
+                           "lower Road/Last wavenumber, or make " + way_out + " smaller");
+      else
+        check_carried_waves(
+            "Road/" + std::string(parameters.profile == "table" ? "Table" : "Expression"),
+            [&](const double s) { return profile.value(std::clamp(s, profile.begin(), profile.end())); },
+            *first, *last + distance(end_time), spacing, way_out);
+    }
   }
 
   void Road::make_speed(const RoadParameters &parameters, const double end_time)
@@ -181,9 +218,14 @@ namespace vibrocontact
     {
       const CsvTable file = read_csv_file(parameters.table, "Road/Table");
       const std::vector<double> &x = file.column("position_m"), &z = file.column("height_m");
-      const LinearTable checked("The road of the table \"" + parameters.table + "\"", x, z);
-      checked(begin);
-      checked(end);
+      const LinearTable covered("The road of the table \"" + parameters.table + "\"", x, z);
+      covered(begin);
+      covered(end);
+      for (std::size_t i = 0; i < z.size(); ++i)
+        if (std::abs(z[i]) > most_height)
+          throw InputError(file.source + ", line " + std::to_string(file.lines[i]) + ", has a height of " +
+                           number_text(z[i]) + " m, more than " + number_text(most_height) +
+                           " m: give heights in m.");
       profile = parameters.interpolation == "linear"     ? PiecewisePolynomial::lines(x, z)
                 : parameters.interpolation == "monotone" ? PiecewisePolynomial::monotone(x, z)
                                                          : PiecewisePolynomial::spline(x, z);
@@ -195,16 +237,11 @@ namespace vibrocontact
     const double last = std::max(end, begin + 1e-3);
     if (parameters.profile == "expression")
     {
-      const auto height = read_expression(parameters.expression, "s", "Road/Expression",
-                                          "the position s along the road: write for instance "
-                                          "5e-3*sin(2*pi*s/0.025)");
+      const auto height = checked(read_expression(parameters.expression, "s", "Road/Expression",
+                                                  "the position s along the road: write for instance "
+                                                  "5e-3*sin(2*pi*s/0.025)"));
       for (unsigned int k = 0; k <= 1000; ++k)
-        if (!std::isfinite(height(begin + (last - begin) * k / 1000)))
-        {
-          std::ostringstream text;
-          text << "Road/Expression is no finite number at s = " << begin + (last - begin) * k / 1000 << " m.";
-          throw InputError(text.str());
-        }
+        height(begin + (last - begin) * k / 1000);
       // long enough for 200,000 intervals
       const double length = std::max(std::clamp((last - begin) / 64, 1e-4, 5e-3), 5e-6 * (last - begin));
       const FunctionBreaks found = breaks_of(height, begin, last, length, "Road/Expression", "s", "m");

@@ -7,6 +7,8 @@
 #include <vibrocontact/base/csv_table.h>
 #include <vibrocontact/base/exceptions.h>
 
+#include <vibrocontact/numerics/short_wave_share.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -147,6 +149,24 @@ TEST(Driven, RoughnessSpectrum)
   EXPECT_NEAR(roughness.heights(0)[1] * 1e6, 9.124796688, 1e-6);
   parameters.seed = 2;
   EXPECT_GT(std::abs(Roughness(parameters, grid).heights(0)[1] - roughness.heights(0)[1]), 1e-8);
+}
+
+// What points of 1 mm cannot carry: waves shorter than 2 mm, alone, beside a long one of ten times their height, and of a step.
+TEST(Driven, ShortWaves)
+{
+  const double spacing = 1e-3;
+  const auto share = [&](const std::function<double(double)> &height)
+  { return short_wave_share(height, 0, 3, spacing); };
+  const auto wave = [](const double length)
+  { return [length](const double s) { return 1e-6 * std::sin(2 * pi * s / length); }; };
+  for (const double length : {1e-4, 1e-3, 1.5e-3, 1.9e-3})
+    EXPECT_NEAR(share(wave(length)), 1, 1e-2) << length;
+  for (const double length : {2.5e-3, 5e-3, 0.1, 10.})
+    EXPECT_LT(share(wave(length)), 1e-2) << length;
+  EXPECT_NEAR(share([&](const double s) { return 0.1 * wave(1.3e-3)(s) + wave(0.02)(s); }),
+              std::sqrt(0.01 / 1.01), 5e-3);
+  EXPECT_LT(short_wave_share([](const double s) { return s < 0.1 ? 0. : 1e-3; }, 0, 0.2, spacing), 0.1);
+  EXPECT_EQ(share([](const double) { return 1e-3; }), 0);
 }
 
 TEST(Driven, Tables)

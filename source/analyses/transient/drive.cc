@@ -7,6 +7,7 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/coupled_bodies/creepage_limits.h>
 #include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
+#include <vibrocontact/scene/carried_waves.h>
 
 #include <algorithm>
 #include <cmath>
@@ -239,12 +240,7 @@ namespace vibrocontact
       drive.force = exciting_force(t);
       for (const auto &[own, place] : roughness)
         for (const double height : own->heights(speed * t - place))
-        {
-          if (!std::isfinite(height))
-            throw wrong_value("Transient/Roughness", height, "m", t,
-                              " somewhere in the contact, which is no finite number: mend its Expression.");
           drive.gap.push_back(-height);
-        }
       return drive;
     };
   }
@@ -273,6 +269,24 @@ namespace vibrocontact
     return driven;
   }
 
+  namespace
+  {
+    /// Of what an expression or a table gives on the way.
+    double share_of_short_waves(const RoughnessParameters &parameters, const ContactGrid &grid,
+                                const double way)
+    {
+      if (grid.n_x < 2)
+        return 0;
+      // under a point at x = 0 the height is that at s
+      const Roughness along(parameters, single_point(grid.spacing_x));
+      const double begin = -grid.x(grid.n_x - 1), end = way - grid.x(0);
+      return check_carried_waves(
+          parameters.table.empty() ? "Transient/Roughness/Expression" : "Transient/Roughness/Table",
+          [&](const double s) { return along.heights(std::clamp(s, begin, end)).front(); }, begin, end,
+          grid.spacing_x, "the Grid spacing of the contact");
+    }
+  } // namespace
+
   void check_drive(const TransientParameters &transient, const RollingCase &constant,
                    const PlacedContacts &contacts)
   {
@@ -288,7 +302,18 @@ namespace vibrocontact
     smooth.roughness = {};
     const Drive first = look(drive_function(smooth, constant, contacts), 20000);
     if (transient.roughness.any())
+    {
       look(drive_function(transient, constant, contacts), 200);
+      double share = 0;
+      if (transient.roughness.spectrum.empty())
+        for (const PlacedContact &contact : contacts.all)
+          share = std::max(share, share_of_short_waves(transient.roughness, contact.grid,
+                                                       constant.creepage.speed * transient.end_time));
+      if (share > 0.01)
+        run_log().line("Of the roughness " + percent_text(share) +
+                       " (rms) are waves shorter than two spacings of the contact grid, which does not carry "
+                       "them.");
+    }
     const auto replaces = [](const char *by, const double value, const char *unit, const char *replaced)
     {
       std::ostringstream text;

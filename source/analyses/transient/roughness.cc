@@ -2,14 +2,38 @@
 #include <vibrocontact/base/csv_table.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/expression.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/scene/carried_waves.h>
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 namespace vibrocontact
 {
+  namespace
+  {
+    /// no roughness is higher [m]
+    constexpr double most_height = 1;
+
+    /// What is no height is told where it is evaluated.
+    std::function<double(double)> checked(const std::string &name,
+                                          const std::function<double(double)> &height)
+    {
+      return [=](const double s)
+      {
+        const double value = height(s);
+        if (!(std::abs(value) <= most_height))
+          throw InputError(name + " is " + number_text(value) + " m at s = " + number_text(s) +
+                           " m, but heights are finite numbers from " + number_text(-most_height) + " to " +
+                           number_text(most_height) + " m: mend it there.");
+        return value;
+      };
+    }
+  } // namespace
+
   void RoughnessParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
@@ -44,12 +68,17 @@ namespace vibrocontact
     for (unsigned int i = 0; i < grid.n_x; ++i)
       x.push_back(grid.x(i));
     if (!parameters.expression.empty())
-      height = read_expression(parameters.expression, "s", "Transient/Roughness/Expression",
-                               "the position s along the track: write for instance 1e-6*sin(2*pi*s/0.05)");
+    {
+      const std::string entry = "Transient/Roughness/Expression";
+      height = checked(
+          entry, read_expression(parameters.expression, "s", entry,
+                                 "the position s along the track: write for instance 1e-6*sin(2*pi*s/0.05)"));
+    }
     else if (!parameters.table.empty())
     {
       const CsvTable file = read_csv_file(parameters.table, "Transient/Roughness/Table");
-      height = LinearTable(file.source + ", the height", file.column("position_m"), file.column("height_m"));
+      const std::string source = file.source + ", the height";
+      height = checked(source, LinearTable(source, file.column("position_m"), file.column("height_m")));
     }
     else if (!parameters.spectrum.empty())
       make_waves(parameters.spectrum, parameters.seed);
@@ -68,7 +97,15 @@ namespace vibrocontact
       if (!(wavelengths[band] > 0))
         throw InputError(file.source + " has a wavelength_m that is not positive.");
       const double rms = 1e-6 * std::pow(10., levels[band] / 20), centre = 2 * pi / wavelengths[band];
+      const std::string line = file.source + ", line " + std::to_string(file.lines[band]) + ",";
+      if (!(rms <= most_height))
+        throw InputError(line + " has a level of " + number_text(levels[band]) + " dB, heights of " +
+                         number_text(rms) + " m (rms), more than " + number_text(most_height) +
+                         " m: give levels over 1 um.");
       const double lower = centre * std::pow(10., -0.05), width = centre * std::pow(10., 0.05) - lower;
+      if (x.size() > 1)
+        check_carried_wave(line, 2 * pi / (lower + width), x[1] - x[0],
+                           "leave this band out, or make the Grid spacing of the contact smaller");
       for (unsigned int k = 0; k < waves_per_band; ++k)
       {
         Wave wave;
