@@ -44,15 +44,18 @@ namespace vibrocontact
     result.rms = std::sqrt(std::max(0., square - mean * mean));
     if (!(result.amplitude > 0))
       return result;
+    // what has died away has no logarithm
+    constexpr double least_part = 1e-12;
+    const double least = least_part * *std::max_element(amplitudes.begin(), amplitudes.end());
     double above = 0, below = 0;
     for (unsigned int p = 0; p < result.n_periods; ++p)
     {
       const double x = p - (result.n_periods - 1) / 2.;
-      above += x * amplitudes[p];
+      above += x * std::log(std::max(amplitudes[p], least));
       below += x * x;
       result.spread = std::max(result.spread, std::abs(amplitudes[p] / result.amplitude - 1));
     }
-    result.drift = below > 0 ? above / below * result.n_periods / result.amplitude : 0;
+    result.drift = below > 0 ? std::expm1(above / below * result.n_periods) : 0;
     return result;
   }
 } // namespace vibrocontact

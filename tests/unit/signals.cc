@@ -133,7 +133,12 @@ TEST(Signals, SteadinessOfACycle)
   EXPECT_NEAR(steady.amplitude, (4 + 2.125) / 2, 1e-4);
   // growing by 2 1/s: 20 periods are 20 / 919 s
   const CycleMeasure growing = measure_cycle(sum_of({{919, 2, 3, 0}}, 1e-6, 0.05), 919);
-  EXPECT_NEAR(growing.drift, 2 * 20 / 919., 1e-3);
+  EXPECT_NEAR(growing.drift, std::expm1(2 * 20 / 919.), 1e-4);
+  // fast ones by their exponential: no amplitude falls by more than itself
+  EXPECT_NEAR(measure_cycle(sum_of({{919, 100, 3, 0}}, 1e-6, 0.05), 919).drift / std::expm1(2000 / 919.), 1,
+              1e-2);
+  EXPECT_NEAR(measure_cycle(sum_of({{919, -200, 3, 0}}, 1e-6, 0.05), 919).drift, std::expm1(-4000 / 919.),
+              1e-3);
   EXPECT_EQ(measure_cycle(sum_of({{919, 0, 3, 0}}, 1e-6, 1e-3), 919).n_periods, 0u);
 }
 

@@ -10,8 +10,8 @@ namespace vibrocontact
     /// half the distance from least to largest value, mean over the periods; root of the mean square about
     /// the mean [unit of the signal]
     double amplitude = 0, rms = 0;
-    /// change of the amplitude over these periods, by a straight line through the amplitudes of each, over
-    /// the mean amplitude [-]
+    /// change of the amplitude over these periods, over that at their beginning, by a straight line through the logarithms
+    /// of the amplitudes of each [-]: above -1 however fast they decay
     double drift = 0;
     /// largest difference of a period's amplitude from their mean, over the mean [-]: a beat shows here
     double spread = 0;
