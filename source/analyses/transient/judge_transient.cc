@@ -8,7 +8,7 @@ namespace vibrocontact
 {
   namespace
   {
-    std::string open_energy(const EnergyAccount &energy)
+    std::string open_energy(const EnergyAccount &energy, const std::string &remedy)
     {
       std::ostringstream text;
       text.precision(3);
@@ -16,8 +16,7 @@ namespace vibrocontact
            << " J at the start and " << energy.input() << " J put in, but " << energy.stored
            << " J stored at the end and " << energy.friction + energy.damping
            << " J taken by friction and damping; differences took " << energy.numerical()
-           << " J (negative: they add energy), the imbalance is " << energy.imbalance()
-           << " J. The time step is too long: take a smaller one.";
+           << " J (negative: they add energy), the imbalance is " << energy.imbalance() << " J. " << remedy;
       return text.str();
     }
   } // namespace
@@ -50,7 +49,13 @@ namespace vibrocontact
     if (interrupted)
       return;
     if (!(result.energy.open() <= most_open_energy * result.energy.available))
-      refuse("transient", open_energy(result.energy), results);
+    {
+      if (result.converged)
+        refuse("transient", open_energy(result.energy, "The time step is too long: take a smaller one."),
+               results);
+      else
+        doubt(open_energy(result.energy, "The march ended early: mend what ended it first."), results);
+    }
     judge_errors(errors, report, " Take a smaller Transient/Time step.", results);
   }
 } // namespace vibrocontact

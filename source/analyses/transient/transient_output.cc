@@ -145,6 +145,8 @@ namespace vibrocontact
                                      {"tangential_force_N", {force[0], force[1]}},
                                      {"approach_m", last.contact.approach}}},
                                    {"histories", "histories.h5"}};
+    if (!result.converged)
+      json["ended_early"] = result.message;
     for (unsigned int k = 0; k < contacts.all.size(); ++k)
     {
       if (contacts.all[k].name.empty())
@@ -254,6 +256,9 @@ namespace vibrocontact
         lines.push_back(text("%s: %.2f Hz grows by %.4g 1/s (stability: %.4g)", word(mode, "label").c_str(),
                              number(mode, "frequency_Hz"), number(mode, "growth_1_s"),
                              number(mode, "root_growth_1_s")));
+    if (transient.contains("ended_early"))
+      lines.push_back(text("ENDED EARLY, at %.6g s: ", number(transient, "time_s")) +
+                      word(transient, "ended_early"));
     return lines;
   }
 } // namespace vibrocontact
