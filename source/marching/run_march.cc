@@ -24,7 +24,7 @@ namespace vibrocontact
   bool run_march(const std::string &name, March &march, const MarchCheckpoint &checkpoint,
                  const double interval, const Recorders &recorders, Results &results)
   {
-    bool is_whole = march.is_over();
+    bool is_whole = march.is_over(), is_stored = true;
     std::ostringstream failure;
     Progress progress(name, march.end_time() - march.time());
     CheckpointSchedule schedule(interval);
@@ -34,7 +34,7 @@ namespace vibrocontact
       try
       {
         // a recorder that cannot write is heard of by all
-        on_all_ranks([&] { march.advance_block(); });
+        on_all_ranks([&] { march.advance_part(schedule.n_steps()); });
       }
       catch (const ConvergenceError &error)
       {
@@ -43,7 +43,8 @@ namespace vibrocontact
       }
       progress.advance(march.time() - before, [&] { return march.pace(); });
       is_whole = march.is_over();
-      if (schedule.is_due() || is_whole)
+      is_stored = schedule.is_due(is_whole || march.is_between_blocks()) || is_whole;
+      if (is_stored)
         on_first_rank([&] { checkpoint.write(march, recorders); });
     }
     on_first_rank(
@@ -56,7 +57,9 @@ namespace vibrocontact
       schedule.is_due(); // a signal in the last steps stops what would follow
     results.stopped_by = schedule.stopped_by();
     if (results.stopped_by != 0)
-      run_log().warning("Interrupted; a checkpoint is written, --resume continues.");
+      run_log().warning(is_stored ? "Interrupted; a checkpoint is written, --resume continues."
+                                  : "Interrupted within a block of long steps; --resume continues from the "
+                                    "checkpoint at its beginning.");
     if (!failure.str().empty())
       refuse(name, failure.str() + (failure.str().back() == '.' ? "" : "."), results);
     return is_whole;

@@ -33,6 +33,11 @@ namespace vibrocontact
     virtual Marks marks() const = 0;
     /// How it goes, said beside the time left.
     virtual std::string pace() const { return ""; }
+    /// The next n_steps of the block or what is left of it, between which a signal is heard of. A march of short blocks goes
+    /// through all of it.
+    virtual void advance_part(unsigned int /*n_steps*/) { advance_block(); }
+    /// Whether a checkpoint may stand here.
+    virtual bool is_between_blocks() const { return true; }
   };
 
   /// What a second march beside the first one tells about its error (numerics/doubled_step.h).

@@ -370,20 +370,31 @@ namespace vibrocontact
 
   void TransientMarch::advance_block()
   {
+    do
+      advance_part(steps_between_fresh_starts);
+    while (!is_over() && !is_between_blocks());
+  }
+
+  void TransientMarch::advance_part(const unsigned int n_steps)
+  {
     const auto begin = std::chrono::steady_clock::now();
     const double before = sums.seconds;
     prepare();
     const double estimate_before = companion ? companion->errors.seconds : 0;
-    steps->start_afresh();
-    if (coarse)
-      coarse->start_afresh();
+    if (is_between_blocks())
+    {
+      steps->start_afresh();
+      if (coarse)
+        coarse->start_afresh();
+    }
+    const unsigned long last = sums.steps + n_steps;
     do
     {
       steps->step();
       if (sums.converged && coarse && companion->errors.failure.empty())
         follow();
       goes_on = sums.converged && observe(state, sums);
-    } while (!is_over() && sums.steps % steps_between_fresh_starts != 0);
+    } while (!is_over() && !is_between_blocks() && sums.steps < last);
     sums.seconds =
         before + seconds_since(begin) - (companion ? companion->errors.seconds - estimate_before : 0.);
     if (!sums.converged)

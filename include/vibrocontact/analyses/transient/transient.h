@@ -72,6 +72,8 @@ namespace vibrocontact
     bool is_over() override;
     /// @throws ConvergenceError after a step whose contact does not converge, with sums.converged = false
     void advance_block() override;
+    void advance_part(unsigned int n_steps) override;
+    bool is_between_blocks() const override { return sums.steps % steps_between_fresh_starts == 0; }
     void exchange(CheckpointFile &file) override;
     Marks marks() const override;
     std::string pace() const override;
