@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/hdf5_file.h>
+#include <vibrocontact/base/memory.h>
 #include <vibrocontact/base/utf8.h>
 #include <vibrocontact/contact/problem_file.h>
 
@@ -154,10 +155,17 @@ namespace vibrocontact
       if (nz > nzmax)
         refuse("has more triplets (nz) than places for them (nzmax)");
       const std::size_t entries = nz >= 0 ? nz : nzmax;
-      // room is made for all rows and columns: those of a problem have an entry for every point at least
+      // room is made for all rows and columns, twice in two orders: those of a problem have an entry for every point at least
       if (std::size_t(std::max(m, n)) > 3 * entries + 3)
         refuse("has " + std::to_string(m) + " rows and " + std::to_string(n) + " columns but only " +
                std::to_string(entries) + " entries");
+      const double bytes = 2. * m * n * sizeof(double) + double(entries) * (sizeof(double) + sizeof(int));
+      const MemoryLeft left = memory_left();
+      if (bytes > left.bytes)
+        throw MachineError("The matrix '" + path + "' in the file '" + file_name + "', of " +
+                           std::to_string(m) + " rows and " + std::to_string(n) + " columns, needs about " +
+                           bytes_text(bytes) + ", but " + left.limit + " leaves " + bytes_text(left.bytes) +
+                           "; take a problem of fewer points or a larger machine.");
       const std::vector<int> p = file.integers(path + "/p", nz >= 0 ? entries : (nz == -1 ? n : m) + 1);
       const std::vector<int> index = file.integers(path + "/i", entries);
       const std::vector<double> x = finite_numbers(file, file_name, path + "/x", nzmax);

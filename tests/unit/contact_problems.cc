@@ -3,6 +3,7 @@
 #include "stored_problems.h"
 
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/hdf5_file.h>
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/problem_file.h>
 
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <numeric>
+#include <sys/resource.h>
 #include <unistd.h>
 
 using namespace stored_problems;
@@ -220,6 +223,38 @@ TEST(ContactProblemFile, GivesBackWhatWasWritten)
     }
   }
   std::remove(file.c_str());
+}
+
+// Room is made for all rows and columns, however few the entries: 10,000 points ask for 14 GB.
+TEST(ContactProblemFile, MoreThanTheMemoryIsRefusedInASentence)
+{
+  const std::string file_name = scratch_file();
+  const int rows = 3 * most_points_in_file, n_entries = most_points_in_file;
+  {
+    Hdf5Writer file(file_name);
+    const std::string W = "/fclib_local/W";
+    file.write("/fclib_local/spacedim", 3);
+    file.write(W + "/m", rows);
+    file.write(W + "/n", rows);
+    file.write(W + "/nz", n_entries);
+    file.write(W + "/nzmax", n_entries);
+    std::vector<int> places(n_entries);
+    std::iota(places.begin(), places.end(), 0);
+    file.write(W + "/p", places);
+    file.write(W + "/i", places);
+    file.write(W + "/x", std::vector<double>(n_entries, 1e-9));
+    file.finish();
+  }
+  rlimit before, less;
+  getrlimit(RLIMIT_AS, &before);
+  less = before;
+  less.rlim_cur = std::min<rlim_t>(before.rlim_max, rlim_t(10) << 30);
+  setrlimit(RLIMIT_AS, &less);
+  const std::string refused = refusal(file_name);
+  setrlimit(RLIMIT_AS, &before);
+  std::remove(file_name.c_str());
+  EXPECT_NE(refused.find("of 30000 rows and 30000 columns, needs about 14 GB, but "), std::string::npos)
+      << refused;
 }
 
 TEST(ContactProblemFile, WrongFilesAreRefusedInASentence)
