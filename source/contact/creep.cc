@@ -21,6 +21,14 @@ namespace vibrocontact
     return i >= reach() ? coefficients : creep_schemes().front().coefficients;
   }
 
+  std::vector<double> CreepScheme::convection(const double speed, const double spacing) const
+  {
+    std::vector<double> factors = coefficients;
+    for (double &factor : factors)
+      factor *= speed / spacing;
+    return factors;
+  }
+
   const CreepScheme &find_creep_scheme(const std::string &name)
   {
     return find_named(creep_schemes(), name, "creep scheme");

@@ -249,10 +249,7 @@ namespace vibrocontact
   std::shared_ptr<const ContactOperator> rolling_operator(const ContactGrid &grid, const HalfSpacePair &pair,
                                                           const CreepScheme &scheme, const double speed)
   {
-    std::vector<double> upstream = scheme.coefficients;
-    for (double &coefficient : upstream)
-      coefficient *= speed / grid.spacing_x;
-    return std::make_shared<HalfSpaceOperator>(grid, pair, upstream);
+    return std::make_shared<HalfSpaceOperator>(grid, pair, scheme.convection(speed, grid.spacing_x));
   }
 
   ContactSections ContactSections::with_friction(const double coefficient) const

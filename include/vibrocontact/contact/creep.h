@@ -28,6 +28,8 @@ namespace vibrocontact
     /// the coefficients in a column of the grid, counted from the upstream side: lower-order ones where the
     /// stencil would leave the grid, a single zero in the first column
     const std::vector<double> &at_column(unsigned int i) const;
+    /// V d/dx away from the upstream side: factors of u(x_i - k spacing) [1/s]
+    std::vector<double> convection(double speed, double spacing) const;
   };
 
   /// first-order upwind (CONTACT's scheme) and second-order upwind.

@@ -158,9 +158,7 @@ namespace vibrocontact
     result.speed = speed;
     if (body.half_spaces)
     {
-      std::vector<double> upstream = scheme.coefficients;
-      for (double &coefficient : upstream)
-        coefficient *= speed / contacts.only().spacing_x;
+      std::vector<double> upstream = scheme.convection(speed, contacts.only().spacing_x);
       upstream[0] += 1 / h;
       result.half_spaces = body.half_spaces;
       result.half_space_response =
