@@ -9,22 +9,22 @@ namespace vibrocontact
   {
     /// with modes
     constexpr unsigned int supposed_waves = 24;
-    /// of modes, however few: five blocks of a Krylov basis and those in work
-    constexpr unsigned int fewest_vectors = 64;
+    /// of modes, however few: blocks of a Krylov basis and those in work
+    constexpr unsigned int fewest_vectors = 152;
   } // namespace
 
   ReductionCost reduction_cost(const ReductionSize &size, const StiffnessSolver solver)
   {
-    const double number = 8, n = size.n_dofs, relative = n / 287e3,
-                 entries = 21 * size.compactness * std::pow(n, 4. / 3),
-                 operations = 0.2 * std::pow(entries, 1.5);
     const bool iterative = solver == StiffnessSolver::iterative;
-    const double matrices = 4e3 * n, factors = (iterative ? 5. : 11.) * entries,
-                 ordering_seconds = 4 * relative,
-                 factor_seconds = iterative ? operations / 2 / 12e9 : operations / 10e9,
-                 // a column of a block: four steps of a product and of both factors, at 3 and 4 Gflop/s
-        column_seconds = 4 * (2 * 190 * n / 3e9 + 3 * entries / 4e9),
-                 // b, r, z and both directions of a block, and what is on its way to rank 0
+    const double number = 8, n = size.n_dofs, relative = n / 287e3, c = size.compactness,
+                 entries = 21 * c * std::pow(n, 4. / 3), matrices = 4e3 * n,
+                 factors = (iterative ? 4.5 : 11.) * entries, ordering_seconds = 4 * relative,
+                 // at 10 Gflop/s
+        factor_seconds =
+            iterative ? 260 * std::pow(n / 1e6, 1.4) * std::pow(c, 1.5) : 0.2e-10 * std::pow(entries, 1.5),
+                 // five steps: a product with 190 entries per row at 6 Gflop/s, the factors in blocks of 32
+        column_seconds = 5 * (2 * 190 * n / 6e9 + entries / 15e9),
+                 // b, r, z, both directions, and what is on its way to the factors
         block_bytes = iterative ? 7 * 32 * number * n : 0;
     ReductionCost cost;
     cost.solver = solver;
@@ -41,7 +41,8 @@ namespace vibrocontact
       if (size.counts_first)
         cost.stages.push_back(
             {"count of modes", ordering_seconds + factor_seconds, cost.kept + 0.7 * factors});
-      const double n_solves = 2.5 * size.n_modes + 24 + 40;
+      // those of the second search with them; in blocks of 8 half as long again
+      const double n_solves = 1.5 * (5 * size.n_modes + 150);
       cost.stages.push_back(
           {std::to_string(std::lround(size.n_modes)) + " modes",
            iterative ? column_seconds * n_solves : 0.6 * relative * size.n_modes,

@@ -30,15 +30,17 @@ namespace vibrocontact
   };
 
   /// What the reduction of a solid body costs, told from its size. Quadratic hexahedra, measured on cubes up to 1 million
-  /// dofs, the shipped wheel (287,175) and rail (199,785) with MUMPS and METIS; c is the compactness:
+  /// dofs (doc/scale.md), the shipped wheel (287,175) and rail (199,785) with MUMPS and METIS; c is the compactness:
   ///
   ///     matrices, mesh       4 kB per dof
-  ///     factors              21 c n^(4/3) entries of 8 bytes, with the workspace of MUMPS 11 bytes
-  ///     approximate factors  the same entries by 5 bytes, workspace and all
-  ///     operations           0.2 e^(3/2) for e entries, at 10 Gflop/s; approximate 0.1 e^(3/2) at 12
-  ///     count of modes       a second factorisation that keeps nothing: 0.7 of the first; if iterative, a second search
-  ///     modes                3 vectors per mode (the basis is twice as long as what is sought)
-  ///     contact compliance   two dense matrices of the size of its rows; if iterative, blocks of 32 columns
+  ///     factors              21 c n^(4/3) entries, each 11 bytes with the workspace of MUMPS
+  ///     approximate factors  4.5 bytes for each of these entries, of which about half are kept
+  ///     operations           0.2 e^(3/2) for e entries; approximate 2.6e12 (n / 1e6)^1.4 c^(3/2)
+  ///     count of modes       a second factorisation that keeps nothing: 0.7 of the first
+  ///     modes                3 vectors per mode (the basis is twice as long as what is sought) and 19 blocks of 8; if
+  ///                          iterative, with a second search
+  ///     contact compliance   two dense matrices of the size of its rows; if iterative, five steps for each column, in
+  ///                          blocks of 32
   struct ReductionCost
   {
     std::vector<ReductionStage> stages;
