@@ -31,7 +31,31 @@ namespace vibrocontact
         }
       return size > 0 ? worst / size : 0;
     }
+    /// zgeev; deal.II's compute_eigenvalues() stops in its debug library, which mistakes the size of a work array.
+    /// @param right eigenvectors, none if empty
+    std::vector<Complex> eigenvalues(dealii::LAPACKFullMatrix<Complex> &A, const std::string &of,
+                                     dealii::LAPACKFullMatrix<Complex> &right)
+    {
+      const dealii::types::blas_int size = A.m(), one = 1, n_work = 8 * size;
+      std::vector<Complex> values(size), work(n_work);
+      std::vector<double> real_work(2 * size);
+      dealii::types::blas_int info = 0;
+      Complex *const none = nullptr;
+      const bool with_vectors = right.m() > 0;
+      dealii::geev("N", with_vectors ? "V" : "N", &size, &A(0, 0), &size, values.data(), none, &one,
+                   with_vectors ? &right(0, 0) : none, with_vectors ? &size : &one, work.data(), &n_work,
+                   real_work.data(), &info);
+      if (info != 0)
+        throw ConvergenceError("LAPACK found no " + of + " (zgeev: " + std::to_string(info) + ").");
+      return values;
+    }
   } // namespace
+
+  std::vector<Complex> complex_eigenvalues(dealii::LAPACKFullMatrix<Complex> A, const std::string &of)
+  {
+    dealii::LAPACKFullMatrix<Complex> none;
+    return eigenvalues(A, of, none);
+  }
 
   ComplexEigenvectors complex_eigenvectors(dealii::LAPACKFullMatrix<std::complex<double>> A,
                                            const std::string &of)
@@ -39,18 +63,9 @@ namespace vibrocontact
     const unsigned int n = A.m();
     const dealii::LAPACKFullMatrix<Complex> given(A);
     ComplexEigenvectors result;
-    result.values.resize(n);
     result.right.reinit(n, n);
     result.left.reinit(n, n);
-    const dealii::types::blas_int size = n, one = 1, n_work = 8 * n;
-    std::vector<Complex> work(n_work);
-    std::vector<double> real_work(2 * n);
-    dealii::types::blas_int info = 0;
-    Complex *const none = nullptr;
-    dealii::geev("N", "V", &size, &A(0, 0), &size, result.values.data(), none, &one, &result.right(0, 0),
-                 &size, work.data(), &n_work, real_work.data(), &info);
-    if (info != 0)
-      throw ConvergenceError("LAPACK found no " + of + " (zgeev: " + std::to_string(info) + ").");
+    result.values = eigenvalues(A, of, result.right);
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
         result.left(i, j) = result.right(i, j);

@@ -1,3 +1,4 @@
+#include <vibrocontact/numerics/complex_eigenvectors.h>
 #include <vibrocontact/numerics/complex_singular_values.h>
 #include <vibrocontact/numerics/growth_fit.h>
 
@@ -108,10 +109,9 @@ namespace vibrocontact
       for (unsigned int r = 0; r < rank; ++r)
         for (unsigned int s = 0; s < rank; ++s)
           step(r, s) += carried[r] * std::conj(vt(s, n)) / (1 - size);
-      step.compute_eigenvalues();
       std::vector<Complex> result;
-      for (unsigned int r = 0; r < rank; ++r)
-        if (const Complex z = step.eigenvalue(r).real(); std::abs(z) > 0.1) // deal.II: complex of complex
+      for (const Complex &z : complex_eigenvalues(step, "eigenvalues of a signal's steps"))
+        if (std::abs(z) > 0.1)
           result.push_back(z);
       return result;
     }

@@ -15,6 +15,10 @@ namespace vibrocontact
     dealii::LAPACKFullMatrix<std::complex<double>> right, left;
   };
 
+  /// @param A not empty @param of what they are, for the message @throws ConvergenceError
+  std::vector<std::complex<double>> complex_eigenvalues(dealii::LAPACKFullMatrix<std::complex<double>> A,
+                                                        const std::string &of);
+
   /// @param of what they are, for the message @throws ConvergenceError
   ComplexEigenvectors complex_eigenvectors(dealii::LAPACKFullMatrix<std::complex<double>> A,
                                            const std::string &of);
