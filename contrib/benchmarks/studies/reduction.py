@@ -136,8 +136,11 @@ def block(bench):
         exact = [1.5 * N / (math.pi * a * a) * math.sqrt(max(0., 1 - (float(row["x_m"]) ** 2 + float(row["y_m"]) ** 2) / a ** 2)) for row in rows]
         return math.sqrt(sum((float(row["pressure_Pa"]) - one) ** 2 for row, one in zip(rows, exact)) / sum(one ** 2 for one in exact))
     points = []
+    lumped = {"Contact/Quadrature": "lumped"}
     for name, entries, choices in (
-            ("lumped", {"Contact/Quadrature": "lumped"}, {"Contact/Local flexibility": "finite elements"}),
+            ("lumped", lumped, {"Contact/Local flexibility": "finite elements", "Solver/Method": "automatic"}),
+            ("lumped, direct solves", {**lumped, "block/Solver/Method": "direct"}, {"Solver/Method": "direct"}),
+            ("lumped, iterative solves", {**lumped, "block/Solver/Method": "iterative"}, {"Solver/Method": "iterative"}),
             ("consistent", {"Contact/Quadrature": "consistent"}, {"Contact/Local flexibility": "finite elements"}),
             ("half-space", {"Contact/Local flexibility": "half-space", "block/Modes/Count": 20}, {"Contact/Quadrature": "lumped"})):
         for spacing in (2.5e-3,):
@@ -160,5 +163,6 @@ STUDIES = [
           "error of the receptance over its largest (analytic), of the frequencies (elements) [-]",
           {"Ring/Model": ["analytic", "beam elements", "solid elements"]}, ring, floor=1e-6),
     Study("block", "Pressure of a sphere on a box of elements", "Hertz.", WHOLE, "rms error of the pressure over its rms [-]",
-          {"Contact/Quadrature": ["lumped", "consistent"], "Contact/Local flexibility": ["finite elements", "half-space"]}, block,
+          {"Contact/Quadrature": ["lumped", "consistent"], "Contact/Local flexibility": ["finite elements", "half-space"],
+           "Solver/Method": ["automatic", "direct", "iterative"]}, block,
           quick=False, floor=1e-3)]
