@@ -4,7 +4,7 @@
   run.py [--quick] [--only STUDY ...] [--output DIR]     measures and writes DIR/report.html
   run.py --list                                          studies and the members on their pictures; exit 1 if one is on none
 
-Exit: 0 done; 1 wrong use; 2 a study failed, or --quick or --compare found something slower or less exact than the baseline."""
+Exit: 0 done; 1 wrong use; 2 a study failed, or --quick found something slower or less exact than the baseline."""
 import os
 import shutil
 import sys
@@ -27,8 +27,7 @@ def arguments():
                         help="these studies alone; peers: the comparisons with other programs")
     parser.add_argument("--repetitions", type=int, metavar="N", help="of each run; default 3 with --quick, else 5")
     parser.add_argument("--baseline", default=baseline.FILE, metavar="FILE", help="stored ratios; default: baseline.csv")
-    parser.add_argument("--compare", action="store_true", help="compare with the baseline, as --quick does anyway")
-    parser.add_argument("--write-baseline", action="store_true", help="rewrite the baseline's rows of the studies that run")
+    parser.add_argument("--write-baseline", action="store_true", help="rewrite the baseline's rows of the studies that run; with --quick")
     parser.add_argument("--pictures", metavar="DIR", help="copy the pictures there as benchmark_STUDY.png (doc/pictures)")
     parser.add_argument("--list", action="store_true", help="list studies and members, run nothing")
     options = parser.parse_args()
@@ -37,6 +36,9 @@ def arguments():
     for folder in (options.pictures, os.path.dirname(os.path.abspath(options.baseline)) if options.write_baseline else None):
         if folder and not os.path.isdir(folder):
             parser.error(f"there is no folder {folder}: make it first")
+    # a full study has more and harder cases under the same labels: its errors are not those of the baseline
+    if not options.quick and (options.write_baseline or options.baseline != baseline.FILE):
+        parser.error("the baseline is one of the cheap studies: add --quick")
     unknown = set(options.only) - {study.name for study in ALL} - {"peers"}
     if unknown:
         parser.refuse(f"there is no study {', '.join(sorted(unknown))}; there are {', '.join(study.name for study in ALL)}, peers")
@@ -64,7 +66,7 @@ def main():
         bench = program.Bench(os.path.abspath(options.build), options.quick, options.repetitions or (3 if options.quick else 5), cache)
         if options.list:
             return list_studies(bench)
-        compares = (options.quick or options.compare) and not options.write_baseline
+        compares = options.quick and not options.write_baseline
         # also one that is rewritten must be readable, as rows of other studies stay
         kept = baseline.read(options.baseline) if compares or (options.write_baseline and os.path.exists(options.baseline)) else []
         studies = [study for study in ALL if study.name in options.only or

@@ -51,11 +51,11 @@ refused 'unrecognized arguments: --speed' --speed
 refused 'expected one argument' --quick --repetitions
 refused '--repetitions 0: at least one' --quick --repetitions 0
 refused 'there is no folder nowhere' --quick --pictures nowhere
-refused 'there is no folder .*nowhere' --write-baseline --baseline nowhere/new.csv
+refused 'there is no folder .*nowhere' --quick --write-baseline --baseline nowhere/new.csv
 refused 'there is no baseline nowhere.csv' --quick --only ring --baseline nowhere.csv
 echo study,label >columns.csv
 refused 'columns.csv is no baseline.* no column cost_ratio, spread, error' --quick --only ring --baseline columns.csv
-refused 'columns.csv is no baseline' --only ring --write-baseline --baseline columns.csv
+refused 'columns.csv is no baseline' --quick --only ring --write-baseline --baseline columns.csv
 printf 'study,label,cost_ratio,spread,error\nring,analytic,1,,1\n' >numbers.csv
 refused 'numbers.csv:2 is no row of a baseline' --quick --only ring --baseline numbers.csv
 refused 'cannot write to --output columns.csv' --only ring --output columns.csv
