@@ -30,15 +30,15 @@ def solve(bench, file, entries, repetitions=None):
 
 
 def layer(bench):
-    """Three lowest unstable pairs of the sliding layer."""
+    """Three lowest unstable pairs of the sliding layer. The number of modes has no default: marked is the smallest within 1 %."""
     exact, seconds = solve(bench, LAYER, {MODEL: "finite elements"})
     compared = [root for root in exact if root[1] > 1e-6 * root[0]][:3]
     finer, _ = solve(bench, LAYER, {MODEL: "attachment inertia", "layer/Modes/Count": 250})
     points = [Point("finite elements", "finite elements", seconds, error(finer, compared), False, {MODEL: "finite elements"})]
     for model in ("reduced", "attachment inertia"):
-        for count in (20, 60) if bench.quick else (10, 20, 40, 60, 80, 160):
+        for count in (20, 40, 60) if bench.quick else (10, 20, 40, 60, 80, 160):
             found, seconds = solve(bench, LAYER, {MODEL: model, "layer/Modes/Count": count})
-            points.append(Point(f"{model}, {count} modes", model, seconds, error(found, compared), model == "reduced" and count == 60,
+            points.append(Point(f"{model}, {count} modes", model, seconds, error(found, compared), model == "reduced" and count == 40,
                                 {MODEL: model}))
     return points
 
