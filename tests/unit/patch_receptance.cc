@@ -77,11 +77,11 @@ TEST(PatchReceptance, RootsOfABodyThatTurnsMakeTheContactsEquationsSingular)
   ContactPair pair = in_poles(damped_pair(s));
   std::mt19937 random(5);
   std::normal_distribution<double> number;
-  const auto changed = [&](ComplexMatrix &shapes, const double size)
+  const auto changed = [&](ComplexMatrix &shapes, const double size, const double factor = 1)
   {
     for (unsigned int k = 0; k < shapes.n(); ++k)
       for (unsigned int i = 0; i < shapes.m(); ++i)
-        shapes(i, k) *= Complex(1 + size * number(random), size * number(random));
+        shapes(i, k) *= factor * Complex(1 + size * number(random), size * number(random));
   };
   changed(pair.right, 0.05);
   changed(pair.left, 0.05);
@@ -94,8 +94,7 @@ TEST(PatchReceptance, RootsOfABodyThatTurnsMakeTheContactsEquationsSingular)
     {
       // over the distance of the points
       pair.gradient = pair.right;
-      pair.gradient *= 1e3;
-      changed(pair.gradient, 1);
+      changed(pair.gradient, 1, 1e3);
       pair.residual_gradient = pair.residual;
       for (unsigned int j = 0; j < 3 * n; ++j)
         for (unsigned int i = 0; i < 3 * n; ++i)

@@ -338,7 +338,8 @@ namespace vibrocontact
     multiply(matrices.displacement_gain, c_n, displacement);
     multiply(matrices.velocity_gain, c_n, velocity);
     A.respond(displacement, velocity, solution.y);
-    solution.y += problem.b;
+    if (A.n_rows() > 0) // deal.II adds no empty vectors
+      solution.y += problem.b;
     problem.move(solution.y, problem.approach);
     solution.approach = problem.approach;
     // what the gradient of the residual adds to the slip is not in y, which has displacements alone, and a rest that relaxes
