@@ -1,0 +1,115 @@
+"""Tables (*.csv) and histories (*.h5) of the program as arrays with units."""
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+from typing import Any, Dict, Iterator, List, Mapping, Union
+
+import numpy as np
+
+from .errors import VibrocontactError
+
+# units at the end of names, longest first where one ends in another; in displacement_1_m and force_1_N, 1 is a direction
+UNITS = {"displacement_1_m": "m", "force_1_N": "N", "rad_s": "rad/s", "rad_m": "rad/m", "dB_m": "dB/m", "m_Ns": "m/(N s)", "m_s2": "m/s^2", "1_s2": "1/s^2", "m_N": "m/N",
+         "m_s": "m/s", "1_s": "1/s", "1_m": "1/m", "Nm": "N m", "Ns": "N s", "Hz": "Hz", "Pa": "Pa", "MB": "MB", "dB": "dB",
+         "dBA": "dB(A)", "rad": "rad", "N": "N", "J": "J", "m": "m", "s": "s", "seconds": "s"}
+
+LABELS = ("label", "root", "nearest", "unstable", "mode")
+"""Columns that name a mode."""
+
+
+def unit_of(name: str) -> str:
+    """Unit of a quantity by its name: "slip_x_m_s" -> "m/s"; empty if it has none."""
+    return next((unit for ending, unit in UNITS.items() if ("_" + name).endswith("_" + ending)), "")
+
+
+class Quantity(np.ndarray):
+    """An array of numbers with its `unit` (SI, "" for none). Parts and copies keep the unit; what is computed from it is a plain array."""
+    unit: str
+
+    def __new__(cls, values: Any, unit: str = "") -> "Quantity":
+        made = np.asarray(values).view(cls)
+        made.unit = unit
+        return made
+
+    def __array_finalize__(self, source: Any) -> None:
+        self.unit = getattr(source, "unit", "")
+
+    def __array_ufunc__(self, function: Any, method: str, *inputs: Any, **options: Any) -> Any:
+        def plain(one: Any) -> Any:
+            return one.view(np.ndarray) if isinstance(one, Quantity) else one
+
+        if "out" in options:
+            options["out"] = tuple(plain(one) for one in options["out"])
+        return getattr(function, method)(*map(plain, inputs), **options)
+
+
+class Table(Mapping[str, np.ndarray]):
+    """Columns by name, all of the same length: numbers as Quantity, texts as plain arrays.
+
+    head  lines of the file's head: what it holds, signs
+    """
+
+    def __init__(self, columns: Dict[str, np.ndarray], head: List[str]):
+        self.columns, self.head = columns, head
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        try:
+            return self.columns[name]
+        except KeyError:
+            raise KeyError(f'no column "{name}"; there are {", ".join(self.columns)}') from None
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.columns)
+
+    def __len__(self) -> int:
+        return len(self.columns)
+
+    def __repr__(self) -> str:
+        return f"Table({', '.join(f'{name} [{len(values)}]' for name, values in self.columns.items())})"
+
+    def units(self) -> Dict[str, str]:
+        """Units of the columns that have one."""
+        return {name: unit_of(name) for name in self.columns if unit_of(name)}
+
+
+def read_columns(name: Union[str, Path]) -> Dict[str, np.ndarray]:
+    """Columns of a table by name; numbers where all cells are numbers, an empty cell is nan. Modes get their own names back, in tables
+    axial(0;2)/2 stands for axial(0,2)#2."""
+    with open(name, newline="", encoding="utf-8") as lines:
+        rows = list(csv.reader(line for line in lines if not line.startswith("#")))
+    columns = {}
+    for i, column in enumerate(rows[0] if rows else []):
+        cells = [row[i] for row in rows[1:]]
+        try:
+            columns[column] = np.array([float(cell) if cell else np.nan for cell in cells])
+        except ValueError:
+            if column in LABELS:
+                cells = [cell.replace(";", ",").replace("/", "#") for cell in cells]
+            columns[column] = np.array(cells)
+    return columns
+
+
+def read_table(name: Union[str, Path]) -> Table:
+    """A table of the program. Raises FileNotFoundError."""
+    with open(name, encoding="utf-8") as lines:
+        head = [line[1:].strip() for line in lines if line.startswith("#")]
+    return Table({column: Quantity(values, unit_of(column)) if values.dtype.kind == "f" else values
+                  for column, values in read_columns(name).items()}, head)
+
+
+def read_histories(name: Union[str, Path]) -> Table:
+    """All datasets of a file of histories by their paths in it. Needs h5py; raises FileNotFoundError."""
+    try:
+        import h5py
+    except ImportError:
+        raise VibrocontactError("histories are HDF5 files, and there is no h5py: install python3-h5py") from None
+    columns: Dict[str, np.ndarray] = {}
+
+    def take(path: str, node: Any) -> None:
+        if isinstance(node, h5py.Dataset):
+            columns[path] = Quantity(node[()], unit_of(path))
+
+    with h5py.File(name, "r") as file:
+        file.visititems(take)
+    return Table(columns, [])
