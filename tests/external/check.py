@@ -5,6 +5,7 @@ usage: check.py BUILD_FOLDER    works in the current folder
 """
 import csv
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -122,3 +123,9 @@ for program in (own, shipped):
         code, text = said(program, "wheel.prm", "--check")
         hidden.write_bytes(content)
         assert code == 1 and str(hidden) in text, text
+
+# the package for Python comes with the installation and finds its program; Debian's own Python has numpy
+python = shutil.which("python3", path="/usr/bin") or sys.executable
+done = subprocess.run([python, "-B", "-c", "import vibrocontact as vc; print(vc.find_program()); vc.Case.from_file(vc.EXAMPLES / 'carter.prm').check()"],
+                      env={**os.environ, "VIBROCONTACT": "", "PYTHONPATH": str(prefix / "share/vibrocontact/contrib/python")}, capture_output=True, text=True)
+assert done.stdout.strip() == str(shipped) and done.returncode == 0, done.stdout + done.stderr

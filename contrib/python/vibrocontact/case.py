@@ -1,6 +1,7 @@
 """A case: what a parameter file says, with entries changed."""
 from __future__ import annotations
 
+import copy
 import os
 import shutil
 import subprocess
@@ -8,7 +9,7 @@ import tempfile
 from pathlib import Path
 from typing import Callable, Dict, Iterable, List, Mapping, Optional, Tuple, Union
 
-from .errors import CannotWrite, InputError, ProgramFault, UnknownEntry
+from .errors import CannotWrite, InputError, ProgramFault
 from .parameters import parameters
 from .prm import Entries, Value, flat, read_entries, write_entries
 from .program import environment, find_program, on_ranks
@@ -53,9 +54,8 @@ class Case:
         return made.with_entries(overrides or {})
 
     def with_entries(self, overrides: Entries) -> "Case":
-        """The case with these entries instead. Raises UnknownEntry."""
-        made = type(self).__new__(type(self))
-        made.__dict__.update(self.__dict__)
+        """The case with these entries instead. Raises UnknownEntry; InputError if the program had to be asked and refuses the case otherwise."""
+        made = copy.copy(self)
         made._overrides = {**self._overrides, **flat(overrides)}
         made._check_names(flat(overrides))
         return made
@@ -115,13 +115,11 @@ class Case:
             return run.wait()
 
     def _check_names(self, paths: Iterable[str]) -> None:
-        if parameters(self.program).unknown(paths, self.entries):
-            try:
-                self.check()
-            except UnknownEntry:
-                raise
-            except InputError:
-                pass  # of a value, which the case need not have yet
+        unknown = parameters(self.program).unknown(paths, self.entries)
+        if unknown:
+            doubtful = copy.copy(self)  # an override is judged before the rest of the file
+            doubtful._overrides = {**self._overrides, **{path: self.entries[path] for path in unknown}}
+            doubtful.check()
 
     def _words(self) -> Tuple[List[str], Optional[Path]]:
         """The program with its file and the overrides; the folder that was made for the file if the case had none."""

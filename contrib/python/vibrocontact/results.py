@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, List, Union
+from typing import TYPE_CHECKING, Any, Dict, List, Union
 
 from .errors import VibrocontactError
 from .tables import Table, read_histories, read_table
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from .case import Case
 
 
-class Record(dict):
+class Record(Dict[str, Any]):
     """An object of results.json; keys are attributes too: `record.cases[0].utilisation`."""
 
     def __getattr__(self, name: str) -> Any:

@@ -1,6 +1,7 @@
 """A run of the program: its progress, its end, what the end means."""
 from __future__ import annotations
 
+import codecs
 import os
 import pty
 import re
@@ -92,8 +93,8 @@ class Run:
             raise ProgramFault(f"{command[0]} cannot be started: {error.strerror}") from error
         finally:
             os.close(terminal)
-        self._readers = [threading.Thread(target=reader, args=arguments, daemon=True)
-                         for reader, arguments in ((self._read_screen, (screen,)), (self._read_errors, ()))]
+        self._readers = [threading.Thread(target=self._read_screen, args=(screen,), daemon=True),
+                         threading.Thread(target=self._read_errors, daemon=True)]
         for reader in self._readers:
             reader.start()
 
@@ -184,7 +185,7 @@ class Run:
             self._changed.notify_all()
 
     def _read_screen(self, screen: int) -> None:
-        rest = ""
+        rest, decoder = "", codecs.getincrementaldecoder("utf-8")("replace")
         while True:
             try:
                 chunk = os.read(screen, 65536)
@@ -193,7 +194,7 @@ class Run:
             if not chunk:
                 break
             # a progress has no end of its own: it is shown as it is
-            *whole, rest = re.split(r"\r?\n|\r\x1b\[K", rest + chunk.decode(errors="replace"))
+            *whole, rest = re.split(r"\r?\n|\r\x1b\[K", rest + decoder.decode(chunk))
             for text in whole:
                 self._say(text)
             if Line.read(rest).is_progress:

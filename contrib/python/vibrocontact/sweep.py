@@ -15,6 +15,7 @@ from .case import Case
 from .errors import InputError, NotConverged, VibrocontactError
 from .results import Results
 from .run import Run
+from .tables import Array
 
 Grid = Mapping[str, Sequence[Any]]
 
@@ -57,11 +58,11 @@ class Study(Sequence[Point]):
         """Points with an error."""
         return [point for point in self.points if point.error]
 
-    def values(self, entry: str) -> np.ndarray:
+    def values(self, entry: str) -> Array:
         """Of an entry at all points, in the study's shape."""
         return np.array([point.values[entry] for point in self.points]).reshape(self.shape)
 
-    def collect(self, value: Callable[[Results], Any]) -> np.ndarray:
+    def collect(self, value: Callable[[Results], Any]) -> Array:
         """A number or an array of each point's results, in the study's shape (axes of the array behind); nan at points that did not converge
         or have no results."""
         found = [None if point.error or point.results is None else np.asarray(value(point.results), dtype=float) for point in self.points]
