@@ -1,4 +1,5 @@
 """Runs of the Python package: on two ranks as on one, watched, stopped, killed, on a full disk, not converged."""
+import contextlib
 import os
 import pathlib
 import signal
@@ -18,11 +19,25 @@ MARCH = vc.Case.from_file(vc.EXAMPLES / "rolling_transient.prm", {**NO_FIGURES, 
                                                                   "Transient/Checkpoint interval": 0.02})
 
 
-def begun(run, folder):
-    """Waits until a march has written a checkpoint."""
-    while run.running and not (pathlib.Path(folder) / "checkpoint.h5").exists():
-        time.sleep(0.01)
-    return run.running
+def met(folder, ranks, interrupt):
+    """A march that was interrupted after a checkpoint; one that was at its end before is begun again."""
+    for _ in range(5):
+        run = MARCH.start(folder, ranks=ranks)
+        while run.running and not (folder / "checkpoint.h5").exists():
+            time.sleep(0.005)
+        if run.running:
+            interrupt(run)
+            if not vc.Results(folder).converged:
+                return run
+    raise AssertionError("five marches ended before they could be interrupted")
+
+
+def kill(run):
+    # one rank of two: mpirun ends the other
+    ranks = pathlib.Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split()
+    os.kill(int(ranks[-1]) if ranks else run.pid, signal.SIGKILL)
+    with contextlib.suppress(vc.VibrocontactError):
+        run.wait()
 
 
 class Runs(unittest.TestCase):
@@ -71,11 +86,7 @@ class Runs(unittest.TestCase):
         whole = MARCH.run(self.folder / "whole")
         for ranks in (1, 2):
             folder = self.folder / f"killed_{ranks}"
-            run = MARCH.start(folder, ranks=ranks)
-            self.assertTrue(begun(run, folder), "the march ended before it could be killed")
-            # one rank of two: mpirun ends the other
-            victim = run.pid if ranks == 1 else int(pathlib.Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split()[-1])
-            os.kill(victim, signal.SIGKILL)
+            run = met(folder, ranks, kill)
             with self.assertRaisesRegex(vc.Killed, "SIGKILL.*resume=True") as caught:
                 run.wait()
             self.assertEqual((caught.exception.signal, caught.exception.folder), (signal.SIGKILL, folder))
@@ -83,10 +94,8 @@ class Runs(unittest.TestCase):
             self.same_histories(MARCH.run(folder, resume=True), whole)
 
             folder = self.folder / f"stopped_{ranks}"
-            run = MARCH.start(folder, ranks=ranks)
-            self.assertTrue(begun(run, folder), "the march ended before it could be stopped")
-            so_far = run.stop()
-            self.assertFalse(so_far.converged)
+            run = met(folder, ranks, vc.Run.stop)
+            self.assertFalse(run.stop().converged)  # again: nothing happens
             with self.assertRaisesRegex(vc.Stopped, "resume=True"):
                 run.wait()
             self.same_histories(MARCH.run(folder, resume=True, ranks=ranks), whole)
