@@ -17,8 +17,14 @@ command=("$program" "$@")
 set -m
 "${command[@]}" </dev/null &
 child=$!
+# to the ranks themselves: mpirun would pass it on, kill them a moment later and end with 1, as if the input were wrong
+to_ranks() {
+  local processes=$child
+  [ "$ranks" = 1 ] || processes=$(cat "/proc/$child/task/$child/children")
+  kill -"$1" ${processes:-$child} 2>/dev/null
+}
 for signal in INT TERM HUP; do
-  trap "kill -$signal $child 2>/dev/null" $signal
+  trap "to_ranks $signal" $signal
 done
 while kill -0 $child 2>/dev/null; do
   wait $child 2>/dev/null
