@@ -1,39 +1,21 @@
 """What all figures share: reading tables, saving, meanings of colours."""
-import csv
 import os
+import sys
 import warnings
 
 import numpy as np
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "python"))
+from vibrocontact import prm  # noqa: E402
+from vibrocontact.tables import read_columns as read_table  # noqa: E402,F401
 
 # the same meaning in every figure
 OPEN, STICK, SLIP, UNSTABLE, LINE, LIMIT = "#eeeeee", "#2a6fb0", "#e08a2e", "#c0392b", "#333333", "#9a9a9a"
 LEAST_DIVERGENCE_RATE = 1e-9  # of an unstable root; what is below is round-off
 warnings.filterwarnings("ignore")
 plt.rcParams.update({"font.size": 9, "figure.dpi": 110, "axes.grid": False, "savefig.bbox": "tight"})
-
-
-# columns that name a mode
-LABELS = ("label", "root", "nearest", "unstable", "mode")
-
-
-def read_table(name):
-    """Columns of a table by name; numbers where all cells are numbers. Modes get their own names back, in tables
-    axial(0;2)/2 stands for axial(0,2)#2."""
-    with open(name, newline="") as lines:
-        rows = list(csv.reader(line for line in lines if not line.startswith("#")))
-    columns = {}
-    for i, column in enumerate(rows[0]):
-        cells = [row[i] for row in rows[1:]]
-        try:
-            columns[column] = np.array([float(cell) if cell else np.nan for cell in cells])
-        except ValueError:
-            if column in LABELS:
-                cells = [cell.replace(";", ",").replace("/", "#") for cell in cells]
-            columns[column] = np.array(cells)
-    return columns
 
 
 def save(figure, folder, name):
@@ -86,18 +68,8 @@ def short(label):
 
 def read_entries(folder):
     """Values used in a run, texts by their paths such as Contact/Friction coefficient."""
-    entries, sections = {}, []
-    with open(os.path.join(folder, "used.prm"), encoding="utf-8") as lines:
-        for line in lines:
-            words = line.split("#")[0].split(None, 1)
-            if words[:1] == ["subsection"]:
-                sections.append(words[1].strip())
-            elif words[:1] == ["end"]:
-                sections.pop()
-            elif words[:1] == ["set"]:
-                name, value = words[1].split("=", 1)
-                entries["/".join(sections + [name.strip()])] = value.strip()
-    return entries
+    with open(os.path.join(folder, "used.prm"), encoding="utf-8") as file:
+        return prm.read_entries(file.read())
 
 
 def friction_factor(folder, speed, section="Contact"):

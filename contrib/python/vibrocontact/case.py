@@ -14,7 +14,7 @@ from .parameters import parameters
 from .prm import Entries, Value, flat, read_entries, write_entries
 from .program import environment, find_program, on_ranks
 from .results import Results
-from .run import Line, Run, input_error
+from .run import Line, Run, input_error, last_sentence
 
 __all__ = ["Case", "Entries", "Value"]
 
@@ -83,9 +83,9 @@ class Case:
         finally:
             if scratch:
                 shutil.rmtree(scratch, ignore_errors=True)
-        said = [line[len("vibrocontact: "):] for line in done.stderr.splitlines() if line.startswith("vibrocontact: ")]
-        if done.returncode == 1 and said:
-            raise input_error(said[-1])
+        sentence = last_sentence(done.stderr)
+        if done.returncode == 1 and sentence:
+            raise input_error(sentence)
         if done.returncode != 0:
             raise ProgramFault(f"--check ended with {done.returncode}: {done.stderr.strip()[-2000:]}")
         return done.stdout

@@ -215,8 +215,7 @@ class Run:
 
     def _outcome(self) -> Results:
         code = self._process.returncode
-        said = [line[len("vibrocontact: "):] for line in self._errors.splitlines() if line.startswith("vibrocontact: ")]
-        sentence = said[-1] if said else ""
+        sentence = last_sentence(self._errors)
         if code == 0:
             return Results(self.folder)
         if code == 1 and sentence:
@@ -251,6 +250,12 @@ class Run:
                      "a beam rail in place of a solid one, or a larger machine")
         text += ". With resume=True in the same folder it goes on from its last checkpoint"
         return Killed(text, signal, memory, self.folder)
+
+
+def last_sentence(errors: str) -> str:
+    """What the program said last of what went wrong, of the text of its error stream; empty if nothing."""
+    said = [line for line in errors.splitlines() if line.startswith("vibrocontact: ")]
+    return said[-1][len("vibrocontact: "):] if said else ""
 
 
 def input_error(sentence: str) -> InputError:

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import csv
 from pathlib import Path
-from typing import Any, Dict, Iterator, List, Mapping, Union
+from typing import Any, Dict, Iterator, List, Mapping, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -85,8 +85,19 @@ class Table(Mapping[str, Quantity]):
 def read_columns(name: Union[str, Path]) -> Dict[str, Array]:
     """Columns of a table by name; numbers where all cells are numbers, an empty cell is nan. Modes get their own names back, in tables
     axial(0;2)/2 stands for axial(0,2)#2."""
-    with open(name, newline="", encoding="utf-8") as lines:
-        rows = list(csv.reader(line for line in lines if not line.startswith("#")))
+    return _head_and_columns(name)[1]
+
+
+def read_table(name: Union[str, Path]) -> Table:
+    """A table of the program. Raises FileNotFoundError."""
+    head, columns = _head_and_columns(name)
+    return Table({column: Quantity(values, unit_of(column)) for column, values in columns.items()}, head)
+
+
+def _head_and_columns(name: Union[str, Path]) -> Tuple[List[str], Dict[str, Array]]:
+    with open(name, newline="", encoding="utf-8") as file:
+        lines = list(file)
+    rows = list(csv.reader(line for line in lines if not line.startswith("#")))
     columns: Dict[str, Array] = {}
     for i, column in enumerate(rows[0] if rows else []):
         cells = [row[i] for row in rows[1:]]
@@ -96,14 +107,7 @@ def read_columns(name: Union[str, Path]) -> Dict[str, Array]:
             if column in LABELS:
                 cells = [cell.replace(";", ",").replace("/", "#") for cell in cells]
             columns[column] = np.array(cells)
-    return columns
-
-
-def read_table(name: Union[str, Path]) -> Table:
-    """A table of the program. Raises FileNotFoundError."""
-    with open(name, encoding="utf-8") as lines:
-        head = [line[1:].strip() for line in lines if line.startswith("#")]
-    return Table({column: Quantity(values, unit_of(column)) for column, values in read_columns(name).items()}, head)
+    return [line[1:].strip() for line in lines if line.startswith("#")], columns
 
 
 def read_histories(name: Union[str, Path]) -> Table:
