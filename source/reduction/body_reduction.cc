@@ -10,7 +10,7 @@ namespace vibrocontact
   BodyReduction::BodyReduction(const ReductionRequest &request, const Maker &maker, MPI_Comm communicator)
       : asked(request), maker(maker), communicator(communicator),
         cache(request.cache_directory, communicator),
-        chosen(request.solver.method == "iterative" ? StiffnessSolver::iterative : StiffnessSolver::direct)
+        chosen(request.solver.named().value_or(StiffnessSolver::direct))
   {
   }
 

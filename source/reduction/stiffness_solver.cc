@@ -1,7 +1,38 @@
+#include <vibrocontact/base/named_table.h>
 #include <vibrocontact/reduction/stiffness_solver.h>
 
 namespace vibrocontact
 {
+  namespace
+  {
+    struct NamedSolver
+    {
+      std::string name;
+      std::optional<StiffnessSolver> solver;
+    };
+
+    const std::vector<NamedSolver> &named_solvers()
+    {
+      static const std::vector<NamedSolver> rows = {{"automatic", std::nullopt},
+                                                    {"direct", StiffnessSolver::direct},
+                                                    {"iterative", StiffnessSolver::iterative}};
+      return rows;
+    }
+  } // namespace
+
+  std::string name_of(const StiffnessSolver solver)
+  {
+    for (const NamedSolver &row : named_solvers())
+      if (row.solver == solver)
+        return row.name;
+    return "";
+  }
+
+  std::optional<StiffnessSolver> StiffnessSolverParameters::named() const
+  {
+    return find_named(named_solvers(), method, "solver of a stiffness").solver;
+  }
+
   void StiffnessSolverParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
     prm.add_parameter("Method", method,
@@ -12,6 +43,6 @@ namespace vibrocontact
                       "half the memory, for modes by Count only; automatic: direct where its estimated "
                       "memory is there, otherwise "
                       "iterative if Modes/Upper frequency is 0. Units: none.",
-                      dealii::Patterns::Selection("automatic|direct|iterative"));
+                      dealii::Patterns::Selection(selection(names_of(named_solvers()))));
   }
 } // namespace vibrocontact

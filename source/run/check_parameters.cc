@@ -255,7 +255,7 @@ namespace vibrocontact
     for (const auto &[name, mode] : modes)
       mode.check(name + "/Modes");
     for (const auto &[name, solver] : stiffness_solvers)
-      if (solver.method == "iterative" && modes.at(name).upper_frequency > 0)
+      if (solver.named() == StiffnessSolver::iterative && modes.at(name).upper_frequency > 0)
         throw InputError(
             name + "/Solver/Method is iterative, which has no factors to count the modes below " + name +
             "/Modes/Upper frequency with: set that to 0 and give a Count, or take Method = direct.");

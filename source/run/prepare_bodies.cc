@@ -163,8 +163,8 @@ namespace vibrocontact
       size.counts_first = request.modes.count == 0;
       const ReductionCost direct = reduction_cost(size),
                           iterative = reduction_cost(size, StiffnessSolver::iterative);
-      if (request.solver.method != "automatic")
-        return request.solver.method == "direct" ? direct : iterative;
+      if (const auto named = request.solver.named())
+        return named == StiffnessSolver::direct ? direct : iterative;
       const double n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
       const bool fits = memory_shortage("", (kept + direct.peak) / n_ranks, MPI_COMM_WORLD).empty(),
                  by_frequency = size.n_modes > 0 && size.counts_first;
@@ -280,8 +280,7 @@ namespace vibrocontact
       if (solid)
       {
         const ReductionCost cost = cost_of(parameters, *bodies[k]);
-        run_log().value("solver of its stiffness",
-                        cost.solver == StiffnessSolver::iterative ? "iterative" : "direct");
+        run_log().value("solver of its stiffness", name_of(cost.solver));
         print_cost(cost);
       }
       if (bodies[k] && bodies[k]->parameters.is_revolved())

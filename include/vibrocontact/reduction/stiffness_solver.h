@@ -2,6 +2,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <optional>
 #include <string>
 
 namespace vibrocontact
@@ -15,6 +16,9 @@ namespace vibrocontact
     iterative
   };
 
+  /// @return as Solver/Method names it
+  std::string name_of(StiffnessSolver solver);
+
   /// `subsection Solver` of a solid body.
   struct StiffnessSolverParameters
   {
@@ -22,5 +26,8 @@ namespace vibrocontact
     std::string method = "automatic";
 
     void declare_parameters(dealii::ParameterHandler &prm);
+
+    /// @return the one that `method` names; none if it is automatic
+    std::optional<StiffnessSolver> named() const;
   };
 } // namespace vibrocontact
