@@ -19,7 +19,7 @@ namespace vibrocontact
     folder = name;
     setenv("OMPI_MCA_ess_singleton_isolated", "1", 1);
     setenv("OMPI_MCA_orte_tmpdir_base", folder.c_str(), 1);
-    // unless the user chose one
+    // a choice in the environment stays
     setenv("OMPI_MCA_pml", "ob1", 0);
   }
 
