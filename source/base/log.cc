@@ -94,12 +94,27 @@ namespace vibrocontact
     write("  " + text + "\n", on_screen);
   }
 
+  namespace
+  {
+    /// Of the terminal, or as VIBROCONTACT_TERMINAL tells, which may be a number; 80 if nobody knows.
+    unsigned int terminal_columns()
+    {
+      winsize size = {};
+      if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20)
+        return size.ws_col;
+      const char *const told = std::getenv("VIBROCONTACT_TERMINAL");
+      const int columns = told ? std::atoi(told) : 0;
+      return columns > 20 ? columns : 80;
+    }
+  } // namespace
+
   bool Log::on_terminal() const
   {
-    // mpirun gives every rank a terminal of its own, wherever its own output goes: contrib/run.sh tells
+    // mpirun gives every rank a terminal of its own, wherever its own output goes: contrib/run.sh tells; so does who reads
+    // a pipe as if it were one
     static const bool started_by_mpirun = std::getenv("PMIX_RANK") || std::getenv("OMPI_COMM_WORLD_RANK"),
-                      told = std::getenv("VIBROCONTACT_TERMINAL") != nullptr;
-    static const bool is_terminal = started_by_mpirun ? told : isatty(STDOUT_FILENO) == 1;
+                      is_terminal = std::getenv("VIBROCONTACT_TERMINAL") != nullptr ||
+                                    (!started_by_mpirun && isatty(STDOUT_FILENO) == 1);
     return screen && is_terminal;
   }
 
@@ -108,10 +123,8 @@ namespace vibrocontact
     if (!on_terminal())
       return;
     const std::lock_guard<std::mutex> lock(screen_mutex);
-    winsize size = {};
     // a line that breaks cannot be replaced
-    const std::size_t width =
-        ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20 ? size.ws_col - 1 : 79;
+    const std::size_t width = terminal_columns() - 1;
     if (has_status || !text.empty())
       std::cout << clear_line << text.substr(0, width) << std::flush;
     has_status = !text.empty();

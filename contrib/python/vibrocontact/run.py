@@ -3,12 +3,10 @@ from __future__ import annotations
 
 import codecs
 import os
-import pty
 import re
 import shutil
 import signal as signals
 import subprocess
-import termios
 import threading
 from dataclasses import dataclass
 from pathlib import Path
@@ -80,21 +78,15 @@ class Run:
         self._errors = ""
         self._killed_for_memory = killed_for_memory()
         self._told_to_stop = False
-        # to a terminal the program says every second how far it is; behind mpirun it has to be told that there is one
-        screen, terminal = pty.openpty()
-        termios.tcsetwinsize(terminal, (24, 400))
         try:
-            # a group of its own: Ctrl-C reaches the caller, who stops the run
-            self._process = subprocess.Popen(list(command), stdin=subprocess.DEVNULL, stdout=terminal, stderr=subprocess.PIPE, process_group=0,
-                                             env=dict(environment(), VIBROCONTACT_TERMINAL="yes"))
+            # a group of its own: Ctrl-C reaches the caller, who stops the run. As on a terminal of 400 columns the program
+            # says every second how far it is
+            self._process = subprocess.Popen(list(command), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, process_group=0,
+                                             env=dict(environment(), VIBROCONTACT_TERMINAL="400"))
         except OSError as error:
-            os.close(screen)
             self._clean()
             raise ProgramFault(f"{command[0]} cannot be started: {error.strerror}") from error
-        finally:
-            os.close(terminal)
-        self._readers = [threading.Thread(target=self._read_screen, args=(screen,), daemon=True),
-                         threading.Thread(target=self._read_errors, daemon=True)]
+        self._readers = [threading.Thread(target=self._read_screen, daemon=True), threading.Thread(target=self._read_errors, daemon=True)]
         for reader in self._readers:
             reader.start()
 
@@ -184,23 +176,17 @@ class Run:
             self.lines.append(line)
             self._changed.notify_all()
 
-    def _read_screen(self, screen: int) -> None:
+    def _read_screen(self) -> None:
         rest, decoder = "", codecs.getincrementaldecoder("utf-8")("replace")
-        while True:
-            try:
-                chunk = os.read(screen, 65536)
-            except OSError:  # of a terminal that nobody writes to any more
-                chunk = b""
-            if not chunk:
-                break
-            # a progress has no end of its own: it is shown as it is
-            *whole, rest = re.split(r"\r?\n|\r\x1b\[K", rest + decoder.decode(chunk))
-            for text in whole:
-                self._say(text)
-            if Line.read(rest).is_progress:
-                self._say(rest)
-                rest = ""
-        os.close(screen)
+        with self._process.stdout as screen:  # type: ignore[union-attr]
+            while chunk := os.read(screen.fileno(), 65536):
+                # a progress has no end of its own: it is shown as it is
+                *whole, rest = re.split(r"\r?\n|\r\x1b\[K", rest + decoder.decode(chunk))
+                for text in whole:
+                    self._say(text)
+                if Line.read(rest).is_progress:
+                    self._say(rest)
+                    rest = ""
         self._say(rest)
 
     def _read_errors(self) -> None:
