@@ -2,6 +2,7 @@
 #include <vibrocontact/base/petsc_check.h>
 #include <vibrocontact/reduction/fill_reducing_order.h>
 #include <vibrocontact/reduction/harmonic_solver.h>
+#include <vibrocontact/reduction/mumps_job.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -26,12 +27,7 @@ namespace vibrocontact
 
     void run(const int job, const char *what)
     {
-      mumps.job = job;
-      zmumps_c(&mumps);
-      if (mumps.infog[0] < 0)
-        throw ConvergenceError("MUMPS failed in the " + std::string(what) + " of a complex matrix of " +
-                               std::to_string(n) + " dofs: INFOG(1) = " + std::to_string(mumps.infog[0]) +
-                               ", INFOG(2) = " + std::to_string(mumps.infog[1]) + ".");
+      run_mumps(mumps, zmumps_c, job, what + (" of a complex matrix of " + std::to_string(n)) + " dofs");
     }
 
     void add_row(const SecondOrderSystem &system,

@@ -3,6 +3,7 @@
 #include <vibrocontact/base/memory.h>
 #include <vibrocontact/base/petsc_check.h>
 #include <vibrocontact/reduction/fill_reducing_order.h>
+#include <vibrocontact/reduction/mumps_job.h>
 #include <vibrocontact/reduction/symmetric_factorization.h>
 
 #include <deal.II/base/mpi.h>
@@ -45,7 +46,7 @@ namespace vibrocontact
     struct Arithmetic<double>
     {
       using Mumps = DMUMPS_STRUC_C;
-      static void run(Mumps &mumps) { dmumps_c(&mumps); }
+      static void run(Mumps *mumps) { dmumps_c(mumps); }
       static MPI_Datatype mpi_type() { return MPI_DOUBLE; }
     };
 
@@ -53,7 +54,7 @@ namespace vibrocontact
     struct Arithmetic<float>
     {
       using Mumps = SMUMPS_STRUC_C;
-      static void run(Mumps &mumps) { smumps_c(&mumps); }
+      static void run(Mumps *mumps) { smumps_c(mumps); }
       static MPI_Datatype mpi_type() { return MPI_FLOAT; }
     };
   } // namespace
@@ -101,16 +102,7 @@ namespace vibrocontact
   template <typename Number>
   void Factors<Number>::run(const int job, const char *what)
   {
-    mumps.job = job;
-    Arithmetic<Number>::run(mumps);
-    const int info = entry(mumps.infog, 1);
-    if (info < 0)
-      throw ConvergenceError("MUMPS failed in the " + std::string(what) + " of a matrix of " +
-                             std::to_string(n) + " dofs: INFOG(1) = " + std::to_string(info) +
-                             ", INFOG(2) = " + std::to_string(entry(mumps.infog, 2)) +
-                             (info == -10 ? " (the matrix is singular: is the body held?)."
-                              : info == -9 || info == -13 || info == -19 ? " (not enough memory)."
-                                                                         : "."));
+    run_mumps(mumps, Arithmetic<Number>::run, job, what + (" of a matrix of " + std::to_string(n)) + " dofs");
   }
 
   template <typename Number>
@@ -266,7 +258,7 @@ namespace vibrocontact
     if (std::uncaught_exceptions() > 0)
       return;
     mumps.job = -2;
-    Arithmetic<Number>::run(mumps);
+    Arithmetic<Number>::run(&mumps);
   }
 
   template <typename Number>
