@@ -1,6 +1,7 @@
 // One point from event to event at its limits: a force that touches zero to 1e-9, poles on the axis, resonance, slopes that
 // hardly lift, speeds of a millionth.
 
+#include "../unit/pi.h"
 #include "report.h"
 
 #include <vibrocontact/base/exceptions.h>
@@ -16,7 +17,7 @@ using namespace vibrocontact;
 namespace
 {
   constexpr double mass = 1, stiffness = 4e5, amplitude = 5e-3, wavelength = 0.025;
-  const double omega = std::sqrt(stiffness / mass), pi = std::acos(-1.);
+  const double omega = std::sqrt(stiffness / mass);
 
   struct Ride
   {

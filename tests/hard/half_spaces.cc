@@ -2,6 +2,7 @@
 // grid, dissimilar and incompressible bodies, moduli 1e9 apart, cells like slivers, distances of a million cells.
 
 #include "../unit/contact_cases.h"
+#include "../unit/pi.h"
 #include "report.h"
 
 #include <vibrocontact/contact/contact_solvers.h>
@@ -16,8 +17,6 @@ using contact_cases::Case;
 
 namespace
 {
-  const double pi = dealii::numbers::PI;
-
   /// Two equal bodies and a round contact of radius a: gap r^2 / (2 radius).
   struct Round
   {

@@ -1,6 +1,7 @@
 // Steps in time at their limits: millions of impacts, steps from 1e-12 s to 1e-2 s, impulses, gaps of 1e-15 m, resonance
 // without damping, modes from 1 Hz to 1 GHz.
 
+#include "../unit/pi.h"
 #include "report.h"
 
 #include <vibrocontact/analyses/transient/transient.h>
@@ -14,8 +15,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  const double pi = dealii::numbers::PI;
-
   /// Modes that move one contact point along its normal, on a contact without mass of a compliance.
   ContactPair point(const std::vector<double> &omega, const double mass, const double compliance)
   {

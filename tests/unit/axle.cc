@@ -1,6 +1,7 @@
 // An axle with its second wheel: beam and wheelset against closed forms, symmetry and limits; inertia of a wheel about its hub.
 
 #include "held_bar.h"
+#include "pi.h"
 #include "random_structure.h"
 #include "root_distance.h"
 
@@ -26,7 +27,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  constexpr double pi = dealii::numbers::PI;
   using State = std::array<double, 4>;
 
   AxleParameters axle()

@@ -1,6 +1,8 @@
 // The bar of 1-D elements: frequencies and flexibilities in closed form, free and held, on any number of
 // ranks.
 
+#include "pi.h"
+
 #include <vibrocontact/fe/bar_elements.h>
 #include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/reduction_parts.h>
@@ -25,7 +27,7 @@ TEST(BarElementsMpi, FrequenciesAndTipFlexibility)
   ContactGrid grid;
   grid.n_x = grid.n_y = 1;
   grid.spacing_x = grid.spacing_y = std::sqrt(bar.section);
-  const double pi = dealii::numbers::PI, c = 30;
+  const double c = 30;
   for (const std::string far_end : {"held", "free"})
   {
     bar.far_end = far_end;

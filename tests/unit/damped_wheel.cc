@@ -1,5 +1,7 @@
 // Dampers of a wheel on its reduced modes: Den Hartog's fixed points, absorbers against a ring, rings against masses in the
 // finite elements of the section, layers against the whole loss.
+#include "pi.h"
+
 #include <vibrocontact/base/complex_dense.h>
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
@@ -18,8 +20,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  const double two_pi = 2 * dealii::numbers::PI;
-
   struct FreeWheel
   {
     std::shared_ptr<const RevolvedSection> section;

@@ -1,6 +1,7 @@
 // What drives a transient: hub motion, roughness and tables against closed forms; steps that adapt.
 
 #include "held_bar.h"
+#include "pi.h"
 
 #include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/base/atomic_file.h>
@@ -18,8 +19,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  const double pi = dealii::numbers::PI;
-
   RollingCase constants(const double speed, const double hub)
   {
     RollingCase c;

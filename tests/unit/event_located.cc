@@ -1,4 +1,6 @@
 // The oscillator on a sine against the closed forms (doc/theory.md, corrections to the tyre paper).
+#include "pi.h"
+
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/propagators/event_located.h>
 #include <vibrocontact/propagators/propagator.h>
@@ -14,8 +16,6 @@ namespace
   constexpr double mass = 1, stiffness = 4e5, zeta = 0.02, gravity = 9.81, amplitude = 5e-3,
                    wavelength = 0.025;
   const double omega = std::sqrt(stiffness / mass), omega_d = omega * std::sqrt(1 - zeta * zeta);
-  const double pi = std::acos(-1.);
-
   BodyInContact oscillator()
   {
     DenseMatrix trace(1, 1);

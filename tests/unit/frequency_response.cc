@@ -1,6 +1,8 @@
 // Harmonic response with hysteretic loss: direct solution against a closed form and against dense LAPACK, modal
 // response against the direct one; on any number of ranks.
 
+#include "pi.h"
+
 #include <vibrocontact/analyses/frequency_response/frequency_response.h>
 #include <vibrocontact/analyses/frequency_response/modal_response.h>
 #include <vibrocontact/fe/bar_elements.h>
@@ -21,8 +23,6 @@ using Complex = std::complex<double>;
 
 namespace
 {
-  const double two_pi = 2 * dealii::numbers::PI;
-
   double error(const Complex &got, const Complex &exact)
   {
     return std::abs(got - exact) / std::abs(exact);

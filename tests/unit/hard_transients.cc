@@ -1,6 +1,8 @@
 // Transients that are hard on the contact solver converge and stay finite: friction 1, contact lost and regained, one point,
 // no normal force, creepage that reverses, steps a hundred times too long.
 
+#include "pi.h"
+
 #include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/base/exceptions.h>
 
@@ -12,8 +14,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  const double pi = dealii::numbers::PI;
-
   /// Steel half-spaces, radius 0.3 m, that three modes of a 20 kg body move as a whole: lateral 400 Hz, normal 600 Hz, and
   /// one that couples both at 1 kHz.
   ContactPair half_spaces_with_modes(const unsigned int n_x, const unsigned int n_y)
@@ -49,7 +49,7 @@ namespace
     return pair;
   }
 
-  struct Case
+  struct Oscillator
   {
     double friction = 0.3, step = 1e-5, end = 8e-3;
     unsigned int n_x = 11, n_y = 9;
@@ -80,7 +80,7 @@ namespace
     return deepest;
   }
 
-  Outcome run(const Case &c)
+  Outcome run(const Oscillator &c)
   {
     const ContactPair pair = half_spaces_with_modes(c.n_x, c.n_y);
     TransientParameters p;
@@ -133,7 +133,7 @@ namespace
 
 TEST(HardTransients, FrictionOne)
 {
-  Case c;
+  Oscillator c;
   c.friction = 1;
   c.creepage = "0.01*sin(2*pi*t/3e-3)";
   c.force = "20e3*(1+0.9*sin(2*pi*t/1e-3))";
@@ -142,14 +142,14 @@ TEST(HardTransients, FrictionOne)
 
 TEST(HardTransients, CreepageReverses)
 {
-  Case c;
+  Oscillator c;
   c.creepage = "0.005*cos(2*pi*t/2e-3)";
   EXPECT_TRUE(run(c).result.converged);
 }
 
 TEST(HardTransients, ContactLostAndRegained)
 {
-  Case c;
+  Oscillator c;
   c.hub = "0.05e-3*cos(2*pi*t/2e-3)";
   for (const std::string integrator : {"theta method", "exact propagator"})
   {
@@ -163,13 +163,13 @@ TEST(HardTransients, ContactLostAndRegained)
 
 TEST(HardTransients, OnePoint)
 {
-  Case c;
+  Oscillator c;
   c.n_x = c.n_y = 1;
   c.initial_state = "undeformed";
   c.hub = "0.05e-3*cos(2*pi*t/2e-3)";
   EXPECT_TRUE(run(c).result.converged);
   // a grid of which one point is loaded, then none, then one
-  Case light;
+  Oscillator light;
   light.hub = "1e-6*cos(2*pi*t/2e-3)";
   light.creepage = "1e-4*cos(2*pi*t/3e-3)";
   EXPECT_TRUE(run(light).result.converged);
@@ -178,7 +178,7 @@ TEST(HardTransients, OnePoint)
 TEST(HardTransients, NoNormalForce)
 {
   // bodies that just touch, and that are apart
-  Case c;
+  Oscillator c;
   for (const std::string hub : {"0", "-1e-5"})
   {
     c.hub = hub;
@@ -199,7 +199,7 @@ TEST(HardTransients, NoNormalForce)
 
 TEST(HardTransients, StepsAHundredTimesTooLong)
 {
-  Case c;
+  Oscillator c;
   c.step = 1e-3;
   c.end = 0.2;
   c.hub = "0.04e-3*(1+cos(2*pi*t/13e-3))-0.01e-3";

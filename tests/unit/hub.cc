@@ -1,6 +1,7 @@
 // The hub of body 1: held, massless and suspended against closed forms, against each other and in time.
 
 #include "held_bar.h"
+#include "pi.h"
 #include "random_structure.h"
 #include "root_distance.h"
 
@@ -18,8 +19,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  constexpr double pi = dealii::numbers::PI;
-
   /// Root of a function between two places of different sign.
   template <typename Function>
   double zero(const Function &f, double low, double high)

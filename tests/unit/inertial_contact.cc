@@ -3,6 +3,7 @@
 // form and in time.
 
 #include "element_scene.h"
+#include "pi.h"
 #include "random_structure.h"
 
 #include <vibrocontact/analyses/stability/sparse_roots.h>
@@ -18,8 +19,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  constexpr double pi = dealii::numbers::PI;
-
   std::complex<double> lambda(const StabilityRoot &root)
   {
     return {root.growth, 2 * pi * root.frequency};

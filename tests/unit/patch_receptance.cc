@@ -18,7 +18,7 @@ namespace
 {
   using Complex = std::complex<double>;
 
-  const CreepScheme &upwind()
+  const CreepScheme &first_order()
   {
     return find_creep_scheme("first-order upwind");
   }
@@ -63,7 +63,7 @@ TEST(PatchReceptance, PolesAnswerAsTheModesThatTheyStandFor)
   const Structure s = structure(90, 4);
   const ContactPair modes = damped_pair(s), poles = in_poles(modes);
   ASSERT_EQ(poles.n_poles(), modes.n_modes());
-  const ContactReceptance F(modes, upwind(), rolling(s)), G(poles, upwind(), rolling(s));
+  const ContactReceptance F(modes, first_order(), rolling(s)), G(poles, upwind(), rolling(s));
   for (const Complex &s_k : {Complex(0.01, 0.7), Complex(-0.02, 2.), Complex(0.3, 5.)})
   {
     EXPECT_LT(difference(F.value(s_k), G.value(s_k)), 1e-9);
@@ -101,11 +101,11 @@ TEST(PatchReceptance, RootsOfABodyThatTurnsMakeTheContactsEquationsSingular)
           pair.residual_gradient(i, j) *= i < n ? 0. : 1e3 * number(random);
     }
     const HystereticLoss loss = without_loss(pair);
-    const ContactReceptance F(pair, upwind(), about, &loss);
+    const ContactReceptance F(pair, first_order(), about, &loss);
     unsigned int n_roots = 0;
     double farthest = 0;
     std::vector<Complex> roots;
-    for (const StabilityRoot &root : hysteretic_roots(pair, loss, upwind(), about, {}))
+    for (const StabilityRoot &root : hysteretic_roots(pair, loss, first_order(), about, {}))
       if (root.frequency > 0)
       {
         const Complex value(root.growth, 2 * M_PI * root.frequency);

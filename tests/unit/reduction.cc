@@ -14,7 +14,6 @@
 
 using namespace vibrocontact;
 using namespace reduction_test;
-using Vector = dealii::PETScWrappers::MPI::Vector;
 
 namespace
 {
@@ -77,7 +76,7 @@ TEST(ReductionMpi, ResidualResponsesAreOrthogonalAndComplete)
 
     // Full residual response to a contact force R and the body's load: G (P^T R + F) less the modes' part.
     std::vector<double> force(n_rows);
-    Vector f(system.load), u(f), residual(f), product(f);
+    dealii::PETScWrappers::MPI::Vector f(system.load), u(f), residual(f), product(f);
     for (unsigned int r = 0; r < n_rows; ++r)
     {
       force[r] = std::sin(1. + 3. * r);

@@ -1,4 +1,6 @@
 // Refinable functions against closed forms: exact rationals of connection coefficients, splines, Fourier transforms.
+#include "pi.h"
+
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/numerics/refinable_function.h>
 
@@ -10,8 +12,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  const double pi = std::acos(-1.);
-
   double value(const RefinableFunction &phi, const double x, const unsigned int d)
   {
     const double cell = std::floor(x);

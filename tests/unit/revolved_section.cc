@@ -1,5 +1,7 @@
 // Bodies of revolution wave by wave around the axle: the free solid sphere in closed form, the shipped wheel, its contact
 // compliance over the number of waves.
+#include "pi.h"
+
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/contact/short_waves.h>
 #include <vibrocontact/reduction/compute_modes.h>
@@ -22,8 +24,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  const double pi = dealii::numbers::PI;
-
   double bessel(const unsigned int l, const double x)
   {
     return boost::math::sph_bessel(l, x);

@@ -1,4 +1,6 @@
 // Rings of beam and of plane solid elements against closed forms and against polynomials through the thickness.
+#include "pi.h"
+
 #include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/fe/ring_elements.h>
 #include <vibrocontact/reduction/compute_modes.h>
@@ -18,8 +20,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  const double pi = dealii::numbers::PI;
-
   /// Frequencies of orders 0 to 60, those of n > 0 twice [rad/s].
   std::vector<double> sorted(const std::function<std::vector<double>(unsigned int)> &of_order)
   {

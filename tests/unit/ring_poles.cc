@@ -1,4 +1,6 @@
 // The ring on an elastic foundation by its poles: against direct inversion, and against printed values.
+#include "pi.h"
+
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/ring_poles.h>
 #include <vibrocontact/scene/oscillator.h>
@@ -11,7 +13,7 @@ using namespace vibrocontact;
 
 namespace
 {
-  const double pi = dealii::numbers::PI, speed = -77.9727;
+  const double speed = -77.9727;
   using Complex = std::complex<double>;
 
   double largest(const ComplexMatrix &G)

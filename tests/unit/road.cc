@@ -1,5 +1,7 @@
 // Roads with kinks and steps: where they are, what a rigid point feels there, by closed forms; tables between their points;
 // the load that an indentation makes.
+#include "pi.h"
+
 #include <vibrocontact/analyses/modal_convolution/static_load.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/ring_poles.h>
@@ -21,8 +23,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  const double pi = std::acos(-1.);
-
   RoadParameters expression(const std::string &text, const double speed)
   {
     RoadParameters parameters;

@@ -1,4 +1,6 @@
 // Friction on the road: stick-slip and Coulomb damping of one point in closed form, three points of a ring.
+#include "pi.h"
+
 #include <vibrocontact/analyses/modal_convolution/modal_convolution.h>
 #include <vibrocontact/analyses/modal_convolution/road_contact.h>
 #include <vibrocontact/base/exceptions.h>
@@ -15,8 +17,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  const double pi = dealii::numbers::PI;
-
   /// A mass of 2 kg lies on a flat road under its weight; along the road 1 kg on an undamped spring.
   constexpr double stiffness = 1e4, omega = 100, mu = 0.4, normal_force = 2 * 9.81;
   /// displacement under the sliding force [m]

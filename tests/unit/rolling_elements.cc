@@ -10,6 +10,7 @@
 #include <vibrocontact/reduction/reduction_parts.h>
 
 #include "at_rest.h"
+#include "pi.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  const double pi = dealii::numbers::PI;
   using Complex = std::complex<double>;
 
   RingParameters rolling_ring(const std::string &model, const unsigned int divisions)

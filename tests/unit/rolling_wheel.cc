@@ -1,5 +1,7 @@
 // A wheel that turns past its contact, in the modes of the same wheel at rest: axes that stand still against axes that turn,
 // the power of a force that stands still, solid elements in axes that stand still.
+#include "pi.h"
+
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/reduction/revolved_reduction.h>
 
@@ -24,8 +26,6 @@ using namespace vibrocontact;
 namespace
 {
   using Complex = std::complex<double>;
-  const double pi = dealii::numbers::PI;
-
   /// A soft disc, held at its bore, touched off its middle on a piece of the rim.
   constexpr double bore = 0.04, rim = 0.1, width = 0.01, Omega = 20 / rim;
   constexpr unsigned int n_around = 12, degree = 4;

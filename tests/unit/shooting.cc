@@ -2,6 +2,7 @@
 // volume, differences, limit of the stiff spring.
 
 #include "axial_bar.h"
+#include "pi.h"
 
 #include <vibrocontact/analyses/periodic/shooting.h>
 #include <vibrocontact/base/exceptions.h>
@@ -14,8 +15,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  const double pi = std::acos(-1.);
-
   /// all modes with spring and penalty, massless contact node with all laws
   struct Problem
   {

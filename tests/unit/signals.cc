@@ -1,5 +1,7 @@
 // Signals with a known answer: spectrum, growth, steadiness, another sampling rate.
 
+#include "pi.h"
+
 #include <vibrocontact/marching/signal_output.h>
 #include <vibrocontact/numerics/cycle_measure.h>
 #include <vibrocontact/numerics/growth_fit.h>
@@ -14,8 +16,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  const double two_pi = 2 * dealii::numbers::PI;
-
   struct Sine
   {
     double frequency, growth, amplitude, phase;

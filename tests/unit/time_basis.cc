@@ -1,4 +1,6 @@
 // Bases in time: shifts, partition of unity, values against their Fourier transforms.
+#include "pi.h"
+
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/numerics/time_basis.h>
 
@@ -11,7 +13,6 @@ using namespace vibrocontact;
 namespace
 {
   using Complex = std::complex<double>;
-  const double pi = std::acos(-1.);
 } // namespace
 
 TEST(TimeBasis, EveryMemberIsShiftedByARotation)

@@ -1,4 +1,6 @@
 // Integrals between bases in time against Gauss' rule on the cells, Fourier series, closed forms.
+#include "pi.h"
+
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/numerics/time_pairing.h>
 
@@ -13,7 +15,6 @@ using namespace vibrocontact;
 namespace
 {
   using Complex = std::complex<double>;
-  const double pi = std::acos(-1.);
   const std::vector<TimeForm> forms{TimeForm::strong, TimeForm::weak, TimeForm::distributional};
 
   /// int conj(Psi_m^(d)) Theta_k^(e) dt for all m, k; smooth on the N cells

@@ -4,6 +4,7 @@
 
 #include "element_scene.h"
 #include "one_oscillation.h"
+#include "pi.h"
 
 #include <vibrocontact/analyses/stability/stability.h>
 #include <vibrocontact/analyses/transient/transient.h>
@@ -20,8 +21,6 @@ using namespace vibrocontact;
 
 namespace
 {
-  constexpr double pi = dealii::numbers::PI;
-
   TransientParameters end_of_step(const double theta, const double step, const double end)
   {
     TransientParameters p;
