@@ -22,11 +22,12 @@ refused() { # options
   grep -qE -- "$expect" message || fail "the message does not match"
   cat message
   message=$(cat message)
+  banner=$(wc -c <screen)
   rm screen message
   left=$(ls -A)
   [ -z "$left" ] || fail "files are left behind: $left"
 }
 refused "$options"
-if ! grep -q '^# NOT BY CHECK: ' "$file" && [[ $options != *--check* ]]; then
+if [ "$banner" -gt 0 ] && ! grep -q '^# NOT BY CHECK: ' "$file" && [[ $options != *--check* ]]; then
   refused "$options --check"
 fi
