@@ -45,10 +45,10 @@ namespace vibrocontact
       const Creepage seen = contact.seen(creepage);
       for (unsigned int i = 0; i < grid.n_points(); ++i)
       {
-        slip[contact_row(n, 1, first + i)] =
-            seen.sliding_x + seen.speed * (seen.longitudinal - seen.spin * grid.y(i));
+        slip[contact_row(n, 1, first + i)] = seen.sliding_x - seen.sliding_rotation * grid.y(i) +
+                                             seen.speed * (seen.longitudinal - seen.spin * grid.y(i));
         slip[contact_row(n, 2, first + i)] =
-            seen.sliding_y +
+            seen.sliding_y + seen.sliding_rotation * grid.x(i) +
             seen.speed * (seen.lateral + seen.spin * (grid.x(i) - scheme.spin_shift * grid.spacing_x));
       }
       first += grid.n_points();

@@ -76,7 +76,8 @@ namespace vibrocontact
           {"Lateral creepage", &own_creepage.lateral, "none"},
           {"Spin", &own_creepage.spin, "1/m"},
           {"Sliding velocity x", &own_creepage.sliding_x, "m/s"},
-          {"Sliding velocity y", &own_creepage.sliding_y, "m/s"}})
+          {"Sliding velocity y", &own_creepage.sliding_y, "m/s"},
+          {"Sliding rotation", &own_creepage.sliding_rotation, "rad/s"}})
       prm.add_parameter(entry, *value,
                         std::string("Of its first body against its second in the frame of this contact") +
                             added + entry + " is there. Units: " + unit + ".",

@@ -6,12 +6,15 @@ namespace vibrocontact
   {
     const auto &axes = frame.axes;
     const double longitudinal = creepage.longitudinal - creepage.spin * frame.origin[1],
-                 lateral = creepage.lateral + creepage.spin * frame.origin[0];
+                 lateral = creepage.lateral + creepage.spin * frame.origin[0],
+                 sliding_x = creepage.sliding_x - creepage.sliding_rotation * frame.origin[1],
+                 sliding_y = creepage.sliding_y + creepage.sliding_rotation * frame.origin[0];
     Creepage result = creepage;
     result.longitudinal = axes[1][0] * longitudinal + axes[1][1] * lateral + own.longitudinal;
     result.lateral = axes[2][0] * longitudinal + axes[2][1] * lateral + own.lateral;
-    result.sliding_x = axes[1][0] * creepage.sliding_x + axes[1][1] * creepage.sliding_y + own.sliding_x;
-    result.sliding_y = axes[2][0] * creepage.sliding_x + axes[2][1] * creepage.sliding_y + own.sliding_y;
+    result.sliding_x = axes[1][0] * sliding_x + axes[1][1] * sliding_y + own.sliding_x;
+    result.sliding_y = axes[2][0] * sliding_x + axes[2][1] * sliding_y + own.sliding_y;
+    result.sliding_rotation = axes[0][2] * creepage.sliding_rotation + own.sliding_rotation;
     result.spin = axes[0][2] * creepage.spin + own.spin;
     return result;
   }

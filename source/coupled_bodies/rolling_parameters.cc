@@ -44,6 +44,11 @@ namespace vibrocontact
                       "Velocity of body 1 minus body 2 along y beside the creepage. Units: m/s.",
                       Double(-1000, 1000));
     prm.add_parameter(
+        "Sliding rotation", creepage.sliding_rotation,
+        "Rotation of body 1 against body 2 about +z beside the spin: a pad on a disc that turns "
+        "by omega about the same axis has -omega. Units: rad/s.",
+        Double(-1e4, 1e4));
+    prm.add_parameter(
         "Hub", hub,
         "The hub of body 1 in stability and transient, after the load has found its place: held "
         "there; massless: it follows under the constant normal force; suspended: section "
@@ -104,7 +109,7 @@ namespace vibrocontact
 
   void RollingParameters::check(const bool frictionless) const
   {
-    if (!frictionless && !(creepage.speed > 0) && creepage.sliding_x == 0 && creepage.sliding_y == 0)
+    if (!frictionless && !(creepage.speed > 0) && !creepage.slides())
       throw InputError(
           "Entry Rolling/Speed is 0 and there is no Sliding velocity: nothing moves; steady rolling "
           "needs one of them (pressing alone needs a friction coefficient of 0).");

@@ -147,8 +147,7 @@ namespace vibrocontact
               "/Local flexibility is half-space, but half-spaces couple within one grid only: set it "
               "to finite elements.");
         const Creepage seen = placed.all[k].seen(parameters.rolling.creepage);
-        if (moves && rubs(parameters, contact) && !(seen.speed > 0) && seen.sliding_x == 0 &&
-            seen.sliding_y == 0)
+        if (moves && rubs(parameters, contact) && !(seen.speed > 0) && !seen.slides())
           throw InputError("Rolling/Speed is 0 and nothing slides in contact " + contact.name +
                            ": its friction forces have no direction; give it a Sliding velocity or set " +
                            contact.section + "/Friction coefficient to 0.");

@@ -220,7 +220,7 @@ namespace vibrocontact
                          [&](const SweepCases &sweep) { return is_read_in_a_case(sweep, path); });
     };
     for (const SweepCases &sweep : sweeps)
-      for (const std::string &entry : sweep.entries)
+      for (const std::string &entry : moved_entries(sweep.entries))
         if (!is_read(entry))
           throw InputError(file.where(sweep.section, "Entry") + ": " + entry +
                            " is swept, but it changes nothing: " + who_reads(entry, analyses, parameters) +

@@ -97,8 +97,7 @@ namespace vibrocontact
     if (use.contact && body.rolls())
       use.motion = use.loss = use.scaled_damping = true;
     use.heavy = use.loads && body.loads.gravity != 0;
-    use.in_a_point = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
-                                 [](const BodyParameters &other) { return other.is_point(); });
+    use.in_a_point = parameters.touches_in_a_point();
     if (body.description->has_material())
       add_material(entries, body, use);
     if (body.is_meshed())

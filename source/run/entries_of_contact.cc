@@ -130,14 +130,27 @@ namespace vibrocontact
       if (contact.name.empty())
         continue;
       entries.add_if(friction > 0, rubs, section, "Sliding velocity x, Sliding velocity y");
+      entries.add_if(friction > 0 && !parameters.touches_in_a_point(),
+                     rubs + " and more than one point touches", section, "Sliding rotation");
       entries.add_if(friction > 0 && rolls, rubs + " and Rolling/Speed is above 0", section,
                      "Longitudinal creepage, Lateral creepage, Spin");
     }
   }
 
-  void add_rolling_cases(EntriesRead &entries, const RollingParameters &rolling,
-                         const ContactSections &contacts)
+  void add_sliding(EntriesRead &entries, const Parameters &parameters, const bool rubs,
+                   const std::string &condition)
   {
+    entries.add_if(rubs, condition, "Rolling", "Sliding velocity x, Sliding velocity y");
+    const bool turns = !parameters.touches_in_a_point() || !parameters.contact().name.empty();
+    entries.add_if(rubs && turns,
+                   (condition.empty() ? "" : condition + " and ") +
+                       "more than the point that it turns about touches",
+                   "Rolling", "Sliding rotation");
+  }
+
+  void add_rolling_cases(EntriesRead &entries, const Parameters &parameters)
+  {
+    const RollingParameters &rolling = parameters.rolling;
     const RollingParameters::Sweep &sweep = rolling.sweep;
     const std::vector<std::pair<std::string, const std::vector<double> *>> curves = {
         {"Longitudinal creepage", &sweep.longitudinal},
@@ -158,9 +171,10 @@ namespace vibrocontact
                      "Rolling", name);
       entries.add_if(rolls || is_load, "Rolling/Speed is above 0", "Rolling/Sweep", name);
     }
-    entries.add("Rolling", "Speed, Sliding velocity x, Sliding velocity y");
+    entries.add("Rolling", "Speed");
+    add_sliding(entries, parameters);
     entries.add("Rolling/Sweep", "Friction coefficient");
-    for (const ContactParameters &contact : contacts.all)
+    for (const ContactParameters &contact : parameters.contacts.all)
       entries.add_if(sweep.friction.empty() && contact.takes_coefficient(),
                      "Rolling/Sweep/Friction coefficient is empty and the " + contact.section +
                          "/Friction law is scaled by it",

@@ -62,7 +62,8 @@ namespace vibrocontact
       prm.add_parameter(name("Entry"), axis.entry,
                         role +
                             ", by its path such as Contact/Friction coefficient, Contact/Lateral position, "
-                            "Rolling/Lateral creepage, rail/Rail/Contact at; empty: none. Units: none.",
+                            "Rolling/Lateral creepage, rail/Rail/Contact at; several, separated by commas, "
+                            "take the same values; empty: none. Units: none.",
                         Anything());
       prm.add_parameter(name("Values"), axis.list,
                         "Its values, separated by commas. Units: those of the entry.", Anything());
@@ -80,8 +81,7 @@ namespace vibrocontact
     const std::string path = section + "/Sweep/";
     if (first.entry.empty() && !second.entry.empty())
       throw InputError(path + "Second entry is given without a first: name it in " + path + "Entry.");
-    if (any() && first.entry == second.entry)
-      throw InputError(path + "Second entry is that of the first: sweep another one.");
+    std::vector<std::string> all;
     const auto check_axis = [&](const Axis &axis, const std::string &prefix)
     {
       const std::string values = path + (prefix.empty() ? "Values" : prefix + "values"),
@@ -93,14 +93,27 @@ namespace vibrocontact
           throw InputError(values + " or range is given, but no entry: name it in " + entry + ".");
         return;
       }
-      if (axis.entry.rfind("Output/", 0) == 0 || axis.entry.find("/Sweep/") != std::string::npos)
-        throw InputError(entry + " is " + axis.entry +
-                         ", which changes nothing that a case computes: sweep an entry of the bodies, of "
-                         "their contact or of the analysis.");
-      if (axis.entry.find('/') == std::string::npos)
-        throw InputError(entry + " is " + axis.entry +
-                         ", which names no entry of a section: write it as "
-                         "Section/Entry.");
+      const std::vector<std::string> moved = moved_entries({axis.entry});
+      if (moved.size() != 1 + std::size_t(std::count(axis.entry.begin(), axis.entry.end(), ',')))
+        throw InputError(entry + " is '" + axis.entry +
+                         "', with an empty place: take out a comma or fill it.");
+      for (const std::string &one : moved)
+      {
+        if (one.rfind("Output/", 0) == 0 || one.find("/Sweep/") != std::string::npos)
+          throw InputError(entry + " names " + one +
+                           ", which changes nothing that a case computes: sweep an entry of the bodies, of "
+                           "their contact or of the analysis.");
+        if (one.find('/') == std::string::npos)
+          throw InputError(entry + " names " + one +
+                           ", which is no entry of a section: write it as "
+                           "Section/Entry.");
+        if (one == lateral_position && moved.size() > 1)
+          throw InputError(entry + " moves " + one +
+                           " with others, but it is taken from a band of contact points: sweep it alone.");
+        if (std::count(all.begin(), all.end(), one) > 0)
+          throw InputError(entry + " names " + one + ", which the sweep moves already: name it once.");
+        all.push_back(one);
+      }
       if (axis.list.empty() == axis.range.empty())
         throw InputError(entry + " is " + axis.entry + ": give either " + values + " or " + range + ".");
       if (axis.range.empty())
@@ -121,5 +134,14 @@ namespace vibrocontact
     if (n > most_cases)
       throw InputError(path + "Values and Second values make " + std::to_string(n) +
                        " cases, more than 20,000: take larger steps.");
+  }
+
+  std::vector<std::string> moved_entries(const std::vector<std::string> &axes)
+  {
+    std::vector<std::string> entries;
+    for (const std::string &axis : axes)
+      for (const std::string &entry : split_list(axis))
+        entries.push_back(entry);
+    return entries;
   }
 } // namespace vibrocontact

@@ -101,6 +101,12 @@ namespace vibrocontact
         declare(type.sweep_section, sweeps[type.name]);
   }
 
+  bool Parameters::touches_in_a_point() const
+  {
+    return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                       [](const BodyParameters &body) { return body.is_point(); });
+  }
+
   bool Parameters::has_identification() const
   {
     return scene.runs("identification") ||

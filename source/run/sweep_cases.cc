@@ -25,10 +25,11 @@ namespace vibrocontact
       return text;
     }
 
-    /// wheel/Material/Young modulus, Pa -> young_modulus_Pa
+    /// wheel/Material/Young modulus, Pa -> young_modulus_Pa; of several entries of one axis that of the first
     /// @param path whether the sections stand in it as well
-    std::string column_name(const std::string &entry, const DeclaredParameters &declared, const bool path)
+    std::string column_name(const std::string &axis, const DeclaredParameters &declared, const bool path)
     {
+      const std::string entry = moved_entries({axis}).front();
       const std::size_t slash = entry.rfind('/');
       const std::string name = results_key(path ? entry : entry.substr(slash + 1));
       const DeclaredParameters::Entry *const found =
@@ -172,7 +173,8 @@ namespace vibrocontact
               }
             }
             else
-              options.push_back(sweep.entries[k] + "=" + value);
+              for (const std::string &entry : moved_entries({sweep.entries[k]}))
+                options.push_back(entry + "=" + value);
             text += (k == 0 ? "" : ", ") + sweep.entries[k] + " = " + value;
           }
           auto there = known.find(options);

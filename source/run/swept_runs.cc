@@ -157,7 +157,8 @@ namespace vibrocontact
       /// of section Identification
       bool reads_other_data() const
       {
-        return std::any_of(on.sweep.entries.begin(), on.sweep.entries.end(),
+        const std::vector<std::string> moved = moved_entries(on.sweep.entries);
+        return std::any_of(moved.begin(), moved.end(),
                            [](const std::string &entry) { return entry.rfind("Identification/", 0) == 0; });
       }
 

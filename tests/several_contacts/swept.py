@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """swept.py PROGRAM MPIRUN PARAMETER_FILES: sweeps of several contacts.
 
-Every case of Stability/Sweep equals a single run, on one rank and two; the friction of one contact alone is swept.
+Every case of Stability/Sweep equals a single run, on one rank and two; the friction of one contact alone is swept, or that of both.
 """
 import math
 
@@ -11,7 +11,7 @@ row = 2e-3
 check = Check()
 
 
-def text(right, lateral, *more):
+def text(right, lateral, *more, left=0.1):
     block = section("block", "set Type = block",
                     section("Block", entries(Length=0.03, Width=0.014, Height=0.008, Divisions_x=15, Divisions_y=7,
                                              Divisions_z=2, Contact_face="bottom", Held="top")),
@@ -20,7 +20,7 @@ def text(right, lateral, *more):
     own = dict(Bodies="block, base", Grid_spacing=row, Half_length=5 * row, Half_width=row)
     return "\n".join(["set Bodies = block, base", "set Contacts = left, right", "set Analyses = stability", block,
                       section("base", "set Type = rigid", section("Rigid", entries(Radius_x=0.3, Radius_y=-0.2))),
-                      section("left", entries(Origin=f"0, {-2 * row}, 0", Friction_coefficient=0.1, **own)),
+                      section("left", entries(Origin=f"0, {-2 * row}, 0", Friction_coefficient=left, **own)),
                       section("right", entries(Origin=f"0, {2 * row}, 0", Friction_coefficient=right, **own)),
                       section("Rolling", entries(Normal_force=5000, Speed=10, Lateral_creepage=lateral)), *more])
 
@@ -49,6 +49,15 @@ for ranks in (1, 2):
             a, b = single["contacts"][name]["cases"][0], found["contacts"][name]["cases"][k]
             check.near(f"normal force of {name}", b["normal_force_N"], a["normal_force_N"], 1e-12)
             check.near(f"friction of {name}", b["friction"], a["friction"], 1e-12)
+
+# both frictions moved together: a run with both at that value
+together = section("Stability", section("Sweep", entries(Entry="left/Friction coefficient, right/Friction coefficient", Values="0.1, 0.3")))
+found, folder = run("together", text(0.2, 0.05, together))
+own, own_folder = run("both_at_0.3", text(0.3, 0.05, left=0.3))
+for name in ("left", "right"):
+    check.near(f"{name} moves with the other", found["stability"]["contacts"][name]["cases"][1]["friction"], 0.3, 1e-12)
+for p, q in zip(table(own_folder, "stability.csv"), [root for root in table(folder, "stability.csv") if root["case"] == 1]):
+    check.near("growth", q["growth_1_s"], p["growth_1_s"], 1e-12, 2 * math.pi * p["frequency_Hz"])
 check.near("the right friction matters", abs(singles[0][0]["contacts"]["right"]["cases"][0]["tangential_force_N"][1]) <
            0.6 * abs(singles[2][0]["contacts"]["right"]["cases"][0]["tangential_force_N"][1]), True, 1e-9)
 check.end()

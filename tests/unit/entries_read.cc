@@ -162,8 +162,15 @@ namespace
     if (node.is_object())
     {
       // and what repeats an entry
-      std::vector<std::string> times = {"reductions", "peak_memory_MB", "program",  "wall_s",
-                                        "figures_s",  "stages_s",       "checksum", "sliding_velocity_m_s",
+      std::vector<std::string> times = {"reductions",
+                                        "peak_memory_MB",
+                                        "program",
+                                        "wall_s",
+                                        "figures_s",
+                                        "stages_s",
+                                        "checksum",
+                                        "sliding_velocity_m_s",
+                                        "sliding_rotation_rad_s",
                                         "friction"};
       for (const auto &[key, child] : node.items())
         if (key.find("seconds") != std::string::npos)

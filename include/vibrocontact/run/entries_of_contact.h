@@ -13,6 +13,10 @@ namespace vibrocontact
   /// All bodies in contact; along the contact they move if something rubs there.
   void add_partners(EntriesRead &entries, const Parameters &parameters, const BodyUse &use);
 
+  /// How body 1 slides on body 2 beside the creepages, of section Rolling. @param condition in words of rubs
+  void add_sliding(EntriesRead &entries, const Parameters &parameters, bool rubs = true,
+                   const std::string &condition = "");
+
   void add_lateral_position(EntriesRead &entries, const Parameters &parameters);
   /// Sections of the contacts: places of the points.
   void add_contact_grid(EntriesRead &entries, const Parameters &parameters);
@@ -32,8 +36,7 @@ namespace vibrocontact
   void add_contacts(EntriesRead &entries, const Parameters &parameters,
                     const std::vector<double> &swept_friction = {}, const std::string &unmet = "");
   /// Cases of rolling and of the equilibria of stability.
-  void add_rolling_cases(EntriesRead &entries, const RollingParameters &rolling,
-                         const ContactSections &contacts);
+  void add_rolling_cases(EntriesRead &entries, const Parameters &parameters);
   /// Of all cases of a sweep [-].
   double largest_friction_of_cases(const Parameters &parameters);
   /// What becomes of the hub of body 1 once the load has found its place.

@@ -12,7 +12,7 @@ namespace vibrocontact
   struct ParameterSweep
   {
     /// One swept entry: its path, e.g. Contact/Friction coefficient, and its values, listed or as first,
-    /// last, step; an empty path: nothing is swept.
+    /// last, step; an empty path: nothing is swept. Several paths, separated by commas, take the same values.
     struct Axis
     {
       std::string entry;
@@ -35,4 +35,7 @@ namespace vibrocontact
     /// @throws InputError naming `section`
     void check(const std::string &section) const;
   };
+
+  /// Paths of all entries that axes move, of which each may name several.
+  std::vector<std::string> moved_entries(const std::vector<std::string> &axes);
 } // namespace vibrocontact

@@ -120,6 +120,8 @@ namespace vibrocontact
     std::string hub() const { return has_hub() ? rolling.hub : "none"; }
     /// body 1 is no half-space
     bool has_hub() const { return scene.bodies[0].vibrates() || scene.bodies[0].description->is_rigid(); }
+    /// Whether some body touches in one point only.
+    bool touches_in_a_point() const;
     /// Whether data are identified: by the analysis, or for a body.
     bool has_identification() const;
     /// The normal law of periodic motion in contact k, and those of all points.

@@ -243,7 +243,7 @@ namespace vibrocontact
                      "Grids");
       add_contacts(entries, parameters, parameters.rolling.sweep.friction,
                    takes_two_grids(parameters) ? "Rolling/Grids is one" : "");
-      add_rolling_cases(entries, parameters.rolling, parameters.contacts);
+      add_rolling_cases(entries, parameters);
       entries.add("Output", "Contact problems, Contact patches");
       entries.add_if(parameters.output.fields &&
                          std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),

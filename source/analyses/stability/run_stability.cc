@@ -149,7 +149,7 @@ namespace vibrocontact
     {
       add_partners(entries, parameters, moving_in_contact());
       add_contacts(entries, parameters, parameters.rolling.sweep.friction);
-      add_rolling_cases(entries, parameters.rolling, parameters.contacts);
+      add_rolling_cases(entries, parameters);
       add_hub(entries, parameters);
       const std::string section = "Stability";
       const bool paper = parameters.stability.linearisation == "paper",

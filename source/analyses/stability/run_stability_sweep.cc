@@ -262,8 +262,9 @@ namespace vibrocontact
       bool differ_by_dampers() const
       {
         const std::string dampers = on.parameters.scene.bodies[0].name + "/Wheel/Damper/";
+        const std::vector<std::string> moved = moved_entries(sweep.entries);
         return on.parameters.stability.are_of_body_1() &&
-               std::all_of(sweep.entries.begin(), sweep.entries.end(),
+               std::all_of(moved.begin(), moved.end(),
                            [&](const std::string &entry) { return entry.rfind(dampers, 0) == 0; });
       }
 
@@ -301,8 +302,9 @@ namespace vibrocontact
           bodies_of.push_back(&bodies[k]);
         }
         const auto reduced_of = [&](const unsigned int k) { return std::cref(reduced.of(first + k)); };
+        const std::vector<std::string> moved = moved_entries({sweep.entries.back()});
         return followed_row(cases, reduced_of, bodies_of, on.measured, first / length,
-                            keeps_bodies(sweep.entries.back()));
+                            std::all_of(moved.begin(), moved.end(), keeps_bodies));
       }
 
       const AnalysisRun &on;

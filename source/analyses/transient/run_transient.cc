@@ -261,7 +261,8 @@ namespace vibrocontact
          {"longitudinal_creepage", creepage.longitudinal},
          {"lateral_creepage", creepage.lateral},
          {"spin_1_m", creepage.spin},
-         {"sliding_velocity_m_s", {creepage.sliding_x, creepage.sliding_y}}});
+         {"sliding_velocity_m_s", {creepage.sliding_x, creepage.sliding_y}},
+         {"sliding_rotation_rad_s", creepage.sliding_rotation}});
     on_first_rank(
         [&]
         {
@@ -305,7 +306,7 @@ namespace vibrocontact
                      "Normal force, Hub displacement");
       const bool rubs = largest_friction_of_cases(parameters) > 0;
       entries.add("Rolling", "Speed");
-      entries.add_if(rubs, "there is friction", "Rolling", "Sliding velocity x, Sliding velocity y");
+      add_sliding(entries, parameters, rubs, "there is friction");
 
       const std::string section = "Transient";
       entries.add(section,
