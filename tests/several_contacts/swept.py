@@ -50,7 +50,7 @@ for ranks in (1, 2):
             check.near(f"normal force of {name}", b["normal_force_N"], a["normal_force_N"], 1e-12)
             check.near(f"friction of {name}", b["friction"], a["friction"], 1e-12)
 
-# both frictions moved together: a run with both at that value
+# both frictions moved together: a run with both at that value, of which roots above Upper frequency are counted alone
 together = section("Stability", section("Sweep", entries(Entry="left/Friction coefficient, right/Friction coefficient", Values="0.1, 0.3")))
 found, folder = run("together", text(0.2, 0.05, together))
 own, own_folder = run("both_at_0.3", text(0.3, 0.05, left=0.3))
@@ -58,6 +58,14 @@ for name in ("left", "right"):
     check.near(f"{name} moves with the other", found["stability"]["contacts"][name]["cases"][1]["friction"], 0.3, 1e-12)
 for p, q in zip(table(own_folder, "stability.csv"), [root for root in table(folder, "stability.csv") if root["case"] == 1]):
     check.near("growth", q["growth_1_s"], p["growth_1_s"], 1e-12, 2 * math.pi * p["frequency_Hz"])
+roots = table(own_folder, "stability.csv")
+limit = sorted(root["frequency_Hz"] for root in roots)[len(roots) // 2] + 1
+low, low_folder = run("up_to", text(0.3, 0.05, section("Stability", entries(Upper_frequency=limit)), left=0.3))
+above = low["stability"]["cases"][0]["above_upper_frequency"]
+check.near("roots above", above["roots"], sum(root["frequency_Hz"] > limit for root in roots), 1e-9)
+check.near("growing above", above["growing"], sum(root["frequency_Hz"] > limit and root["growth_1_s"] > 1e-6 * root["frequency_Hz"]
+                                                 for root in roots), 1e-9)
+check.near("roots below", len(table(low_folder, "stability.csv")), sum(root["frequency_Hz"] <= limit for root in roots), 1e-9)
 check.near("the right friction matters", abs(singles[0][0]["contacts"]["right"]["cases"][0]["tangential_force_N"][1]) <
            0.6 * abs(singles[2][0]["contacts"]["right"]["cases"][0]["tangential_force_N"][1]), True, 1e-9)
 check.end()

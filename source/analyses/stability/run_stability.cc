@@ -37,6 +37,9 @@ namespace vibrocontact
         line(*root, "unstable:");
       if (result.unstable().empty())
         line(result.nearest(), "stable; nearest root:");
+      if (result.n_above > 0)
+        log.value("roots above Upper frequency", std::to_string(result.n_above) + ", of which grow " +
+                                                     std::to_string(result.n_growing_above));
     }
     InertialPair with_inertia(const Parameters &parameters, const MeshedBodies &bodies,
                               const PreparedPair &prepared)
@@ -158,7 +161,7 @@ namespace vibrocontact
                                      [](const BodyParameters &body) { return body.description->is_plane(); });
       const std::string by_paper = "Stability/Linearisation is paper", rolling = "Rolling/Speed is above 0",
                         across = "the bodies move across the slip";
-      entries.add(section, "Model, Second count");
+      entries.add(section, "Model, Second count, Upper frequency");
       entries.add_if(parameters.stability.is_hysteretic(), "Stability/Loss is hysteretic", section, "Roots");
       entries.add_if(parameters.sweeps.at("stability").any(), "section Stability/Sweep sweeps an entry",
                      section, "Roots of a sweep");

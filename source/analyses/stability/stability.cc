@@ -46,6 +46,10 @@ namespace vibrocontact
         "Roots of lowest frequency to be found of finite elements with more than 1,500 dofs; below "
         "that all are. Units: none.",
         Integer(1, 1000));
+    prm.add_parameter("Upper frequency", upper_frequency,
+                      "Roots of higher frequency, which the modes kept may not carry, are counted but not "
+                      "listed; 0: all are listed. Units: Hz.",
+                      Double(0));
     prm.add_parameter("Linearise sticking points", stick,
                       "Linearise about an equilibrium that is not in full sliding: its sticking points stay "
                       "stuck; false: such "
@@ -94,6 +98,10 @@ namespace vibrocontact
           "Stability/Roots of a sweep is followed, which takes the reduced model in its consistent "
           "linearisation without Second count: set Model to reduced, Linearisation to consistent "
           "and Second count to false, or it to complete.");
+    if (upper_frequency > 0 && (follows() || are_of_body_1() || derivatives.any()))
+      throw InputError(
+          "Stability/Upper frequency is for complete lists of roots: set it to 0, or Roots to all, "
+          "Roots of a sweep to complete and Derivatives/Entries to none.");
     if (second_count && linearisation != "consistent")
       throw InputError("Stability/Second count is for the consistent linearisation: set Linearisation to "
                        "consistent, or Second count to false.");
@@ -110,14 +118,35 @@ namespace vibrocontact
     return options;
   }
 
+  namespace
+  {
+    /// An undamped root that stays where it is has a growth of round-off.
+    bool grows(const StabilityRoot &root)
+    {
+      return root.growth > least_divergence_rate * 2 * dealii::numbers::PI * root.frequency;
+    }
+  } // namespace
+
   std::vector<const StabilityRoot *> StabilityResult::unstable() const
   {
     std::vector<const StabilityRoot *> result;
     for (const StabilityRoot &root : roots)
-      // an undamped root that stays where it is has a growth of round-off
-      if (root.growth > least_divergence_rate * 2 * dealii::numbers::PI * root.frequency)
+      if (grows(root))
         result.push_back(&root);
     return result;
+  }
+
+  void StabilityResult::leave_out_above(const double frequency)
+  {
+    const auto above =
+        std::stable_partition(roots.begin(), roots.end(),
+                              [frequency](const StabilityRoot &root) { return root.frequency <= frequency; });
+    if (above == roots.begin())
+      throw ConvergenceError("All " + std::to_string(roots.size()) +
+                             " roots are above Stability/Upper frequency: raise it.");
+    n_above = roots.end() - above;
+    n_growing_above = std::count_if(above, roots.end(), grows);
+    roots.erase(above, roots.end());
   }
 
   const StabilityRoot &StabilityResult::nearest() const
@@ -226,6 +255,8 @@ namespace vibrocontact
       result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       if (parameters.second_count)
         result.second_count = count_unstable_roots(pair, scheme, about, result.roots, loss);
+      if (parameters.upper_frequency > 0)
+        result.leave_out_above(parameters.upper_frequency);
       results.push_back(std::move(result));
       finished(results.back());
     };

@@ -52,6 +52,8 @@ namespace vibrocontact
                                     {"unstable", unstable},
                                     {"nearest", root_json(result.nearest())},
                                     {"seconds", result.seconds}};
+      if (result.n_above > 0)
+        one["above_upper_frequency"] = {{"roots", result.n_above}, {"growing", result.n_growing_above}};
       if (result.second_count)
         one["second_count"] = {{"unstable_roots", result.second_count->unstable},
                                {"remainder", result.second_count->remainder},
@@ -326,6 +328,21 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    /// Of all cases: what Upper frequency hides.
+    void say_what_grows_above(const answer_parts::Json &cases, answer_parts::Lines &lines)
+    {
+      double most = 0;
+      for (const answer_parts::Json &one : cases)
+        if (const auto above = one.find("above_upper_frequency"); above != one.end())
+          most = std::max(most, answer_parts::number(*above, "growing"));
+      if (most > 0)
+        lines.push_back(answer_parts::text("above Stability/Upper frequency %s%.0f more grow, not listed",
+                                           cases.size() > 1 ? "up to " : "", most));
+    }
+  } // namespace
+
   std::vector<std::string> stability_answer(const nlohmann::ordered_json &stability)
   {
     using namespace answer_parts;
@@ -357,6 +374,7 @@ namespace vibrocontact
       if (const Json *const most = largest(list(stability, "mean_growth"), "growth_1_s", 1))
         lines.push_back("averaged over the sweep: " +
                         text("growth %+.4g 1/s, ", number(*most, "growth_1_s")) + word(*most, "root"));
+      say_what_grows_above(cases, lines);
       if (const std::size_t n = list(stability, "left_out").size(); n > 0)
         lines.push_back(std::to_string(n) + " cases are left out, see left_out in results.json");
       return lines;
@@ -370,6 +388,7 @@ namespace vibrocontact
       lines.push_back("nothing grows");
       if (cases[0].contains("nearest"))
         lines.push_back("nearest to growing: " + root_text(cases[0]["nearest"]));
+      say_what_grows_above(cases, lines);
       return lines;
     }
     lines.push_back(text("%zu root%s, the fastest a thousandfold in %.3g s:", roots.size(),
@@ -378,6 +397,7 @@ namespace vibrocontact
     for (std::size_t k = 0; k < std::min(roots.size(), most_said); ++k)
       lines.push_back(root_text(roots[k]));
     say_more(roots.size(), "in stability.csv", lines);
+    say_what_grows_above(cases, lines);
     return lines;
   }
 } // namespace vibrocontact

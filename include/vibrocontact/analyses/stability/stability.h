@@ -37,6 +37,8 @@ namespace vibrocontact
     bool lateral_damping = true, convection = false;
     /// roots to be listed of finite elements that are too many for LAPACK
     unsigned int n_roots = 20;
+    /// roots beyond it are counted, not listed [Hz]; 0: all are listed
+    double upper_frequency = 0;
     /// take sticking points as stuck instead of refusing them
     bool stick = false;
     /// count the unstable roots by the argument principle as well, see count_unstable_roots()
@@ -66,6 +68,8 @@ namespace vibrocontact
     /// the pair whose modes the shapes of the roots are amplitudes of, if that is another than the held one
     std::shared_ptr<const ContactPair> suspended;
     std::vector<StabilityRoot> roots;
+    /// roots above StabilityParameters::upper_frequency, which are not among them, and how many of those grow
+    unsigned int n_above = 0, n_growing_above = 0;
     /// whether they are some of all: those that a sweep follows
     bool followed = false;
     /// wall time of the eigenvalues [s]
@@ -75,6 +79,9 @@ namespace vibrocontact
 
     /// growth > least_divergence_rate times 2 pi frequency
     std::vector<const StabilityRoot *> unstable() const;
+    /// Moves the roots above a frequency [Hz] from `roots` to the counts.
+    /// @throws ConvergenceError if none is left
+    void leave_out_above(double frequency);
     /// the root with the largest divergence rate: how near the next instability is
     const StabilityRoot &nearest() const;
 
@@ -83,7 +90,7 @@ namespace vibrocontact
     void serialize(Archive &archive, const unsigned int)
     {
       archive &rolling_case &contact_points &stick_points &normal_force &approach &contacts &hub;
-      archive &roots &followed &seconds;
+      archive &roots &n_above &n_growing_above &followed &seconds;
       bool has_second_count = second_count.has_value();
       archive &has_second_count;
       if (has_second_count)
