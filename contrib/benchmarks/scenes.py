@@ -194,6 +194,15 @@ SCENES = [
               "2 mm": {}, "1 mm": {"block/Block/Divisions x": 30, "block/Block/Divisions y": 14, "block/Block/Divisions z": 4,
                                    "left/Grid spacing": 1e-3, "right/Grid spacing": 1e-3, "left/Half width": 3e-3, "right/Half width": 3e-3}})],
           {"Analyses": "quasi-static rolling"}, {}, "largest"),
+    Scene("disc_brake", "growth and frequency of the unstable root at friction 0.6", lowest_growth,
+          [one("modes of each pad", "pad_above/Modes/Count", 40, 10, 20, 40, 80, 160, more=lambda n: {"pad_below/Modes/Count": n}),
+           one("modes of the disc", "disc/Modes/Count", 60, 30, 60, 120, 240),
+           Knob("cells of a pad", "3 x 10 x 2", {
+               f"{x} x {y} x {z}": {f"{pad}/Block/Divisions {axis}": n for pad in ("pad_above", "pad_below")
+                                    for axis, n in zip("xyz", (x, y, z))}
+               for x, y, z in ((3, 5, 2), (3, 10, 2), (6, 10, 4))})],
+          {"Analyses": "stability", "Stability/Sweep/Entry": "", "Stability/Sweep/Range": "", "upper/Friction coefficient": 0.6,
+           "lower/Friction coefficient": 0.6}),
     Scene("sliding_layer", "growth and frequency of the lowest unstable root", lowest_growth,
           [Knob("elements", "16 x 8", {f"{2 * n} x {n}": {"layer/Layer/Divisions x": 2 * n, "layer/Layer/Divisions z": n} for n in (4, 8, 12, 16)}),
            one("degree", "layer/Layer/Element degree", 1, 1, 2)], {"Analyses": "stability"}),
