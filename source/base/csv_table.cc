@@ -11,6 +11,15 @@
 
 namespace vibrocontact
 {
+  namespace
+  {
+    std::string no_column(const std::string &source, const std::string &name,
+                          const std::vector<std::string> &names)
+    {
+      return source + " has no column " + name + "; it has " + quoted_list(names, "and") + ".";
+    }
+  } // namespace
+
   const std::vector<double> *CsvTable::find(const std::string &name) const
   {
     const auto found = std::find(names.begin(), names.end(), name);
@@ -21,7 +30,7 @@ namespace vibrocontact
   {
     const std::vector<double> *const found = find(name);
     if (!found)
-      throw InputError(source + " has no column " + name + "; it has " + quoted_list(names, "and") + ".");
+      throw InputError(no_column(source, name, names));
     return *found;
   }
 
@@ -46,10 +55,44 @@ namespace vibrocontact
     }
   } // namespace
 
-  CsvTable read_csv(const std::string &source, const std::string &bytes)
+  std::optional<unsigned int> TextTable::find(const std::string &name) const
+  {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      return {};
+    return found - names.begin();
+  }
+
+  unsigned int TextTable::column(const std::string &name) const
+  {
+    const std::optional<unsigned int> found = find(name);
+    if (!found)
+      throw InputError(no_column(source, name, names));
+    return *found;
+  }
+
+  std::string TextTable::where(const unsigned int row) const
+  {
+    return source + ", line " + std::to_string(lines[row]) + ", ";
+  }
+
+  double TextTable::number(const unsigned int row, const unsigned int column) const
+  {
+    const std::string &cell = rows[row][column];
+    char *end = nullptr;
+    const double value = std::strtod(cell.c_str(), &end);
+    if (cell.empty())
+      throw InputError(where(row) + "has no value in the column " + names[column] +
+                       ": give one in every line.");
+    if (*end != 0 || !std::isfinite(value))
+      throw InputError(where(row) + "has '" + cell + "' where a number is due.");
+    return value;
+  }
+
+  TextTable read_text_table(const std::string &source, const std::string &bytes)
   {
     const std::string text = as_utf8(bytes);
-    CsvTable table;
+    TextTable table;
     table.source = source;
     const std::string mark = "\xef\xbb\xbf"; // of UTF-8, as spreadsheets write it
     std::istringstream lines(text.compare(0, mark.size(), mark) == 0 ? text.substr(mark.size()) : text);
@@ -64,12 +107,11 @@ namespace vibrocontact
       if (line.find(';') != std::string::npos)
         throw InputError(where +
                          "has semicolons: separate the columns by commas, with points in the numbers.");
-      const std::vector<std::string> cells = cells_of(line);
+      std::vector<std::string> cells = cells_of(line);
       if (table.names.empty())
       {
         check_names(cells, where);
         table.names = cells;
-        table.columns.resize(cells.size());
         continue;
       }
       if (cells.size() != table.names.size())
@@ -77,20 +119,24 @@ namespace vibrocontact
                          std::to_string(table.names.size()) +
                          " columns: separate them by commas, with points in the numbers.");
       table.lines.push_back(number);
-      for (unsigned int k = 0; k < cells.size(); ++k)
-      {
-        char *end = nullptr;
-        const double value = std::strtod(cells[k].c_str(), &end);
-        if (cells[k].empty())
-          throw InputError(where + "has no value in the column " + table.names[k] +
-                           ": give one in every line.");
-        if (*end != 0 || !std::isfinite(value))
-          throw InputError(where + "has '" + cells[k] + "' where a number is due.");
-        table.columns[k].push_back(value);
-      }
+      table.rows.push_back(std::move(cells));
     }
     if (table.names.empty())
       throw InputError(source + " is empty: its first line names the columns, the rows follow.");
+    return table;
+  }
+
+  CsvTable read_csv(const std::string &source, const std::string &bytes)
+  {
+    const TextTable text = read_text_table(source, bytes);
+    CsvTable table;
+    table.source = source;
+    table.names = text.names;
+    table.lines = text.lines;
+    table.columns.resize(text.names.size());
+    for (unsigned int row = 0; row < text.rows.size(); ++row)
+      for (unsigned int k = 0; k < table.columns.size(); ++k)
+        table.columns[k].push_back(text.number(row, k));
     return table;
   }
 

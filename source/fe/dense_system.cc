@@ -28,8 +28,13 @@ namespace vibrocontact
     std::vector<unsigned int> places(const SecondOrderSystem &system)
     {
       std::vector<unsigned int> place(system.mass.m(), 0);
+      // a coordinate of its own that a contact moves (residual flexibility of a body reduced before) is not held
+      for (const TraceRow &row : system.trace.rows)
+        for (const auto &[dof, weight] : row)
+          if (system.locally_owned.is_element(dof))
+            place[dof] = 1;
       for (const auto dof : system.locally_owned)
-        place[dof] = system.mass.diag_element(dof) > 0 || is_coupled(system, dof);
+        place[dof] = place[dof] || system.mass.diag_element(dof) > 0 || is_coupled(system, dof);
       dealii::Utilities::MPI::sum(place, system.communicator, place);
       unsigned int n = 0;
       for (unsigned int &entry : place)

@@ -163,17 +163,19 @@ namespace vibrocontact
     else
       n_below = parameters.count;
     const unsigned int n_massive = n_dofs_with_mass(system);
-    if (n_below + 2 + n_rigid > n_massive)
+    if (n_below + n_rigid > n_massive)
       throw InputError("Body '" + system.body + "': " + std::to_string(n_below) +
                        " modes are more than its " + std::to_string(system.stiffness.m()) +
                        " dofs can tell; ask for fewer.");
 
     // A Krylov sequence sees as many modes of one frequency as its blocks have columns: what the count misses
     // is sought again, next to the modes found so far. LAPACK solves bodies of few dofs.
+    // A body reduced before is asked for all it has.
+    const bool wants_all = n_below + 2 + n_rigid > n_massive;
     unsigned int n_kept = 0, n_missing = n_below;
     for (unsigned int attempt = 0;; ++attempt)
     {
-      if (modes.omega.size() + krylov_dimension(n_missing + 2) > n_massive)
+      if (wants_all || modes.omega.size() + krylov_dimension(n_missing + 2) > n_massive)
         modes = all_modes(system, modes);
       else
         krylov_schur(system, flexibility, n_missing + 2, modes);
@@ -182,6 +184,8 @@ namespace vibrocontact
       while (n_kept > n_rigid && n_kept + 1 < modes.omega.size() &&
              modes.omega[n_kept] < modes.omega[n_kept - 1] * (1 + pair_tolerance))
         ++n_kept;
+      if (wants_all)
+        break;
       // equal ones up to the last that was found: there may be more of them
       if (!by_frequency && attempt < 4 && n_kept > n_rigid &&
           modes.omega[n_kept] < modes.omega[n_kept - 1] * (1 + pair_tolerance))
@@ -243,6 +247,40 @@ namespace vibrocontact
       zeta[i] = (force * modes.shapes[i]) / (2 * modes.omega[i] * modes.omega[i]);
     }
     return zeta;
+  }
+
+  ModalDamping modal_damping(const SecondOrderSystem &system, const Modes &modes)
+  {
+    ModalDamping result;
+    if (!system.has_damping || modes.shapes.empty())
+      return result;
+    const DenseMatrix c = projected_matrix(system.damping, modes.shapes);
+    const unsigned int n = modes.shapes.size();
+    double largest = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      largest = std::max(largest, std::abs(c(i, i)));
+    result.ratio.assign(n, 0.);
+    // of the text of a file
+    constexpr double rounding = 1e-9;
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      if (i < modes.n_rigid_modes && std::abs(c(i, i)) > rounding * largest)
+        throw InputError("Body '" + system.body +
+                         "': its damping resists a rigid motion, which has no damping ratio: hold the body, "
+                         "or leave dampers to the ground out of its damping.");
+      if (i >= modes.n_rigid_modes && c(i, i) < -rounding * largest)
+        throw InputError("Body '" + system.body + "': its damping feeds energy into mode " +
+                         std::to_string(i + 1 - modes.n_rigid_modes) + " (" +
+                         number_text(modes.omega[i] / two_pi) +
+                         " Hz): a damping matrix is positive semi-definite; mend its file.");
+      if (i >= modes.n_rigid_modes)
+        result.ratio[i] = std::max(0., c(i, i)) / (2 * modes.omega[i]);
+    }
+    for (unsigned int i = modes.n_rigid_modes; i < n; ++i)
+      for (unsigned int j = modes.n_rigid_modes; j < i; ++j)
+        if (std::min(c(i, i), c(j, j)) > rounding * largest)
+          result.coupling = std::max(result.coupling, std::abs(c(i, j)) / std::sqrt(c(i, i) * c(j, j)));
+    return result;
   }
 
   DenseMatrix coupling_loss(const SecondOrderSystem &system, const Modes &modes)

@@ -78,6 +78,11 @@ namespace vibrocontact
     std::sort(trace_dofs.begin(), trace_dofs.end());
     trace_dofs.erase(std::unique(trace_dofs.begin(), trace_dofs.end()), trace_dofs.end());
 
+    // A body reduced before moves its contact by all of its coordinates: nothing is left to condense.
+    by_columns = is_iterative() || 2 * trace_dofs.size() > system.stiffness.m();
+    if (by_columns)
+      trace_dofs.clear();
+
     if (system.n_rigid_modes > 0)
     {
       make_rigid_modes();
@@ -86,8 +91,7 @@ namespace vibrocontact
     SymmetricFactorization::Options options;
     options.name = system.body + ": stiffness";
     options.approximate = is_iterative();
-    if (!is_iterative())
-      options.schur_dofs = trace_dofs;
+    options.schur_dofs = trace_dofs;
     options.fixed_dofs = fixed_dofs;
     factors = std::make_unique<SymmetricFactorization>(system.stiffness, nullptr, 0., options);
 
@@ -309,7 +313,7 @@ namespace vibrocontact
   {
     const unsigned int n = system.trace.rows.size();
     DenseMatrix result;
-    if (is_iterative())
+    if (by_columns)
     {
       std::vector<unsigned int> all(n);
       std::iota(all.begin(), all.end(), 0u);

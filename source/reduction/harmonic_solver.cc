@@ -20,9 +20,9 @@ namespace vibrocontact
     bool is_host = false;
     PetscInt n = 0;
     ZMUMPS_STRUC_C mumps{};
-    /// own entries of the lower triangle: place, K, K'', M, B
+    /// own entries of the lower triangle: place, K, K'', M, B, C
     std::vector<MUMPS_INT> rows, columns, position;
-    std::vector<double> stiffness, loss, mass, of_frequency;
+    std::vector<double> stiffness, loss, mass, of_frequency, damping;
     std::vector<ZMUMPS_COMPLEX> values, work;
 
     void run(const int job, const char *what)
@@ -52,7 +52,7 @@ namespace vibrocontact
              stiffness.push_back(value);
            });
       // the others have no place that the stiffness does not have
-      for (auto *const values : {&loss, &mass, &of_frequency})
+      for (auto *const values : {&loss, &mass, &of_frequency, &damping})
         values->resize(stiffness.size(), 0.);
       const auto read_beside = [&](Mat matrix, std::vector<double> &into)
       {
@@ -71,6 +71,8 @@ namespace vibrocontact
       read_beside(system.mass, mass);
       if (system.has_loss)
         read_beside(system.loss_stiffness, loss);
+      if (system.has_damping)
+        read_beside(system.damping, damping);
       if (linear)
         read_beside(*linear, of_frequency);
     }
@@ -91,6 +93,7 @@ namespace vibrocontact
       join(loss);
       join(mass);
       join(of_frequency);
+      join(damping);
       position = dealii::Utilities::MPI::broadcast(all, position);
     }
   };
@@ -158,7 +161,7 @@ namespace vibrocontact
     for (std::size_t k = 0; k < my.values.size(); ++k)
     {
       my.values[k].r = my.stiffness[k] + factor * omega * my.of_frequency[k] - omega * omega * my.mass[k];
-      my.values[k].i = sign * my.loss[k];
+      my.values[k].i = sign * my.loss[k] + omega * my.damping[k];
     }
     my.run(2, "factorisation");
 

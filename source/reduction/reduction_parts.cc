@@ -51,7 +51,7 @@ namespace vibrocontact
           if (system.dof_direction[i] == d)
             translation(system.locally_owned.nth_index_in_set(i)) = 1;
         translation.compress(dealii::VectorOperation::insert);
-        system.mass.vmult(inertia, translation);
+        system.mass.vmult(inertia, system.translations.empty() ? translation : system.translations[d]);
         for (unsigned int k = 0; k < shapes.size(); ++k)
           result(k, d) = shapes[k] * inertia;
       }
@@ -118,6 +118,10 @@ namespace vibrocontact
     const unsigned int n = modes.omega.size();
     result.damping_ratio = strain_energy_damping(system, modes);
     result.loss = coupling_loss(system, modes);
+    const ModalDamping viscous = modal_damping(system, modes);
+    result.damping_coupling = viscous.coupling;
+    for (unsigned int i = 0; i < viscous.ratio.size(); ++i)
+      result.damping_ratio[i] += viscous.ratio[i];
     if (wheel)
     {
       const auto labels = wheel_labels(system, modes, *wheel);

@@ -129,6 +129,8 @@ namespace vibrocontact
     result.loss.reinit(vectors.size(), vectors.size());
     if (system.has_loss)
       result.loss = projected_matrix(system.loss_stiffness, vectors);
+    if (system.has_damping)
+      result.damping = projected_matrix(system.damping, vectors);
     // a wheel's ratios by nodal diameters (Eq. 23) come on top of what its material loses
     for (unsigned int k = 0; k < n && wheel; ++k)
       result.loss(k, k) = 2 * damping_ratio[k] * modes.omega[k] * modes.omega[k];

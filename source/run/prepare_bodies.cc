@@ -253,6 +253,9 @@ namespace vibrocontact
         if (body->parameters.is_revolved())
           // its section and contact are checked
           check_places_of_dampers(body->parameters, body->reduction.revolved().elements());
+        const ElementBody *const elements = body->parameters.description->elements();
+        if (elements && elements->is_assembled_first())
+          body->reduction.system();
         if (!body->parameters.is_solid())
           continue;
         body->elastic_body();

@@ -7,6 +7,7 @@
 #include <vibrocontact/scene/half_space_body.h>
 #include <vibrocontact/scene/identified.h>
 #include <vibrocontact/scene/layer.h>
+#include <vibrocontact/scene/matrices.h>
 #include <vibrocontact/scene/mesh_file.h>
 #include <vibrocontact/scene/oscillator.h>
 #include <vibrocontact/scene/rail.h>
@@ -50,6 +51,8 @@ namespace vibrocontact
          make<RingParameters>},
         {"oscillator", "Oscillator", "mass on a spring and a damper under its weight",
          make<OscillatorParameters>},
+        {"matrices", "Matrices", "by mass and stiffness matrices of another program, whole or reduced",
+         make<MatricesParameters>},
         {"mesh", "Mesh", "hexahedra with named groups from a gmsh file", make<MeshFileParameters>},
     };
     return types;

@@ -16,6 +16,8 @@ namespace readers
   void csv(const std::string &bytes);
   void uff(const std::string &bytes);
   void outline(const std::string &bytes);
+  /// the first byte says what the others are: a matrix, cards of Nastran, files of CalculiX, tables of dofs and groups
+  void matrices(const std::string &bytes);
   /// the section Road of a parameter file, an empty line, the table it names
   void road(const std::string &bytes);
   /// HDF5 files: the first byte says what is made of the others, see hdf5_bytes.h
@@ -33,6 +35,7 @@ namespace readers
                                    {"csv", csv},
                                    {"uff", uff},
                                    {"outline", outline},
+                                   {"matrices", matrices},
                                    {"road", road},
                                    {"reduction_cache", reduction_cache},
                                    {"contact_problem", contact_problem},

@@ -1,10 +1,35 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace vibrocontact
 {
+  /// Rows of cells by the names of their columns, written as a CsvTable.
+  struct TextTable
+  {
+    /// for messages: the file, and the entry that names it
+    std::string source;
+    std::vector<std::string> names;
+    /// cells of each row, one per name, without blanks at their ends; may be empty
+    std::vector<std::vector<std::string>> rows;
+    /// line of the file of each row, from 1
+    std::vector<unsigned int> lines;
+
+    /// number of a column; nothing if there is none of this name
+    std::optional<unsigned int> find(const std::string &name) const;
+    /// @throws InputError that names the columns there are
+    unsigned int column(const std::string &name) const;
+    /// "source, line 7, "
+    std::string where(unsigned int row) const;
+    /// A cell as a number. @throws InputError with the line if it is none or not finite
+    double number(unsigned int row, unsigned int column) const;
+  };
+
+  /// @param source begins the messages @throws InputError with source and line
+  TextTable read_text_table(const std::string &source, const std::string &bytes);
+
   /// Columns of numbers by name, from a text such as
   ///
   ///     # measured on 3 May

@@ -33,18 +33,25 @@ namespace vibrocontact
     /// lossless
     dealii::PETScWrappers::MPI::SparseMatrix loss_stiffness;
     bool has_loss = false;
+    /// viscous damping C [N s/m]: symmetric, no place that K does not have; empty if there is none. Its part along each mode
+    /// becomes a damping ratio, see modal_damping()
+    dealii::PETScWrappers::MPI::SparseMatrix damping;
+    bool has_damping = false;
     /// loads on the body (Eq. 6: gravity, surface traction) [N]; empty if there are none
     dealii::PETScWrappers::MPI::Vector load;
     bool has_load = false;
     /// mass of the body from its volume and density [kg]
     double total_mass = 0;
+    /// motion where the whole body moves by one along x, y, z, of coordinates that are no displacements (a body that was
+    /// reduced before); empty: by the direction of each dof
+    std::vector<dealii::PETScWrappers::MPI::Vector> translations;
     /// translations and rotations that cost no energy: 0 for a held body or one on springs, 6 for a free
     /// solid
     unsigned int n_rigid_modes = 0;
     /// orthonormal (not mass-orthonormal) basis of those motions, n_rigid_modes vectors
     std::vector<dealii::PETScWrappers::MPI::Vector> rigid_motions;
     /// place [m, contact frame] and direction (0 x, 1 y, 2 z; beams: 3 to 5 rotations about x, y, z, 6
-    /// warping) of each locally owned dof, in their order: what labels and the orientation of pairs look at
+    /// warping or a coordinate without place) of each locally owned dof, in their order: what labels and the orientation of pairs look at
     std::vector<dealii::Point<3>> dof_position;
     std::vector<unsigned char> dof_direction;
     /// a held boundary alone carries the body (no springs): it follows a displacement of that boundary

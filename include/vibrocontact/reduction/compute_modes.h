@@ -29,6 +29,18 @@ namespace vibrocontact
   /// lossless bodies.
   std::vector<double> strain_energy_damping(const SecondOrderSystem &system, const Modes &modes);
 
+  /// A viscous damping C seen by modes.
+  struct ModalDamping
+  {
+    /// c_ii / (2 w_i), c = Phi^T C Phi; 0 for rigid modes; n_modes or, without damping, empty [-]
+    std::vector<double> ratio;
+    /// largest |c_ij| / sqrt(c_ii c_jj) of two elastic modes, at most 1: what ratios leave out; 0 if C is diagonal in the
+    /// modes, as that of Rayleigh is [-]
+    double coupling = 0;
+  };
+  /// @throws InputError if C feeds energy into a mode or resists a rigid motion
+  ModalDamping modal_damping(const SecondOrderSystem &system, const Modes &modes);
+
   /// phi_i^T K'' phi_j of the hysteretic loss; empty if it couples no modes (to 1e-6 of its diagonal): the body has one loss
   /// factor or none [1/s^2]
   DenseMatrix coupling_loss(const SecondOrderSystem &system, const Modes &modes);

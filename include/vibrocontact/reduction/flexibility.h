@@ -69,7 +69,9 @@ namespace vibrocontact
 
     const SecondOrderSystem &system;
     const StiffnessSolver solver;
-    /// dofs of the trace, sorted
+    /// the contact compliance is solved column by column: iteratively, or since the trace takes most dofs
+    bool by_columns = false;
+    /// dofs of the trace, sorted; empty if solved by columns
     std::vector<dealii::types::global_dof_index> trace_dofs;
     std::vector<dealii::types::global_dof_index> fixed_dofs;
     /// Phi_R and M Phi_R

@@ -9,9 +9,9 @@
 
 namespace vibrocontact
 {
-  /// Harmonic motion of a body with its hysteretic loss, without any reduction:
+  /// Harmonic motion of a body with its hysteretic loss and viscous damping, without any reduction:
   ///
-  ///   (K + i K'' - w^2 M) u = f,    u e^{i w t},   K'' = sum of eta_e K_e over cells and pads
+  ///   (K + i K'' + i w C - w^2 M) u = f,    u e^{i w t},   K'' = sum of eta_e K_e over cells and pads
   ///
   /// The matrix is complex symmetric, not Hermitian: L D L^T by MUMPS's complex arithmetic (PETSc is built
   /// for real numbers), analysed once, factorised anew for every frequency; four times the operations of a

@@ -72,6 +72,7 @@ namespace vibrocontact
       archive("damping_ratio", part.damping_ratio);
       archive("labels", part.labels);
       archive("loss_1_s2", part.loss);
+      archive("damping_coupling", part.damping_coupling);
       archive("trace", part.trace);
       archive("load", part.load);
       archive("participation", part.participation);
@@ -123,6 +124,7 @@ namespace vibrocontact
       archive("omega_rad_s", part.omega);
       archive("damping_ratio", part.damping_ratio);
       archive("loss_1_s2", part.loss);
+      archive("damping_1_s", part.damping);
       archive("trace", part.trace);
       archive("compliance_m_N", part.compliance);
     }

@@ -39,6 +39,8 @@ namespace vibrocontact
     std::vector<std::string> labels;
     /// see ReducedBody::loss
     DenseMatrix loss = DenseMatrix();
+    /// what the damping ratios leave out of a viscous damping C: see ModalDamping::coupling [-]
+    double damping_coupling = 0;
     /// P_c Phi, 3 n x n_modes [1/sqrt(kg)]; no rows without contact
     DenseMatrix trace;
     /// Phi^T F [N/sqrt(kg)]

@@ -25,6 +25,8 @@ namespace vibrocontact
     std::vector<double> damping_ratio;
     /// D: what cells and pads lose by their own loss factors, full; n_vectors square [1/s^2]
     DenseMatrix loss;
+    /// Phi^T C Phi of a viscous damping matrix, full; n_vectors square or, without one, empty [1/s]
+    DenseMatrix damping = DenseMatrix();
     /// motion of the points; n_points x n_vectors [1/sqrt(kg)]
     DenseMatrix trace;
     /// P G P^T with the real stiffness (inertia relief if the body is free) [m/N]

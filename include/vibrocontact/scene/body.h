@@ -26,7 +26,7 @@ namespace vibrocontact
   using BodyTypes = std::vector<BodyType>;
 
   /// The shipped ones: half-space, rigid, wheel, rail, beam rail, block, blade, layer, bar, ring, oscillator,
-  /// identified, mesh. A program may have more (run/tables.h).
+  /// identified, matrices, mesh. A program may have more (run/tables.h).
   const BodyTypes &body_types();
 
   /// `subsection <name of the body>`: its type, and one nested subsection per group of entries. Only the

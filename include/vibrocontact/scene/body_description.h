@@ -196,6 +196,8 @@ namespace vibrocontact
     virtual std::unique_ptr<SecondOrderSystem> assemble(const BodyParameters &body, bool above,
                                                         const ContactGrid *grid,
                                                         MPI_Comm communicator) const = 0;
+    /// It is assembled from files, which may be wrong: before anything is run.
+    virtual bool is_assembled_first() const { return false; }
     /// Moves the contact of the assembled body away from its usual place, where contacts may lie along its axis
     /// (ContactPlaces::along_axis). @param trace in its usual place @param z height [m]
     virtual void move_contact(const SecondOrderSystem &, ContactTrace &, double) const

@@ -80,6 +80,42 @@ namespace vibrocontact
     return real_residual(body, first_modes(n_modes));
   }
 
+  namespace
+  {
+    /// The same where a viscous damping depends on the frequency: (diag(w^2) + i D + i omega C - omega^2) q = P^T f.
+    std::vector<Receptance> viscous_response(const ResponseReduction &body, const Indices &kept,
+                                             const std::vector<double> &frequency)
+    {
+      const unsigned int m = body.trace.m(), n = kept.size();
+      std::vector<Complex> A(std::size_t(n) * n), forces(std::size_t(n) * m), q;
+      for (unsigned int j = 0; j < m; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+          forces[std::size_t(j) * n + i] = body.trace(j, kept[i]);
+      const Receptance residual = real_residual(body, kept);
+      std::vector<Receptance> result;
+      for (const double f : frequency)
+      {
+        const double omega = two_pi * f;
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int i = 0; i < n; ++i)
+          {
+            const unsigned int k = kept[i], l = kept[j];
+            A[std::size_t(j) * n + i] = Complex(k == l ? body.omega[k] * body.omega[k] - omega * omega : 0.,
+                                                body.loss(k, l) + omega * body.damping(k, l));
+          }
+        q = forces;
+        solve_by_columns(A, q, n, m);
+        Receptance H = residual;
+        for (unsigned int i = 0; i < m; ++i)
+          for (unsigned int j = 0; j < m; ++j)
+            for (unsigned int k = 0; k < n; ++k)
+              H[i * m + j] += forces[std::size_t(i) * n + k] * q[std::size_t(j) * n + k];
+        result.push_back(H);
+      }
+      return result;
+    }
+  } // namespace
+
   std::vector<Receptance> hysteretic_response(const ResponseReduction &body, const unsigned int n_modes,
                                               const std::vector<double> &frequency)
   {
@@ -90,6 +126,9 @@ namespace vibrocontact
     const dealii::types::blas_int n = kept.size();
     if (n == 0)
       return std::vector<Receptance>(frequency.size(), real_residual(body, kept));
+
+    if (body.damping.m() > 0)
+      return viscous_response(body, kept, frequency);
 
     // by columns: diag(w^2) + i D, its eigenvectors X, X^-1 P^T
     std::vector<Complex> A(std::size_t(n) * n), mu(n), X(A.size()), weights(std::size_t(n) * m), work(1);

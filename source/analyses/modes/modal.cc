@@ -25,6 +25,7 @@ namespace vibrocontact
     result.seconds = modal.seconds;
     result.orthonormality_error = modal.orthonormality_error;
     result.residual = modal.residual;
+    result.damping_coupling = modal.damping_coupling;
     result.stages = body.stages();
     for (const double omega : modes.omega)
       result.frequencies_Hz.push_back(omega / (2 * dealii::numbers::PI));
@@ -35,6 +36,9 @@ namespace vibrocontact
     log.value("of them rigid", result.n_rigid_modes);
     // all of them are in the table
     constexpr unsigned int most_said = 10;
+    if (result.damping_coupling > 0)
+      log.line("The damping matrix couples modes by up to " + percent_text(result.damping_coupling) +
+               " of what it does to either; the ratios leave that out.");
     const unsigned int n = result.frequencies_Hz.size(), said = n > 2 * most_said ? most_said : n;
     for (unsigned int i = 0; i < said; ++i)
     {

@@ -17,6 +17,7 @@ namespace vibrocontact
             {"n_dofs", result.n_dofs},
             {"orthonormality_error", result.orthonormality_error},
             {"residual", result.residual},
+            {"damping_coupling", result.damping_coupling},
             {"stages_s", stages},
             {"seconds", result.seconds}};
   }

@@ -21,6 +21,8 @@ namespace vibrocontact
     /// wall time of the computation, also when it was found in the cache [s]
     double seconds = 0;
     double orthonormality_error = 0, residual = 0;
+    /// what the ratios leave out of a viscous damping matrix, see ModalDamping::coupling [-]
+    double damping_coupling = 0;
     /// wall times of what this run did [s]; empty if all was found
     std::vector<std::pair<std::string, double>> stages;
   };
