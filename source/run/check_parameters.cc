@@ -5,6 +5,7 @@
 #include <vibrocontact/contact/problem_file.h>
 #include <vibrocontact/reduction/window.h>
 #include <vibrocontact/run/check_contacts.h>
+#include <vibrocontact/run/check_export.h>
 #include <vibrocontact/run/check_frequency_response.h>
 #include <vibrocontact/run/check_hub.h>
 #include <vibrocontact/run/check_periodic.h>
@@ -308,6 +309,8 @@ namespace vibrocontact
         check_sweep_model("Transient", transient);
       signals.check(with_modes, transient);
     }
+    if (scene.runs("export"))
+      check_export(*this);
     if (scene.runs("frequency response"))
       check_frequency_response(*this);
     if (has_identification())

@@ -1,3 +1,4 @@
+#include <vibrocontact/analyses/export/run_export.h>
 #include <vibrocontact/analyses/frequency_response/run_frequency_response.h>
 #include <vibrocontact/analyses/identification/run_identification.h>
 #include <vibrocontact/analyses/modal_convolution/run_modal_convolution.h>
@@ -18,7 +19,7 @@ namespace vibrocontact
     Tables tables;
     tables.analyses = {modes_analysis(),     frequency_response_analysis(), identification_analysis(),
                        rolling_analysis(),   periodic_analysis(),           stability_analysis(),
-                       transient_analysis(), modal_convolution_analysis()};
+                       transient_analysis(), modal_convolution_analysis(),  export_analysis()};
     return tables;
   }
 
