@@ -23,6 +23,12 @@ namespace vibrocontact
     std::vector<std::vector<unsigned int>> coupled_modes(const FlowReduction &flow)
     {
       const unsigned int n = flow.fixed.m();
+      if (!flow.flows() && n > 0)
+      {
+        std::vector<unsigned int> all(n);
+        std::iota(all.begin(), all.end(), 0u);
+        return {all};
+      }
       const auto coupling = [&](const unsigned int i, const unsigned int j)
       {
         return std::max({std::abs(flow.fixed(i, j)), std::abs(flow.turning(i, j)),
@@ -106,7 +112,8 @@ namespace vibrocontact
         A(n + i, n + i) = -loss / s;
         for (unsigned int j = 0; j < n; ++j)
         {
-          A(n + i, j) -= loss * rotation * flow.turning(block[i], block[j]) / (s * s);
+          if (flow.flows())
+            A(n + i, j) -= loss * rotation * flow.turning(block[i], block[j]) / (s * s);
           if (flow.of_square.m() > 0)
             A(n + i, j) -= rotation * rotation * flow.of_square(block[i], block[j]) / (s * s);
           A(n + i, n + j) -= 2 * rotation * flow.fixed(block[i], block[j]) / s;
@@ -117,7 +124,12 @@ namespace vibrocontact
       for (unsigned int k = 0; k < 2 * n; ++k)
       {
         const Complex lambda = s * found.values[k];
-        if (flow.names.empty())
+        if (!flow.flows())
+        {
+          AssertThrow(lambda.real() < 1e-8 * s,
+                      dealii::ExcMessage("Coriolis forces, which do no work, let a motion grow."));
+        }
+        else if (flow.names.empty())
           check_decay(lambda, order_of(flow, block), s, rotation);
         else if (!(lambda.real() < 1e-10 * s))
           throw InputError("A wheel turns at " + number_text(std::abs(rotation)) + " rad/s, where " +
@@ -205,11 +217,13 @@ namespace vibrocontact
     std::map<std::string, unsigned int> seen;
     for (const std::vector<unsigned int> &block : blocks)
     {
-      const unsigned int order = order_of(flow, block);
+      const unsigned int order = flow.flows() ? order_of(flow, block) : 0;
       for (const BlockPole &pole : poles_of_block(at_rest, flow, block, rotation))
       {
         body.poles.push_back(pole.lambda);
-        if (flow.names.empty())
+        if (!flow.flows())
+          body.labels.push_back("mode " + std::to_string(++branches[order]));
+        else if (flow.names.empty())
           body.labels.push_back("n=" + std::to_string(order) + ", branch " +
                                 std::to_string(++branches[order]));
         else
@@ -246,6 +260,27 @@ namespace vibrocontact
       scale_shapes(body, k);
     }
     return body;
+  }
+
+  ComplexModes complex_modes(const BodyInContact &at_rest, const FlowReduction &coriolis,
+                             const double rotation)
+  {
+    ComplexModes result;
+    std::vector<BlockPole> found;
+    for (const std::vector<unsigned int> &block : coupled_modes(coriolis))
+      found = poles_of_block(at_rest, coriolis, block, rotation);
+    result.amplitudes.reinit(at_rest.n_modes(), found.size());
+    for (unsigned int k = 0; k < found.size(); ++k)
+    {
+      result.poles.push_back(found[k].lambda);
+      Complex square = 0;
+      for (const Complex &amplitude : found[k].right)
+        square += amplitude * amplitude;
+      const Complex turn = std::polar(1., -std::arg(square) / 2);
+      for (unsigned int i = 0; i < found[k].right.size(); ++i)
+        result.amplitudes(i, k) = turn * found[k].right[i];
+    }
+    return result;
   }
 
   BodyInContact RingParameters::on_road(const ReducedBody &reduced, const bool with_friction,

@@ -45,12 +45,12 @@ namespace vibrocontact
                                                    const ContactGrid *const grid)
   {
     std::unique_ptr<SecondOrderSystem> system = assemble_elasticity(body);
-    if (!body.model.is_supported())
-      system->rigid_motions = rigid_motions(body);
+    system->rigid_motions = free_rigid_motions(body);
     system->n_rigid_modes = system->rigid_motions.size();
     describe_dofs(body, *system);
     system->surface = make_surface_trace(body);
-    system->follows_hub = !body.model.held.empty() && body.model.springs.empty();
+    // its own centrifugal forces hold a body that turns back
+    system->follows_hub = body.model.is_clamped() && body.model.springs.empty() && !body.model.turns();
     if (grid)
       system->trace = make_contact_trace(body, *grid);
     return system;

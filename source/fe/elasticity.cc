@@ -199,9 +199,9 @@ namespace vibrocontact
     const FiniteElement<dim> &scalar = element.base_element(0);
     const unsigned int n_gauss = scalar.degree + 1;
     FEValues<dim> values(body.mapping, scalar, QGauss<dim>(n_gauss),
-                         update_values | update_gradients | update_JxW_values);
+                         update_values | update_gradients | update_JxW_values | update_quadrature_points);
     FEFaceValues<dim> face_values(body.mapping, element, QGauss<dim - 1>(n_gauss),
-                                  update_values | update_JxW_values);
+                                  update_values | update_normal_vectors | update_JxW_values);
     CellMatrices<dim> cell_matrices(element);
     FullMatrix<double> spring(n_dofs_per_cell, n_dofs_per_cell), loss(n_dofs_per_cell, n_dofs_per_cell);
     Vector<double> cell_load(n_dofs_per_cell);
@@ -224,13 +224,17 @@ namespace vibrocontact
         loss *= material.loss_factor;
       }
       cell_load = 0;
-      if (model.gravity.norm() > 0)
-        for (unsigned int k = 0; k < n_dofs_per_cell; ++k)
+      if (model.has_body_force())
+        for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
         {
-          const auto [component, node] = element.system_to_component_index(k);
-          for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+          const Tensor<1, dim> acceleration =
+              model.gravity + model.rotation.centrifugal(values.quadrature_point(q));
+          for (unsigned int k = 0; k < n_dofs_per_cell; ++k)
+          {
+            const auto [component, node] = element.system_to_component_index(k);
             cell_load(k) +=
-                material.density * model.gravity[component] * values.shape_value(node, q) * values.JxW(q);
+                material.density * acceleration[component] * values.shape_value(node, q) * values.JxW(q);
+          }
         }
 
       for (const unsigned int f : cell->face_indices())
@@ -247,6 +251,18 @@ namespace vibrocontact
               const double t = load.traction[element.system_to_component_index(k).first];
               for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
                 cell_load(k) += t * face_values.shape_value(k, q) * face_values.JxW(q);
+            }
+          }
+        for (const SurfacePressure &load : model.pressures)
+          if (load.boundary == id)
+          {
+            face_values.reinit(cell, f);
+            for (unsigned int k = 0; k < n_dofs_per_cell; ++k)
+            {
+              const unsigned int c = element.system_to_component_index(k).first;
+              for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
+                cell_load(k) -= load.pressure * face_values.normal_vector(q)[c] *
+                                face_values.shape_value(k, q) * face_values.JxW(q);
             }
           }
         for (const auto &bed : model.springs)

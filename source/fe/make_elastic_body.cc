@@ -36,6 +36,7 @@ namespace vibrocontact
                           group_names(parameters), communicator});
     solid->hold(model, mesh);
     add_loads(model, parameters.loads, mesh);
+    model.rotation = parameters.rotation.steady();
     return std::make_unique<ElasticBody<3>>(std::move(mesh), model, solid->mesh_degree());
   }
 } // namespace vibrocontact

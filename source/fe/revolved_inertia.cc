@@ -12,7 +12,9 @@ namespace vibrocontact
     for (const auto &cell : dof_handler.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary() &&
-            std::count(model.held.begin(), model.held.end(), cell->face(f)->boundary_id()) > 0)
+            std::any_of(model.held.begin(), model.held.end(),
+                        [&](const HeldBoundary<3> &part)
+                        { return part.boundary == cell->face(f)->boundary_id(); }))
           for (const unsigned int v : {0u, 1u})
           {
             low = std::min(low, cell->face(f)->vertex(v)[0]);

@@ -84,8 +84,8 @@ namespace vibrocontact
   {
     AffineConstraints<double> result;
     DoFTools::make_hanging_node_constraints(dof_handler, result);
-    for (const types::boundary_id held : model.held)
-      DoFTools::make_zero_boundary_constraints(dof_handler, held, result);
+    for (const HeldBoundary<3> &part : model.held)
+      DoFTools::make_zero_boundary_constraints(dof_handler, part.boundary, result);
     std::map<double, types::global_dof_index> on_axle;
     for (unsigned int dof = 0; dof < n_dofs(); ++dof)
       if (places[dof][1] < axle_radius && directions[dof] == radial)

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/output/scene_summary.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -52,6 +53,16 @@ namespace vibrocontact
       print_material(material, " of " + group);
     if (parameters.description->has_material() && parameters.materials.empty())
       print_material(parameters.material, "");
+    if (parameters.rotation.turns())
+    {
+      const dealii::Tensor<1, 3> axis = parameters.rotation.steady().axis;
+      log.value("turns at", parameters.rotation.speed, "rad/s");
+      log.value("about",
+                number_text(axis[0]) + ", " + number_text(axis[1]) + ", " + number_text(axis[2]) +
+                    (parameters.rotation.coriolis ? ", with Coriolis forces" : ", without Coriolis forces"));
+    }
+    if (parameters.is_prestressed())
+      log.value("stiffness", "with the stress of its loads, to first order");
     parameters.description->print(log);
     if (!body)
       return;

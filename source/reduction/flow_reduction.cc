@@ -45,6 +45,8 @@ namespace vibrocontact
     FlowReduction result;
     result.omega = modes.omega;
     result.fixed = in_modes(flow.fixed, modes);
+    if (flow.turning.m() == 0)
+      return result;
     result.turning = in_modes(flow.turning, modes);
     result.stretch = in_modes(flow.stretch, modes);
     result.beyond = in_modes(flow.beyond, modes);

@@ -30,6 +30,9 @@ namespace vibrocontact
     cost.solver = solver;
     cost.kept = matrices + factors;
     cost.stages.push_back({"mesh and assembly", 8 * relative, matrices});
+    if (size.prestressed)
+      cost.stages.push_back(
+          {"prestress", (iterative ? 1 : 2) * (ordering_seconds + factor_seconds), cost.kept});
     cost.stages.push_back({iterative ? "approximate factorisation" : "factorisation",
                            ordering_seconds + factor_seconds, cost.kept});
     if (size.n_rows > 0)

@@ -185,8 +185,8 @@ namespace vibrocontact
     if (!transient.is_reduced())
       return; // its modes are others
     for (const auto &body : bodies)
-      if (body && body->parameters.name == transient.perturbed_body() && !body->parameters.rolls() &&
-          body->reduction.is_cached(false, true))
+      if (body && body->parameters.name == transient.perturbed_body() &&
+          !body->parameters.has_complex_modes() && body->reduction.is_cached(false, true))
       {
         std::vector<std::string> labels;
         for (const std::string &label : body->reduction.modal().labels)

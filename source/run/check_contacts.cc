@@ -315,7 +315,7 @@ namespace vibrocontact
     {
       if (body.is_periodic_rail() && !parameters.stability.is_hysteretic())
         refuse("a periodic rail (" + body.name + ") by its poles in time: set Stability/Loss to hysteretic");
-      if (body.is_green() || body.rolls())
+      if (body.is_green() || body.has_complex_modes())
         refuse("a body known by poles (" + body.name + ")");
     }
   }

@@ -26,9 +26,8 @@ namespace vibrocontact
       any = true;
       const std::string begin = "Analyses lists export, but " + body.name + " ";
       if (body.has_load())
-        throw InputError(begin +
-                         "stands under a load, which matrices do not hold: set Gravity to 0 and leave "
-                         "its traction out.");
+        throw InputError(begin + "stands under a load or turns, which matrices do not hold: set Gravity and "
+                                 "Rotation/Speed to 0 and leave its traction out.");
       if (body.rolls())
         throw InputError(begin + "turns, so that its matrices are not symmetric: set Rotation to false.");
       if (parameters.modes.at(body.name).stiffness_damping > 0)

@@ -170,6 +170,51 @@ namespace vibrocontact
       }
     }
 
+    /// A body that turns steadily, and what it touches, are seen in axes that turn with it.
+    void check_rotations(const Parameters &parameters)
+    {
+      for (const BodyParameters &body : parameters.scene.bodies)
+      {
+        const RotationParameters &rotation = body.rotation;
+        const std::string section = body.name + "/Rotation";
+        if (!rotation.turns())
+          continue;
+        for (const BodyParameters &other : parameters.scene.bodies)
+          if (parameters.has_contact() && other.vibrates() && !rotation.is_same_as(other.rotation))
+            throw InputError(section + "/Speed is " + number_text(rotation.speed) + " rad/s, but " +
+                             other.name +
+                             ", which it may touch, vibrates and does not turn with it, about the same axis: "
+                             "give both the same section Rotation, or make " +
+                             other.name + " rigid or a half-space.");
+        if (parameters.scene.runs("periodic") && parameters.largest_friction() > 0)
+          throw InputError(section + "/Speed is not 0, but there is friction: periodic motion does not know "
+                                     "how fast the body slides past what it touches; set the friction "
+                                     "coefficient to 0.");
+        if (!rotation.has_coriolis())
+          continue;
+        const std::string forces = section + "/Coriolis is true, but ",
+                          advice = "; set it to false, or leave that out.";
+        if (parameters.scene.runs("frequency response") && parameters.frequency_response.asks_for(body.name))
+          throw InputError(forces + "the frequency response of " + body.name +
+                           " is made of real modes or symmetric matrices" + advice);
+        for (const auto &[of_analysis, model] : unreduced_models(parameters))
+          throw InputError(forces + of_analysis + "/Model is " + model +
+                           ", which knows symmetric matrices alone" + advice);
+        if (parameters.scene.runs("stability") && parameters.stability.is_hysteretic())
+          throw InputError(
+              forces + "Stability/Loss is hysteretic, which poles, whose damping is viscous, do not have" +
+              advice);
+        if (parameters.scene.runs("periodic") && !parameters.periodic.is_reduced())
+          throw InputError(forces + "Periodic/Model is finite elements, which go by real modes" + advice);
+        if (parameters.scene.runs("periodic") &&
+            (parameters.periodic.reference || parameters.periodic.continuation.tells_stability()))
+          throw InputError(forces +
+                           (parameters.periodic.reference ? "Periodic/Reference is true"
+                                                          : "Periodic/Continuation/Stability is not none") +
+                           ", which is found from real modes" + advice);
+      }
+    }
+
     /// What Stability/Loss = hysteretic knows of each body.
     void check_hysteretic_loss(const Parameters &parameters)
     {
@@ -302,7 +347,7 @@ namespace vibrocontact
     {
       std::vector<std::string> with_modes;
       for (const BodyParameters &body : scene.bodies)
-        if (body.is_meshed() && !body.rolls())
+        if (body.is_meshed() && !body.has_complex_modes())
           with_modes.push_back(body.name);
       check_transient(*this);
       if (sweeps.at("transient").any())
@@ -385,6 +430,7 @@ namespace vibrocontact
           "Stability/Second count knows constant friction only: take the Contact/Friction law coulomb (a "
           "Static friction ratio of 1) or leave the count out.");
     check_harmonics(*this);
+    check_rotations(*this);
     check_hysteretic_loss(*this);
     for (const auto &[section, model] : unreduced_models(*this))
       for (const BodyParameters &body : scene.bodies)

@@ -65,6 +65,17 @@ namespace vibrocontact
     }
   } // namespace
 
+  namespace
+  {
+    void add_rotation(EntriesRead &entries, const BodyParameters &body, const BodyUse &use)
+    {
+      const std::string section = body.name + "/Rotation", turns = section + "/Speed is not 0";
+      entries.add(section, "Speed");
+      entries.add_if(body.rotation.turns(), turns, section, "Axis, Point on axis");
+      entries.add_if(body.rotation.turns() && use.motion, turns + " and the body moves", section, "Coriolis");
+    }
+  } // namespace
+
   void add_pole_numbers(EntriesRead &entries, const IdentificationParameters &identification,
                         const bool is_read, const std::string &condition)
   {
@@ -96,7 +107,9 @@ namespace vibrocontact
     // its modes are what its material flows in
     if (use.contact && body.rolls())
       use.motion = use.loss = use.scaled_damping = true;
-    use.heavy = use.loads && body.loads.gravity != 0;
+    // their stress stiffens it
+    use.loads = use.loads || (body.is_solid() && body.is_prestressed());
+    use.heavy = (use.loads && body.loads.gravity != 0) || body.rotation.turns();
     use.in_a_point = parameters.touches_in_a_point();
     if (body.description->has_material())
       add_material(entries, body, use);
@@ -104,6 +117,8 @@ namespace vibrocontact
       add_modes(entries, body, parameters.modes.at(body.name), use);
     if (body.is_solid() || body.description->takes_gravity())
       entries.add_if(use.loads, "loads matter to the analysis", body.name + "/Loads", "Gravity");
+    if (body.description->may_turn())
+      add_rotation(entries, body, use);
     if (body.is_solid())
     {
       entries.add(body.name + "/Solver", "Method");
@@ -114,6 +129,15 @@ namespace vibrocontact
       entries.add_if(use.loads && !body.loads.traction_boundary.empty(),
                      "loads matter to the analysis and there is a Traction boundary", body.name + "/Loads",
                      "Traction");
+      entries.add_if(use.loads && body.loads.pressure != 0,
+                     "loads matter to the analysis and there is a Pressure", body.name + "/Loads",
+                     "Pressure boundary");
+      entries.add_if(use.loads && !body.loads.pressure_boundary.empty(),
+                     "loads matter to the analysis and there is a Pressure boundary", body.name + "/Loads",
+                     "Pressure");
+      entries.add_if(body.loads.any() && !body.rotation.turns(),
+                     "there are loads and the body does not turn, by which it is prestressed anyway",
+                     body.name + "/Loads", "Prestress");
     }
     // of a fresh one: to declare entries sets what they are bound to
     if (!body.description->add_entries(entries, section, use))

@@ -6,6 +6,7 @@
 #include <vibrocontact/coupled_bodies/contact_pair.h>
 #include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/trace_assembly.h>
+#include <vibrocontact/reduction/prestressed_body.h>
 #include <vibrocontact/run/meshed_body.h>
 
 #include <limits>
@@ -29,6 +30,11 @@ namespace vibrocontact
           (entry.name == "Materials" && entry.value.empty()))
         continue;
       if (as_drawn && (entry.name == "Web thickness change" || entry.name == "Web radii"))
+        continue;
+      // as those of a body at rest they change nothing, and are younger than many a cache
+      const bool is_young = entry.section == body + "/Rotation" || entry.name.rfind("Pressure", 0) == 0 ||
+                            entry.name == "Prestress";
+      if (is_young && entry.value == entry.default_value)
         continue;
       // what turns is made of the modes at rest
       if (entry.section == body + "/Wheel" && entry.name == "Rotation")
@@ -95,7 +101,7 @@ namespace vibrocontact
       request.modes = modes;
       request.solver = solver;
       request.cache_directory = cache_directory;
-      request.flows = parameters.rolls();
+      request.flows = parameters.has_complex_modes();
       if (const auto height = parameters.axle_height(lateral_position))
         request.wheel = WheelFrame{*height, rim_radius(parameters, modes)};
       return request;
@@ -136,6 +142,8 @@ namespace vibrocontact
     const Progress progress(parameters.name + ": assembly of " + number_text(n_dofs) + " dofs", 1,
                             20e-6 * n_dofs / dealii::Utilities::MPI::n_mpi_processes(communicator));
     std::unique_ptr<SecondOrderSystem> system = assemble_body(elastic_body());
+    if (parameters.is_prestressed())
+      prestress(elastic_body(), reduction.solver(), *system);
     if (!places.empty())
     {
       check_contact();

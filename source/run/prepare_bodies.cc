@@ -4,6 +4,7 @@
 #include <vibrocontact/base/memory.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/base/run_communicator.h>
+#include <vibrocontact/bodies/rolling_modes.h>
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/output/scene_picture.h>
 #include <vibrocontact/output/scene_summary.h>
@@ -76,8 +77,8 @@ namespace vibrocontact
     return bodies;
   }
 
-  void add_damping(ReducedBody &body, const BodyParameters &parameters, const ModeParameters &modes,
-                   const bool with_dampers)
+  void add_velocity_forces(ReducedBody &body, const BodyParameters &parameters, const ModeParameters &modes,
+                           const bool with_dampers)
   {
     const RevolvedShapes *const section = body.section.get();
     if (section && parameters.material_loss_factor() > 0)
@@ -86,6 +87,14 @@ namespace vibrocontact
     if (body.loss.m() > 0)
       body.loss *= modes.damping_factor;
     body.relaxation = modes.stiffness_damping;
+    if (parameters.rotation.has_coriolis() && body.flow)
+    {
+      static_cast<BodyInContact &>(body) = rolling_modes(body, *body.flow, parameters.rotation.speed);
+      body.flow = nullptr;
+      body.loss = DenseMatrix();
+      body.n_rigid_modes = 0;
+      return;
+    }
     const std::vector<WheelDamper> *const dampers = parameters.description->wheel_dampers();
     if (!with_dampers || !section || !dampers || dampers->empty())
       return;
@@ -110,7 +119,9 @@ namespace vibrocontact
     result.loss = modal.loss;
     result.trace.reinit(0, modal.omega.size());
     result.section = body.reduction.revolved_shapes();
-    add_damping(result, parameters, body.reduction.request().modes);
+    if (parameters.rotation.has_coriolis())
+      result.flow = body.reduction.flow();
+    add_velocity_forces(result, parameters, body.reduction.request().modes);
     return result;
   }
 
@@ -130,6 +141,7 @@ namespace vibrocontact
       if (body)
       {
         body->reduction.statics();
+        // Coriolis forces have no part in statics
         if ((with_modes || body->parameters.rolls()) && body->reduction.request().modes.any())
           body->reduction.modal();
       }
@@ -161,6 +173,7 @@ namespace vibrocontact
       if (wants_modes(parameters, body))
         size.n_modes = request.modes.count > 0 ? request.modes.count : supposed_modes;
       size.counts_first = request.modes.count == 0;
+      size.prestressed = body.parameters.is_prestressed() && body.parameters.has_load();
       const ReductionCost direct = reduction_cost(size),
                           iterative = reduction_cost(size, StiffnessSolver::iterative);
       if (const auto named = request.solver.named())

@@ -1,5 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/scene/block.h>
+#include <vibrocontact/scene/held_part.h>
 #include <vibrocontact/scene/mesh_quality.h>
 
 #include <deal.II/grid/grid_generator.h>
@@ -43,9 +45,9 @@ namespace vibrocontact
                       Patterns::Selection("top|bottom"));
     prm.add_parameter(
         "Held", held,
-        "Boundaries that are held, out of left, right, front, back, bottom, top; empty: a free body. "
-        "Units: none.",
-        Patterns::List(Patterns::Selection("left|right|front|back|bottom|top"), 0, 6, ","));
+        "Boundaries that are held, out of left, right, front, back, bottom, top; right: yz holds those "
+        "directions alone; empty: a free body. Units: none.",
+        Patterns::List(Patterns::Anything(), 0, 6, ","));
     prm.add_parameter("Offset x", offset_x, "Shift of the box along x. Units: m.", Double());
     prm.add_parameter("Offset y", offset_y, "Shift of the box along y. Units: m.", Double());
   }
@@ -59,9 +61,16 @@ namespace vibrocontact
         text << section << "/" << entry << " is " << size << " m: give a size between 1e-6 and 100 m.";
         throw InputError(text.str());
       }
-    if (std::find(held.begin(), held.end(), contact_face) != held.end())
-      throw InputError(section + "/Held contains the contact face '" + contact_face +
-                       "': a held face cannot deform in contact; hold another one.");
+    static const std::vector<std::string> faces = {"left", "right", "front", "back", "bottom", "top"};
+    for (const HeldPart &part : held_parts(held, section + "/Held"))
+    {
+      if (std::find(faces.begin(), faces.end(), part.boundary) == faces.end())
+        throw InputError(section + "/Held: there is no boundary \"" + part.boundary + "\"; " +
+                         name_suggestion(part.boundary, faces));
+      if (part.boundary == contact_face)
+        throw InputError(section + "/Held contains the contact face '" + contact_face +
+                         "': a held face cannot deform in contact; hold another one.");
+    }
   }
 
   FlatFace BlockParameters::contact_rectangle(const double lateral_position) const
@@ -139,8 +148,8 @@ namespace vibrocontact
 
   void BlockParameters::hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const
   {
-    for (const std::string &boundary : held)
-      model.held.push_back(mesh.boundary_id(boundary));
+    for (const HeldPart &part : held_parts(held, "Held"))
+      model.held.emplace_back(mesh.boundary_id(part.boundary), part.directions);
   }
 
   std::string BlockParameters::way_to_turn(const std::string &, const bool above) const

@@ -1,3 +1,4 @@
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/named_table.h>
 #include <vibrocontact/scene/bar.h>
 #include <vibrocontact/scene/beam_rail.h>
@@ -17,6 +18,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vibrocontact
 {
@@ -112,6 +114,8 @@ namespace vibrocontact
       prm.leave_subsection();
     }
     declare(body_type().section, *description);
+    if (description->may_turn())
+      declare("Rotation", rotation);
     if (is_solid())
       declare("Loads", loads);
     if (description->takes_gravity())
@@ -131,6 +135,31 @@ namespace vibrocontact
     description->check(section + "/" + body_type().section);
     if (is_solid())
       loads.check(section + "/Loads");
+    if (description->may_turn())
+      check_rotation(section + "/Rotation");
+    if (!is_prestressed())
+      return;
+    const auto [empty, advice] = description->missing_support(name);
+    if (!empty.empty())
+      throw InputError(
+          (rotation.turns() ? section + "/Rotation/Speed is not 0" : section + "/Loads/Prestress is true") +
+          ", but " + empty + ", so that nothing holds the body against its loads; " + advice + ".");
+  }
+
+  void BodyParameters::check_rotation(const std::string &section) const
+  {
+    rotation.check(section);
+    if (!rotation.turns())
+      return;
+    if (description->is_wheel())
+      throw InputError(section + "/Speed is given, but " + name +
+                       " is a wheel, whose contact does not turn with it: leave it out; a wheel of Model = "
+                       "harmonics turns by Wheel/Rotation.");
+    const SteadyRotation<3> steady = rotation.steady();
+    if (loads.gravity != 0 && std::abs(steady.axis[2]) < 1 - 1e-12)
+      throw InputError(section +
+                       "/Axis is not along z, but there is a Gravity, whose direction changes all the time "
+                       "for a body that turns: set Loads/Gravity to 0 or turn about z.");
   }
 
   double BodyParameters::material_loss_factor() const

@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/scene/gmsh_file.h>
+#include <vibrocontact/scene/held_part.h>
 #include <vibrocontact/scene/mesh_file.h>
 #include <vibrocontact/scene/mesh_quality.h>
 #include <vibrocontact/scene/wheel.h>
@@ -32,7 +33,8 @@ namespace vibrocontact
                       "Physical name of the boundary that can come into contact. Units: none.",
                       Patterns::Anything());
     prm.add_parameter("Held groups", held_groups,
-                      "Physical names of the boundaries that are held; empty: a free body. Units: none.",
+                      "Physical names of the boundaries that are held; name: yz holds those directions "
+                      "alone; empty: a free body. Units: none.",
                       Patterns::List(Patterns::Anything(), 0, 100, ","));
     prm.add_parameter("Foundation groups", foundation_groups,
                       "Physical names of the boundaries that stand on springs to rigid ground, such as the "
@@ -65,9 +67,10 @@ namespace vibrocontact
       throw InputError(section + "/File is empty: give the path of a gmsh file.");
     if (!std::ifstream(file) || std::filesystem::is_directory(file))
       throw InputError(section + "/File: cannot read " + file + "; give the path of an existing gmsh file.");
-    for (const auto &group : held_groups)
-      if (group == contact_group)
-        throw InputError(section + "/Held groups contains the contact group '" + group +
+    const std::vector<HeldPart> held = held_parts(held_groups, section + "/Held groups");
+    for (const HeldPart &part : held)
+      if (part.boundary == contact_group)
+        throw InputError(section + "/Held groups contains the contact group '" + contact_group +
                          "': a held face cannot deform in contact; take it out of the list.");
     const bool some = std::any_of(foundation_stiffness.begin(), foundation_stiffness.end(),
                                   [](const double k) { return k > 0; });
@@ -87,7 +90,8 @@ namespace vibrocontact
       if (group == contact_group)
         throw InputError(section + "/Foundation groups contains the contact group '" + group +
                          "': one surface cannot do both; take it out of the list.");
-      if (std::find(held_groups.begin(), held_groups.end(), group) != held_groups.end())
+      if (std::any_of(held.begin(), held.end(),
+                      [&](const HeldPart &part) { return part.boundary == group && part.holds_all(); }))
         throw InputError(section + "/Foundation groups contains '" + group +
                          "', which Held groups holds rigidly; take it out of one of the lists.");
     }
@@ -161,8 +165,8 @@ namespace vibrocontact
                        (list.empty() ? "it has no named surface: name one in gmsh."
                                      : "name one of those it has: " + list + "."));
     };
-    for (const auto &group : parameters.held_groups)
-      require(group, "Held groups");
+    for (const HeldPart &part : held_parts(parameters.held_groups, name + "/Mesh/Held groups"))
+      require(part.boundary, "Held groups");
     for (const auto &group : parameters.foundation_groups)
       require(group, "Foundation groups");
     if (grid)
@@ -213,8 +217,8 @@ namespace vibrocontact
 
   void add_supports(ElasticModel<3> &model, const MeshFileParameters &parameters, const BodyMesh<3> &mesh)
   {
-    for (const std::string &group : parameters.held_groups)
-      model.held.push_back(mesh.boundary_id(group));
+    for (const HeldPart &part : held_parts(parameters.held_groups, "Held groups"))
+      model.held.emplace_back(mesh.boundary_id(part.boundary), part.directions);
     for (const std::string &group : parameters.foundation_groups)
     {
       SpringBed<3> bed;

@@ -41,4 +41,9 @@ namespace vibrocontact
   /// Orthonormal basis of the rigid motions (3 in 2d, 6 in 3d) on the unconstrained dofs.
   template <int dim>
   std::vector<dealii::PETScWrappers::MPI::Vector> rigid_motions(const ElasticBody<dim> &body);
+
+  /// Of these what the supports leave: all without supports, none on springs, some where boundaries are held in some directions
+  /// alone (a half of a symmetric body). Orthonormal.
+  template <int dim>
+  std::vector<dealii::PETScWrappers::MPI::Vector> free_rigid_motions(const ElasticBody<dim> &body);
 } // namespace vibrocontact

@@ -15,6 +15,8 @@ namespace vibrocontact
   ///
   /// and the hoop tension by which the ring carries its own rotation, rho Omega^2 r^2 at the radius r, gives the last term
   /// once more, with the other sign: the stiffness is that at rest (doc/theory.md, "A rolling ring by elements").
+  ///
+  /// Of a body that is seen in axes that turn with it (fe/prestress.h) `fixed` alone, its Coriolis forces: nothing flows.
   struct MaterialFlow
   {
     /// G = int rho N_i . dN_j/dtheta dV, in axes that do not turn: what inertia feels; antisymmetric [kg]

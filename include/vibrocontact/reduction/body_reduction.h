@@ -23,7 +23,7 @@ namespace vibrocontact
     StiffnessSolverParameters solver = {};
     /// a wheel's modes are labelled and damped by Eq. 23, any other body's by strain energy
     std::optional<WheelFrame> wheel;
-    /// its material turns past its contact points: SecondOrderSystem::flow belongs to its modes
+    /// its material turns past its contact points or has Coriolis forces: SecondOrderSystem::flow belongs to its modes
     bool flows = false;
     /// empty: nothing is kept between runs
     std::string cache_directory;
@@ -56,6 +56,12 @@ namespace vibrocontact
       modal();
       return section_part;
     }
+    /// What belongs to its modes if it flows or has Coriolis forces; null: neither.
+    std::shared_ptr<const FlowReduction> flow()
+    {
+      modal();
+      return flow_part;
+    }
     /// Mass of the attachment responses, P_c G M G P_c^T (reduction/attachment_inertia.h).
     DenseMatrix attachment_mass();
     /// The shapes themselves: not kept in the cache, computed if this run has not yet done so.
@@ -77,6 +83,7 @@ namespace vibrocontact
     bool was_factorised() const { return static_cast<bool>(factorised); }
     /// Before it is factorised: what an automatic choice of the solver has become. Without, it is direct.
     void choose(StiffnessSolver solver) { chosen = solver; }
+    StiffnessSolver solver() const { return chosen; }
     /// Whether the parts asked for are in the cache; they are loaded if so. Collective.
     bool is_cached(bool with_statics, bool with_modes);
     /// File that keeps the modes between runs; empty without a cache.

@@ -27,6 +27,8 @@ namespace vibrocontact
     double n_modes = 0;
     /// the modes up to a frequency are counted before they are sought
     bool counts_first = false;
+    /// the stress of its loads belongs to its stiffness (reduction/prestressed_body.h)
+    bool prestressed = false;
   };
 
   /// What the reduction of a solid body costs, told from its size. Quadratic hexahedra, measured on cubes up to 1 million
@@ -37,6 +39,7 @@ namespace vibrocontact
   ///     approximate factors  4.5 bytes for each of these entries, of which about half are kept
   ///     operations           0.2 e^(3/2) for e entries; approximate 2.6e12 (n / 1e6)^1.4 c^(3/2)
   ///     count of modes       a second factorisation that keeps nothing: 0.7 of the first
+  ///     prestress            a factorisation before, and a count of negative eigenvalues if direct
   ///     modes                3 vectors per mode (the basis is twice as long as what is sought) and 19 blocks of 8; if
   ///                          iterative, with a second search
   ///     contact compliance   two dense matrices of the size of its rows; if iterative, five steps for each column, in

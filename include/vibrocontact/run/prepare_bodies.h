@@ -37,9 +37,9 @@ namespace vibrocontact
   void reduce_bodies(const MeshedBodies &bodies, bool with_modes);
 
   /// What comes in after the reduction of a meshed body: the losses of the materials of a wheel by harmonics, Damping factor and
-  /// Stiffness damping (by which its rest relaxes), and a wheel's dampers.
-  void add_damping(ReducedBody &body, const BodyParameters &parameters, const ModeParameters &modes,
-                   bool with_dampers = true);
+  /// Stiffness damping (by which its rest relaxes), a wheel's dampers, and Coriolis forces, with which it moves by poles.
+  void add_velocity_forces(ReducedBody &body, const BodyParameters &parameters, const ModeParameters &modes,
+                           bool with_dampers = true);
 
   /// The modes of a body without contact, with all that damps it. Collective.
   /// @param parameters of the case that asks; cases that differ by dampers and losses share the reduction

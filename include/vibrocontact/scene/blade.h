@@ -35,6 +35,7 @@ namespace vibrocontact
     BodyMesh<3> make_mesh(const MeshRequest &request) const override;
     void hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const override;
     unsigned int mesh_degree() const override { return element_degree; }
+    bool may_turn() const override { return true; }
     std::string example_of_points() const override { return "corner: 0.04, 0.003, 0.2"; }
   };
 

@@ -39,6 +39,7 @@ namespace vibrocontact
       return contact_rectangle(lateral_position);
     }
     bool follows_lateral_position() const override { return true; }
+    bool may_turn() const override { return true; }
     std::string contact_surface(const std::string &name) const override
     {
       return name + "/Block/Contact face";

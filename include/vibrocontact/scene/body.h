@@ -3,6 +3,7 @@
 #include <vibrocontact/scene/body_description.h>
 #include <vibrocontact/scene/loads.h>
 #include <vibrocontact/scene/material.h>
+#include <vibrocontact/scene/rotation.h>
 
 #include <functional>
 #include <memory>
@@ -41,6 +42,8 @@ namespace vibrocontact
     /// before the declaration which subsections of Material exist; empty: `material` for the whole body
     std::vector<std::pair<std::string, ElasticMaterial>> materials;
     LoadParameters loads;
+    /// of a type that may turn
+    RotationParameters rotation;
     /// the section of its type; copies share it
     std::shared_ptr<BodyDescription> description;
     /// that the type is one of; never null
@@ -58,23 +61,27 @@ namespace vibrocontact
     bool is_revolved() const { return description->revolved() != nullptr; }
     /// a ring that turns with the speed of rolling
     bool rolls() const { return description->rolls(); }
+    /// stiffened by the stress of its rotation or its loads
+    bool is_prestressed() const { return rotation.turns() || (is_solid() && loads.prestress); }
+    /// moves by poles that are made of its modes: a ring or a wheel that rolls, a body with Coriolis forces
+    bool has_complex_modes() const { return rolls() || rotation.has_coriolis(); }
     /// known between its own contact points alone, by modes or by Green's functions
     bool is_green() const { return description->has_own_points(); }
     /// a rail without ends, known by its receptance
     bool is_periodic_rail() const { return description->periodic_rail() != nullptr; }
     /// what has poles and no real modes
-    bool is_known_by_poles() const { return description->measured() || rolls() || is_periodic_rail(); }
+    bool is_known_by_poles() const
+    {
+      return description->measured() || has_complex_modes() || is_periodic_rail();
+    }
     /// has modes or poles, in which it moves
     bool vibrates() const { return is_meshed() || is_green() || is_periodic_rail(); }
     /// Whether its material or its supports take energy.
     bool has_loss() const { return material_loss_factor() > 0 || description->has_loss(); }
     /// of the material, of several the one that loses most; 0 if it has none [-]
     double material_loss_factor() const;
-    /// stands under gravity or a traction
-    bool has_load() const
-    {
-      return description->has_weight() || loads.gravity != 0 || !loads.traction_boundary.empty();
-    }
+    /// stands under gravity, a traction, a pressure or its own centrifugal forces
+    bool has_load() const { return description->has_weight() || loads.any() || rotation.turns(); }
     /// can come into contact in one point only
     bool is_point() const
     {
@@ -92,6 +99,8 @@ namespace vibrocontact
     std::optional<std::pair<double, double>> contact_limits() const;
 
   private:
+    void check_rotation(const std::string &section) const;
+
     std::string materials_entry;
   };
 

@@ -107,6 +107,8 @@ namespace vibrocontact
     virtual bool is_driven_along_stop() const { return true; }
     /// nothing moves along y
     virtual bool is_plane() const { return false; }
+    /// may turn steadily about an axis as a whole, seen in axes that turn with it: has a section Rotation
+    virtual bool may_turn() const { return false; }
     /// its material does not flow through the contact: slides, but does not roll
     virtual bool stays_in_place() const { return false; }
     /// takes energy beside its material

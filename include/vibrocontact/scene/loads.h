@@ -18,6 +18,13 @@ namespace vibrocontact
     /// boundary under a uniform traction, empty: none; traction in x, y, z [Pa]
     std::string traction_boundary;
     std::vector<double> traction = {0, 0, 0};
+    /// boundary under a uniform pressure, empty: none; against its outward normal [Pa]
+    std::string pressure_boundary;
+    double pressure = 0;
+    /// the stress of the loads stiffens the body (fe/prestress.h)
+    bool prestress = false;
+
+    bool any() const { return gravity != 0 || !traction_boundary.empty() || !pressure_boundary.empty(); }
 
     /// Of bodies that know no other load.
     void declare_gravity(dealii::ParameterHandler &prm);

@@ -49,6 +49,7 @@ namespace vibrocontact
     void hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const override;
     unsigned int mesh_degree() const override { return element_degree; }
     bool has_groups() const override { return true; }
+    bool may_turn() const override { return true; }
     bool has_loss() const override { return foundation_loss_factor > 0; }
     std::optional<FlatFace> flat_face(double lateral_position) const override;
     std::optional<SectionOutline> wheel_section() const override;

@@ -43,7 +43,7 @@ namespace vibrocontact
           continue;
         const std::string &name = body->parameters.name;
         ReducedBody reduced = body->reduction.reduced(true);
-        add_damping(reduced, body->parameters, body->reduction.request().modes);
+        add_velocity_forces(reduced, body->parameters, body->reduction.request().modes);
         const BodyMatrices matrices = body_matrices(reduced);
         nlohmann::ordered_json json = {{"n_modes", matrices.n_modes},
                                        {"n_rigid_modes", matrices.n_rigid_modes},

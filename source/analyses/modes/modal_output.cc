@@ -10,16 +10,21 @@ namespace vibrocontact
     nlohmann::ordered_json stages = nlohmann::ordered_json::object();
     for (const auto &[stage, seconds] : result.stages)
       stages[stage] = seconds;
-    return {{"frequencies_Hz", result.frequencies_Hz},
-            {"labels", result.labels},
-            {"damping_ratio", result.damping_ratio},
-            {"n_rigid_modes", result.n_rigid_modes},
-            {"n_dofs", result.n_dofs},
-            {"orthonormality_error", result.orthonormality_error},
-            {"residual", result.residual},
-            {"damping_coupling", result.damping_coupling},
-            {"stages_s", stages},
-            {"seconds", result.seconds}};
+    nlohmann::ordered_json json = {{"frequencies_Hz", result.frequencies_Hz},
+                                   {"labels", result.labels},
+                                   {"damping_ratio", result.damping_ratio},
+                                   {"n_rigid_modes", result.n_rigid_modes},
+                                   {"n_dofs", result.n_dofs},
+                                   {"orthonormality_error", result.orthonormality_error},
+                                   {"residual", result.residual},
+                                   {"damping_coupling", result.damping_coupling},
+                                   {"stages_s", stages},
+                                   {"seconds", result.seconds}};
+    if (result.speed != 0)
+      json["rotation_rad_s"] = result.speed;
+    if (!result.without_coriolis_Hz.empty())
+      json["frequencies_without_coriolis_Hz"] = result.without_coriolis_Hz;
+    return json;
   }
 
   Table modal_table(const ModalResult &result)

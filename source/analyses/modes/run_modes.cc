@@ -89,17 +89,46 @@ namespace vibrocontact
             }
           });
     }
+
+    /// Of complex modes, at one moment and a quarter of a period later. They depend on the damping, which is no part of what
+    /// is kept.
+    void write_complex_shapes(MeshedBody &body, const ModalResult &modes, const std::string &folder)
+    {
+      const std::vector<dealii::PETScWrappers::MPI::Vector> &real = body.reduction.shapes().shapes;
+      for (const bool later : {false, true})
+      {
+        std::vector<dealii::PETScWrappers::MPI::Vector> shapes;
+        for (unsigned int k = 0; k < modes.amplitudes.n(); ++k)
+        {
+          shapes.emplace_back(real.front());
+          shapes.back() = 0;
+          // Re of the amplitude times 1 and times i
+          for (unsigned int i = 0; i < modes.amplitudes.m(); ++i)
+            shapes.back().add(later ? -modes.amplitudes(i, k).imag() : modes.amplitudes(i, k).real(),
+                              real[i]);
+        }
+        std::vector<FieldState> states;
+        for (unsigned int k = 0; k < shapes.size(); ++k)
+          states.push_back({&shapes[k], modes.frequencies_Hz[k]});
+        write_surface_fields(body.elastic_body(), states, folder,
+                             "mode_" + body.parameters.name + (later ? "_quarter_period_later" : ""));
+      }
+    }
   } // namespace
 
   void run_modes(MeshedBody &body, const bool fields, const std::string &folder, Results &results)
   {
     const std::string &name = body.parameters.name;
     run_log().block("Modes of " + name);
+    const bool complex = body.parameters.rotation.has_coriolis();
+    // double modes differ from one computation to the next: their amplitudes are those of these shapes
+    if (fields && complex)
+      body.reduction.shapes();
     const ModalResult modes = modal_analysis(body);
     results.analyses["modes"][name] = modal_json(modes);
     on_first_rank([&] { modal_table(modes).write(folder + "/modes_" + name + ".csv"); });
     if (fields && body.parameters.is_solid())
-      write_shapes(body, modes, folder);
+      complex ? write_complex_shapes(body, modes, folder) : write_shapes(body, modes, folder);
     if (fields && body.parameters.is_revolved())
       write_surface_shapes(body, modes, folder);
   }

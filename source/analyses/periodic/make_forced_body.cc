@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/periodic/make_forced_body.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/bodies/rolling_modes.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
 #include <vibrocontact/fe/dense_system.h>
 #include <vibrocontact/fe/nearest_dof.h>
@@ -100,6 +101,9 @@ namespace vibrocontact
       const ModeParameters &damping = parameters.modes.at(parameters.scene.bodies[number].name);
       ForcedBody body{reduce_to_points(system, reduction.flexibility(), modes,
                                        damping.scaled(damping_ratio, modes.omega), rows)};
+      const RotationParameters &rotation = parameters.scene.bodies[number].rotation;
+      if (rotation.has_coriolis())
+        static_cast<BodyInContact &>(body) = rolling_modes(body, *reduction.flow(), rotation.speed);
       body.relaxation = damping.stiffness_damping;
       body.force_row = n;
       if (periodic.contact_points_on(number).empty())

@@ -23,7 +23,7 @@ namespace vibrocontact
           throw InputError(
               "Body " + body.parameters->name +
               " cannot be pressed down by its hub: body 1 must be carried by a held boundary alone, without "
-              "springs; make it body 2 or hold it.");
+              "springs and without Rotation; make it body 2 or hold it.");
       }
     }
 

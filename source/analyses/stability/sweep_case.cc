@@ -42,7 +42,7 @@ namespace vibrocontact
       else if (reduced)
         meshed = *reduced;
       if (meshed && body.is_meshed())
-        add_damping(*meshed, body, parameters.modes.at(body.name), with_dampers);
+        add_velocity_forces(*meshed, body, parameters.modes.at(body.name), with_dampers);
       if (reduced && body.is_periodic_rail())
         with_poles = reduced->n_poles() > 0;
       own[k] = body_of_contact(parameters, std::move(meshed), measured, k);

@@ -73,8 +73,8 @@ namespace vibrocontact
       double largest = 0;
       for (unsigned int k = 0; k < bodies.size(); ++k)
       {
-        // what rolls is known by poles at its contact points
-        if (!bodies[k] || bodies[k]->parameters.rolls())
+        // known by poles at its contact points
+        if (!bodies[k] || bodies[k]->parameters.has_complex_modes())
           continue;
         if (!bodies[k]->reduction.has_surface_shapes())
         {

@@ -349,7 +349,7 @@ namespace vibrocontact
     {
       for (const ProbeRequest &request : parse_probes(on.parameters.signals.probes))
         for (const auto &body : on.bodies)
-          if (body && !body->parameters.rolls() &&
+          if (body && !body->parameters.has_complex_modes() &&
               (request.body == body->parameters.name ||
                (request.name.empty() && body->reduction.request().wheel)))
             body->reduction.surface_shapes();

@@ -16,7 +16,7 @@ namespace vibrocontact
       if (!bodies[b])
         continue;
       MeshedBody &body = *bodies[b];
-      if (body.parameters.rolls())
+      if (body.parameters.has_complex_modes())
       {
         if (body.reduction.request().wheel && !requests.empty())
           run_log().line("no probes on " + body.parameters.name +

@@ -12,8 +12,14 @@ namespace vibrocontact
   struct ModalResult
   {
     std::string body;
-    /// ascending, rigid modes first as 0 [Hz]
+    /// ascending, rigid modes first as 0; with Coriolis forces |lambda| / (2 pi) of the complex modes [Hz]
     std::vector<double> frequencies_Hz;
+    /// with Coriolis forces those of the real modes without them [Hz]
+    std::vector<double> without_coriolis_Hz;
+    /// with Coriolis forces amplitudes of the real modes in each; n_modes x n_poles, of which a mode damped beyond critical has two
+    ComplexMatrix amplitudes = ComplexMatrix();
+    /// of a body that turns [rad/s]
+    double speed = 0;
     std::vector<std::string> labels;
     /// [-]
     std::vector<double> damping_ratio;

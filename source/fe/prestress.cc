@@ -1,0 +1,175 @@
+#include <vibrocontact/fe/prestress.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Also of the direction across a plane body, whose strain is zero.
+    template <int dim>
+    double von_mises(const SymmetricTensor<2, dim> &stress, const double across)
+    {
+      const double mean = (trace(stress) + (dim == 2 ? across : 0.)) / 3;
+      double square = dim == 2 ? std::pow(across - mean, 2) : 0.;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          square += std::pow(stress[i][j] - (i == j ? mean : 0.), 2);
+      return std::sqrt(1.5 * square);
+    }
+
+    template <int dim>
+    void add_pressure(const FEFaceValues<dim> &values, const double pressure, FullMatrix<double> &matrix)
+    {
+      const FiniteElement<dim> &element = values.get_fe();
+      const auto term = [&](const unsigned int a, const unsigned int b, const unsigned int q)
+      {
+        const unsigned int i = element.system_to_component_index(a).first,
+                           j = element.system_to_component_index(b).first;
+        const Tensor<1, dim> n = values.normal_vector(q), slope = values.shape_grad(b, q);
+        return values.shape_value(a, q) * (n[i] * slope[j] - n[j] * slope[i]);
+      };
+      for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+        for (unsigned int a = 0; a < matrix.m(); ++a)
+          for (unsigned int b = 0; b < matrix.n(); ++b)
+            matrix(a, b) += pressure / 2 * (term(a, b, q) + term(b, a, q)) * values.JxW(q);
+    }
+  } // namespace
+
+  template <int dim>
+  PrestressNumbers add_prestress(const ElasticBody<dim> &body, const PETScWrappers::MPI::Vector &displacement,
+                                 SecondOrderSystem &system)
+  {
+    const ElasticModel<dim> &model = body.model;
+    const PETScWrappers::MPI::Vector u = body.complete(displacement);
+    const FESystem<dim> &element = body.element;
+    const FiniteElement<dim> &scalar = element.base_element(0);
+    const unsigned int n = element.n_dofs_per_cell(), n_nodes = scalar.n_dofs_per_cell(),
+                       n_gauss = scalar.degree + 1;
+    FEValues<dim> values(body.mapping, scalar, QGauss<dim>(n_gauss),
+                         update_values | update_gradients | update_JxW_values);
+    FEFaceValues<dim> face_values(body.mapping, element, QGauss<dim - 1>(n_gauss),
+                                  update_values | update_gradients | update_normal_vectors |
+                                      update_JxW_values);
+    FullMatrix<double> matrix(n, n), stretch(n_nodes, n_nodes), inertia(n_nodes, n_nodes);
+    std::vector<types::global_dof_index> dofs(n);
+    std::vector<Tensor<1, dim>> slopes(n_nodes), pulled(n_nodes);
+    const double square = model.rotation.speed * model.rotation.speed;
+    const Tensor<1, dim> &axis = model.rotation.axis;
+    PrestressNumbers numbers;
+    for (const auto &cell : body.dof_handler.active_cell_iterators())
+    {
+      if (!cell->is_locally_owned())
+        continue;
+      values.reinit(typename Triangulation<dim>::active_cell_iterator(cell));
+      cell->get_dof_indices(dofs);
+      const ElasticMaterial &material = model.material_of(cell->material_id());
+      stretch = 0;
+      inertia = 0;
+      for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+      {
+        Tensor<2, dim> gradient;
+        for (unsigned int k = 0; k < n; ++k)
+        {
+          const auto [component, node] = element.system_to_component_index(k);
+          gradient[component] += u(dofs[k]) * values.shape_grad(node, q);
+        }
+        const SymmetricTensor<2, dim> strain = symmetrize(gradient),
+                                      stress =
+                                          material.lambda() * trace(strain) * unit_symmetric_tensor<dim>() +
+                                          2 * material.mu() * strain;
+        numbers.largest_stress =
+            std::max(numbers.largest_stress, von_mises(stress, material.lambda() * trace(strain)));
+        numbers.largest_gradient = std::max(numbers.largest_gradient, gradient.norm());
+        for (unsigned int a = 0; a < n_nodes; ++a)
+        {
+          slopes[a] = values.shape_grad(a, q);
+          pulled[a] = values.JxW(q) * (stress * slopes[a]);
+        }
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          for (unsigned int b = 0; b < n_nodes; ++b)
+          {
+            stretch(a, b) += slopes[a] * pulled[b];
+            inertia(a, b) += square * material.density * values.shape_value(a, q) * values.shape_value(b, q) *
+                             values.JxW(q);
+          }
+      }
+      matrix = 0;
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int l = 0; l < n; ++l)
+        {
+          const auto [i, a] = element.system_to_component_index(k);
+          const auto [j, b] = element.system_to_component_index(l);
+          matrix(k, l) = (i == j ? stretch(a, b) - inertia(a, b) : 0.) + axis[i] * axis[j] * inertia(a, b);
+        }
+      for (const unsigned int f : cell->face_indices())
+        for (const SurfacePressure &load : model.pressures)
+          if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == load.boundary)
+          {
+            face_values.reinit(cell, f);
+            add_pressure(face_values, load.pressure, matrix);
+          }
+      body.constraints.distribute_local_to_global(matrix, dofs, system.stiffness);
+    }
+    system.stiffness.compress(VectorOperation::add);
+    numbers.largest_stress = Utilities::MPI::max(numbers.largest_stress, body.communicator());
+    numbers.largest_gradient = Utilities::MPI::max(numbers.largest_gradient, body.communicator());
+    return numbers;
+  }
+
+  std::shared_ptr<const MaterialFlow> coriolis_of(const ElasticBody<3> &body, const SecondOrderSystem &system)
+  {
+    auto result = std::make_shared<MaterialFlow>();
+    result->fixed.reinit(system.stiffness);
+    const Tensor<1, 3> &axis = body.model.rotation.axis;
+    Tensor<2, 3> across;
+    for (unsigned int j = 0; j < 3; ++j)
+    {
+      Tensor<1, 3> unit;
+      unit[j] = 1;
+      const Tensor<1, 3> turned = cross_product_3d(axis, unit);
+      for (unsigned int i = 0; i < 3; ++i)
+        across[i][j] = turned[i];
+    }
+    const FiniteElement<3> &scalar = body.element.base_element(0);
+    const unsigned int n = body.element.n_dofs_per_cell();
+    FEValues<3> values(body.mapping, scalar, QGauss<3>(scalar.degree + 1), update_values | update_JxW_values);
+    FullMatrix<double> matrix(n, n), inertia(scalar.n_dofs_per_cell(), scalar.n_dofs_per_cell());
+    std::vector<types::global_dof_index> dofs(n);
+    for (const auto &cell : body.dof_handler.active_cell_iterators())
+    {
+      if (!cell->is_locally_owned())
+        continue;
+      values.reinit(typename Triangulation<3>::active_cell_iterator(cell));
+      const double density = body.model.material_of(cell->material_id()).density;
+      inertia = 0;
+      for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+        for (unsigned int a = 0; a < inertia.m(); ++a)
+          for (unsigned int b = 0; b < inertia.n(); ++b)
+            inertia(a, b) += density * values.shape_value(a, q) * values.shape_value(b, q) * values.JxW(q);
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int l = 0; l < n; ++l)
+        {
+          const auto [i, a] = body.element.system_to_component_index(k);
+          const auto [j, b] = body.element.system_to_component_index(l);
+          matrix(k, l) = across[i][j] * inertia(a, b);
+        }
+      cell->get_dof_indices(dofs);
+      body.constraints.distribute_local_to_global(matrix, dofs, result->fixed);
+    }
+    result->fixed.compress(VectorOperation::add);
+    return result;
+  }
+
+  template PrestressNumbers add_prestress(const ElasticBody<2> &, const PETScWrappers::MPI::Vector &,
+                                          SecondOrderSystem &);
+  template PrestressNumbers add_prestress(const ElasticBody<3> &, const PETScWrappers::MPI::Vector &,
+                                          SecondOrderSystem &);
+} // namespace vibrocontact
