@@ -16,6 +16,12 @@ namespace vibrocontact
       return parameters.lateral_sweep() != nullptr;
     }
 
+    /// @param swept in place of the contact's own; empty: none
+    double largest_friction(const ContactParameters &contact, const std::vector<double> &swept)
+    {
+      return swept.empty() ? contact.friction : *std::max_element(swept.begin(), swept.end());
+    }
+
     /// @param condition in words of what holds where the law acts
     void add_friction_law(EntriesRead &entries, const ContactParameters &contact, const bool rubs,
                           const std::string &condition)
@@ -103,32 +109,42 @@ namespace vibrocontact
         entries.add_if(law.name == name, entry + " is " + law.name, contact.section, parameter.name);
   }
 
-  void add_contacts(EntriesRead &entries, const Parameters &parameters,
-                    const std::vector<double> &swept_friction, const std::string &unmet)
+  void add_contacts_at_rest(EntriesRead &entries, const Parameters &parameters,
+                            const std::vector<double> &swept_friction)
   {
     const auto any_body = [&](const auto &is)
     { return std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(), is); };
-    const bool rolls = parameters.rolling.creepage.speed > 0;
     add_contact_grid(entries, parameters);
     add_contact_solver(entries, parameters);
     for (const ContactParameters &contact : parameters.contacts.all)
     {
       const std::string &section = contact.section;
-      const double friction = swept_friction.empty()
-                                  ? contact.friction
-                                  : *std::max_element(swept_friction.begin(), swept_friction.end());
+      const double friction = largest_friction(contact, swept_friction);
       entries.add(section, "Normal law");
       add_normal_law(entries, contact, contact.normal_law, section + "/Normal law");
       entries.add_if(any_body([](const BodyParameters &body) { return body.is_solid(); }),
                      "a body is a solid of finite elements", section, "Local flexibility");
-      entries.add_if(rolls && unmet.empty(),
-                     "Rolling/Speed is above 0" + (unmet.empty() ? "" : " and " + unmet), section,
-                     "Creep scheme");
       const std::string rubs = "there is friction";
       entries.add_if(friction > 0, rubs, section, "Normal-tangential coupling");
       add_friction_law(entries, contact, friction > 0, rubs);
+    }
+  }
+
+  void add_contacts(EntriesRead &entries, const Parameters &parameters,
+                    const std::vector<double> &swept_friction, const std::string &unmet)
+  {
+    add_contacts_at_rest(entries, parameters, swept_friction);
+    const bool rolls = parameters.rolling.creepage.speed > 0;
+    for (const ContactParameters &contact : parameters.contacts.all)
+    {
+      const std::string &section = contact.section;
+      entries.add_if(rolls && unmet.empty(),
+                     "Rolling/Speed is above 0" + (unmet.empty() ? "" : " and " + unmet), section,
+                     "Creep scheme");
       if (contact.name.empty())
         continue;
+      const double friction = largest_friction(contact, swept_friction);
+      const std::string rubs = "there is friction";
       entries.add_if(friction > 0, rubs, section, "Sliding velocity x, Sliding velocity y");
       entries.add_if(friction > 0 && !parameters.touches_in_a_point(),
                      rubs + " and more than one point touches", section, "Sliding rotation");

@@ -31,7 +31,10 @@ namespace vibrocontact
   /// What a normal law is made of. @param entry that names it, for messages
   void add_normal_law(EntriesRead &entries, const ContactParameters &contact, const std::string &name,
                       const std::string &entry);
-  /// Contacts with friction: grids, laws, solver. @param swept_friction in place of the sections' coefficients; empty: none
+  /// Contacts that nothing rolls or slides through: grids, laws, solver.
+  void add_contacts_at_rest(EntriesRead &entries, const Parameters &parameters,
+                            const std::vector<double> &swept_friction = {});
+  /// The same with what rolls and slides. @param swept_friction in place of the sections' coefficients; empty: none
   /// @param unmet what would have to hold for the creep scheme to be read; empty: nothing
   void add_contacts(EntriesRead &entries, const Parameters &parameters,
                     const std::vector<double> &swept_friction = {}, const std::string &unmet = "");

@@ -1,32 +1,12 @@
 #include <vibrocontact/analyses/rolling/rolling_scene.h>
-#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/coarse_points.h>
 #include <vibrocontact/contact/half_space.h>
-
-#include <algorithm>
-#include <cmath>
+#include <vibrocontact/coupled_bodies/pressed_by_hub.h>
 
 namespace vibrocontact
 {
   namespace
   {
-    void check_hub(const ContactBody &body, const PlacedContacts &contacts)
-    {
-      if (!body.reduced)
-        return;
-      const PlacedContacts::Rows own = contacts.rows_of(0);
-      for (unsigned int i = 0; i < own.rows.size(); ++i)
-      {
-        const unsigned int component = own.rows[i] / contacts.n_points(),
-                           k = contacts.contact_of(own.rows[i] % contacts.n_points());
-        if (std::abs(body.reduced->lifting[i] - contacts.all[k].frame.axes[component][2]) > 1e-9)
-          throw InputError(
-              "Body " + body.parameters->name +
-              " cannot be pressed down by its hub: body 1 must be carried by a held boundary alone, without "
-              "springs and without Rotation; make it body 2 or hold it.");
-      }
-    }
-
     /// Two half-spaces with another spacing than the file's. What a coarse grid has to keep free lies beyond the file's extent.
     RollingGrid half_spaces(const std::vector<ContactBody> &bodies, ContactSections sections,
                             PlacedContacts contacts, const HalfSpacePair &pair, const CreepScheme &scheme,
@@ -72,7 +52,7 @@ namespace vibrocontact
   RollingGrids rolling_grids(const std::vector<ContactBody> &bodies, const ContactSections &sections,
                              const PlacedContacts &contacts, const bool two)
   {
-    check_hub(bodies[0], contacts);
+    check_pressed_by_hub(bodies[0], contacts);
     const CreepScheme &scheme = find_creep_scheme(sections.first().creep_scheme);
     if (are_half_spaces_alone(bodies, contacts))
       return half_spaces(bodies, sections, contacts, two);
