@@ -7,6 +7,8 @@ plot_results.py --compare FOLDER FOLDER ... [--picture compare.png]: what severa
 figures/contact_patch_<k>.png   pressure, traction and status over the patch
 figures/centre_line_<k>.png     tractions along y = 0, as in Fig. 7 of Lai et al. (2018)
 figures/creep_curves.png        tangential force (spin: moment too) against what is swept
+figures/loading.png             force over displacement and what friction takes in quasi-static loading
+figures/loading_patches.png     tractions and status at the ends of its parts
 figures/frequency_response.png  mobilities of the driving points over frequency, as in Fig. 6
 figures/green_functions_<body>.png frequency and impulse responses of a body known by its Green's functions, as in Fig. 5 of Meftah & Duhamel
 figures/identification.png      receptances given, fitted by poles, and their differences
@@ -62,6 +64,7 @@ except ImportError:
 
 from plots.compare import plot_comparison_of_runs
 from plots.contact import plot_centre_line, plot_curves, plot_patch
+from plots.loading import plot_loading
 from plots.periodic import plot_periodic
 from plots.rail import plot_rails
 from plots.response import plot_frequency_response, plot_identification
@@ -100,6 +103,8 @@ def main():
             plot_patch(folder, f"{before}{k}", own[k])
             plot_centre_line(folder, f"{before}{k}", own[k], options.contact_table)
     plot_curves(folder, cases)
+    if analyses.get("quasi_static_loading", {}).get("steps") and os.path.exists(os.path.join(folder, "loading.csv")):
+        plot_loading(folder, analyses["quasi_static_loading"])
     if "frequency_response" in analyses:
         plot_frequency_response(folder, analyses["frequency_response"])
     plot_rails(folder, results.get("reductions", {}))

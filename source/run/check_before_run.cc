@@ -12,6 +12,7 @@
 #include <vibrocontact/numerics/lsce.h>
 #include <vibrocontact/reduction/surface_shapes.h>
 #include <vibrocontact/run/check_before_run.h>
+#include <vibrocontact/run/check_loading.h>
 #include <vibrocontact/run/road_body.h>
 #include <vibrocontact/scene/identified.h>
 #include <vibrocontact/scene/wheel.h>
@@ -203,6 +204,8 @@ namespace vibrocontact
       check_rim(parameters);
     if (scene.runs("transient"))
       check_numbered_mode(parameters);
+    if (scene.runs("quasi-static loading"))
+      check_load_history(parameters);
     check_data(parameters, measured);
     if (scene.runs("modal convolution"))
       check_modal_convolution(parameters, bodies, measured);

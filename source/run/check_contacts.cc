@@ -286,7 +286,8 @@ namespace vibrocontact
     if (!parameters.has_contact())
       return;
     check_layer(scene, parameters.rolling);
-    const bool has_two_bodies = rolls_or_slides(scene) || scene.runs("periodic");
+    const bool has_two_bodies =
+        rolls_or_slides(scene) || scene.runs("quasi-static loading") || scene.runs("periodic");
     for (unsigned int k = 0; k < parameters.contacts.all.size(); ++k)
     {
       const ContactParameters &one = parameters.contacts.all[k];

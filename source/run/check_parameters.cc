@@ -8,6 +8,7 @@
 #include <vibrocontact/run/check_export.h>
 #include <vibrocontact/run/check_frequency_response.h>
 #include <vibrocontact/run/check_hub.h>
+#include <vibrocontact/run/check_loading.h>
 #include <vibrocontact/run/check_periodic.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/parameters.h>
@@ -67,8 +68,8 @@ namespace vibrocontact
     void check_periodic_rails(const Parameters &parameters)
     {
       // modes are those of the other bodies
-      const std::vector<std::string> taken = {"modes", "frequency response", "quasi-static rolling",
-                                              "stability", "transient"};
+      const std::vector<std::string> taken = {"modes",     "frequency response", "quasi-static rolling",
+                                              "stability", "transient",          "quasi-static loading"};
       for (const BodyParameters &body : parameters.scene.bodies)
       {
         if (!body.is_periodic_rail())
@@ -317,6 +318,11 @@ namespace vibrocontact
         throw InputError(modes.begin()->first +
                          "/Modes asks for no modes, nor does any other body, but the analysis "
                          "\"modes\" is listed; give Upper frequency or Count, or leave it out");
+    }
+    if (scene.runs("quasi-static loading"))
+    {
+      check_supports(scene);
+      check_loading(*this);
     }
     if (scene.runs("quasi-static rolling") || scene.runs("stability"))
     {

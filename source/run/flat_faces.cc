@@ -5,12 +5,19 @@
 
 namespace vibrocontact
 {
+  namespace
+  {
+    /// Whether an analysis moves body 1 over body 2 as section Rolling says.
+    bool moves(const Scene &scene)
+    {
+      return scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient");
+    }
+  } // namespace
+
   void Parameters::find_flat_faces()
   {
     const bool shifted = lateral_sweep() != nullptr;
-    const bool touches =
-        scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient");
-    if (touches && !shifted)
+    if ((moves(scene) || scene.runs("quasi-static loading")) && !shifted)
       for (unsigned int k = 0; k < contacts.all.size(); ++k)
         find_flat_faces(k);
   }
@@ -36,7 +43,8 @@ namespace vibrocontact
       contact.flat_faces.push_back({faces[k]->x_low - origin[0], faces[k]->x_high - origin[0],
                                     faces[k]->y_low - origin[1], faces[k]->y_high - origin[1]});
     }
-    contact.at_rest = rolling.creepage.speed == 0;
+    const bool rolls = rolling.creepage.speed > 0 && moves(scene);
+    contact.at_rest = !rolls;
     const auto is_flat = [&](const unsigned int k)
     {
       const BodyParameters &body = *bodies[k];
@@ -52,7 +60,7 @@ namespace vibrocontact
         contact.strip_length > 0)
       return;
     const std::string &name = bodies[faces[0] ? 0 : 1]->name;
-    if (rolling.creepage.speed > 0)
+    if (rolls)
       throw InputError(
           "Rolling/Speed is not 0, but the flat face of " + name +
           " touches a flat surface all over, so that no point of the contact grid stays open "

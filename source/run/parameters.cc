@@ -79,6 +79,7 @@ namespace vibrocontact
     declare("Solver", contact_solver);
     prm.leave_subsection();
     declare("Rolling", rolling);
+    declare("Loading", loading);
     prm.enter_subsection("Transient");
     transient.declare_parameters(prm);
     declare("Signals", signals);

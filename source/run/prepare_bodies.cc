@@ -10,6 +10,7 @@
 #include <vibrocontact/output/scene_summary.h>
 #include <vibrocontact/reduction/damped_wheel.h>
 #include <vibrocontact/reduction/reduction_cost.h>
+#include <vibrocontact/run/check_loading.h>
 #include <vibrocontact/run/prepare_bodies.h>
 #include <vibrocontact/scene/mesh_compactness.h>
 #include <vibrocontact/waveguide/rail_section.h>
@@ -318,6 +319,8 @@ namespace vibrocontact
       if (contact_grid)
         print_contact_grid(contact.grid);
     }
+    if (parameters.scene.runs("quasi-static loading"))
+      print_load_history(parameters);
     if (parameters.scene.runs("stability"))
       run_log().value("loss of the bodies in stability", parameters.stability.loss);
     if (!picture_folder.empty())

@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/export/run_export.h>
 #include <vibrocontact/analyses/frequency_response/run_frequency_response.h>
 #include <vibrocontact/analyses/identification/run_identification.h>
+#include <vibrocontact/analyses/loading/run_loading.h>
 #include <vibrocontact/analyses/modal_convolution/run_modal_convolution.h>
 #include <vibrocontact/analyses/modes/run_modes.h>
 #include <vibrocontact/analyses/periodic/run_periodic.h>
@@ -17,9 +18,16 @@ namespace vibrocontact
   Tables standard_tables()
   {
     Tables tables;
-    tables.analyses = {modes_analysis(),     frequency_response_analysis(), identification_analysis(),
-                       rolling_analysis(),   periodic_analysis(),           stability_analysis(),
-                       transient_analysis(), modal_convolution_analysis(),  export_analysis()};
+    tables.analyses = {modes_analysis(),
+                       frequency_response_analysis(),
+                       identification_analysis(),
+                       rolling_analysis(),
+                       loading_analysis(),
+                       periodic_analysis(),
+                       stability_analysis(),
+                       transient_analysis(),
+                       modal_convolution_analysis(),
+                       export_analysis()};
     return tables;
   }
 

@@ -52,7 +52,8 @@ BODIES = {
     "half-space": ("half-space", ["Half-space/Radius x = 0.3", "Half-space/Radius y = 0.3"], "half-space", True, None),
     "rigid": ("rigid", ["Rigid/Radius x = 0.3", "Rigid/Radius y = 0.3"], "half-space", True, None),
 }
-ANALYSES = ["modes", "frequency response", "quasi-static rolling", "stability", "transient", "modal convolution", "periodic"]
+ANALYSES = ["modes", "frequency response", "quasi-static rolling", "quasi-static loading", "stability", "transient", "modal convolution",
+            "periodic"]
 PRESSED = ["Rolling/Hub displacement = 1e-6"]
 
 
@@ -80,6 +81,9 @@ def entries(analysis, kind, rubs, place, speed):
                               + ([f"Frequency response/Points = p: {place}, z"] if place else [])
                               + (["Frequency response/Method = direct"] if kind == "rail" else []),
         "quasi-static rolling": pair,
+        "quasi-static loading": grid + ["Loading/Hub displacement = 1e-6", "Loading/Steps = 3",
+                                        f"Contact/Friction coefficient = {0.3 if rubs else 0}"]
+                                + ["Loading/Displacement x = 1e-7"] * rubs,
         "stability": pair,
         "transient": pair + ["Transient/Time step = 1e-6", "Transient/End time = 2e-5"]
                      + (["Transient/Reaction = end of step"] if kind in ("oscillator", "identified") else []),
@@ -115,7 +119,7 @@ def is_alone(analysis, kind):
 
 def is_below(analysis, kind):
     """Whether it looks up at the other body."""
-    return kind == "blade" and analysis in ("quasi-static rolling", "stability", "transient")
+    return kind == "blade" and analysis in ("quasi-static rolling", "quasi-static loading", "stability", "transient")
 
 
 def text(analysis, name, settings):

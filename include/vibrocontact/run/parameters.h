@@ -9,6 +9,7 @@
 #include <vibrocontact/analyses/transient/transient_parameters.h>
 #include <vibrocontact/base/parameter_file.h>
 #include <vibrocontact/contact/interface.h>
+#include <vibrocontact/coupled_bodies/loading_parameters.h>
 #include <vibrocontact/output/output_parameters.h>
 #include <vibrocontact/reduction/modes.h>
 #include <vibrocontact/reduction/stiffness_solver.h>
@@ -34,6 +35,7 @@ namespace vibrocontact
     RollingParameters rolling;
     /// whether the file or an option gives Rolling/Speed
     bool is_speed_given = false;
+    LoadingParameters loading;
     TransientParameters transient;
     SignalParameters signals;
     StabilityParameters stability;
