@@ -1,5 +1,5 @@
 #!/bin/bash
-# Installs what Vibrocontact needs on Debian 12: compiler, deal.II with PETSc, SLEPc and p4est, OpenBLAS, gmsh, and for
+# Installs what Vibrocontact needs on Debian 12: compiler, deal.II with PETSc, SLEPc and p4est, OpenBLAS, gmsh with its library, and for
 # tests and figures GoogleTest and matplotlib. As root, or with sudo. Does nothing if all is there.
 set -e
 packages="
@@ -7,7 +7,7 @@ packages="
   libdeal.ii-dev mpi-default-bin mpi-default-dev
   libopenblas0-pthread
   nlohmann-json3-dev libboost-program-options-dev libfftw3-dev libsndfile1-dev
-  gmsh
+  gmsh libgmsh-dev
   libgtest-dev
   python3 python3-numpy python3-matplotlib python3-h5py python3-pandas python3-meshio
 "

@@ -18,8 +18,8 @@ namespace vibrocontact
     {
       system.dof_position.resize(body.locally_owned.n_elements());
       system.dof_direction.resize(body.locally_owned.n_elements());
-      FEValues<dim> values(body.mapping, body.element,
-                           Quadrature<dim>(body.element.get_unit_support_points()), update_quadrature_points);
+      FEValues<dim> values(body.mapping, body.element, Quadrature<dim>(body.node_points),
+                           update_quadrature_points);
       std::vector<types::global_dof_index> dofs(body.element.n_dofs_per_cell());
       for (const auto &cell : body.dof_handler.active_cell_iterators())
         if (!cell->is_artificial())

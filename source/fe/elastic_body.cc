@@ -1,8 +1,8 @@
+#include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/numerics/least_squares.h>
 
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/mapping_q.h>
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
@@ -11,25 +11,60 @@ namespace vibrocontact
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Of each dof of a cell.
+    template <int dim>
+    std::vector<Point<dim>> node_points_of(const FESystem<dim> &element)
+    {
+      const std::vector<Point<dim>> nodes = scalar_node_points<dim>(element.base_element(0));
+      std::vector<Point<dim>> result;
+      for (unsigned int k = 0; k < element.n_dofs_per_cell(); ++k)
+        result.push_back(nodes[element.system_to_component_index(k).second]);
+      return result;
+    }
+
+    /// Zero in the held directions on the nodes of the held faces, whatever the shape of the cells.
+    template <int dim>
+    void hold_boundaries(const ElasticBody<dim> &body, AffineConstraints<double> &constraints)
+    {
+      const ReferenceCell shape = body.element.reference_cell();
+      std::vector<types::global_dof_index> dofs(body.element.n_dofs_per_cell());
+      for (const auto &cell : body.dof_handler.active_cell_iterators())
+        if (!cell->is_artificial())
+          for (const unsigned int f : cell->face_indices())
+          {
+            if (!cell->face(f)->at_boundary())
+              continue;
+            for (const HeldBoundary<dim> &held : body.model.held)
+            {
+              if (held.boundary != cell->face(f)->boundary_id())
+                continue;
+              cell->get_dof_indices(dofs);
+              for (unsigned int k = 0; k < dofs.size(); ++k)
+                if (held.directions[body.element.system_to_component_index(k).first] &&
+                    lies_on_face<dim>(shape, f, body.node_points[k]))
+                  constraints.add_line(dofs[k]);
+            }
+          }
+    }
+  } // namespace
+
   template <int dim>
   ElasticBody<dim>::ElasticBody(BodyMesh<dim> &&mesh_in, const ElasticModel<dim> &model,
                                 const unsigned int degree)
-      : mesh(std::move(mesh_in)), model(model), element(FE_Q<dim>(degree), dim),
-        mapping(mesh.geometry_degree), dof_handler(*mesh.triangulation)
+      : mesh(std::move(mesh_in)), model(model),
+        element(*scalar_element<dim>(mesh.reference_cell(), degree), dim),
+        node_points(node_points_of(element)), own_mapping(make_mapping(mesh)), mapping(*own_mapping),
+        dof_handler(*mesh.triangulation)
   {
-    mapping.initialize(MappingQ<dim>(mesh.geometry_degree), *mesh.triangulation);
     dof_handler.distribute_dofs(element);
     locally_owned = dof_handler.locally_owned_dofs();
     DoFTools::extract_locally_relevant_dofs(dof_handler, locally_relevant);
     constraints.reinit(locally_relevant);
-    DoFTools::make_hanging_node_constraints(dof_handler, constraints);
-    for (const HeldBoundary<dim> &held : model.held)
-    {
-      ComponentMask directions(dim, false);
-      for (unsigned int d = 0; d < dim; ++d)
-        directions.set(d, held.directions[d]);
-      DoFTools::make_zero_boundary_constraints(dof_handler, held.boundary, constraints, directions);
-    }
+    if (mesh.is_hypercube())
+      DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+    hold_boundaries(*this, constraints);
     constraints.close();
   }
 
@@ -79,7 +114,7 @@ namespace vibrocontact
       for (unsigned int m = 0; m < dim + n_rotations; ++m)
         motions.emplace_back(body.locally_owned, body.communicator());
 
-      const Quadrature<dim> nodes(body.element.get_unit_support_points());
+      const Quadrature<dim> nodes(body.node_points);
       FEValues<dim> values(body.mapping, body.element, nodes, update_quadrature_points);
       std::vector<types::global_dof_index> dofs(body.element.n_dofs_per_cell());
       for (const auto &cell : body.dof_handler.active_cell_iterators())

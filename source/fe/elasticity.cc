@@ -1,3 +1,4 @@
+#include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/fe/elasticity.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -103,15 +104,12 @@ namespace vibrocontact
       double volume = 0;
     };
 
-    /// Reference interval of a face's first or second direction that lies in a segment of x; the direction is
+    /// Of hexahedra: reference interval of a face's first or second direction that lies in a segment of x; the direction is
     /// the one along which x varies most.
     template <int dim>
     std::vector<Quadrature<dim - 1>> bed_quadratures(const typename DoFHandler<dim>::face_iterator &face,
                                                      const SpringBed<dim> &bed, const unsigned int n_points)
     {
-      const QGauss<1> gauss(n_points);
-      if (bed.segments.empty())
-        return {QGauss<dim - 1>(n_points)};
       unsigned int direction = 0;
       double span = 0;
       for (unsigned int d = 0; d < dim - 1; ++d)
@@ -197,11 +195,10 @@ namespace vibrocontact
       system.load.reinit(body.locally_owned, communicator);
 
     const FiniteElement<dim> &scalar = element.base_element(0);
-    const unsigned int n_gauss = scalar.degree + 1;
-    FEValues<dim> values(body.mapping, scalar, QGauss<dim>(n_gauss),
+    const unsigned int n_gauss = n_gauss_points(body.mesh, scalar);
+    FEValues<dim> values(body.mapping, scalar, cell_quadrature<dim>(scalar.reference_cell(), n_gauss),
                          update_values | update_gradients | update_JxW_values | update_quadrature_points);
-    FEFaceValues<dim> face_values(body.mapping, element, QGauss<dim - 1>(n_gauss),
-                                  update_values | update_normal_vectors | update_JxW_values);
+    FaceValues<dim> face_values(body.mapping, scalar, n_gauss);
     CellMatrices<dim> cell_matrices(element);
     FullMatrix<double> spring(n_dofs_per_cell, n_dofs_per_cell), loss(n_dofs_per_cell, n_dofs_per_cell);
     Vector<double> cell_load(n_dofs_per_cell);
@@ -248,9 +245,10 @@ namespace vibrocontact
             face_values.reinit(cell, f);
             for (unsigned int k = 0; k < n_dofs_per_cell; ++k)
             {
-              const double t = load.traction[element.system_to_component_index(k).first];
-              for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
-                cell_load(k) += t * face_values.shape_value(k, q) * face_values.JxW(q);
+              const auto [component, node] = element.system_to_component_index(k);
+              for (unsigned int q = 0; q < face_values.n_points(); ++q)
+                cell_load(k) +=
+                    load.traction[component] * face_values.shape_value(node, q) * face_values.JxW(q);
             }
           }
         for (const SurfacePressure &load : model.pressures)
@@ -259,35 +257,49 @@ namespace vibrocontact
             face_values.reinit(cell, f);
             for (unsigned int k = 0; k < n_dofs_per_cell; ++k)
             {
-              const unsigned int c = element.system_to_component_index(k).first;
-              for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
-                cell_load(k) -= load.pressure * face_values.normal_vector(q)[c] *
-                                face_values.shape_value(k, q) * face_values.JxW(q);
+              const auto [component, node] = element.system_to_component_index(k);
+              for (unsigned int q = 0; q < face_values.n_points(); ++q)
+                cell_load(k) -= load.pressure * face_values.normal_vector(q)[component] *
+                                face_values.shape_value(node, q) * face_values.JxW(q);
             }
           }
         for (const auto &bed : model.springs)
           if (bed.boundary == id)
-            for (const auto &quadrature : bed_quadratures<dim>(cell->face(f), bed, n_gauss))
+          {
+            spring = 0;
+            // shape functions of the scalar element and area element in each point of the face
+            const auto add_springs = [&](const auto &bed_values, const unsigned int n_points)
             {
-              FEFaceValues<dim> bed_values(body.mapping, element, quadrature,
-                                           update_values | update_JxW_values);
-              bed_values.reinit(cell, f);
-              spring = 0;
-              for (unsigned int q = 0; q < quadrature.size(); ++q)
+              for (unsigned int q = 0; q < n_points; ++q)
                 for (unsigned int k = 0; k < n_dofs_per_cell; ++k)
                 {
-                  const unsigned int c = element.system_to_component_index(k).first;
+                  const auto [c, node] = element.system_to_component_index(k);
                   const double factor =
-                      bed.stiffness_per_area[c] * bed_values.shape_value(k, q) * bed_values.JxW(q);
+                      bed.stiffness_per_area[c] * bed_values.shape_value(node, q) * bed_values.JxW(q);
                   if (factor != 0)
                     for (unsigned int l = 0; l < n_dofs_per_cell; ++l)
                       if (element.system_to_component_index(l).first == c)
-                        spring(k, l) += factor * bed_values.shape_value(l, q);
+                        spring(k, l) +=
+                            factor * bed_values.shape_value(element.system_to_component_index(l).second, q);
                 }
-              cell_matrices.stiffness.add(1., spring);
-              if (system.has_loss)
-                loss.add(bed.loss_factor, spring);
+            };
+            if (bed.segments.empty())
+            {
+              face_values.reinit(cell, f);
+              add_springs(face_values, face_values.n_points());
             }
+            else
+              for (const auto &quadrature : bed_quadratures<dim>(cell->face(f), bed, n_gauss))
+              {
+                FEFaceValues<dim> bed_values(body.mapping, scalar, quadrature,
+                                             update_values | update_JxW_values);
+                bed_values.reinit(typename Triangulation<dim>::active_cell_iterator(cell), f);
+                add_springs(bed_values, quadrature.size());
+              }
+            cell_matrices.stiffness.add(1., spring);
+            if (system.has_loss)
+              loss.add(bed.loss_factor, spring);
+          }
       }
 
       body.constraints.distribute_local_to_global(cell_matrices.stiffness, dofs, system.stiffness);

@@ -1,6 +1,6 @@
+#include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/fe/prestress.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/fe/fe_values.h>
 
@@ -26,17 +26,17 @@ namespace vibrocontact
     }
 
     template <int dim>
-    void add_pressure(const FEFaceValues<dim> &values, const double pressure, FullMatrix<double> &matrix)
+    void add_pressure(const FaceValues<dim> &values, const FESystem<dim> &element, const double pressure,
+                      FullMatrix<double> &matrix)
     {
-      const FiniteElement<dim> &element = values.get_fe();
-      const auto term = [&](const unsigned int a, const unsigned int b, const unsigned int q)
+      const auto term = [&](const unsigned int k, const unsigned int l, const unsigned int q)
       {
-        const unsigned int i = element.system_to_component_index(a).first,
-                           j = element.system_to_component_index(b).first;
+        const auto [i, a] = element.system_to_component_index(k);
+        const auto [j, b] = element.system_to_component_index(l);
         const Tensor<1, dim> n = values.normal_vector(q), slope = values.shape_grad(b, q);
         return values.shape_value(a, q) * (n[i] * slope[j] - n[j] * slope[i]);
       };
-      for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+      for (unsigned int q = 0; q < values.n_points(); ++q)
         for (unsigned int a = 0; a < matrix.m(); ++a)
           for (unsigned int b = 0; b < matrix.n(); ++b)
             matrix(a, b) += pressure / 2 * (term(a, b, q) + term(b, a, q)) * values.JxW(q);
@@ -52,12 +52,10 @@ namespace vibrocontact
     const FESystem<dim> &element = body.element;
     const FiniteElement<dim> &scalar = element.base_element(0);
     const unsigned int n = element.n_dofs_per_cell(), n_nodes = scalar.n_dofs_per_cell(),
-                       n_gauss = scalar.degree + 1;
-    FEValues<dim> values(body.mapping, scalar, QGauss<dim>(n_gauss),
+                       n_gauss = n_gauss_points(body.mesh, scalar);
+    FEValues<dim> values(body.mapping, scalar, cell_quadrature<dim>(scalar.reference_cell(), n_gauss),
                          update_values | update_gradients | update_JxW_values);
-    FEFaceValues<dim> face_values(body.mapping, element, QGauss<dim - 1>(n_gauss),
-                                  update_values | update_gradients | update_normal_vectors |
-                                      update_JxW_values);
+    FaceValues<dim> face_values(body.mapping, scalar, n_gauss, true);
     FullMatrix<double> matrix(n, n), stretch(n_nodes, n_nodes), inertia(n_nodes, n_nodes);
     std::vector<types::global_dof_index> dofs(n);
     std::vector<Tensor<1, dim>> slopes(n_nodes), pulled(n_nodes);
@@ -114,7 +112,7 @@ namespace vibrocontact
           if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == load.boundary)
           {
             face_values.reinit(cell, f);
-            add_pressure(face_values, load.pressure, matrix);
+            add_pressure(face_values, element, load.pressure, matrix);
           }
       body.constraints.distribute_local_to_global(matrix, dofs, system.stiffness);
     }
@@ -140,7 +138,9 @@ namespace vibrocontact
     }
     const FiniteElement<3> &scalar = body.element.base_element(0);
     const unsigned int n = body.element.n_dofs_per_cell();
-    FEValues<3> values(body.mapping, scalar, QGauss<3>(scalar.degree + 1), update_values | update_JxW_values);
+    FEValues<3> values(body.mapping, scalar,
+                       cell_quadrature<3>(scalar.reference_cell(), n_gauss_points(body.mesh, scalar)),
+                       update_values | update_JxW_values);
     FullMatrix<double> matrix(n, n), inertia(scalar.n_dofs_per_cell(), scalar.n_dofs_per_cell());
     std::vector<types::global_dof_index> dofs(n);
     for (const auto &cell : body.dof_handler.active_cell_iterators())

@@ -42,18 +42,23 @@ namespace vibrocontact
     Piece own;
     for (const auto &cell : body.dof_handler.active_cell_iterators())
     {
-      if (!cell->is_locally_owned())
+      if (!cell->is_locally_owned() || !cell->at_boundary())
         continue;
+      const auto corners = body.mapping.get_vertices(cell);
       for (const unsigned int f : cell->face_indices())
       {
         if (!cell->face(f)->at_boundary())
           continue;
         std::array<types::global_dof_index, 4> quad;
-        const std::array<unsigned int, 4> around =
-            dim == 3 ? std::array<unsigned int, 4>{{0, 1, 3, 2}} : std::array<unsigned int, 4>{{0, 1, 1, 0}};
+        const ReferenceCell shape = cell->reference_cell();
+        std::array<unsigned int, 4> around = {{0, 1, 3, 2}};
+        if (dim == 2)
+          around = {{0, 1, 1, 0}};
+        else if (shape.face_reference_cell(f) == ReferenceCells::Triangle)
+          around = {{0, 1, 2, 2}};
         for (unsigned int k = 0; k < 4; ++k)
         {
-          const unsigned int v = GeometryInfo<dim>::face_to_cell_vertices(f, around[k]);
+          const unsigned int v = shape.face_to_cell_vertices(f, around[k], 1);
           quad[k] = cell->vertex_dof_index(v, 0);
           if (own.vertices.count(quad[k]))
             continue;
@@ -61,7 +66,7 @@ namespace vibrocontact
           for (unsigned int d = 0; d < dim; ++d)
           {
             const unsigned int direction = dim == 2 && d == 1 ? 2 : d;
-            vertex.place[direction] = cell->vertex(v)[d];
+            vertex.place[direction] = corners[v][d];
             const types::global_dof_index dof = cell->vertex_dof_index(v, d);
             if (!body.constraints.is_constrained(dof))
               vertex.rows[direction] = {{dof, 1.}};

@@ -37,7 +37,8 @@ namespace vibrocontact
             rank(Utilities::MPI::this_mpi_process(communicator)), scalar(body.element.base_element(0)),
             n(grid.n_points()), x_low(grid.x_first - grid.spacing_x / 2),
             x_high(x_low + grid.n_x * grid.spacing_x), y_low(grid.y_first - grid.spacing_y / 2),
-            y_high(y_low + grid.n_y * grid.spacing_y), map(body.mesh.geometry_degree)
+            y_high(y_low + grid.n_y * grid.spacing_y), shape(scalar.reference_cell()),
+            square(body.mesh.geometry_degree), triangle(body.mesh.geometry_degree, true)
       {
       }
 
@@ -82,6 +83,12 @@ namespace vibrocontact
         return result;
       }
 
+      bool is_triangle(const unsigned int f) const
+      {
+        return shape.face_reference_cell(f) == ReferenceCells::Triangle;
+      }
+      FaceMap<dim> &map_of(const unsigned int f) { return is_triangle(f) ? triangle : square; }
+
       static BoundingBox<dim> box(const std::vector<Point<dim>> &positions)
       {
         BoundingBox<dim> result(std::make_pair(positions[0], positions[0]));
@@ -95,9 +102,9 @@ namespace vibrocontact
       void find_faces()
       {
         std::vector<std::unique_ptr<FEValues<dim>>> face_nodes;
-        for (const unsigned int f : GeometryInfo<dim>::face_indices())
-          face_nodes.push_back(std::make_unique<FEValues<dim>>(body.mapping, scalar, map.support(f),
-                                                               update_quadrature_points));
+        for (unsigned int f = 0; f < shape.n_faces(); ++f)
+          face_nodes.push_back(std::make_unique<FEValues<dim>>(
+              body.mapping, scalar, map_of(f).support(shape, f), update_quadrature_points));
         for (const auto &cell : body.dof_handler.active_cell_iterators())
           if (cell->is_locally_owned() && cell->at_boundary())
             for (const unsigned int f : cell->face_indices())
@@ -130,6 +137,7 @@ namespace vibrocontact
         for (const Face &face : faces)
           if (std::abs(face.positions[0][dim - 1]) < reach)
           {
+            FaceMap<dim> &map = map_of(face.number);
             map.reinit(face.positions);
             const auto length = map.extent();
             if (length[0] <= 0)
@@ -147,6 +155,10 @@ namespace vibrocontact
         for (const Face &face : faces)
           if (std::abs(face.positions[0][dim - 1]) < reach)
           {
+            // faces of triangles end anywhere
+            aligned = aligned && !is_triangle(face.number);
+            if (!aligned)
+              break;
             const Point<dim> &corner = face.positions.front(), &opposite = face.positions.back();
             const Point<dim> &along = face.positions[body.mesh.geometry_degree];
             const auto on_line = [](const double position, const double step)
@@ -178,6 +190,7 @@ namespace vibrocontact
         std::vector<double> height(n * n_q, std::numeric_limits<double>::max());
         for (unsigned int k = 0; k < faces.size(); ++k)
         {
+          FaceMap<dim> &map = map_of(faces[k].number);
           map.reinit(faces[k].positions);
           const BoundingBox<dim> bounds = box(faces[k].positions);
           const auto [i0, i1] = cell_range(bounds.lower_bound(0), bounds.upper_bound(0), grid.x_first,
@@ -286,12 +299,13 @@ namespace vibrocontact
         const unsigned int n_q = quadrature.n_per_cell();
         weights.resize(n);
         surface_height.assign(n, 0.);
+        const std::vector<Point<dim>> node_points = scalar_node_points<dim>(scalar);
         std::vector<types::global_dof_index> dofs(body.element.n_dofs_per_cell());
         for (unsigned int k = 0; k < owner.size(); ++k)
           if (owner[k] == rank)
           {
             const Face &face = faces[hits[k].face];
-            const Point<dim> unit = map.on_cell(face.number, hits[k].s);
+            const Point<dim> unit = on_face<dim>(shape, face.number, hits[k].s);
             const double w = quadrature.weight(k % n_q);
             n_up += seen(face.cell->face(face.number)->center())[dim - 1] > seen(face.cell->center())[dim - 1]
                         ? 1
@@ -302,7 +316,7 @@ namespace vibrocontact
               surface_height[point] += tau * w * hits[k].height;
             for (unsigned int node = 0; node < scalar.n_dofs_per_cell(); ++node)
             {
-              if (!scalar.has_support_on_face(node, face.number))
+              if (!lies_on_face<dim>(shape, face.number, node_points[node]))
                 continue;
               const double N = scalar.shape_value(node, unit);
               if (N == 0)
@@ -377,7 +391,9 @@ namespace vibrocontact
       const unsigned int n;
       /// the rectangle that the grid covers [m]
       const double x_low, x_high, y_low, y_high;
-      FaceMap<dim> map;
+      /// of the cells, and maps of their faces
+      const ReferenceCell shape;
+      FaceMap<dim> square, triangle;
       std::vector<Face> faces;
       /// faces further than this from z = 0 are another part of the surface; largest faces used [m]
       double reach = 0, h_x = 0, h_y = 0;

@@ -1,5 +1,6 @@
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/collective.h>
+#include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/output/field_writer.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -114,6 +115,93 @@ namespace vibrocontact
       }
     };
 
+    /// The displacement on the faces of tetrahedra and prisms, whose middles deal.II's DataOutFaces leaves out or does
+    /// not know: triangles and quadrilaterals between the nodes, triangles as quadrilaterals with one corner twice.
+    class FaceOutput : public DataOutInterface<2, 3>
+    {
+    public:
+      FaceOutput() = default;
+
+      void build_patches(const ElasticBody<3> &body, const PETScWrappers::MPI::Vector &displacement)
+      {
+        using Corners = std::array<unsigned int, 4>;
+        const ReferenceCell shape = body.element.reference_cell();
+        const unsigned int n = body.element.degree;
+        std::vector<std::unique_ptr<FEValues<3>>> values;
+        std::vector<std::vector<Corners>> pieces;
+        for (unsigned int f = 0; f < shape.n_faces(); ++f)
+        {
+          // the points (i, j) / n of the face; of a triangle those with i + j <= n
+          const bool triangle = shape.face_reference_cell(f) == ReferenceCells::Triangle;
+          std::vector<Point<3>> points;
+          std::map<std::pair<unsigned int, unsigned int>, unsigned int> number;
+          for (unsigned int j = 0; j <= n; ++j)
+            for (unsigned int i = 0; i <= (triangle ? n - j : n); ++i)
+            {
+              number[{i, j}] = points.size();
+              points.push_back(on_face<3>(shape, f, Point<2>(double(i) / n, double(j) / n)));
+            }
+          pieces.emplace_back();
+          for (unsigned int j = 0; j < n; ++j)
+            for (unsigned int i = 0; i < (triangle ? n - j : n); ++i)
+            {
+              const unsigned int a = number[{i, j}], b = number[{i + 1, j}], c = number[{i, j + 1}];
+              if (!triangle)
+                pieces.back().push_back({{a, b, c, number[{i + 1, j + 1}]}});
+              else
+              {
+                pieces.back().push_back({{a, b, c, c}});
+                if (i + j + 1 < n)
+                  pieces.back().push_back({{b, number[{i + 1, j + 1}], c, c}});
+              }
+            }
+          values.push_back(std::make_unique<FEValues<3>>(body.mapping, body.element, Quadrature<3>(points),
+                                                         update_values | update_quadrature_points));
+        }
+        std::vector<Vector<double>> u;
+        for (const auto &cell : body.dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned() && cell->at_boundary())
+            for (const unsigned int f : cell->face_indices())
+            {
+              if (!cell->face(f)->at_boundary())
+                continue;
+              values[f]->reinit(cell);
+              u.assign(values[f]->n_quadrature_points, Vector<double>(3));
+              values[f]->get_function_values(displacement, u);
+              for (const Corners &corners : pieces[f])
+              {
+                DataOutBase::Patch<2, 3> patch;
+                patch.patch_index = patches.size();
+                patch.reference_cell = ReferenceCells::Quadrilateral;
+                patch.data.reinit(3, 4);
+                for (unsigned int v = 0; v < 4; ++v)
+                {
+                  patch.vertices[v] = values[f]->quadrature_point(corners[v]);
+                  for (unsigned int d = 0; d < 3; ++d)
+                    patch.data(d, v) = u[corners[v]][d];
+                }
+                patches.push_back(patch);
+              }
+            }
+      }
+
+    protected:
+      const std::vector<DataOutBase::Patch<2, 3>> &get_patches() const override { return patches; }
+      std::vector<std::string> get_dataset_names() const override
+      {
+        return std::vector<std::string>(3, "displacement");
+      }
+      std::vector<std::tuple<unsigned int, unsigned int, std::string,
+                             DataComponentInterpretation::DataComponentInterpretation>>
+      get_nonscalar_data_ranges() const override
+      {
+        return {{0, 2, "displacement", DataComponentInterpretation::component_is_part_of_vector}};
+      }
+
+    private:
+      std::vector<DataOutBase::Patch<2, 3>> patches;
+    };
+
     /// The displacement with a rigid vertical one added, held nodes included; ghosted like the original.
     template <int dim>
     PETScWrappers::MPI::Vector lifted(const ElasticBody<dim> &body,
@@ -177,6 +265,14 @@ namespace vibrocontact
   {
     const auto write_state = [&](const PETScWrappers::MPI::Vector &displacement, const std::string &file)
     {
+      if constexpr (dim == 3)
+        if (!body.mesh.is_hypercube())
+        {
+          Gathered<FaceOutput> output;
+          output.build_patches(body, displacement);
+          output.write(file, body.communicator());
+          return;
+        }
       Gathered<DataOutFaces<dim>> output(true);
       output.add_data_vector(body.dof_handler, displacement, std::vector<std::string>(dim, "displacement"),
                              std::vector<DataComponentInterpretation::DataComponentInterpretation>(

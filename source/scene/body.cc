@@ -55,7 +55,8 @@ namespace vibrocontact
          make<OscillatorParameters>},
         {"matrices", "Matrices", "by mass and stiffness matrices of another program, whole or reduced",
          make<MatricesParameters>},
-        {"mesh", "Mesh", "hexahedra with named groups from a gmsh file", make<MeshFileParameters>},
+        {"mesh", "Mesh", "hexahedra, tetrahedra or prisms with named groups from a mesh file",
+         make<MeshFileParameters>},
     };
     return types;
   }

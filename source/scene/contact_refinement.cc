@@ -94,6 +94,16 @@ namespace vibrocontact
             size = std::max(size, cell->face(f)->bounding_box().side_length(d));
     const int n_levels =
         size > 0 ? std::max(0, int(std::ceil(std::log2(size / (1.05 * parameters.cell_size))))) : 0;
+    if (n_levels > 0 && !mesh.is_hypercube())
+    {
+      std::ostringstream text;
+      text << "The faces at the contact of body " << mesh.name << " measure " << size << " m, more than the "
+           << parameters.cell_size
+           << " m of its Contact cell size, and tetrahedra and prisms are not refined here: mesh it finer "
+              "there "
+              "(gmsh: a size field), or take the mesh as it is with Contact cell size = 0.";
+      throw InputError(text.str());
+    }
     if (n_levels > 7)
     {
       std::ostringstream text;

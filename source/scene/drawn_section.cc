@@ -262,7 +262,6 @@ namespace vibrocontact
             {
               mesh.quadrilaterals.push_back({{number[nodes[t][k]], number[nodes[t][k + 1]],
                                               number[nodes[t][k + 2]], number[nodes[t][k + 3]]}});
-              mesh.groups.push_back(group);
               mesh.cells.groups.push_back(group == 0 ? std::vector<unsigned int>()
                                                      : std::vector<unsigned int>{group});
             }
@@ -287,7 +286,6 @@ namespace vibrocontact
       {
         const auto q = mesh.quadrilaterals[k];
         mesh.quadrilaterals.push_back({{image[q[3]], image[q[2]], image[q[1]], image[q[0]]}});
-        mesh.groups.push_back(mesh.groups[k]);
         mesh.cells.groups.push_back(mesh.cells.groups[k]);
       }
     }
@@ -388,7 +386,7 @@ namespace vibrocontact
       throw InputError("gmsh made no cells of the section outline " + file +
                        ": give a smaller Section cell size.");
     for (const auto &[name, group] : groups)
-      mesh.names[group] = mesh.cells.names[group] = name;
+      mesh.cells.names[group] = name;
     if (mirrored)
       add_mirror_image(mesh);
     return mesh;

@@ -1,6 +1,7 @@
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/utf8.h>
+#include <vibrocontact/scene/file_mesh.h>
 #include <vibrocontact/scene/gmsh_file.h>
 
 #include <algorithm>
@@ -19,38 +20,12 @@ namespace vibrocontact
     /// no count or tag of a file that could be read is larger
     constexpr long long largest_count = 2000000000;
 
-    /// The elements that gmsh writes: number of nodes, dimension, plural of the name.
-    struct ElementType
-    {
-      unsigned int n_nodes, dim;
-      const char *name;
-    };
-    const std::map<unsigned int, ElementType> element_types = {{1, {2, 1, "lines"}},
-                                                               {2, {3, 2, "triangles"}},
-                                                               {3, {4, 2, "quadrilaterals"}},
-                                                               {4, {4, 3, "tetrahedra"}},
-                                                               {5, {8, 3, "hexahedra"}},
-                                                               {6, {6, 3, "prisms"}},
-                                                               {7, {5, 3, "pyramids"}},
-                                                               {8, {3, 1, "second-order lines"}},
-                                                               {9, {6, 2, "second-order triangles"}},
-                                                               {10, {9, 2, "second-order quadrilaterals"}},
-                                                               {11, {10, 3, "second-order tetrahedra"}},
-                                                               {12, {27, 3, "second-order hexahedra"}},
-                                                               {13, {18, 3, "second-order prisms"}},
-                                                               {14, {14, 3, "second-order pyramids"}},
-                                                               {15, {1, 0, "points"}},
-                                                               {16, {8, 2, "second-order quadrilaterals"}},
-                                                               {17, {20, 3, "second-order hexahedra"}},
-                                                               {18, {15, 3, "second-order prisms"}},
-                                                               {19, {13, 3, "second-order pyramids"}}};
-    constexpr unsigned int quadrilateral_type = 3, hexahedron_type = 5;
+    constexpr unsigned int quadrilateral_type = 3;
 
     class Reader
     {
     public:
-      /// @param dim dimension of the cells: 3 hexahedra, 2 the quadrilaterals of a section
-      Reader(const std::string &name, const unsigned int dim) : name(name), dim(dim), stream(name)
+      explicit Reader(const std::string &name) : name(name), stream(name)
       {
         if (!stream)
           throw InputError("Cannot read the mesh file " + name + "; give the path of an existing gmsh file.");
@@ -77,10 +52,7 @@ namespace vibrocontact
         if (version == 0)
           damaged("has no $MeshFormat: it is no gmsh file; give one that gmsh saved as text, format 4.1");
         check_strays();
-        if (result.hexahedra.empty() && dim == 3)
-          damaged("holds no hexahedra: in gmsh recombine the surfaces and extrude, or set "
-                  "Mesh.SubdivisionAlgorithm = 2");
-        if (result.quadrilaterals.empty() && dim == 2)
+        if (result.quadrilaterals.empty())
           damaged("holds no quadrilaterals: in gmsh recombine the surfaces of the section");
         return std::move(result);
       }
@@ -106,16 +78,13 @@ namespace vibrocontact
             n += count;
             where += (where.empty() ? "" : ", ") + std::to_string(count) + " in " + group;
           }
-          text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + element_types.at(type).name + " (" +
+          text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + element_type(type)->name + " (" +
                   where + ")";
         }
-        const std::size_t n_cells = dim == 3 ? result.hexahedra.size() : result.quadrilaterals.size();
-        damaged("holds " + text + " beside " + std::to_string(n_cells) + " first-order " +
-                (dim == 3
-                     ? "hexahedra, of which alone bodies are made: in gmsh recombine and extrude, or set "
-                       "Mesh.SubdivisionAlgorithm = 2, and Mesh.ElementOrder = 1"
-                     : "quadrilaterals, of which alone sections are made: in gmsh recombine all "
-                       "surfaces or set Mesh.SubdivisionAlgorithm = 1, and Mesh.ElementOrder = 1"));
+        damaged("holds " + text + " beside " + std::to_string(result.quadrilaterals.size()) +
+                " first-order quadrilaterals, of which alone sections are made: in gmsh recombine all "
+                "surfaces or "
+                "set Mesh.SubdivisionAlgorithm = 1, and Mesh.ElementOrder = 1");
       }
 
       template <typename T>
@@ -165,8 +134,6 @@ namespace vibrocontact
           const std::string group = as_utf8(text.substr(open + 1, close - open - 1));
           names[{group_dim, tag}] = group;
           if (group_dim == 2)
-            result.names[tag] = group;
-          if (group_dim == dim)
             result.cells.names[tag] = group;
         }
       }
@@ -238,10 +205,9 @@ namespace vibrocontact
       /// @param groups physical groups of the element's entity, of its own dimension
       void add_element(const unsigned int type, std::vector<unsigned int> groups)
       {
-        const bool is_cell = type == (dim == 3 ? hexahedron_type : quadrilateral_type);
-        const ElementType &kind = element_types.at(type);
+        const ElementType &kind = *element_type(type);
         // lines and points carry nothing
-        if (!is_cell && kind.dim > 1 && !(dim == 3 && type == quadrilateral_type))
+        if (type != quadrilateral_type && kind.dim > 1)
         {
           ++strays[type][groups.empty() ? "no group" : "\"" + group_name(kind.dim, groups[0]) + "\""];
           std::string rest_of_line;
@@ -256,18 +222,9 @@ namespace vibrocontact
             damaged("has an element with a node that does not exist; save it again with gmsh");
           nodes[v] = found->second;
         }
-        if (type == hexahedron_type && is_cell)
-        {
-          result.hexahedra.emplace_back();
-          std::copy(nodes, nodes + 8, result.hexahedra.back().begin());
-        }
         if (type == quadrilateral_type)
         {
           result.quadrilaterals.push_back({{nodes[0], nodes[1], nodes[2], nodes[3]}});
-          result.groups.push_back(groups.empty() ? 0 : groups[0]);
-        }
-        if (is_cell)
-        {
           std::sort(groups.begin(), groups.end());
           result.cells.groups.push_back(std::move(groups));
         }
@@ -281,7 +238,7 @@ namespace vibrocontact
 
       unsigned int known_type(const unsigned int type) const
       {
-        if (element_types.count(type) == 0)
+        if (!element_type(type))
           damaged("holds elements of gmsh's type " + std::to_string(type) +
                   ", of an order above two perhaps; save it with Mesh.ElementOrder = 1");
         return type;
@@ -314,9 +271,9 @@ namespace vibrocontact
           const unsigned int entity_dim = next<unsigned int>();
           const int entity = next<int>();
           const unsigned int type = known_type(next<unsigned int>());
-          if (element_types.at(type).dim != entity_dim)
+          if (element_type(type)->dim != entity_dim)
             damaged("says that an entity of dimension " + std::to_string(entity_dim) + " holds " +
-                    element_types.at(type).name + "; save it again with gmsh");
+                    element_type(type)->name + "; save it again with gmsh");
           const auto found = groups_of.find({entity_dim, entity});
           const std::vector<unsigned int> groups =
               found == groups_of.end() ? std::vector<unsigned int>() : found->second;
@@ -329,7 +286,6 @@ namespace vibrocontact
       }
 
       const std::string name;
-      const unsigned int dim;
       std::ifstream stream;
       double version = 0;
       std::unordered_map<unsigned long, unsigned int> index;
@@ -342,25 +298,9 @@ namespace vibrocontact
     };
   } // namespace
 
-  GmshFile GmshFile::read(const std::string &file)
-  {
-    return Reader(file, 3).read();
-  }
-
   GmshFile GmshFile::read_section(const std::string &file)
   {
-    return Reader(file, 2).read();
-  }
-
-  std::map<std::string, unsigned int> GmshFile::face_counts() const
-  {
-    std::map<std::string, unsigned int> counts;
-    for (const auto &entry : names)
-      counts[entry.second];
-    for (const unsigned int group : groups)
-      if (names.count(group))
-        ++counts[names.at(group)];
-    return counts;
+    return Reader(file).read();
   }
 
   void write_gmsh(const BodyMesh<3> &mesh, const std::string &file, const double shift_y)

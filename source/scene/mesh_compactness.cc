@@ -8,7 +8,7 @@ namespace vibrocontact
 {
   namespace
   {
-    using Mesh = dealii::parallel::distributed::Triangulation<3>;
+    using Mesh = dealii::parallel::TriangulationBase<3>;
 
     /// Active cells in each coarse cell.
     std::vector<double> active_cells(const Mesh &triangulation)

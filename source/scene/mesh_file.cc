@@ -1,17 +1,21 @@
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/scene/gmsh_file.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/fe/cell_elements.h>
+#include <vibrocontact/scene/file_cells.h>
 #include <vibrocontact/scene/held_part.h>
 #include <vibrocontact/scene/mesh_file.h>
 #include <vibrocontact/scene/mesh_quality.h>
 #include <vibrocontact/scene/wheel.h>
 
+#include <deal.II/distributed/shared_tria.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <functional>
+#include <map>
+#include <set>
 #include <sstream>
 
 namespace vibrocontact
@@ -21,7 +25,10 @@ namespace vibrocontact
   void MeshFileParameters::declare_parameters(ParameterHandler &prm)
   {
     using Patterns::Double;
-    prm.add_parameter("File", file, "gmsh file of hexahedra, text format 4.1 or 2.2. Units: none.",
+    prm.add_parameter("File", file,
+                      "Mesh of hexahedra, tetrahedra or prisms, by the ending of its name: .msh (gmsh), "
+                      ".unv, .bdf, .vtk, .inp "
+                      "(Abaqus, CalculiX). Units: none.",
                       Patterns::FileName());
     prm.add_parameter("Unit", unit, "Length of the file's unit; 0.001 for a file in mm. Units: m.",
                       Double(1e-9, 1e3));
@@ -56,7 +63,8 @@ namespace vibrocontact
     prm.add_parameter("Wheel scale", wheel_scale, "Factor on the outline's lengths. Units: none.",
                       Double(0.01, 100));
     prm.add_parameter("Element degree", element_degree,
-                      "Polynomial degree of the displacements. Units: none.", Patterns::Integer(1, 4));
+                      "Polynomial degree of the displacements; tetrahedra and prisms: 1 or 2. Units: none.",
+                      Patterns::Integer(1, 4));
     refinement.declare_parameters(prm);
   }
 
@@ -64,9 +72,9 @@ namespace vibrocontact
   {
     refinement.check(section);
     if (file.empty())
-      throw InputError(section + "/File is empty: give the path of a gmsh file.");
+      throw InputError(section + "/File is empty: give the path of a mesh file.");
     if (!std::ifstream(file) || std::filesystem::is_directory(file))
-      throw InputError(section + "/File: cannot read " + file + "; give the path of an existing gmsh file.");
+      throw InputError(section + "/File: cannot read " + file + "; give the path of an existing file.");
     const std::vector<HeldPart> held = held_parts(held_groups, section + "/Held groups");
     for (const HeldPart &part : held)
       if (part.boundary == contact_group)
@@ -111,16 +119,201 @@ namespace vibrocontact
            << " m; is it in other units? Set Unit (0.001 for a file in mm).";
       throw InputError(text.str());
     }
+    /// What elements and geometry there are for the cells of a file.
+    void check_element(const MeshFileParameters &parameters, const FileCells &file, const std::string &name)
+    {
+      if (file.kind().n_corners == 8)
+      {
+        if (parameters.is_wheel() && file.kind().order == 2)
+          throw InputError(
+              "The mesh file " + parameters.file + " is of second order, but " + name +
+              "/Mesh/Geometry = wheel attaches the arcs itself: save it with Mesh.ElementOrder = 1.");
+        return;
+      }
+      if (parameters.is_wheel())
+        throw InputError(name + "/Mesh/Geometry is wheel, but the mesh file " + parameters.file + " holds " +
+                         file.kind().name + ": this geometry is for hexahedra; write Geometry = flat.");
+      if (parameters.element_degree > 2)
+        throw InputError(name + "/Mesh/Element degree is " + std::to_string(parameters.element_degree) +
+                         ", but the mesh file " + parameters.file + " holds " + file.kind().name +
+                         ", whose elements are of degree 1 or 2: write Element degree = 2.");
+    }
+
+    void require_groups(const MeshFileParameters &parameters, const FileCells &file, const std::string &name,
+                        const bool in_contact)
+    {
+      const auto counts = file.face_counts();
+      const auto require = [&](const std::string &group, const std::string &entry)
+      {
+        const auto found = counts.find(group);
+        if (found != counts.end() && found->second > 0)
+          return;
+        std::string list;
+        for (const auto &[present, n] : counts)
+          list += (list.empty() ? "" : ", ") + present + " (" + std::to_string(n) + " faces)";
+        throw InputError("The mesh file " + parameters.file + " has no faces in a group named '" + group +
+                         "', asked for by " + name + "/Mesh/" + entry + "; " +
+                         (list.empty() ? "it has no named group of faces: name one (gmsh: Physical Surface)."
+                                       : "name one of those it has: " + list + "."));
+      };
+      for (const HeldPart &part : held_parts(parameters.held_groups, name + "/Mesh/Held groups"))
+        require(part.boundary, "Held groups");
+      for (const auto &group : parameters.foundation_groups)
+        require(group, "Foundation groups");
+      if (in_contact)
+        require(parameters.contact_group, "Contact group");
+    }
+
+    /// The boundary of each named face. Of several groups that it belongs to this is the one which the section Mesh
+    /// names, or else the one of the fewest faces; the others are no boundaries of the body then.
+    std::vector<types::boundary_id> boundary_ids(const MeshFileParameters &parameters, const FileCells &file,
+                                                 BodyMesh<3> &mesh)
+    {
+      std::set<std::string> wanted;
+      for (const HeldPart &part : held_parts(parameters.held_groups, mesh.name + "/Mesh/Held groups"))
+        wanted.insert(part.boundary);
+      wanted.insert(parameters.foundation_groups.begin(), parameters.foundation_groups.end());
+      wanted.insert(parameters.contact_group);
+      mesh.boundaries["surface"] = 0;
+      for (const auto &[tag, group] : file.names)
+        if (group != "surface")
+          mesh.boundaries[group] = tag;
+      const auto counts = file.face_counts();
+      std::vector<types::boundary_id> ids;
+      std::set<std::string> dropped;
+      for (const FileCells::Face &face : file.faces)
+      {
+        const auto rank = [&](const unsigned int group)
+        {
+          const std::string &name = file.names.at(group);
+          return std::make_pair(wanted.count(name) == 0, counts.at(name));
+        };
+        std::vector<unsigned int> own = face.groups;
+        std::stable_sort(own.begin(), own.end(),
+                         [&](const unsigned int a, const unsigned int b) { return rank(a) < rank(b); });
+        if (own.size() > 1 && wanted.count(file.names.at(own[1])))
+          throw InputError(
+              "The mesh file " + parameters.file + " has faces that belong to \"" + file.names.at(own[0]) +
+              "\" and to \"" + file.names.at(own[1]) + "\", both of which " + mesh.name +
+              "/Mesh names: a face is held, in contact or on springs; take it out of one of them.");
+        const std::string &name = file.names.at(own.front());
+        ids.push_back(name == "surface" ? 0 : own.front());
+        for (std::size_t k = 1; k < own.size(); ++k)
+          dropped.insert(file.names.at(own[k]));
+      }
+      std::string list;
+      for (const std::string &group : dropped)
+      {
+        list += (list.empty() ? "" : ", ") + group;
+        mesh.boundaries.erase(group);
+      }
+      if (!list.empty())
+        run_log().line("The mesh file " + parameters.file +
+                       " has faces of several groups; no boundaries are therefore: " + list);
+      return ids;
+    }
+
+    void name_faces(Triangulation<3> &triangulation, const FileCells &file,
+                    const std::vector<types::boundary_id> &ids, const std::string &name)
+    {
+      const auto key = [](std::vector<unsigned int> vertices)
+      {
+        std::sort(vertices.begin(), vertices.end());
+        return vertices;
+      };
+      std::map<std::vector<unsigned int>, unsigned int> number;
+      for (unsigned int k = 0; k < file.faces.size(); ++k)
+        number[key(file.faces[k].corners)] = k;
+      for (const auto &cell : triangulation.cell_iterators_on_level(0))
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary())
+          {
+            std::vector<unsigned int> vertices;
+            for (const unsigned int v : cell->face(f)->vertex_indices())
+              vertices.push_back(cell->face(f)->vertex_index(v));
+            const auto found = number.find(key(vertices));
+            if (found == number.end())
+              continue;
+            cell->face(f)->set_boundary_id(ids[found->second]);
+            number.erase(found);
+          }
+      if (number.empty())
+        return;
+      const FileCells::Face &first = file.faces[number.begin()->second];
+      std::ostringstream text;
+      text << "The mesh file " << name << " has " << number.size()
+           << " faces of named groups, the first of \"" << file.names.at(first.groups.front()) << "\" at ("
+           << file.vertices[first.corners.front()]
+           << ") m, that are no faces of the boundary of its cells: name boundary surfaces only.";
+      throw InputError(text.str());
+    }
+
+    /// Points of a reference cell a quarter apart, its nodes among them.
+    std::vector<Point<3>> quarters(const ReferenceCell &cell)
+    {
+      std::vector<Point<3>> points;
+      for (unsigned int i = 0; i < 125; ++i)
+      {
+        const Point<3> p(i % 5 / 4., i / 5 % 5 / 4., i / 25 / 4.);
+        if (cell.contains_point(p, 1e-12))
+          points.push_back(p);
+      }
+      return points;
+    }
+
+    /// Every curved cell has to be right-handed; its volume ratio is a polynomial, of degree three on tetrahedra.
+    void check_curved_cells(const BodyMesh<3> &mesh, const std::string &file)
+    {
+      const auto mapping = make_mapping(mesh);
+      const auto element = scalar_element<3>(mesh.reference_cell(), 2);
+      FEValues<3> values(*mapping, *element, Quadrature<3>(quarters(mesh.reference_cell())),
+                         update_jacobians);
+      unsigned int n = 0;
+      Point<3> first;
+      for (const auto &cell : mesh.triangulation->active_cell_iterators())
+        if (!cell->is_artificial())
+        {
+          values.reinit(cell);
+          double smallest = 1e300, largest = 0;
+          for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+          {
+            const double volume = values.jacobian(q).determinant();
+            smallest = std::min(smallest, volume);
+            largest = std::max(largest, std::abs(volume));
+          }
+          if (!(smallest > 1e-6 * largest) && cell->is_locally_owned() && n++ == 0)
+            first = cell->center();
+        }
+      const auto all =
+          Utilities::MPI::all_gather(mesh.triangulation->get_communicator(), std::make_pair(n, first));
+      unsigned int sum = 0;
+      for (const auto &[count, place] : all)
+      {
+        if (sum == 0 && count > 0)
+          first = place;
+        sum += count;
+      }
+      if (sum == 0)
+        return;
+      std::ostringstream text;
+      text << "The mesh file " << file << " has " << sum
+           << " curved cells that are inverted in places, the first at (" << first
+           << ") m: mesh it finer there (gmsh: Mesh.HighOrderOptimize = 2), or save it with first-order "
+              "cells.";
+      throw InputError(text.str());
+    }
   } // namespace
 
   BodyMesh<3> make_mesh_from_file(const MeshFileParameters &parameters, const double lateral_position,
                                   const ContactGrid *grid, const std::string &name,
                                   const MPI_Comm communicator, const std::vector<std::string> &materials)
   {
-    const GmshFile gmsh = GmshFile::read(parameters.file);
+    FileCells file = FileCells::read(parameters.file);
     const std::vector<unsigned int> numbers =
-        material_numbers(gmsh.cells, {name, materials}, parameters.file);
-    check_number_of_cells<3>(gmsh.hexahedra.size(), parameters.element_degree, name,
+        material_numbers(file.groups, {name, materials}, parameters.file);
+    const bool hexahedra = file.kind().n_corners == 8;
+    check_element(parameters, file, name);
+    check_number_of_cells<3>(file.cells.size() * file.kind().cubes(), parameters.element_degree, name,
                              "give a coarser file or lower " + name + "/Mesh/Element degree");
 
     Point<3> origin;
@@ -128,81 +321,53 @@ namespace vibrocontact
       origin[d] = parameters.contact_point.at(d) * parameters.unit;
     if (parameters.is_wheel())
       origin[1] += lateral_position;
-    std::vector<Point<3>> vertices;
-    for (const Point<3> &node : gmsh.nodes)
-      vertices.push_back(Point<3>(parameters.unit * node - origin));
-
-    std::vector<CellData<3>> cells;
-    for (const auto &hexahedron : gmsh.hexahedra)
-    {
-      CellData<3> cell;
-      const unsigned int order[8] = {0, 1, 3, 2, 4, 5, 7, 6};
-      for (unsigned int v = 0; v < 8; ++v)
-        cell.vertices[v] = hexahedron[order[v]];
-      cell.material_id = numbers[cells.size()];
-      cells.push_back(cell);
-    }
-    check_cells(vertices, cells, parameters.file);
+    for (Point<3> &vertex : file.vertices)
+      vertex = Point<3>(parameters.unit * vertex - origin);
+    for (auto &[key, place] : file.mid_nodes)
+      place = Point<3>(parameters.unit * place - origin);
+    for (unsigned int c = 0; c < file.cells.size(); ++c)
+      file.cells[c].material_id = numbers[c];
+    check_cells(file.vertices, file.cells, parameters.file);
+    check_size(file.vertices, parameters);
 
     BodyMesh<3> mesh;
     mesh.name = name;
     mesh.cell_groups = materials;
-    mesh.boundaries["surface"] = 0;
-    for (const auto &[tag, group] : gmsh.names)
-      if (group != "surface")
-        mesh.boundaries[group] = tag;
-    const auto counts = gmsh.face_counts();
-    const auto require = [&](const std::string &group, const std::string &entry)
-    {
-      const auto found = counts.find(group);
-      if (found != counts.end() && found->second > 0)
-        return;
-      std::string list;
-      for (const auto &[present, n] : counts)
-        list += (list.empty() ? "" : ", ") + present + " (" + std::to_string(n) + " faces)";
-      throw InputError("The mesh file " + parameters.file + " has no faces in a physical surface named '" +
-                       group + "', asked for by " + name + "/Mesh/" + entry + "; " +
-                       (list.empty() ? "it has no named surface: name one in gmsh."
-                                     : "name one of those it has: " + list + "."));
-    };
-    for (const HeldPart &part : held_parts(parameters.held_groups, name + "/Mesh/Held groups"))
-      require(part.boundary, "Held groups");
-    for (const auto &group : parameters.foundation_groups)
-      require(group, "Foundation groups");
+    require_groups(parameters, file, name, grid != nullptr);
+    const std::vector<types::boundary_id> ids = boundary_ids(parameters, file, mesh);
     if (grid)
-    {
-      require(parameters.contact_group, "Contact group");
       mesh.contact_boundaries = {mesh.boundaries.at(parameters.contact_group)};
-    }
 
-    SubCellData boundary;
-    for (unsigned int k = 0; k < gmsh.quadrilaterals.size(); ++k)
+    if (hexahedra)
     {
-      const auto named = gmsh.names.find(gmsh.groups[k]);
-      CellData<2> face;
-      const auto &q = gmsh.quadrilaterals[k];
-      face.vertices = {q[0], q[1], q[3], q[2]};
-      face.boundary_id = named == gmsh.names.end() || named->second == "surface" ? 0 : named->first;
-      boundary.boundary_quads.push_back(face);
+      GridTools::consistently_order_cells(file.cells);
+      mesh.triangulation = std::make_unique<parallel::distributed::Triangulation<3>>(
+          communicator, Triangulation<3>::limit_level_difference_at_vertices);
     }
-    GridTools::delete_unused_vertices(vertices, cells, boundary);
-    check_size(vertices, parameters);
-    GridTools::consistently_order_cells(cells);
-    mesh.triangulation = std::make_unique<parallel::distributed::Triangulation<3>>(
-        communicator, Triangulation<3>::limit_level_difference_at_vertices);
+    else
+      mesh.triangulation = std::make_unique<parallel::shared::Triangulation<3>>(
+          communicator, Triangulation<3>::none, true, parallel::shared::Triangulation<3>::partition_metis);
     try
     {
-      mesh.triangulation->create_triangulation(vertices, cells, boundary);
+      mesh.triangulation->create_triangulation(file.vertices, file.cells, SubCellData());
     }
     catch (const ExceptionBase &)
     {
-      throw InputError(
-          "The mesh file " + parameters.file +
-          " is no conforming mesh of hexahedra: cells overlap, or a named quadrilateral is not a face of a "
-          "cell on the boundary; name boundary surfaces only.");
+      throw InputError("The mesh file " + parameters.file + " is no conforming mesh of " + file.kind().name +
+                       ": cells overlap; repair it in the program that made it.");
     }
+    name_faces(*mesh.triangulation, file, ids, parameters.file);
 
     mesh.geometry_degree = 1;
+    if (file.kind().order == 2 && parameters.element_degree == 1)
+      run_log().line("The mesh file " + parameters.file + " is of second order, but " + name +
+                     "/Mesh/Element degree is 1: its edges are taken as straight.");
+    if (file.kind().order == 2 && parameters.element_degree > 1)
+    {
+      mesh.mid_nodes = std::move(file.mid_nodes);
+      mesh.geometry_degree = 2;
+      check_curved_cells(mesh, parameters.file);
+    }
     if (parameters.is_wheel())
     {
       const SectionOutline outline = wheel_outline(parameters);
@@ -215,8 +380,30 @@ namespace vibrocontact
     return mesh;
   }
 
+  namespace
+  {
+    /// Between a milligram and a thousand tonnes: a mesh of millimetres taken for metres has 1e9 times its mass.
+    void check_mass(const ElasticModel<3> &model, const MeshFileParameters &parameters,
+                    const BodyMesh<3> &mesh)
+    {
+      double mass = 0;
+      for (const auto &cell : mesh.triangulation->active_cell_iterators())
+        if (cell->is_locally_owned())
+          mass += cell->measure() * model.material_of(cell->material_id()).density;
+      mass = Utilities::MPI::sum(mass, mesh.triangulation->get_communicator());
+      if (mass >= 1e-6 && mass <= 1e6)
+        return;
+      std::ostringstream text;
+      text << "Body " << mesh.name << " of the mesh file " << parameters.file << " would have a mass of "
+           << mass << " kg with Unit = " << parameters.unit << " m and the density of " << mesh.name
+           << "/Material: set Unit (0.001 for a file in mm), or the density in kg/m^3.";
+      throw InputError(text.str());
+    }
+  } // namespace
+
   void add_supports(ElasticModel<3> &model, const MeshFileParameters &parameters, const BodyMesh<3> &mesh)
   {
+    check_mass(model, parameters, mesh);
     for (const HeldPart &part : held_parts(parameters.held_groups, "Held groups"))
       model.held.emplace_back(mesh.boundary_id(part.boundary), part.directions);
     for (const std::string &group : parameters.foundation_groups)
@@ -232,27 +419,30 @@ namespace vibrocontact
 
   std::optional<FlatFace> flat_contact_group(const MeshFileParameters &parameters)
   {
-    const GmshFile gmsh = GmshFile::read(parameters.file);
+    const FileCells file = FileCells::read(parameters.file);
     FlatFace face{1e300, -1e300, 1e300, -1e300};
     double area = 0, height = 0;
-    for (unsigned int k = 0; k < gmsh.quadrilaterals.size(); ++k)
+    for (const FileCells::Face &named : file.faces)
     {
-      const auto named = gmsh.names.find(gmsh.groups[k]);
-      if (named == gmsh.names.end() || named->second != parameters.contact_group)
+      if (std::none_of(named.groups.begin(), named.groups.end(),
+                       [&](const unsigned int group)
+                       { return file.names.at(group) == parameters.contact_group; }))
         continue;
-      std::array<Point<3>, 4> p;
-      for (unsigned int v = 0; v < 4; ++v)
+      std::vector<Point<3>> p;
+      for (const unsigned int v : named.corners)
       {
+        Point<3> place;
         for (unsigned int d = 0; d < 3; ++d)
-          p[v][d] =
-              parameters.unit * (gmsh.nodes[gmsh.quadrilaterals[k][v]][d] - parameters.contact_point.at(d));
-        face.x_low = std::min(face.x_low, p[v][0]);
-        face.x_high = std::max(face.x_high, p[v][0]);
-        face.y_low = std::min(face.y_low, p[v][1]);
-        face.y_high = std::max(face.y_high, p[v][1]);
-        height = std::max(height, std::abs(p[v][2]));
+          place[d] = parameters.unit * (file.vertices[v][d] - parameters.contact_point.at(d));
+        p.push_back(place);
+        face.x_low = std::min(face.x_low, place[0]);
+        face.x_high = std::max(face.x_high, place[0]);
+        face.y_low = std::min(face.y_low, place[1]);
+        face.y_high = std::max(face.y_high, place[1]);
+        height = std::max(height, std::abs(place[2]));
       }
-      area += cross_product_3d(p[2] - p[0], p[3] - p[1]).norm() / 2;
+      // a triangle's last corner is its first
+      area += cross_product_3d(p[2] - p[0], p[p.size() == 4 ? 3 : 0] - p[1]).norm() / 2;
     }
     const double whole = (face.x_high - face.x_low) * (face.y_high - face.y_low);
     if (!(area > 0) || std::abs(area / whole - 1) > 1e-6 || height > 1e-6 * std::sqrt(area))

@@ -2,8 +2,8 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/scene/mesh_quality.h>
 
-#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/tensor.h>
+#include <deal.II/grid/reference_cell.h>
 
 #include <algorithm>
 #include <array>
@@ -22,26 +22,53 @@ namespace vibrocontact
                      poor_edge = 1e-2;
     constexpr double most_unknowns = 2e7;
 
+    /// Corners joined to each corner of a cell by edges, so that they are right-handed.
+    using Neighbours = std::vector<std::array<unsigned int, 3>>;
+
+    template <int dim>
+    const Neighbours &neighbours(const CellData<dim> &cell)
+    {
+      static const Neighbours quadrilateral = {{{1, 2}}, {{3, 0}}, {{0, 3}}, {{2, 1}}},
+                              tetrahedron = {{{1, 2, 3}}, {{2, 0, 3}}, {{0, 1, 3}}, {{0, 2, 1}}},
+                              prism = {{{1, 2, 3}}, {{2, 0, 4}}, {{0, 1, 5}},
+                                       {{5, 4, 0}}, {{3, 5, 1}}, {{4, 3, 2}}},
+                              hexahedron = {{{1, 2, 4}}, {{3, 0, 5}}, {{0, 3, 6}}, {{2, 1, 7}},
+                                            {{6, 5, 0}}, {{4, 7, 1}}, {{7, 4, 2}}, {{5, 6, 3}}};
+      if (dim == 2)
+        return quadrilateral;
+      return cell.vertices.size() == 4 ? tetrahedron : cell.vertices.size() == 6 ? prism : hexahedron;
+    }
+
+    template <int dim>
+    ReferenceCell shape_of(const CellData<dim> &cell)
+    {
+      return ReferenceCell::n_vertices_to_type(dim, cell.vertices.size());
+    }
+
     /// Cells of one kind of fault: their number and the first of them.
     template <int dim>
     struct Fault
     {
-      unsigned int n = 0, first = 0;
+      unsigned int n = 0, first = 0, n_corners = 0;
       Point<dim> place;
 
-      void add(const unsigned int cell, const Point<dim> &where)
+      void add(const unsigned int cell, const CellData<dim> &data, const Point<dim> &where)
       {
-        if (n++ == 0)
-        {
-          first = cell + 1;
-          place = where;
-        }
+        if (n++ > 0)
+          return;
+        first = cell + 1;
+        n_corners = data.vertices.size();
+        place = where;
       }
       std::string text(const std::string &kind) const
       {
         std::ostringstream out;
-        out << n << " " << kind << (dim == 2 ? " quadrilaterals" : " hexahedra") << ", the first is number "
-            << first << " at (" << place << ") m";
+        out << n << " " << kind
+            << (dim == 2         ? " quadrilaterals"
+                : n_corners == 4 ? " tetrahedra"
+                : n_corners == 6 ? " prisms"
+                                 : " hexahedra")
+            << ", the first is number " << first << " at (" << place << ") m";
         return out.str();
       }
     };
@@ -50,8 +77,8 @@ namespace vibrocontact
     Point<dim> centre(const std::vector<Point<dim>> &vertices, const CellData<dim> &cell)
     {
       Point<dim> sum;
-      for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
-        sum += vertices[cell.vertices[v]] / double(GeometryInfo<dim>::vertices_per_cell);
+      for (const unsigned int v : cell.vertices)
+        sum += vertices[v] / double(cell.vertices.size());
       return sum;
     }
 
@@ -60,15 +87,14 @@ namespace vibrocontact
     std::pair<double, double> shape(const std::vector<Point<dim>> &vertices, const CellData<dim> &cell)
     {
       double corner = 1, shortest = 1e300, longest = 0;
-      for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+      const Neighbours &others = neighbours(cell);
+      for (unsigned int v = 0; v < cell.vertices.size(); ++v)
       {
         Tensor<2, dim> edges;
         double size = 1;
         for (unsigned int d = 0; d < dim; ++d)
         {
-          edges[d] = vertices[cell.vertices[v ^ (1u << d)]] - vertices[cell.vertices[v]];
-          if (v & (1u << d))
-            edges[d] *= -1;
+          edges[d] = vertices[cell.vertices[others[v][d]]] - vertices[cell.vertices[v]];
           const double length = edges[d].norm();
           size *= length;
           shortest = std::min(shortest, length);
@@ -79,23 +105,25 @@ namespace vibrocontact
       return {corner, longest > 0 ? shortest / longest : 0.};
     }
 
-    template <int dim>
-    using FaceVertices = std::array<unsigned int, GeometryInfo<dim>::vertices_per_face>;
+    using FaceVertices = std::vector<unsigned int>;
 
     /// The cells of each face, by its sorted vertices.
     template <int dim>
-    std::map<FaceVertices<dim>, std::vector<unsigned int>> faces(const std::vector<CellData<dim>> &cells)
+    std::map<FaceVertices, std::vector<unsigned int>> faces(const std::vector<CellData<dim>> &cells)
     {
-      std::map<FaceVertices<dim>, std::vector<unsigned int>> result;
+      std::map<FaceVertices, std::vector<unsigned int>> result;
       for (unsigned int c = 0; c < cells.size(); ++c)
-        for (const unsigned int f : GeometryInfo<dim>::face_indices())
+      {
+        const ReferenceCell type = shape_of(cells[c]);
+        for (const unsigned int f : type.face_indices())
         {
-          FaceVertices<dim> face;
-          for (unsigned int v = 0; v < face.size(); ++v)
-            face[v] = cells[c].vertices[GeometryInfo<dim>::face_to_cell_vertices(f, v)];
+          FaceVertices face;
+          for (unsigned int v = 0; v < type.face_reference_cell(f).n_vertices(); ++v)
+            face.push_back(cells[c].vertices[type.face_to_cell_vertices(f, v, 1)]);
           std::sort(face.begin(), face.end());
           result[face].push_back(c);
         }
+      }
       return result;
     }
 
@@ -115,7 +143,7 @@ namespace vibrocontact
       for (const auto &[face, own] : faces(cells))
       {
         if (own.size() > 2)
-          overlapping.add(own[2], centre(vertices, cells[own[2]]));
+          overlapping.add(own[2], cells[own[2]], centre(vertices, cells[own[2]]));
         for (const unsigned int c : own)
           piece[root(c)] = root(own[0]);
       }
@@ -149,11 +177,11 @@ namespace vibrocontact
     {
       const auto [corner, edge] = shape(vertices, cells[c]);
       if (!(corner > degenerate_corner))
-        bad.add(c, vertices[cells[c].vertices[0]]);
+        bad.add(c, cells[c], vertices[cells[c].vertices[0]]);
       else if (corner < sliver_corner || edge < sliver_edge)
-        slivers.add(c, centre(vertices, cells[c]));
+        slivers.add(c, cells[c], centre(vertices, cells[c]));
       else if (corner < poor_corner || edge < poor_edge)
-        poor.add(c, centre(vertices, cells[c]));
+        poor.add(c, cells[c], centre(vertices, cells[c]));
     }
     if (bad.n > 0)
       throw InputError("The mesh file " + file + " has " + bad.text("inverted or degenerate") +

@@ -7,6 +7,5 @@ using namespace vibrocontact;
 void readers::gmsh(const std::string &bytes)
 {
   const std::string file = file_of("mesh.msh", bytes);
-  taken([&] { GmshFile::read(file).face_counts(); });
-  taken([&] { GmshFile::read_section(file).face_counts(); });
+  taken([&] { GmshFile::read_section(file); });
 }

@@ -10,8 +10,10 @@
 namespace readers
 {
   void parameter_file(const std::string &bytes);
-  /// a body or, by the first byte, a section; so that each file can be either
+  /// a section
   void gmsh(const std::string &bytes);
+  /// a deck of Abaqus or CalculiX and the cells in it
+  void inp(const std::string &bytes);
   /// a table, then what is read of tables: receptances, poles
   void csv(const std::string &bytes);
   void uff(const std::string &bytes);
@@ -32,6 +34,7 @@ namespace readers
   };
   const std::vector<Reader> all = {{"parameter_file", parameter_file},
                                    {"gmsh", gmsh},
+                                   {"inp", inp},
                                    {"csv", csv},
                                    {"uff", uff},
                                    {"outline", outline},

@@ -19,7 +19,8 @@ import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-READERS = ["parameter_file", "gmsh", "csv", "uff", "outline", "matrices", "road", "reduction_cache", "contact_problem", "checkpoint"]
+READERS = ["parameter_file", "gmsh", "inp", "csv", "uff", "outline", "matrices", "road", "reduction_cache", "contact_problem",
+           "checkpoint"]
 # a reader that takes longer for one input, or more memory, is at fault; bytes of an input at most
 LIMITS = ["-timeout=20", "-rss_limit_mb=2000", "-malloc_limit_mb=1000", "-max_len=16384"]
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OPENBLAS_NUM_THREADS="1",

@@ -3,6 +3,8 @@
 // contact solver. Of half-spaces, whose surface does not stay plane under uniform pressure, the undeformed
 // gap is what Love's rectangle takes away.
 
+#include "box_of_cells.h"
+
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/half_space.h>
 #include <vibrocontact/contact/interface.h>
@@ -10,6 +12,7 @@
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/reduction/flexibility.h>
 #include <vibrocontact/scene/block.h>
+#include <vibrocontact/scene/mesh_file.h>
 
 #include <gtest/gtest.h>
 
@@ -31,6 +34,19 @@ namespace
     return g;
   }
 
+  DenseMatrix compliance_of(BodyMesh<3> &&mesh, const std::string &held, const unsigned int degree,
+                            const ContactGrid &g)
+  {
+    ElasticModel<3> model;
+    model.material.young_modulus = young;
+    model.material.poisson_ratio = 0;
+    model.held = {mesh.boundary_id(held)};
+    const ElasticBody<3> body(std::move(mesh), model, degree);
+    const auto system = assemble_body(body, &g);
+    Flexibility flexibility(*system);
+    return flexibility.contact_compliance();
+  }
+
   /// P_c K^-1 P_c^T of a block without lateral contraction, held on the face away from the contact.
   DenseMatrix compliance(const std::string &contact_face, const unsigned int divisions,
                          const unsigned int degree, const ContactGrid &g)
@@ -41,15 +57,8 @@ namespace
     parameters.divisions_x = parameters.divisions_y = divisions;
     parameters.divisions_z = 2;
     parameters.contact_face = contact_face;
-    BodyMesh<3> mesh = make_block<3>(parameters, "block", MPI_COMM_WORLD);
-    ElasticModel<3> model;
-    model.material.young_modulus = young;
-    model.material.poisson_ratio = 0;
-    model.held = {mesh.boundary_id(contact_face == "top" ? "bottom" : "top")};
-    const ElasticBody<3> body(std::move(mesh), model, degree);
-    const auto system = assemble_body(body, &g);
-    Flexibility flexibility(*system);
-    return flexibility.contact_compliance();
+    return compliance_of(make_block<3>(parameters, "block", MPI_COMM_WORLD),
+                         contact_face == "top" ? "bottom" : "top", degree, g);
   }
 
   /// Smallest and largest pressure over the one asked for when bodies of this compliance are pressed
@@ -90,6 +99,25 @@ namespace
                          std::to_string(degree));
   }
 
+  /// A block of cells from a file under the contact, or over it.
+  DenseMatrix compliance_from_file(const std::string &type, const unsigned int divisions, const bool upper,
+                                   const ContactGrid &g)
+  {
+    BoxOfCells box;
+    box.type = type;
+    box.divisions = {{divisions, divisions, 3}};
+    box.place = [&](const Point<3> &p)
+    { return Point<3>(width * (p[0] - 0.5), width * (p[1] - 0.5), height * (upper ? p[2] : p[2] - 1)); };
+    MeshFileParameters parameters;
+    parameters.file = testing::TempDir() + "contact_patch_" + type + ".inp";
+    box.write(parameters.file);
+    parameters.contact_group = upper ? "bottom" : "top";
+    parameters.held_groups = {upper ? "top" : "bottom"};
+    parameters.refinement.cell_size = 0;
+    return compliance_of(make_mesh_from_file(parameters, 0, &g, "block", MPI_COMM_WORLD),
+                         upper ? "top" : "bottom", 2, g);
+  }
+
   const HalfSpaceMaterial rigid{std::numeric_limits<double>::infinity(), 0.3};
 
   /// Gap that uniform pressure on the whole square closes: approach less the displacements at the points.
@@ -120,6 +148,31 @@ TEST(ContactPatch, interpolated_nodes)
     const auto [low, high] = blocks(11, lower, 2, grid(11));
     EXPECT_NEAR(low, 1, 1e-2);
     EXPECT_NEAR(high, 1, 1e-2);
+  }
+}
+
+TEST(ContactPatch, tetrahedra_and_prisms)
+{
+  const auto meet = [](const std::string &upper, const unsigned int above, const std::string &lower,
+                       const unsigned int below)
+  {
+    const ContactGrid g = grid(9);
+    DenseMatrix sum = compliance_from_file(upper, above, true, g);
+    sum.add(1., compliance_from_file(lower, below, false, g));
+    const double approach = 1e-6;
+    return pressures(rolling_operator(g, std::move(sum), creep_schemes().front(), 1.), g,
+                     std::vector<double>(g.n_points(), 0.), approach, young * approach / (2 * height),
+                     upper + " " + std::to_string(above) + " on " + lower + " " + std::to_string(below));
+  };
+  // Of equal meshes the rule of each point's sub-cells is all that is not exact; the others cannot follow each other's
+  // displacement within a cell.
+  const auto [low, high] = meet("C3D10", 9, "C3D10", 9);
+  EXPECT_NEAR(low, 1, 1e-4);
+  EXPECT_NEAR(high, 1, 1e-4);
+  for (const auto &[lowest, highest] : {meet("C3D10", 9, "C3D10", 7), meet("C3D15", 9, "C3D10", 6)})
+  {
+    EXPECT_NEAR(lowest, 1, 5e-3);
+    EXPECT_NEAR(highest, 1, 5e-3);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <vibrocontact/reduction/harmonic_solver.h>
 #include <vibrocontact/reduction/modes.h>
 #include <vibrocontact/scene/block.h>
+#include <vibrocontact/scene/file_cells.h>
 #include <vibrocontact/scene/gmsh_file.h>
 #include <vibrocontact/scene/mesh_file.h>
 #include <vibrocontact/scene/rail.h>
@@ -394,7 +395,7 @@ TEST(Materials, groups_and_materials_have_to_match)
 
 TEST(Materials, file_written_with_groups_has_them_again)
 {
-  const GmshFile file = GmshFile::read(bar_file("again.msh", {"steel", "rubber"}).file);
-  EXPECT_EQ(file.cells.counts().at("steel"), 4u);
-  EXPECT_EQ(file.cells.counts().at("rubber"), 6u);
+  const FileCells file = FileCells::read(bar_file("again.msh", {"steel", "rubber"}).file);
+  EXPECT_EQ(file.groups.counts().at("steel"), 4u);
+  EXPECT_EQ(file.groups.counts().at("rubber"), 6u);
 }

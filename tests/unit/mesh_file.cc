@@ -8,6 +8,7 @@
 #include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/modes.h>
 #include <vibrocontact/scene/body.h>
+#include <vibrocontact/scene/file_cells.h>
 #include <vibrocontact/scene/gmsh_file.h>
 #include <vibrocontact/scene/loads.h>
 #include <vibrocontact/scene/mesh_file.h>
@@ -136,7 +137,7 @@ TEST(MeshFile, wheel_written_and_read_back_has_the_same_frequencies)
   parameters.element_degree = 1;
   parameters.held_groups = {"bore"};
   write_gmsh(original, parameters.file);
-  const auto counts = GmshFile::read(parameters.file).face_counts();
+  const auto counts = FileCells::read(parameters.file).face_counts();
   EXPECT_EQ(counts.size(), 3u);
   EXPECT_GT(counts.at("contact"), 0u);
   BodyMesh<3> copy = make_mesh_from_file(parameters, 0., nullptr, "wheel", MPI_COMM_WORLD);
@@ -204,14 +205,13 @@ TEST(MeshFile, wrong_files_are_refused_with_a_sentence)
   const auto expect = [](const std::string &text, const std::string &part)
   { EXPECT_NE(text.find(part), std::string::npos) << "got: " << text; };
   expect(complaint("\"Lauffläche\"", "\"Schiene\""), "those it has: Einspannung (25 faces)");
-  expect(complaint("$MeshFormat\n4.1 0 8", "$MeshFormat\n4.0 0 8"), "format 4.0");
-  expect(complaint("$MeshFormat\n4.1 0 8", "$MeshFormat\n4.1 1 8"), "binary");
+  const std::string unreadable = "gmsh cannot read the mesh file";
+  expect(complaint("$MeshFormat\n4.1 0 8", "$MeshFormat\n4.0 0 8"), unreadable);
+  expect(complaint("$MeshFormat\n4.1 0 8", "$MeshFormat\n4.1 1 8"), "holds no solid cells and no nodes");
   expect(complaint("$EndElements", "\n"), "");
-  expect(complaint("3 1 5 ", "3 1 4 "), "tetrahedra");
-  expect(complaint("3 1 5 ", "3 1 17 "), "second-order");
   expect(complaint("$MeshFormat", "solid"), "no $MeshFormat");
-  expect(complaint("$Elements\n", "$Elements\n-"), "holds -");
-  expect(complaint("$Nodes\n", "$Nodes\n-"), "where a count");
+  expect(complaint("$Elements\n", "$Elements\n-"), unreadable);
+  expect(complaint("$Nodes\n", "$Nodes\n-"), unreadable);
 
   MeshFileParameters parameters = foreign_block();
   parameters.unit = 10;

@@ -5,14 +5,14 @@
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping_q_cache.h>
+#include <deal.II/fe/mapping.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/petsc_vector.h>
 
 namespace vibrocontact
 {
-  /// A meshed body with its displacement space: mesh, mapping, FE_Q(degree)^dim, hanging-node and held
-  /// constraints.
+  /// A meshed body with its displacement space: mesh, mapping, FE_Q(degree)^dim - FE_SimplexP of tetrahedra, FE_WedgeP of
+  /// prisms, degree 1 or 2 -, hanging-node and held constraints.
   ///
   /// It lives as long as fields are written; the analyses only see the SecondOrderSystem that it assembles.
   ///
@@ -30,7 +30,14 @@ namespace vibrocontact
     const BodyMesh<dim> mesh;
     const ElasticModel<dim> model;
     const dealii::FESystem<dim> element;
-    dealii::MappingQCache<dim> mapping;
+    /// points of the reference cell at which the nodes of the element lie, one per dof of a cell
+    const std::vector<dealii::Point<dim>> node_points;
+
+  private:
+    const std::unique_ptr<const dealii::Mapping<dim>> own_mapping;
+
+  public:
+    const dealii::Mapping<dim> &mapping;
     dealii::DoFHandler<dim> dof_handler;
     dealii::IndexSet locally_owned, locally_relevant;
     dealii::AffineConstraints<double> constraints;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vibrocontact/fe/cell_elements.h>
+
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/lac/full_matrix.h>
@@ -11,40 +13,39 @@
 
 namespace vibrocontact
 {
-  /// Polynomial map of a cell's face, from face coordinates s (the cell's other axes, ascending) to space.
+  /// Polynomial map of a cell's face, from face coordinates s to space: of the unit square (hexahedra: the cell's other
+  /// axes, ascending), or of the unit triangle.
   template <int dim>
   class FaceMap
   {
   public:
-    FaceMap(const unsigned int degree)
-        : n(degree + 1), nodes(dealii::QGaussLobatto<1>(degree + 1).get_points()),
+    /// @param degree of the geometry; triangles: 1 or 2
+    FaceMap(const unsigned int degree, const bool is_triangle = false)
+        : is_triangle(is_triangle), n(degree + 1), nodes(dealii::QGaussLobatto<1>(degree + 1).get_points()),
           basis(dealii::Polynomials::generate_complete_Lagrange_basis(nodes)), value(n, 2), slope(n, 2)
     {
     }
 
     /// Unit points on face @p f of the cell at which reinit() wants the positions.
-    dealii::Quadrature<dim> support(const unsigned int f) const
+    dealii::Quadrature<dim> support(const dealii::ReferenceCell &cell, const unsigned int f) const
     {
       std::vector<dealii::Point<dim>> points;
+      if constexpr (dim == 3)
+        if (is_triangle)
+        {
+          for (const dealii::Point<2> &s : triangle_nodes())
+            points.push_back(on_face<3>(cell, f, s));
+          return dealii::Quadrature<dim>(points);
+        }
       for (unsigned int k = 0; k < dealii::Utilities::pow(n, dim - 1); ++k)
       {
         dealii::Point<dim - 1> s;
         s[0] = nodes[k % n][0];
         if (dim == 3)
           s[dim - 2] = nodes[k / n][0];
-        points.push_back(on_cell(f, s));
+        points.push_back(on_face<dim>(cell, f, s));
       }
       return dealii::Quadrature<dim>(points);
-    }
-
-    static dealii::Point<dim> on_cell(const unsigned int f, const dealii::Point<dim - 1> &s)
-    {
-      dealii::Point<dim> p;
-      p[f / 2] = f % 2;
-      for (unsigned int d = 0, k = 0; d < dim; ++d)
-        if (d != f / 2)
-          p[d] = s[k++];
-      return p;
     }
 
     void reinit(const std::vector<dealii::Point<dim>> &positions) { x = positions; }
@@ -53,6 +54,12 @@ namespace vibrocontact
     void evaluate(const dealii::Point<dim - 1> &s, dealii::Point<dim> &position,
                   dealii::Tensor<1, dim - 1, dealii::Tensor<1, dim>> &derivative)
     {
+      if constexpr (dim == 3)
+        if (is_triangle)
+        {
+          evaluate_triangle(s, position, derivative);
+          return;
+        }
       double v[2];
       for (unsigned int d = 0; d < dim - 1; ++d)
         for (unsigned int k = 0; k < n; ++k)
@@ -81,7 +88,7 @@ namespace vibrocontact
       dealii::Point<dim> position;
       dealii::Tensor<1, dim - 1, dealii::Tensor<1, dim>> derivative;
       for (unsigned int d = 0; d < dim - 1; ++d)
-        s[d] = 0.5;
+        s[d] = is_triangle ? 1. / 3 : 0.5;
       double last_step = 1;
       for (unsigned int iteration = 0; iteration < 25 && last_step >= 1e-13; ++iteration)
       {
@@ -109,20 +116,24 @@ namespace vibrocontact
       if (!(last_step < 1e-9))
         return false;
       height = position[dim - 1];
+      double sum = 0;
       for (unsigned int d = 0; d < dim - 1; ++d)
+      {
         if (s[d] < -1e-9 || s[d] > 1 + 1e-9)
           return false;
-      return true;
+        sum += s[d];
+      }
+      return !is_triangle || sum < 1 + 1e-9;
     }
 
-    /// Lengths of the face along x (and y) through its centre [m].
+    /// Lengths of the face along x (and y) through its centre; of a triangle the side of a square of twice its area [m].
     std::array<double, 2> extent()
     {
       dealii::Point<dim> position;
       dealii::Tensor<1, dim - 1, dealii::Tensor<1, dim>> derivative;
       dealii::Point<dim - 1> centre;
       for (unsigned int d = 0; d < dim - 1; ++d)
-        centre[d] = 0.5;
+        centre[d] = is_triangle ? 1. / 3 : 0.5;
       evaluate(centre, position, derivative);
       dealii::Tensor<2, dim - 1> J;
       for (unsigned int i = 0; i < dim - 1; ++i)
@@ -131,6 +142,11 @@ namespace vibrocontact
       std::array<double, 2> length = {{0, 0}};
       if (std::abs(dealii::determinant(J)) < 1e-30)
         return length;
+      if (is_triangle)
+      {
+        length.fill(std::sqrt(std::abs(dealii::determinant(J))));
+        return length;
+      }
       const dealii::Tensor<2, dim - 1> inverse = dealii::invert(J);
       for (unsigned int i = 0; i < dim - 1; ++i)
       {
@@ -145,6 +161,37 @@ namespace vibrocontact
     std::vector<dealii::Point<dim>> x;
 
   private:
+    std::vector<dealii::Point<2>> triangle_nodes() const
+    {
+      std::vector<dealii::Point<2>> result = {{0, 0}, {1, 0}, {0, 1}};
+      if (n == 3)
+        for (const auto &[a, b] : {std::make_pair(0, 1), {1, 2}, {2, 0}})
+          result.push_back(dealii::Point<2>((result[a] + result[b]) / 2));
+      return result;
+    }
+
+    void evaluate_triangle(const dealii::Point<2> &s, dealii::Point<3> &position,
+                           dealii::Tensor<1, 2, dealii::Tensor<1, 3>> &derivative) const
+    {
+      const std::array<double, 3> L = {{1 - s[0] - s[1], s[0], s[1]}};
+      constexpr double slopes[3][2] = {{-1, -1}, {1, 0}, {0, 1}};
+      position = dealii::Point<3>();
+      derivative = dealii::Tensor<1, 2, dealii::Tensor<1, 3>>();
+      for (unsigned int k = 0; k < x.size(); ++k)
+      {
+        // corners, then middles of the edges from k to k + 1
+        const unsigned int a = k % 3, b = (k + 1) % 3;
+        const double N = k >= 3 ? 4 * L[a] * L[b] : n == 3 ? L[a] * (2 * L[a] - 1) : L[a];
+        position += N * x[k];
+        for (unsigned int d = 0; d < 2; ++d)
+          derivative[d] += (k >= 3   ? 4 * (slopes[a][d] * L[b] + L[a] * slopes[b][d])
+                            : n == 3 ? slopes[a][d] * (4 * L[a] - 1)
+                                     : slopes[a][d]) *
+                           x[k];
+      }
+    }
+
+    const bool is_triangle;
     const unsigned int n;
     const std::vector<dealii::Point<1>> nodes;
     const std::vector<dealii::Polynomials::Polynomial<double>> basis;

@@ -17,7 +17,7 @@ namespace vibrocontact
     /// contact frame [m]
     std::vector<dealii::Point<3>> points;
     /// four points of each face in turn around it; a line (axis of a bar or beam, plane body) is a quad
-    /// a, b, b, a
+    /// a, b, b, a, a triangle a, b, c, c
     std::vector<std::array<int, 4>> quads;
     /// displacement d (0 x, 1 y, 2 z) of point i in rows[3 i + d]; empty: zero
     std::vector<TraceRow> rows;

@@ -4,34 +4,26 @@
 #include <vibrocontact/scene/cell_groups.h>
 
 #include <array>
-#include <map>
 #include <string>
 #include <vector>
 
 namespace vibrocontact
 {
-  /// First-order cells and the named groups of a gmsh file (text, format 4.1 or 2.2): hexahedra and the
-  /// quadrilaterals of their boundary, or the quadrilaterals of a section.
+  /// The quadrilaterals of a section and their groups, of a gmsh file (text, format 4.1 or 2.2).
+  ///
+  /// Every run with a wheel or rail reads one on every rank. It is read here and not by gmsh's library (FileMesh), which
+  /// crashes on damaged files and would need a process of its own each time.
   struct GmshFile
   {
-    /// nodes [unit of the file]; hexahedra and quadrilaterals by node index, in gmsh's order
+    /// nodes [unit of the file]; quadrilaterals by node index, in gmsh's order
     std::vector<dealii::Point<3>> nodes;
-    std::vector<std::array<unsigned int, 8>> hexahedra;
     std::vector<std::array<unsigned int, 4>> quadrilaterals;
-    /// physical group of each quadrilateral, 0: none; names of the groups of surfaces
-    std::vector<unsigned int> groups;
-    std::map<unsigned int, std::string> names;
-    /// physical groups of the cells: of the hexahedra, or of a section's quadrilaterals
+    /// physical groups of the quadrilaterals
     CellGroups cells;
 
-    /// @throws InputError if the file is missing, damaged, of another format, or holds elements that are no
-    ///   first-order hexahedra (or quadrilaterals of their boundary); how many and in which groups is said.
-    static GmshFile read(const std::string &file);
-    /// A section: its cells are the quadrilaterals; anything but them, lines and points is refused.
+    /// @throws InputError if the file is missing, damaged, of another format, or holds cells other than first-order
+    ///   quadrilaterals; how many and in which groups is said.
     static GmshFile read_section(const std::string &file);
-
-    /// Number of quadrilaterals per named group.
-    std::map<std::string, unsigned int> face_counts() const;
   };
 
   /// Write the coarse cells, their groups and the named boundaries of a body; manifolds are not part of such

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deal.II/distributed/tria.h>
+#include <deal.II/distributed/tria_base.h>
 
 namespace vibrocontact
 {
@@ -10,5 +10,5 @@ namespace vibrocontact
   /// a cell at an end), n_l dofs in a level and w_l on a cut through it, the factors have some sum_l n_l w_l^(1/2) entries:
   /// n^(4/3) of a cube, n times the root of its section for a bar. Returned is that sum over that of a cube of as many cells.
   /// Coarse cells count by the active cells in them. Collective.
-  double mesh_compactness(const dealii::parallel::distributed::Triangulation<3> &triangulation);
+  double mesh_compactness(const dealii::parallel::TriangulationBase<3> &triangulation);
 } // namespace vibrocontact

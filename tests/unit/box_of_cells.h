@@ -1,0 +1,101 @@
+#pragma once
+
+// Boxes of hexahedra, tetrahedra or prisms of first and second order, as decks of Abaqus and CalculiX.
+
+#include <deal.II/base/point.h>
+
+#include <array>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  struct BoxOfCells
+  {
+    /// C3D8, C3D20, C3D4, C3D10, C3D6, C3D15
+    std::string type = "C3D8";
+    std::array<unsigned int, 3> divisions = {{2, 2, 2}};
+    /// place of a point of the unit cube, and whether edges follow it or stay straight
+    std::function<dealii::Point<3>(const dealii::Point<3> &)> place = [](const dealii::Point<3> &p)
+    { return p; };
+    bool curved = false;
+    /// written behind the cells and sets
+    std::string more;
+
+    /// Node sets of the faces: left, right, front, back, bottom, top.
+    std::string text() const
+    {
+      using Index = std::array<unsigned int, 3>;
+      using Lists = std::vector<std::vector<unsigned int>>;
+      // corners of a cube in Abaqus' order; tetrahedra share its diagonal 0-6, prisms 0-2 and 4-6
+      const std::vector<Index> cube = {{{0, 0, 0}}, {{2, 0, 0}}, {{2, 2, 0}}, {{0, 2, 0}},
+                                       {{0, 0, 2}}, {{2, 0, 2}}, {{2, 2, 2}}, {{0, 2, 2}}};
+      const bool tetrahedra = type == "C3D4" || type == "C3D10", prisms = type == "C3D6" || type == "C3D15",
+                 quadratic = type == "C3D10" || type == "C3D15" || type == "C3D20";
+      const Lists parts = tetrahedra ? Lists{{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6},
+                                             {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}}
+                          : prisms   ? Lists{{0, 1, 2, 4, 5, 6}, {0, 2, 3, 4, 6, 7}}
+                                     : Lists{{0, 1, 2, 3, 4, 5, 6, 7}};
+      const Lists edges = tetrahedra ? Lists{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}
+                          : prisms
+                              ? Lists{{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}
+                              : Lists{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
+                                      {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+      std::map<Index, unsigned int> number;
+      std::ostringstream nodes, cells;
+      nodes.precision(17);
+      const auto at = [&](const Index &index)
+      {
+        dealii::Point<3> p;
+        for (unsigned int d = 0; d < 3; ++d)
+          p[d] = index[d] / (2. * divisions[d]);
+        return place(p);
+      };
+      const auto node = [&](const Index &index, const dealii::Point<3> &p)
+      {
+        const auto [found, is_new] = number.emplace(index, number.size() + 1);
+        if (is_new)
+          nodes << found->second << ", " << p[0] << ", " << p[1] << ", " << p[2] << "\n";
+        return found->second;
+      };
+      unsigned int n_cells = 0;
+      for (unsigned int k = 0; k < divisions[2]; ++k)
+        for (unsigned int j = 0; j < divisions[1]; ++j)
+          for (unsigned int i = 0; i < divisions[0]; ++i)
+            for (const auto &part : parts)
+            {
+              std::vector<Index> corners;
+              for (const unsigned int c : part)
+                corners.push_back({{2 * i + cube[c][0], 2 * j + cube[c][1], 2 * k + cube[c][2]}});
+              cells << ++n_cells;
+              for (const Index &corner : corners)
+                cells << ", " << node(corner, at(corner));
+              if (quadratic)
+                for (const auto &edge : edges)
+                {
+                  const Index &a = corners[edge[0]], &b = corners[edge[1]],
+                              middle = {{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2}};
+                  cells << ", " << node(middle, curved ? at(middle) : dealii::Point<3>((at(a) + at(b)) / 2));
+                }
+              cells << "\n";
+            }
+      std::ostringstream sets;
+      const std::array<std::string, 6> names = {{"left", "right", "front", "back", "bottom", "top"}};
+      for (unsigned int f = 0; f < 6; ++f)
+      {
+        sets << "*NSET, NSET=" << names[f] << "\n";
+        for (const auto &[index, n] : number)
+          if (index[f / 2] == (f % 2) * 2 * divisions[f / 2])
+            sets << n << ",\n";
+      }
+      return "*NODE, NSET=all\n" + nodes.str() + "*ELEMENT, TYPE=" + type + ", ELSET=body\n" + cells.str() +
+             sets.str() + more;
+    }
+
+    void write(const std::string &file) const { std::ofstream(file) << text(); }
+  };
+} // namespace vibrocontact
