@@ -10,6 +10,9 @@ import os, re, subprocess, sys, tempfile
 
 program, page = os.path.abspath(sys.argv[1]), sys.argv[2]
 tests = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.join(os.path.dirname(tests), "parameter_files", "verification", "cell_types"))
+sys.dont_write_bytecode = True
+import meshes
 
 HELD = ["Modes/Count = 4"]
 BAR = ["Material/Young modulus = 70e9", "Material/Density = 2700", "Material/Loss factor = 0.01", "Bar/Length = 1",
@@ -17,12 +20,19 @@ BAR = ["Material/Young modulus = 70e9", "Material/Density = 2700", "Material/Los
 RING = ["Ring/Contact points = 1", "Ring/Tread stiffness = 3e5", "Ring/Tread tangential stiffness = 1e5"]
 BLOCK = ["Material/Loss factor = 0.01", "Block/Length = 0.08", "Block/Width = 0.08", "Block/Height = 0.04",
          "Block/Divisions x = 4", "Block/Divisions y = 4", "Block/Divisions z = 1", "Block/Contact face = bottom"] + HELD
+FILES = tempfile.TemporaryDirectory()
+TETRAHEDRA = os.path.join(FILES.name, "block.inp")
+# the block of above, its upper side held
+meshes.write_deck(TETRAHEDRA, "tetrahedra", 2, (4, 4, 1), [lambda s, t, u: (0.08 * s - 0.04, 0.08 * t - 0.04, 0.04 * u)],
+                  {"held": lambda x, y, z: z > 0.039, "below": lambda x, y, z: z < 1e-9})
 # name: type, entries, body 2, rubs, place to look at
 BODIES = {
     "bar, held": ("bar", BAR + ["Bar/Far end = held"], "rigid", False, "0, 0, 0"),
     "bar, free": ("bar", BAR + ["Bar/Far end = free"], "rigid", False, "0, 0, 0"),
     "block, held": ("block", BLOCK + ["Block/Held = top"], "rigid", True, "0, 0, 0"),
     "block, held, on a half-space": ("block", BLOCK + ["Block/Held = top"], "half-space", True, "0, 0, 0"),
+    "mesh of tetrahedra, held": ("mesh", ["Material/Loss factor = 0.01", f"Mesh/File = {TETRAHEDRA}", "Mesh/Held groups = held",
+                                          "Mesh/Contact group = below", "Mesh/Contact cell size = 0"] + HELD, "rigid", True, "0, 0, 0"),
     "blade": ("blade", ["Material/Loss factor = 0.01", "Blade/Length divisions = 4", "Blade/Chord divisions = 8",
                         "Blade/Thickness divisions = 1", "Blade/Tip angle = 0", "Blade/Element degree = 2"] + HELD, "rigid", True, "0, 0, 0.2"),
     "layer": ("layer", ["Material/Young modulus = 2e9", "Material/Density = 2000", "Material/Loss factor = 0.01",
@@ -63,7 +73,7 @@ def entries(analysis, kind, rubs, place, speed):
     inside = analysis in ("modal convolution", "periodic")
     # the small block of matrices has its first mode at 90 kHz
     step = "1e-6" if kind == "matrices" else "1e-5"
-    size = ((0.005, 0.005) if kind == "blade" else (0.01, 0.02 if inside else 0.04) if kind == "block"
+    size = ((0.005, 0.005) if kind == "blade" else (0.01, 0.02 if inside else 0.04) if kind in ("block", "mesh")
             else (0.001, 0.004))
     grid = [] if own_points else [f"Contact/Grid spacing = {size[0]}", f"Contact/Half length = {size[1]}",
                                   f"Contact/Half width = {size[1]}"]
@@ -93,7 +103,7 @@ def entries(analysis, kind, rubs, place, speed):
         "periodic": ["Contact/Friction coefficient = 0", "Periodic/Number of functions = 15", "Periodic/Frequency = 30",
                      "Periodic/Force = 1", "Periodic/Gap = 1e-7", "Periodic/Law = linear"]
                     + (["Periodic/Contact points = tip: 0, 0, 0.2", "Periodic/Stop direction = +z"] if kind == "blade" else [])
-                    + (grid if kind == "block" else []),
+                    + (grid if kind in ("block", "mesh") else []),
     }[analysis]
 
 
