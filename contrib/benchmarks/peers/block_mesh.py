@@ -37,6 +37,21 @@ def mesh(folder, divisions):
     with open(os.path.join(folder, "block.geo"), "w") as file:
         file.write(text)
     processor_seconds(["gmsh", "-3", "-format", "msh41", "-v", "2", "block.geo", "-o", "block.msh"], folder)
+    return read_mesh(folder)
+
+
+def mesh_of_tetrahedra(folder, size):
+    """The same with tetrahedra of this edge in mm, of second order with straight edges; their nodes in the order of Abaqus."""
+    with open(os.path.join(ROOT, "meshes", "foreign_block.geo")) as file:
+        text = re.sub(r"(Transfinite|Recombine).*;", "", file.read())
+    with open(os.path.join(folder, "block.geo"), "w") as file:
+        file.write(text + f"Mesh.MeshSizeMax = {size};\nMesh.MeshSizeMin = {size};\n")
+    processor_seconds(["gmsh", "-3", "-order", "2", "-format", "msh41", "-v", "2", "block.geo", "-o", "block.msh"], folder)
+    nodes, cells, held = read_mesh(folder)
+    return nodes, [cell[:8] + [cell[9], cell[8]] for cell in cells], held
+
+
+def read_mesh(folder):
     with open(os.path.join(folder, "block.msh")) as file:
         lines = file.read().split("\n")
 
@@ -63,9 +78,14 @@ def mesh(folder, divisions):
     return nodes, cells, held
 
 
-def our_modes(chosen, folder):
-    """Frequencies of the mesh in the folder by Vibrocontact, Hz, and processor seconds of the run."""
+def our_modes(chosen, folder, deck=False):
+    """Frequencies of the mesh in the folder by Vibrocontact, Hz, and processor seconds of the run. With `deck` of CalculiX's own deck in
+    metres, elements of degree 2."""
+    text = OURS
+    if deck:
+        for ours, theirs in (("block.msh", "block.inp"), ("= 0.001", "= 1"), ("Einspannung", "held"), ("degree = 1", "degree = 2")):
+            text = text.replace(ours, theirs)
     with open(os.path.join(folder, "block.prm"), "w") as file:
-        file.write(OURS)
+        file.write(text)
     analyses, seconds = run_ours(chosen, "block.prm", folder)
     return analyses["modes"]["block"]["frequencies_Hz"][:MODES], seconds
