@@ -163,7 +163,7 @@ namespace vibrocontact
         "Table", table,
         "CSV file with the loads after each step in place of the lists: columns normal_force_N or "
         "hub_displacement_m, force_x_N or displacement_x_m, force_y_N or displacement_y_m; what "
-        "has none along x or y stays. Units: as named.",
+        "has none along x or y stays. Units: N, m.",
         FileName(FileName::input));
   }
 
