@@ -77,12 +77,6 @@ namespace vibrocontact
       }
 
     private:
-      bool is_dmig(const std::string &file) const
-      {
-        return !file.empty() && !has_extension(file, ".mtx") && !has_extension(file, ".sti") &&
-               !has_extension(file, ".mas");
-      }
-
       /// Reads the files of DMIG and, if no table says so, what the dofs are.
       void find_dmig(const std::string *const (&files)[4])
       {

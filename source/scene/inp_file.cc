@@ -3,6 +3,8 @@
 #include <vibrocontact/base/utf8.h>
 #include <vibrocontact/scene/file_mesh.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -58,13 +60,6 @@ namespace vibrocontact
                                                  {"M3D3", 2, {}},  {"M3D6", 9, {}},
                                                  {"M3D4", 3, {}},  {"M3D8", 16, {}}};
       return types;
-    }
-
-    std::string upper(std::string text)
-    {
-      std::transform(text.begin(), text.end(), text.begin(),
-                     [](const unsigned char c) { return std::toupper(c); });
-      return text;
     }
 
     std::string trimmed(const std::string &text)
@@ -157,7 +152,7 @@ namespace vibrocontact
       /// Names of sets differ by more than capitals: as it was written first.
       std::string spelled(const std::string &set_name)
       {
-        return spellings.emplace(upper(set_name), set_name).first->second;
+        return spellings.emplace(boost::to_upper_copy(set_name), set_name).first->second;
       }
 
       void start_card(const std::string &line)
@@ -165,12 +160,12 @@ namespace vibrocontact
         finish_element();
         card = Card::other;
         const std::vector<std::string> fields = fields_of(line);
-        const std::string keyword = upper(fields[0]);
+        const std::string keyword = boost::to_upper_copy(fields[0]);
         std::map<std::string, std::string> options;
         for (std::size_t k = 1; k < fields.size(); ++k)
         {
           const auto equals = fields[k].find('=');
-          options[upper(trimmed(fields[k].substr(0, equals)))] =
+          options[boost::to_upper_copy(trimmed(fields[k].substr(0, equals)))] =
               equals == std::string::npos ? "" : trimmed(fields[k].substr(equals + 1));
         }
         set.clear();
@@ -194,7 +189,7 @@ namespace vibrocontact
           of_set("ELSET");
           card = Card::element;
           kind = options["TYPE"];
-          const std::string type = upper(kind);
+          const std::string type = boost::to_upper_copy(kind);
           current = nullptr;
           for (const InpType &candidate : inp_types())
           {
@@ -218,7 +213,7 @@ namespace vibrocontact
         }
         else if (keyword == "*SURFACE")
         {
-          const std::string type = upper(options["TYPE"]);
+          const std::string type = boost::to_upper_copy(options["TYPE"]);
           if (type.empty() || type == "ELEMENT")
           {
             of_set("NAME");
@@ -250,7 +245,8 @@ namespace vibrocontact
         case Card::surface:
           if (fields.size() < 2)
             refuse("gives no face of surface " + set);
-          surfaces[set].push_back({is_number(fields[0]) ? fields[0] : spelled(fields[0]), upper(fields[1])});
+          surfaces[set].push_back(
+              {is_number(fields[0]) ? fields[0] : spelled(fields[0]), boost::to_upper_copy(fields[1])});
           break;
         case Card::other:
           break;

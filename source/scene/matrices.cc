@@ -6,6 +6,8 @@
 #include <vibrocontact/scene/matrices.h>
 #include <vibrocontact/scene/nastran_cards.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -66,7 +68,7 @@ namespace vibrocontact
         Anything());
     prm.add_parameter(
         "Contact point", contact_point,
-        "Nominal contact point in the files' coordinates; it becomes the origin. Units: Length unit.",
+        "Nominal contact point in the files' coordinates; it becomes the origin. Units: unit of the file.",
         List(Double(), 3, 3, ","));
     prm.add_parameter("Held groups", held_groups,
                       "Groups whose nodes are held here, beside what the matrices hold already. Units: none.",
@@ -80,10 +82,10 @@ namespace vibrocontact
                       Double(1e-9, 1e9));
   }
 
-  bool MatricesParameters::is_dmig() const
+  bool is_dmig(const std::string &file)
   {
-    return !has_extension(stiffness, ".mtx") && !has_extension(stiffness, ".sti") &&
-           !has_extension(stiffness, ".mas");
+    return !file.empty() && !has_extension(file, ".mtx") && !has_extension(file, ".sti") &&
+           !has_extension(file, ".mas");
   }
 
   void MatricesParameters::check(const std::string &section) const
@@ -93,7 +95,7 @@ namespace vibrocontact
       refuse("Stiffness is empty: give the file of K.");
     if (mass.empty())
       refuse("Mass is empty: give the file of M.");
-    if (dofs.empty() && !is_dmig())
+    if (dofs.empty() && !is_dmig(stiffness))
       refuse(
           "Dofs is empty, but the file of Stiffness does not say what its rows are: give a table of dofs.");
     if (nodes.empty() && (dofs.empty() || has_extension(dofs, ".dof")))
@@ -179,12 +181,7 @@ namespace vibrocontact
     const Tables &read = tables();
     auto found = read.groups.find(name);
     if (found == read.groups.end())
-    {
-      std::string capitals = name;
-      for (char &c : capitals)
-        c = std::toupper(static_cast<unsigned char>(c));
-      found = read.groups.find(capitals);
-    }
+      found = read.groups.find(boost::to_upper_copy(name));
     if (found != read.groups.end())
       return found->second;
     std::vector<std::string> names;
@@ -202,8 +199,8 @@ namespace vibrocontact
                                        const BodyUse &use) const
   {
     entries.add(section, "Stiffness, Mass, Held groups, Length unit, Mass unit, Time unit, Recovery");
-    entries.add_if(is_dmig(), "the matrices are DMIG", section, "Matrix names");
-    entries.add_if(!is_dmig() || !dofs.empty(), "the matrices do not say what their rows are", section,
+    entries.add_if(is_dmig(stiffness), "the matrices are DMIG", section, "Matrix names");
+    entries.add_if(!is_dmig(stiffness) || !dofs.empty(), "the matrices do not say what their rows are", section,
                    "Dofs");
     entries.add_if(dofs.empty() || has_extension(dofs, ".dof"), "Dofs does not say where nodes are", section,
                    "Nodes");

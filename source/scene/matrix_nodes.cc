@@ -5,6 +5,8 @@
 #include <vibrocontact/base/text_lines.h>
 #include <vibrocontact/scene/matrix_nodes.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -50,14 +52,6 @@ namespace vibrocontact
                          " another place than a line before: give each node one.");
     }
 
-    std::string upper_case(const std::string_view word)
-    {
-      std::string result(word);
-      for (char &c : result)
-        c = std::toupper(static_cast<unsigned char>(c));
-      return result;
-    }
-
     /// "a, b ,c" -> {a, b, c}
     std::vector<std::string> cells_of(const std::string_view line)
     {
@@ -77,8 +71,8 @@ namespace vibrocontact
       for (const std::string &cell : cells)
       {
         const std::size_t equals = cell.find('=');
-        if (equals != std::string::npos && upper_case(trimmed(cell.substr(0, equals))) == name)
-          return upper_case(trimmed(cell.substr(equals + 1)));
+        if (equals != std::string::npos && boost::to_upper_copy(trimmed(cell.substr(0, equals))) == name)
+          return boost::to_upper_copy(trimmed(cell.substr(equals + 1)));
       }
       return "";
     }
@@ -210,13 +204,14 @@ namespace vibrocontact
         continue;
       if (first[0] == '*')
       {
-        const std::string keyword = upper_case(first), set = option(cells, "NSET");
+        const std::string keyword = boost::to_upper_copy(std::string(first)), set = option(cells, "NSET");
         reading = keyword == "*NODE" ? Reading::nodes : keyword == "*NSET" ? Reading::set : Reading::nothing;
         if (keyword == "*NSET" && set.empty())
           throw InputError(where + " has no name: write *NSET, NSET=name.");
         group = set.empty() || reading == Reading::nothing ? nullptr : &deck.groups[set];
         ranges = std::any_of(cells.begin(), cells.end(),
-                             [](const std::string &cell) { return upper_case(cell) == "GENERATE"; });
+                             [](const std::string &cell)
+                             { return boost::to_upper_copy(std::string(cell)) == "GENERATE"; });
         continue;
       }
       if (reading == Reading::nodes)
@@ -249,7 +244,7 @@ namespace vibrocontact
         for (const std::string &cell : cells)
         {
           unsigned long node = 0;
-          const auto other = deck.groups.find(upper_case(cell));
+          const auto other = deck.groups.find(boost::to_upper_copy(std::string(cell)));
           if (cell.empty())
             continue;
           if (is_count(cell, node))

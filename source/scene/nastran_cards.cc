@@ -4,6 +4,8 @@
 #include <vibrocontact/base/utf8.h>
 #include <vibrocontact/scene/nastran_cards.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -122,8 +124,7 @@ namespace vibrocontact
       {
         finish();
         card.name = line.first.substr(0, line.first.find('*'));
-        for (char &c : card.name)
-          c = std::toupper(static_cast<unsigned char>(c));
+        boost::to_upper(card.name);
         wanted = std::find(names.begin(), names.end(), card.name) != names.end();
         card.fields.clear();
         card.lines.clear();

@@ -10,6 +10,9 @@
 
 namespace vibrocontact
 {
+  /// Whether a matrix's file is one of Nastran's DMIG cards: its name has none of the other endings.
+  bool is_dmig(const std::string &file);
+
   /// A body by the matrices of another program: M U'' + C U' + (K + i H) U = F, whole or already reduced (doc/matrices.md).
   ///
   /// The coordinates are displacements and rotations of nodes or, of a reduced body, partly modal ones. With a recovery matrix
@@ -66,7 +69,6 @@ namespace vibrocontact
     const Tables &tables() const;
     /// Nodes of a group. @param entry that names it, for the message @throws InputError that lists the groups there are
     const std::vector<unsigned long> &group(const std::string &name, const std::string &entry) const;
-    bool is_dmig() const;
 
   private:
     mutable std::shared_ptr<const Tables> kept;

@@ -82,9 +82,11 @@ namespace vibrocontact
 
   namespace
   {
-    /// The same where a viscous damping depends on the frequency: (diag(w^2) + i D + i omega C - omega^2) q = P^T f.
-    std::vector<Receptance> viscous_response(const ResponseReduction &body, const Indices &kept,
-                                             const std::vector<double> &frequency)
+    /// P A^-1 P^T beside the residual flexibility, P the traces of the kept modes.
+    /// @param entry of A between two of the body's modes at a frequency [Hz]: (k, l, f)
+    template <typename Entry>
+    std::vector<Receptance> coupled_response(const ResponseReduction &body, const Indices &kept,
+                                             const std::vector<double> &frequency, const Entry &entry)
     {
       const unsigned int m = body.trace.m(), n = kept.size();
       std::vector<Complex> A(std::size_t(n) * n), forces(std::size_t(n) * m), q;
@@ -95,14 +97,9 @@ namespace vibrocontact
       std::vector<Receptance> result;
       for (const double f : frequency)
       {
-        const double omega = two_pi * f;
         for (unsigned int j = 0; j < n; ++j)
           for (unsigned int i = 0; i < n; ++i)
-          {
-            const unsigned int k = kept[i], l = kept[j];
-            A[std::size_t(j) * n + i] = Complex(k == l ? body.omega[k] * body.omega[k] - omega * omega : 0.,
-                                                body.loss(k, l) + omega * body.damping(k, l));
-          }
+            A[std::size_t(j) * n + i] = entry(kept[i], kept[j], f);
         q = forces;
         solve_by_columns(A, q, n, m);
         Receptance H = residual;
@@ -113,6 +110,19 @@ namespace vibrocontact
         result.push_back(H);
       }
       return result;
+    }
+
+    /// The same where a viscous damping depends on the frequency: (diag(w^2) + i D + i omega C - omega^2) q = P^T f.
+    std::vector<Receptance> viscous_response(const ResponseReduction &body, const Indices &kept,
+                                             const std::vector<double> &frequency)
+    {
+      return coupled_response(body, kept, frequency,
+                              [&](const unsigned int k, const unsigned int l, const double f)
+                              {
+                                const double omega = two_pi * f;
+                                return Complex(k == l ? body.omega[k] * body.omega[k] - omega * omega : 0.,
+                                               body.loss(k, l) + omega * body.damping(k, l));
+                              });
     }
   } // namespace
 
@@ -206,22 +216,13 @@ namespace vibrocontact
     Indices kept = first_modes(n_modes);
     for (unsigned int k = body.damping_ratio.size(); k < body.omega.size() && hysteretic; ++k)
       kept.push_back(k);
-    const unsigned int m = body.trace.m(), n = kept.size();
     const double Omega = rotation.speed;
-    const Receptance residual = real_residual(body, kept);
-    std::vector<Complex> A(std::size_t(n) * n), forces(std::size_t(n) * m), q;
-    for (unsigned int j = 0; j < m; ++j)
-      for (unsigned int i = 0; i < n; ++i)
-        forces[std::size_t(j) * n + i] = body.trace(j, kept[i]);
-    std::vector<Receptance> result;
-    for (const double f : frequency)
-    {
-      const double omega = two_pi * f, material = omega - sense * double(rotation.n_waves) * Omega,
-                   sign = material < 0 ? -1. : 1.;
-      for (unsigned int j = 0; j < n; ++j)
-        for (unsigned int i = 0; i < n; ++i)
+    return coupled_response(
+        body, kept, frequency,
+        [&](const unsigned int k, const unsigned int l, const double f)
         {
-          const unsigned int k = kept[i], l = kept[j];
+          const double omega = two_pi * f, material = omega - sense * double(rotation.n_waves) * Omega,
+                       sign = material < 0 ? -1. : 1.;
           Complex entry =
               Omega * Omega * rotation.of_square(k, l) + 2 * sense * Omega * omega * rotation.coriolis(k, l);
           if (hysteretic)
@@ -229,17 +230,7 @@ namespace vibrocontact
           if (k == l)
             entry += Complex(body.omega[k] * body.omega[k] - omega * omega,
                              hysteretic ? 0. : 2 * body.damping_ratio[k] * body.omega[k] * material);
-          A[std::size_t(j) * n + i] = entry;
-        }
-      q = forces;
-      solve_by_columns(A, q, n, m);
-      Receptance H = residual;
-      for (unsigned int i = 0; i < m; ++i)
-        for (unsigned int j = 0; j < m; ++j)
-          for (unsigned int k = 0; k < n; ++k)
-            H[i * m + j] += forces[std::size_t(i) * n + k] * q[std::size_t(j) * n + k];
-      result.push_back(H);
-    }
-    return result;
+          return entry;
+        });
   }
 } // namespace vibrocontact
