@@ -248,9 +248,32 @@ namespace vibrocontact
                          half_space_material(*bodies[contact.below].parameters), sections.first().coupling);
   }
 
+  namespace
+  {
+    /// A body that is free needs no hub: what cannot load it says so itself.
+    /// @throws InputError if body 1 of a scene does not follow its hub as a whole, so that this cannot press it
+    void check_pressed_by_hub(const ContactBody &body, const PlacedContacts &contacts)
+    {
+      if (!body.reduced || body.reduced->n_rigid_modes > 0)
+        return;
+      const PlacedContacts::Rows own = contacts.rows_of(0);
+      for (unsigned int i = 0; i < own.rows.size(); ++i)
+      {
+        const unsigned int component = own.rows[i] / contacts.n_points(),
+                           k = contacts.contact_of(own.rows[i] % contacts.n_points());
+        if (std::abs(body.reduced->lifting[i] - contacts.all[k].frame.axes[component][2]) > 1e-9)
+          throw InputError(
+              "Body " + body.parameters->name +
+              " cannot be pressed down by its hub: body 1 must be carried by a held boundary alone, "
+              "without springs and without Rotation; make it body 2 or hold it.");
+      }
+    }
+  } // namespace
+
   ContactPair contact_pair(const std::vector<ContactBody> &bodies, const ContactSections &sections,
                            const PlacedContacts &contacts)
   {
+    check_pressed_by_hub(bodies[0], contacts);
     ContactPair pair;
     pair.interface = contact_interface(bodies, sections, contacts);
     const unsigned int n = contacts.n_points();

@@ -283,6 +283,15 @@ namespace vibrocontact
     return result;
   }
 
+  std::vector<double> damping_ratios(const SecondOrderSystem &system, const Modes &modes)
+  {
+    std::vector<double> zeta = strain_energy_damping(system, modes);
+    const std::vector<double> viscous = modal_damping(system, modes).ratio;
+    for (unsigned int i = 0; i < viscous.size(); ++i)
+      zeta[i] += viscous[i];
+    return zeta;
+  }
+
   DenseMatrix coupling_loss(const SecondOrderSystem &system, const Modes &modes)
   {
     constexpr double least_coupling = 1e-6;

@@ -121,7 +121,11 @@ namespace vibrocontact
     const ModalDamping viscous = modal_damping(system, modes);
     result.damping_coupling = viscous.coupling;
     for (unsigned int i = 0; i < viscous.ratio.size(); ++i)
+    {
       result.damping_ratio[i] += viscous.ratio[i];
+      if (result.loss.m() > 0)
+        result.loss(i, i) += 2 * viscous.ratio[i] * modes.omega[i] * modes.omega[i];
+    }
     if (wheel)
     {
       const auto labels = wheel_labels(system, modes, *wheel);

@@ -222,10 +222,15 @@ namespace vibrocontact
                          std::to_string(own_1->n_points()) + " and " + std::to_string(own_2->n_points()) +
                          " contact points of their own, which cannot meet: give both the same number.");
       for (unsigned int i = 0; own_1 && own_2 && own_1->n_points() > 1 && i < own_1->n_points(); ++i)
-        if (std::abs(own_1->x(i) - own_2->x(i)) > 1e-6 * own_1->spacing_x)
+      {
+        const auto place = [](const ContactGrid &grid, const unsigned int i)
+        { return "(" + number_text(grid.x(i)) + ", " + number_text(grid.y(i)) + ")"; };
+        if (std::abs(own_1->x(i) - own_2->x(i)) > 1e-6 * own_1->spacing_x ||
+            std::abs(own_1->y(i) - own_2->y(i)) > 1e-6 * own_1->spacing_y)
           throw InputError("The bodies " + body_1.name + " and " + body_2.name +
-                           " bring contact points of their own at other places: " + number_text(own_1->x(i)) +
-                           " and " + number_text(own_2->x(i)) + " m; give both the same.");
+                           " bring contact points of their own at other places (x, y): " + place(*own_1, i) +
+                           " and " + place(*own_2, i) + " m; give both the same.");
+      }
       if (body_1.vibrates() || body_2.vibrates())
         return;
       if (body_1.description->is_rigid() && body_2.description->is_rigid())

@@ -30,6 +30,14 @@ namespace vibrocontact
                                  "Rotation/Speed to 0 and leave its traction out.");
       if (body.rolls())
         throw InputError(begin + "turns, so that its matrices are not symmetric: set Rotation to false.");
+      if (body.description->tread_compliance(false) > 0 || body.description->tread_compliance(true) > 0)
+        throw InputError(begin +
+                         "has a tread, which is beside its matrices: leave the tread's stiffness out, and "
+                         "give it to the body that reads them.");
+      if (parameters.contacts.first().half_space_flexibility())
+        throw InputError(
+            begin + "takes its local flexibility from a half-space, which matrices of its elements do not "
+                    "hold: set Contact/Local flexibility to finite elements.");
       if (parameters.modes.at(body.name).stiffness_damping > 0)
         throw InputError(begin +
                          "has a Stiffness damping, which its residual flexibility shares and modal matrices "

@@ -187,6 +187,10 @@ namespace vibrocontact
                              ", which it may touch, vibrates and does not turn with it, about the same axis: "
                              "give both the same section Rotation, or make " +
                              other.name + " rigid or a half-space.");
+        if (std::any_of(parameters.contacts.all.begin(), parameters.contacts.all.end(),
+                        [](const ContactParameters &one) { return one.lateral_position != 0; }))
+          throw InputError(section + "/Speed is not 0 beside a Contact/Lateral position, by which the body, "
+                                     "and not its axis, would be shifted: set one of them to 0.");
         if (parameters.scene.runs("periodic") && parameters.largest_friction() > 0)
           throw InputError(section + "/Speed is not 0, but there is friction: periodic motion does not know "
                                      "how fast the body slides past what it touches; set the friction "

@@ -63,10 +63,6 @@ namespace vibrocontact
       entries.add_if(kept && use.scaled_damping && (wheel || body.has_loss()), moves + " and it has damping",
                      section, "Damping factor");
     }
-  } // namespace
-
-  namespace
-  {
     void add_rotation(EntriesRead &entries, const BodyParameters &body, const BodyUse &use)
     {
       const std::string section = body.name + "/Rotation", turns = section + "/Speed is not 0";

@@ -78,8 +78,8 @@ namespace vibrocontact
     return bodies;
   }
 
-  void add_velocity_forces(ReducedBody &body, const BodyParameters &parameters, const ModeParameters &modes,
-                           const bool with_dampers)
+  void complete_reduction(ReducedBody &body, const BodyParameters &parameters, const ModeParameters &modes,
+                          const bool with_dampers)
   {
     const RevolvedShapes *const section = body.section.get();
     if (section && parameters.material_loss_factor() > 0)
@@ -92,6 +92,9 @@ namespace vibrocontact
     {
       static_cast<BodyInContact &>(body) = rolling_modes(body, *body.flow, parameters.rotation.speed);
       body.flow = nullptr;
+      if (body.loss.m() > 0)
+        run_log().line("The loss of " + parameters.name +
+                       " couples modes; beside Coriolis forces each mode takes its own part alone");
       body.loss = DenseMatrix();
       body.n_rigid_modes = 0;
       return;
@@ -122,7 +125,7 @@ namespace vibrocontact
     result.section = body.reduction.revolved_shapes();
     if (parameters.rotation.has_coriolis())
       result.flow = body.reduction.flow();
-    add_velocity_forces(result, parameters, body.reduction.request().modes);
+    complete_reduction(result, parameters, body.reduction.request().modes);
     return result;
   }
 

@@ -106,8 +106,8 @@ namespace vibrocontact
       if (bodies[k])
       {
         meshed = bodies[k]->reduction.reduced(with_modes || parameters.scene.bodies[k].rolls());
-        add_velocity_forces(*meshed, parameters.scene.bodies[k],
-                            parameters.modes.at(parameters.scene.bodies[k].name));
+        complete_reduction(*meshed, parameters.scene.bodies[k],
+                           parameters.modes.at(parameters.scene.bodies[k].name));
       }
       if (k < bodies.tracks.size() && bodies.tracks[k])
         meshed = in_time      ? bodies.tracks[k]->in_time(*in_time)

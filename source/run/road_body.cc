@@ -43,8 +43,8 @@ namespace vibrocontact
     if (!bodies[number])
       return road_body(parameters, static_cast<const ReducedBody *>(nullptr), measured, number, use);
     ReducedBody reduced = bodies[number]->reduction.reduced(true);
-    add_velocity_forces(reduced, parameters.scene.bodies[number],
-                        parameters.modes.at(parameters.scene.bodies[number].name));
+    complete_reduction(reduced, parameters.scene.bodies[number],
+                       parameters.modes.at(parameters.scene.bodies[number].name));
     return road_body(parameters, &reduced, measured, number, use);
   }
 

@@ -37,8 +37,8 @@ namespace vibrocontact
         dealii::Timer timer;
         const Modes all = all_modes(reduction.system(), shapes);
         pair->reduced[k] = with_all_modes(std::move(kept), reduction.system(), all);
-        add_velocity_forces(pair->reduced[k], parameters.scene.bodies[k],
-                            parameters.modes.at(parameters.scene.bodies[k].name));
+        complete_reduction(pair->reduced[k], parameters.scene.bodies[k],
+                           parameters.modes.at(parameters.scene.bodies[k].name));
         result.surfaces[k] = surface_shapes(reduction.system().surface, all);
         run_log().line(bodies[k]->parameters.name + ": all " + std::to_string(all.omega.size()) +
                        " modes: " + time_text(timer.wall_time()));

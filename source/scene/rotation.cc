@@ -52,7 +52,8 @@ namespace vibrocontact
     constexpr double same = 1e-9;
     const SteadyRotation<3> one = steady(), two = other.steady();
     const Tensor<1, 3> between = two.point - one.point;
-    return (one.speed * one.axis - two.speed * two.axis).norm() <= same * std::abs(one.speed) &&
+    return one.coriolis == two.coriolis &&
+           (one.speed * one.axis - two.speed * two.axis).norm() <= same * std::abs(one.speed) &&
            (between - (between * one.axis) * one.axis).norm() <=
                same * (one.point.norm() + two.point.norm() + 1);
   }

@@ -41,6 +41,9 @@ namespace vibrocontact
   /// @throws InputError if C feeds energy into a mode or resists a rigid motion
   ModalDamping modal_damping(const SecondOrderSystem &system, const Modes &modes);
 
+  /// Both together, one per mode [-].
+  std::vector<double> damping_ratios(const SecondOrderSystem &system, const Modes &modes);
+
   /// phi_i^T K'' phi_j of the hysteretic loss; empty if it couples no modes (to 1e-6 of its diagonal): the body has one loss
   /// factor or none [1/s^2]
   DenseMatrix coupling_loss(const SecondOrderSystem &system, const Modes &modes);

@@ -38,8 +38,8 @@ namespace vibrocontact
 
   /// What comes in after the reduction of a meshed body: the losses of the materials of a wheel by harmonics, Damping factor and
   /// Stiffness damping (by which its rest relaxes), a wheel's dampers, and Coriolis forces, with which it moves by poles.
-  void add_velocity_forces(ReducedBody &body, const BodyParameters &parameters, const ModeParameters &modes,
-                           bool with_dampers = true);
+  void complete_reduction(ReducedBody &body, const BodyParameters &parameters, const ModeParameters &modes,
+                          bool with_dampers = true);
 
   /// The modes of a body without contact, with all that damps it. Collective.
   /// @param parameters of the case that asks; cases that differ by dampers and losses share the reduction

@@ -43,7 +43,10 @@ namespace vibrocontact
           continue;
         const std::string &name = body->parameters.name;
         ReducedBody reduced = body->reduction.reduced(true);
-        add_velocity_forces(reduced, body->parameters, body->reduction.request().modes);
+        complete_reduction(reduced, body->parameters, body->reduction.request().modes);
+        if (body->reduction.system().has_damping && reduced.loss.m() > 0)
+          throw InputError(name + " has a viscous damping and a structural one that couples modes, which its "
+                                  "reduced matrices do not keep apart: leave one of them out.");
         const BodyMatrices matrices = body_matrices(reduced);
         nlohmann::ordered_json json = {{"n_modes", matrices.n_modes},
                                        {"n_rigid_modes", matrices.n_rigid_modes},

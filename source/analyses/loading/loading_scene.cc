@@ -1,6 +1,5 @@
 #include <vibrocontact/analyses/loading/loading_scene.h>
 #include <vibrocontact/contact/coarse_points.h>
-#include <vibrocontact/coupled_bodies/pressed_by_hub.h>
 
 #include <utility>
 
@@ -29,7 +28,6 @@ namespace vibrocontact
   LoadingGrids loading_grids(const std::vector<ContactBody> &bodies, const ContactSections &sections,
                              const PlacedContacts &contacts)
   {
-    check_pressed_by_hub(bodies[0], contacts);
     if (are_half_spaces_alone(bodies, contacts))
       return {half_spaces(bodies, sections, contacts, 1), half_spaces(bodies, sections, contacts, 2)};
     const ContactPair pair = contact_pair(bodies, sections, contacts);

@@ -101,8 +101,8 @@ namespace vibrocontact
     if (bodies[0] && parameters.scene.bodies[0].is_meshed())
     {
       ReducedBody reduced = bodies[0]->reduction.reduced(true);
-      add_velocity_forces(reduced, parameters.scene.bodies[0],
-                          parameters.modes.at(parameters.scene.bodies[0].name));
+      complete_reduction(reduced, parameters.scene.bodies[0],
+                         parameters.modes.at(parameters.scene.bodies[0].name));
       reduced.relaxation = body.body.relaxation;
       say_residual_damping(parameters, {&reduced}, 0., {}, "modal_convolution", results);
     }

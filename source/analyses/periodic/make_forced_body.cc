@@ -96,7 +96,7 @@ namespace vibrocontact
                            std::to_string(n_moving_dofs(system)) + " degrees of freedom, more than the " +
                            std::to_string(most_dense_dofs) + " that go to LAPACK: set it to reduced.");
         modes = all_modes(system, modes);
-        damping_ratio = strain_energy_damping(system, modes);
+        damping_ratio = damping_ratios(system, modes);
       }
       const ModeParameters &damping = parameters.modes.at(parameters.scene.bodies[number].name);
       ForcedBody body{reduce_to_points(system, reduction.flexibility(), modes,

@@ -1,7 +1,6 @@
 #include <vibrocontact/analyses/rolling/rolling_scene.h>
 #include <vibrocontact/contact/coarse_points.h>
 #include <vibrocontact/contact/half_space.h>
-#include <vibrocontact/coupled_bodies/pressed_by_hub.h>
 
 namespace vibrocontact
 {
@@ -52,7 +51,6 @@ namespace vibrocontact
   RollingGrids rolling_grids(const std::vector<ContactBody> &bodies, const ContactSections &sections,
                              const PlacedContacts &contacts, const bool two)
   {
-    check_pressed_by_hub(bodies[0], contacts);
     const CreepScheme &scheme = find_creep_scheme(sections.first().creep_scheme);
     if (are_half_spaces_alone(bodies, contacts))
       return half_spaces(bodies, sections, contacts, two);

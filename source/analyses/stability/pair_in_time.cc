@@ -56,6 +56,7 @@ namespace vibrocontact
       StabilityParameters sought;
       sought.loss = loss ? "hysteretic" : "viscous";
       sought.stick = true;
+      sought.upper_frequency = parameters.stability.upper_frequency;
       RollingParameters rolling = parameters.rolling;
       rolling.hub = parameters.hub();
       return {stability(

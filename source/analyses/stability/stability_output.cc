@@ -326,10 +326,7 @@ namespace vibrocontact
                 (value.is_number() ? text("%g", value.get<double>()) : value.dump());
       return line;
     }
-  } // namespace
 
-  namespace
-  {
     /// Of all cases: what Upper frequency hides.
     void say_what_grows_above(const answer_parts::Json &cases, answer_parts::Lines &lines)
     {

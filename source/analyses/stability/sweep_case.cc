@@ -42,7 +42,7 @@ namespace vibrocontact
       else if (reduced)
         meshed = *reduced;
       if (meshed && body.is_meshed())
-        add_velocity_forces(*meshed, body, parameters.modes.at(body.name), with_dampers);
+        complete_reduction(*meshed, body, parameters.modes.at(body.name), with_dampers);
       if (reduced && body.is_periodic_rail())
         with_poles = reduced->n_poles() > 0;
       own[k] = body_of_contact(parameters, std::move(meshed), measured, k);
@@ -67,9 +67,12 @@ namespace vibrocontact
 
   bool keeps_bodies(const std::string &entry)
   {
+    // of any contact
+    if (entry.substr(entry.rfind('/') + 1) == "Friction coefficient")
+      return true;
     for (const char *const one :
-         {"Contact/Friction coefficient", "Rolling/Normal force", "Rolling/Hub displacement",
-          "Rolling/Longitudinal creepage", "Rolling/Lateral creepage", "Rolling/Spin"})
+         {"Rolling/Normal force", "Rolling/Hub displacement", "Rolling/Longitudinal creepage",
+          "Rolling/Lateral creepage", "Rolling/Spin"})
       if (entry == one)
         return true;
     return false;
