@@ -200,8 +200,8 @@ namespace vibrocontact
   {
     entries.add(section, "Stiffness, Mass, Held groups, Length unit, Mass unit, Time unit, Recovery");
     entries.add_if(is_dmig(stiffness), "the matrices are DMIG", section, "Matrix names");
-    entries.add_if(!is_dmig(stiffness) || !dofs.empty(), "the matrices do not say what their rows are", section,
-                   "Dofs");
+    entries.add_if(!is_dmig(stiffness) || !dofs.empty(), "the matrices do not say what their rows are",
+                   section, "Dofs");
     entries.add_if(dofs.empty() || has_extension(dofs, ".dof"), "Dofs does not say where nodes are", section,
                    "Nodes");
     entries.add_if(use.contact || !held_groups.empty(), "groups are in contact or held", section, "Groups");
