@@ -347,7 +347,7 @@ namespace vibrocontact
     const Json &cases = list(stability, "cases");
     if (cases.empty())
       return lines;
-    if (cases.size() > 1)
+    if (cases.size() > 1 || !list(stability, "left_out").empty())
     {
       std::size_t n_unstable = 0;
       const Json *fastest = nullptr, *fastest_case = nullptr, *nearest = nullptr, *nearest_case = nullptr;
@@ -373,7 +373,8 @@ namespace vibrocontact
                         text("growth %+.4g 1/s, ", number(*most, "growth_1_s")) + word(*most, "root"));
       say_what_grows_above(cases, lines);
       if (const std::size_t n = list(stability, "left_out").size(); n > 0)
-        lines.push_back(std::to_string(n) + " cases are left out, see left_out in results.json");
+        lines.push_back(std::to_string(n) + (n == 1 ? " case is" : " cases are") +
+                        " left out, see left_out in results.json");
       return lines;
     }
     std::vector<Json> roots = list(cases[0], "unstable").get<std::vector<Json>>();
