@@ -1,6 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/scene/drawn_section.h>
+#include <vibrocontact/scene/gmsh_library.h>
 
 #include <gmsh.h>
 
@@ -8,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <unordered_map>
 
 namespace vibrocontact
 {
@@ -140,12 +140,7 @@ namespace vibrocontact
     /// gmsh as long as it lives.
     struct Gmsh
     {
-      Gmsh()
-      {
-        gmsh::initialize(0, nullptr, false);
-        gmsh::option::setNumber("General.Terminal", 0);
-        gmsh::option::setNumber("General.NumThreads", 1);
-      }
+      Gmsh() { start_gmsh(); }
       ~Gmsh() { gmsh::finalize(); }
       Gmsh(const Gmsh &) = delete;
       Gmsh &operator=(const Gmsh &) = delete;
@@ -235,16 +230,10 @@ namespace vibrocontact
 
     GmshFile mesh_of_gmsh(const std::map<unsigned int, std::vector<int>> &groups, const std::string &file)
     {
+      const GmshNodes all_nodes = gmsh_nodes();
       GmshFile mesh;
-      std::unordered_map<std::size_t, unsigned int> number;
-      std::vector<std::size_t> tags;
-      std::vector<double> coordinates, parameters;
-      gmsh::model::mesh::getNodes(tags, coordinates, parameters);
-      for (std::size_t k = 0; k < tags.size(); ++k)
-      {
-        number[tags[k]] = k;
-        mesh.nodes.emplace_back(coordinates[3 * k], coordinates[3 * k + 1], 0.);
-      }
+      for (const Point<3> &p : all_nodes.places)
+        mesh.nodes.emplace_back(p[0], p[1], 0.);
       constexpr int quadrilateral = 3;
       for (const auto &[group, surfaces] : groups)
         for (const int surface : surfaces)
@@ -260,8 +249,10 @@ namespace vibrocontact
                                ": give another Section cell size, or a Section mesh of your own.");
             for (std::size_t k = 0; k < nodes[t].size(); k += 4)
             {
-              mesh.quadrilaterals.push_back({{number[nodes[t][k]], number[nodes[t][k + 1]],
-                                              number[nodes[t][k + 2]], number[nodes[t][k + 3]]}});
+              std::array<unsigned int, 4> corners;
+              for (unsigned int v = 0; v < 4; ++v)
+                corners[v] = all_nodes.number.at(nodes[t][k + v]);
+              mesh.quadrilaterals.push_back(corners);
               mesh.cells.groups.push_back(group == 0 ? std::vector<unsigned int>()
                                                      : std::vector<unsigned int>{group});
             }

@@ -2,6 +2,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/utf8.h>
 #include <vibrocontact/scene/file_mesh.h>
+#include <vibrocontact/scene/gmsh_library.h>
 #include <vibrocontact/scene/physical_tags.h>
 
 #include <deal.II/base/utilities.h>
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <unordered_map>
 
@@ -26,33 +28,13 @@ namespace vibrocontact
 
   namespace
   {
-    /// Whether a file begins as its format does.
-    bool begins_rightly(const std::string &file, const std::string &format)
-    {
-      std::ifstream stream(file, std::ios::binary);
-      std::string word;
-      if (format == ".vtk")
-      {
-        std::getline(stream, word);
-        return word.rfind("# vtk DataFile", 0) == 0;
-      }
-      if (format == ".unv")
-        return bool(stream >> word) && word == "-1";
-      if (format == ".msh")
-        return bool(stream >> word) && (word == "$MeshFormat" || word == "$Comments");
-      // Nastran: any card
-      return true;
-    }
-
     /// What gmsh has read, as it says it; in a process of its own.
-    FileMesh mesh_of_gmsh(const std::string &file, const std::string &format)
+    FileMesh mesh_of_gmsh(const std::string &file, const bool names_groups)
     {
       std::unordered_map<std::size_t, unsigned int> tags_of;
-      if (format == ".msh")
+      if (names_groups)
         tags_of = physical_tags_of_format_2(file);
-      gmsh::initialize(0, nullptr, false);
-      gmsh::option::setNumber("General.Terminal", 0);
-      gmsh::option::setNumber("General.NumThreads", 1);
+      start_gmsh();
       gmsh::option::setNumber("General.AbortOnError", 0);
       gmsh::logger::start();
       gmsh::open(file);
@@ -62,16 +44,9 @@ namespace vibrocontact
         if (line.rfind("Error: ", 0) == 0)
           throw InputError(line.substr(7));
 
+      const GmshNodes all_nodes = gmsh_nodes();
       FileMesh mesh;
-      std::unordered_map<std::size_t, unsigned int> number;
-      std::vector<std::size_t> tags;
-      std::vector<double> coordinates, parameters;
-      gmsh::model::mesh::getNodes(tags, coordinates, parameters);
-      for (std::size_t k = 0; k < tags.size(); ++k)
-      {
-        number[tags[k]] = k;
-        mesh.nodes.emplace_back(coordinates[3 * k], coordinates[3 * k + 1], coordinates[3 * k + 2]);
-      }
+      mesh.nodes = all_nodes.places;
       gmsh::vectorpair groups, entities;
       gmsh::model::getPhysicalGroups(groups);
       std::map<std::pair<int, int>, std::vector<unsigned int>> groups_of;
@@ -91,7 +66,7 @@ namespace vibrocontact
         if (dim < 2)
           continue;
         std::vector<unsigned int> own = groups_of[{dim, entity}];
-        if (groups.empty() && format != ".msh")
+        if (groups.empty() && !names_groups)
         {
           own = {static_cast<unsigned int>(std::abs(entity))};
           mesh.names[{dim, own[0]}] = std::to_string(own[0]);
@@ -117,8 +92,8 @@ namespace vibrocontact
             FileElements &block = blocks[own];
             for (std::size_t k = 0; k < n_nodes; ++k)
             {
-              const auto found = number.find(nodes[t][e * n_nodes + k]);
-              if (found == number.end())
+              const auto found = all_nodes.number.find(nodes[t][e * n_nodes + k]);
+              if (found == all_nodes.number.end())
                 throw InputError("an element has a node that does not exist");
               block.nodes.push_back(found->second);
             }
@@ -134,14 +109,16 @@ namespace vibrocontact
       return mesh;
     }
 
-    FileMesh read_by_gmsh(const std::string &file, const std::string &format)
+    /// @param names_groups an element without a group has none, as in gmsh's own format; of the others without any group each number
+    ///   of a property or entity is one
+    FileMesh read_by_gmsh(const std::string &file, const bool names_groups)
     {
       const double size = std::filesystem::file_size(file);
       // gmsh needs some hundred bytes for a node of fifty
       const ChildResult result = run_in_child(
           [&]
           {
-            const std::vector<char> packed = Utilities::pack(mesh_of_gmsh(file, format), false);
+            const std::vector<char> packed = Utilities::pack(mesh_of_gmsh(file, names_groups), false);
             return std::string(packed.begin(), packed.end());
           },
           60 + 2e-5 * size, 1e9 + 100 * size);
@@ -154,36 +131,77 @@ namespace vibrocontact
       return Utilities::unpack<FileMesh>(std::vector<char>(result.output.begin(), result.output.end()),
                                          false);
     }
+
+    bool begins_as_gmsh(std::istream &stream)
+    {
+      std::string word;
+      return bool(stream >> word) && (word == "$MeshFormat" || word == "$Comments");
+    }
+
+    bool begins_as_unv(std::istream &stream)
+    {
+      std::string word;
+      return bool(stream >> word) && word == "-1";
+    }
+
+    bool begins_as_vtk(std::istream &stream)
+    {
+      std::string line;
+      std::getline(stream, line);
+      return line.rfind("# vtk DataFile", 0) == 0;
+    }
+
+    bool begins_with_anything(std::istream &)
+    {
+      return true;
+    }
+
+    /// A format by the ending of its files' names.
+    struct Format
+    {
+      std::vector<std::string> endings;
+      bool (*begins)(std::istream &);
+      /// what its files have at their beginning
+      std::string beginning;
+      std::function<FileMesh(const std::string &)> read;
+    };
+
+    const std::vector<Format> &formats()
+    {
+      const auto with_groups = [](const std::string &file) { return read_by_gmsh(file, true); };
+      const auto by_numbers = [](const std::string &file) { return read_by_gmsh(file, false); };
+      static const std::vector<Format> all = {{{".msh"}, begins_as_gmsh, "$MeshFormat", with_groups},
+                                              {{".unv"}, begins_as_unv, "-1", by_numbers},
+                                              // Nastran: any card
+                                              {{".bdf", ".nas"}, begins_with_anything, "", by_numbers},
+                                              {{".vtk"}, begins_as_vtk, "\"# vtk DataFile\"", by_numbers},
+                                              {{".inp"}, begins_with_anything, "", read_inp}};
+      return all;
+    }
   } // namespace
 
   FileMesh read_file_mesh(const std::string &file)
   {
     if (!std::ifstream(file) || std::filesystem::is_directory(file))
       throw InputError("Cannot read the mesh file " + file + "; give the path of an existing file.");
-    const std::string format = std::filesystem::path(file).extension().string();
-    const std::map<std::string, std::string> read = {{".msh", ".msh"}, {".unv", ".unv"}, {".bdf", ".bdf"},
-                                                     {".nas", ".bdf"}, {".vtk", ".vtk"}, {".inp", ".inp"}};
-    if (format == ".med" || format == ".rmed")
+    const std::string ending = std::filesystem::path(file).extension().string();
+    if (ending == ".med" || ending == ".rmed")
       throw InputError(
           "The mesh file " + file +
           " is of format MED, which Debian's gmsh cannot read: save it as UNV (Salome: Export to "
           "UNV), which keeps the groups.");
-    const auto known = read.find(format);
-    if (known == read.end())
-      throw InputError("The mesh file " + file + " has the ending \"" + format +
+    const auto known = std::find_if(
+        formats().begin(), formats().end(),
+        [&](const Format &one) { return std::count(one.endings.begin(), one.endings.end(), ending) > 0; });
+    if (known == formats().end())
+      throw InputError("The mesh file " + file + " has the ending \"" + ending +
                        "\", by which no format is known: give .msh (gmsh), .unv, .bdf, .vtk or .inp (Abaqus, "
                        "CalculiX).");
-    FileMesh mesh;
-    if (format == ".inp")
-      mesh = read_inp(file);
-    else if (!begins_rightly(file, known->second))
-      throw InputError("The mesh file " + file + " is no file of its format: " +
-                       (format == ".msh"   ? std::string("it has no $MeshFormat at its beginning")
-                        : format == ".unv" ? std::string("it has no -1 at its beginning")
-                                           : std::string("it has no \"# vtk DataFile\" at its beginning")) +
-                       "; save it again with the program that made it.");
-    else
-      mesh = read_by_gmsh(file, known->second);
+    std::ifstream stream(file, std::ios::binary);
+    if (!known->begins(stream))
+      throw InputError("The mesh file " + file + " is no file of its format: it has no " + known->beginning +
+                       " at its beginning; save it again with the program that made it.");
+    FileMesh mesh = known->read(file);
     for (const Point<3> &p : mesh.nodes)
       if (!std::isfinite(p.norm()))
         throw InputError(
