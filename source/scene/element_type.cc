@@ -23,8 +23,8 @@ namespace vibrocontact
         {14, {14, 3, 2, "second-order pyramids", 5}},
         {15, {1, 0, 1, "points", 1}},
         {16, {8, 2, 2, "second-order quadrilaterals of 8 nodes", 4}},
-        {17, {20, 3, 2, "second-order hexahedra of 20 nodes", 8}},
-        {18, {15, 3, 2, "second-order prisms of 15 nodes", 6}},
+        {17, {20, 3, 2, "second-order hexahedra of 20 nodes", 8, 12}},
+        {18, {15, 3, 2, "second-order prisms of 15 nodes", 6, 13}},
         {19, {13, 3, 2, "second-order pyramids of 13 nodes", 5}}};
     const auto found = types.find(number);
     return found == types.end() ? nullptr : &found->second;

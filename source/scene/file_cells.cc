@@ -235,10 +235,9 @@ namespace vibrocontact
           });
       nodes.check();
       // of serendipity cells: the faces (and the middle) of the cell that has all nodes
-      const unsigned int whole = cells.type == 17 ? 12 : cells.type == 18 ? 13 : 0;
-      if (whole == 0)
+      if (kind.whole == 0)
         return;
-      const auto all = middles(whole);
+      const auto all = middles(kind.whole);
       for_all(
           [&](const FileElements &block, const std::size_t first)
           {
@@ -284,7 +283,7 @@ namespace vibrocontact
       }
       return vertex_of[node];
     };
-    const std::array<unsigned int, 8> order = kind.n_corners == 8
+    const std::array<unsigned int, 8> order = kind.is_hexahedron()
                                                   ? std::array<unsigned int, 8>{{0, 1, 3, 2, 4, 5, 7, 6}}
                                                   : std::array<unsigned int, 8>{{0, 1, 2, 3, 4, 5, 6, 7}};
     for (const FileElements &block : mesh.elements)

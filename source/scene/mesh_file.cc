@@ -1,7 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/fe/cell_elements.h>
-#include <vibrocontact/scene/file_cells.h>
+#include <vibrocontact/scene/file_boundaries.h>
 #include <vibrocontact/scene/held_part.h>
 #include <vibrocontact/scene/mesh_file.h>
 #include <vibrocontact/scene/mesh_quality.h>
@@ -14,8 +14,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <set>
 #include <sstream>
 
 namespace vibrocontact
@@ -122,7 +120,7 @@ namespace vibrocontact
     /// What elements and geometry there are for the cells of a file.
     void check_element(const MeshFileParameters &parameters, const FileCells &file, const std::string &name)
     {
-      if (file.kind().n_corners == 8)
+      if (file.kind().is_hexahedron())
       {
         if (parameters.is_wheel() && file.kind().order == 2)
           throw InputError(
@@ -139,113 +137,16 @@ namespace vibrocontact
                          ", whose elements are of degree 1 or 2: write Element degree = 2.");
     }
 
-    void require_groups(const MeshFileParameters &parameters, const FileCells &file, const std::string &name,
-                        const bool in_contact)
+    /// The groups that the section Mesh names, each once per entry.
+    std::vector<NamedGroup> named_groups(const MeshFileParameters &parameters, const std::string &name)
     {
-      const auto counts = file.face_counts();
-      const auto require = [&](const std::string &group, const std::string &entry)
-      {
-        const auto found = counts.find(group);
-        if (found != counts.end() && found->second > 0)
-          return;
-        std::string list;
-        for (const auto &[present, n] : counts)
-          list += (list.empty() ? "" : ", ") + present + " (" + std::to_string(n) + " faces)";
-        throw InputError("The mesh file " + parameters.file + " has no faces in a group named '" + group +
-                         "', asked for by " + name + "/Mesh/" + entry + "; " +
-                         (list.empty() ? "it has no named group of faces: name one (gmsh: Physical Surface)."
-                                       : "name one of those it has: " + list + "."));
-      };
+      std::vector<NamedGroup> groups;
       for (const HeldPart &part : held_parts(parameters.held_groups, name + "/Mesh/Held groups"))
-        require(part.boundary, "Held groups");
-      for (const auto &group : parameters.foundation_groups)
-        require(group, "Foundation groups");
-      if (in_contact)
-        require(parameters.contact_group, "Contact group");
-    }
-
-    /// The boundary of each named face. Of several groups that it belongs to this is the one which the section Mesh
-    /// names, or else the one of the fewest faces; the others are no boundaries of the body then.
-    std::vector<types::boundary_id> boundary_ids(const MeshFileParameters &parameters, const FileCells &file,
-                                                 BodyMesh<3> &mesh)
-    {
-      std::set<std::string> wanted;
-      for (const HeldPart &part : held_parts(parameters.held_groups, mesh.name + "/Mesh/Held groups"))
-        wanted.insert(part.boundary);
-      wanted.insert(parameters.foundation_groups.begin(), parameters.foundation_groups.end());
-      wanted.insert(parameters.contact_group);
-      mesh.boundaries["surface"] = 0;
-      for (const auto &[tag, group] : file.names)
-        if (group != "surface")
-          mesh.boundaries[group] = tag;
-      const auto counts = file.face_counts();
-      std::vector<types::boundary_id> ids;
-      std::set<std::string> dropped;
-      for (const FileCells::Face &face : file.faces)
-      {
-        const auto rank = [&](const unsigned int group)
-        {
-          const std::string &name = file.names.at(group);
-          return std::make_pair(wanted.count(name) == 0, counts.at(name));
-        };
-        std::vector<unsigned int> own = face.groups;
-        std::stable_sort(own.begin(), own.end(),
-                         [&](const unsigned int a, const unsigned int b) { return rank(a) < rank(b); });
-        if (own.size() > 1 && wanted.count(file.names.at(own[1])))
-          throw InputError(
-              "The mesh file " + parameters.file + " has faces that belong to \"" + file.names.at(own[0]) +
-              "\" and to \"" + file.names.at(own[1]) + "\", both of which " + mesh.name +
-              "/Mesh names: a face is held, in contact or on springs; take it out of one of them.");
-        const std::string &name = file.names.at(own.front());
-        ids.push_back(name == "surface" ? 0 : own.front());
-        for (std::size_t k = 1; k < own.size(); ++k)
-          dropped.insert(file.names.at(own[k]));
-      }
-      std::string list;
-      for (const std::string &group : dropped)
-      {
-        list += (list.empty() ? "" : ", ") + group;
-        mesh.boundaries.erase(group);
-      }
-      if (!list.empty())
-        run_log().line("The mesh file " + parameters.file +
-                       " has faces of several groups; no boundaries are therefore: " + list);
-      return ids;
-    }
-
-    void name_faces(Triangulation<3> &triangulation, const FileCells &file,
-                    const std::vector<types::boundary_id> &ids, const std::string &name)
-    {
-      const auto key = [](std::vector<unsigned int> vertices)
-      {
-        std::sort(vertices.begin(), vertices.end());
-        return vertices;
-      };
-      std::map<std::vector<unsigned int>, unsigned int> number;
-      for (unsigned int k = 0; k < file.faces.size(); ++k)
-        number[key(file.faces[k].corners)] = k;
-      for (const auto &cell : triangulation.cell_iterators_on_level(0))
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary())
-          {
-            std::vector<unsigned int> vertices;
-            for (const unsigned int v : cell->face(f)->vertex_indices())
-              vertices.push_back(cell->face(f)->vertex_index(v));
-            const auto found = number.find(key(vertices));
-            if (found == number.end())
-              continue;
-            cell->face(f)->set_boundary_id(ids[found->second]);
-            number.erase(found);
-          }
-      if (number.empty())
-        return;
-      const FileCells::Face &first = file.faces[number.begin()->second];
-      std::ostringstream text;
-      text << "The mesh file " << name << " has " << number.size()
-           << " faces of named groups, the first of \"" << file.names.at(first.groups.front()) << "\" at ("
-           << file.vertices[first.corners.front()]
-           << ") m, that are no faces of the boundary of its cells: name boundary surfaces only.";
-      throw InputError(text.str());
+        groups.push_back({part.boundary, "Held groups"});
+      for (const std::string &group : parameters.foundation_groups)
+        groups.push_back({group, "Foundation groups"});
+      groups.push_back({parameters.contact_group, "Contact group"});
+      return groups;
     }
 
     /// Points of a reference cell a quarter apart, its nodes among them.
@@ -311,7 +212,7 @@ namespace vibrocontact
     FileCells file = FileCells::read(parameters.file);
     const std::vector<unsigned int> numbers =
         material_numbers(file.groups, {name, materials}, parameters.file);
-    const bool hexahedra = file.kind().n_corners == 8;
+    const bool hexahedra = file.kind().is_hexahedron();
     check_element(parameters, file, name);
     check_number_of_cells<3>(file.cells.size() * file.kind().cubes(), parameters.element_degree, name,
                              "give a coarser file or lower " + name + "/Mesh/Element degree");
@@ -333,8 +234,10 @@ namespace vibrocontact
     BodyMesh<3> mesh;
     mesh.name = name;
     mesh.cell_groups = materials;
-    require_groups(parameters, file, name, grid != nullptr);
-    const std::vector<types::boundary_id> ids = boundary_ids(parameters, file, mesh);
+    const std::vector<NamedGroup> named = named_groups(parameters, name);
+    // without contact its group need not be there
+    require_groups({named.begin(), grid ? named.end() : named.end() - 1}, file, name, parameters.file);
+    const std::vector<types::boundary_id> ids = boundary_ids(named, file, mesh, parameters.file);
     if (grid)
       mesh.contact_boundaries = {mesh.boundaries.at(parameters.contact_group)};
 

@@ -11,6 +11,9 @@ namespace vibrocontact
     const char *name;
     /// its corners are its first nodes
     unsigned int n_corners;
+    /// of cells without nodes in the middle of their faces: the type that has them all, else 0
+    unsigned int whole = 0;
+    bool is_hexahedron() const { return n_corners == 8; }
     /// about how many cubes hold as many nodes as one of them
     double cubes() const { return n_corners == 4 ? 0.2 : n_corners == 6 ? 0.5 : 1.; }
   };

@@ -13,13 +13,13 @@
 
 namespace vibrocontact
 {
-  /// A body from a gmsh file: hexahedra whose boundary groups are found by their physical names.
+  /// A body from a mesh file of another program: cells of one type, whose boundary groups are found by their names.
   ///
   /// The file's axes are those of the contact (z up, x the rolling line); its nominal contact point is moved
   /// to the origin. Faces of no group belong to `surface`.
   struct MeshFileParameters : SolidBody
   {
-    /// gmsh file, text format 4.1 or 2.2
+    /// mesh file, see read_file_mesh()
     std::string file;
     /// length of the file's unit [m]
     double unit = 1;
