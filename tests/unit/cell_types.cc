@@ -2,6 +2,7 @@
 // one and two ranks, curved geometry, formats.
 
 #include "box_of_cells.h"
+#include "scratch_folder.h"
 
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/fe/assemble_body.h>
@@ -27,10 +28,7 @@ namespace
 {
   std::string cell_types_folder()
   {
-    const std::string name = testing::TempDir() + "vibrocontact_cell_types_" +
-                             std::to_string(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
-    std::filesystem::create_directories(name);
-    return name;
+    return scratch_folder();
   }
 
   /// The box 0.3 x 0.2 x 0.1 m, distorted inside; its corner lies at the origin.

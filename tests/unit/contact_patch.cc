@@ -4,6 +4,7 @@
 // gap is what Love's rectangle takes away.
 
 #include "box_of_cells.h"
+#include "scratch_folder.h"
 
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/half_space.h>
@@ -109,7 +110,7 @@ namespace
     box.place = [&](const Point<3> &p)
     { return Point<3>(width * (p[0] - 0.5), width * (p[1] - 0.5), height * (upper ? p[2] : p[2] - 1)); };
     MeshFileParameters parameters;
-    parameters.file = testing::TempDir() + "contact_patch_" + type + ".inp";
+    parameters.file = scratch_folder() + "/contact_patch_" + type + ".inp";
     box.write(parameters.file);
     parameters.contact_group = upper ? "bottom" : "top";
     parameters.held_groups = {upper ? "top" : "bottom"};

@@ -1,6 +1,7 @@
 // Mesh files that are refused with a sentence: what is wrong, how many, where, what to do.
 
 #include "box_of_cells.h"
+#include "scratch_folder.h"
 
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/scene/file_cells.h>
@@ -18,9 +19,7 @@ namespace
 {
   std::string damaged_mesh(const std::string &name)
   {
-    const std::string folder = testing::TempDir() + "vibrocontact_damaged_meshes";
-    std::filesystem::create_directories(folder);
-    return folder + "/" + name;
+    return scratch_folder() + "/" + name;
   }
 
   std::string deck_with(std::string text, const std::string &from, const std::string &to)

@@ -1,5 +1,7 @@
 // Sections that are given as an outline alone: gmsh's cells against cells made by hand, the shipped wheel from its corners, and
 // what is said of outlines that enclose nothing or too much.
+#include "scratch_folder.h"
+
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/fe/revolved_section.h>
@@ -22,7 +24,7 @@ namespace
 {
   std::string file_of(const std::string &name, const std::string &text)
   {
-    const std::string file = testing::TempDir() + name;
+    const std::string file = scratch_folder() + "/" + name;
     std::ofstream(file) << text;
     return file;
   }

@@ -1,6 +1,8 @@
 // Bodies of several materials: groups of cells in a file, stiffness, mass and loss by group, against closed forms
 // of a bar in series and of a ring of two layers; what is refused.
 
+#include "scratch_folder.h"
+
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/make_elastic_body.h>
@@ -32,9 +34,7 @@ namespace
 {
   std::string materials_folder()
   {
-    const std::string name = testing::TempDir() + "vibrocontact_materials";
-    std::filesystem::create_directories(name);
-    return name;
+    return scratch_folder();
   }
 
   ElasticMaterial make_material(const double E, const double density, const double loss)

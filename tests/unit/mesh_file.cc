@@ -1,6 +1,8 @@
 // Bodies from gmsh files: a foreign block, the built-in wheel written and read back, and files that are
 // refused.
 
+#include "scratch_folder.h"
+
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/elastic_body.h>
@@ -54,9 +56,7 @@ namespace
 
   std::string folder()
   {
-    const std::string name = testing::TempDir() + "vibrocontact_mesh_file";
-    std::filesystem::create_directories(name);
-    return name;
+    return scratch_folder();
   }
 
   /// What is said about the foreign block after a change of its text.

@@ -1,6 +1,7 @@
 // Roads with kinks and steps: where they are, what a rigid point feels there, by closed forms; tables between their points;
 // the load that an indentation makes.
 #include "pi.h"
+#include "scratch_folder.h"
 
 #include <vibrocontact/analyses/modal_convolution/static_load.h>
 #include <vibrocontact/base/exceptions.h>
@@ -34,7 +35,7 @@ namespace
 
   RoadParameters table(const std::string &rows, const std::string &interpolation, const double speed)
   {
-    const std::string name = testing::TempDir() + "road_table.csv";
+    const std::string name = scratch_folder() + "/road_table.csv";
     std::ofstream(name) << "position_m,height_m\n" << rows;
     RoadParameters parameters;
     parameters.profile = "table";

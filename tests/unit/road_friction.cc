@@ -1,5 +1,6 @@
 // Friction on the road: stick-slip and Coulomb damping of one point in closed form, three points of a ring.
 #include "pi.h"
+#include "scratch_folder.h"
 
 #include <vibrocontact/analyses/modal_convolution/modal_convolution.h>
 #include <vibrocontact/analyses/modal_convolution/road_contact.h>
@@ -340,7 +341,7 @@ TEST(RoadFriction, SpeedOfConstantValue)
   tyre.road.speed_expression = "80/3.6+0*t";
   const Outcome expression = tyre.run(0., false);
   tyre.road.speed_expression.clear();
-  tyre.road.speed_table = testing::TempDir() + "constant_speed.csv";
+  tyre.road.speed_table = scratch_folder() + "/constant_speed.csv";
   std::ofstream(tyre.road.speed_table) << "time_s,speed_m_s\n0,22.222222222222222\n0.01,22.222222222222222\n"
                                           "1,22.222222222222222\n";
   const Outcome table = tyre.run(0., false);

@@ -1,5 +1,7 @@
 // A wheel's web that is made thicker without another drawing: the same wheel drawn thicker, volume in closed form, where it is
 // left alone, and what is refused.
+#include "scratch_folder.h"
+
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/fe/revolved_section.h>
@@ -27,7 +29,7 @@ namespace
   /// A conical plate, 20 mm thick and thicker by `change` between the radii, as a polygon.
   std::string drawn(const std::string &name, const double change)
   {
-    const std::string file = testing::TempDir() + name;
+    const std::string file = scratch_folder() + "/" + name;
     std::ofstream out(file);
     out.precision(12);
     const unsigned int n = 32;
@@ -164,12 +166,12 @@ TEST(WebThickness, WhatIsRefused)
   says(shipped, "reach the tread at 0.46 m");
   shipped.web.radii = {0.2, 0.4599};
   EXPECT_EQ(complaint(shipped), "");
-  const std::string stepped = testing::TempDir() + "vibrocontact_stepped.csv";
+  const std::string stepped = scratch_folder() + "/vibrocontact_stepped.csv";
   std::ofstream(stepped) << "-10, 60, 0, surface\n-10, 150, 0, surface\n-20, 150, 0, surface\n-20, 300, 0, "
                             "tread\n20, 300, 0, surface\n20, 150, 0, surface\n10, 150, 0, surface\n"
                             "10, 60, 0, bore\n";
   says(wheel(stepped, 1e-3, {0.1, 0.2}), "hold a step of the section at 0.15 m");
-  const std::string twin = testing::TempDir() + "vibrocontact_twin.csv";
+  const std::string twin = scratch_folder() + "/vibrocontact_twin.csv";
   std::ofstream(twin) << "-20, 60, 0, surface\n-20, 300, 0, tread\n20, 300, 0, surface\n20, 60, 0, bore\n"
                          "10, 60, 0, surface\n10, 250, 0, surface\n-10, 250, 0, surface\n-10, 60, 0, bore\n";
   says(wheel(twin, 1e-3, {0.1, 0.2}), "the section has 2 pieces at a radius of 0.1 m");
