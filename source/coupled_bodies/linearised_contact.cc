@@ -5,6 +5,7 @@
 #include <vibrocontact/coupled_bodies/sliding_frame.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <type_traits>
 #include <utility>
@@ -35,6 +36,44 @@ namespace vibrocontact
                         ": the residual flexibility does not hold the contact points; keep fewer modes.");
     }
 
+    /// Below this share of the compliance it is a part of, a flexibility is what rounding and inexact modes leave of a
+    /// difference.
+    constexpr double rounded = 1e-11;
+
+    /// The largest static displacement of a contact point per force on itself [m/N], rigid motions aside.
+    template <typename Number>
+    double compliance_of_points(const ContactPair &pair, const Matrix<Number> &W)
+    {
+      double largest = 0;
+      for (unsigned int i = 0; i < W.m(); ++i)
+      {
+        double own = std::abs(W(i, i));
+        for (unsigned int k = 0; k < pair.n_modes(); ++k)
+          if (pair.omega[k] > 0)
+            own += std::pow(pair.trace(i, k) / pair.omega[k], 2);
+        largest = std::max(largest, own);
+      }
+      return largest;
+    }
+
+    /// a^-1 b of a flexibility. @param compliance that it is a part of [m/N]
+    /// @throws ConvergenceError if it is singular to what rounding left of it
+    template <typename Number>
+    Matrix<Number> solve_flexibility(const Matrix<Number> &a, const Matrix<Number> &b,
+                                     const std::string &what, const double compliance)
+    {
+      if (a.m() == 0 || b.n() == 0)
+        return b;
+      Matrix<Number> identity(a.m(), a.m());
+      for (unsigned int i = 0; i < a.m(); ++i)
+        identity(i, i) = 1;
+      if (!(std::abs(solve(a, identity, what).l1_norm()) * rounded * compliance < 1))
+        throw ConvergenceError(
+            "The modes that are kept leave no " + what +
+            " of the contact points but rounding: keep fewer modes (Modes/Count or Upper frequency).");
+      return solve(a, b, what);
+    }
+
     template <typename Number>
     Matrix<Number> difference(Matrix<Number> a, const Matrix<Number> &b)
     {
@@ -46,7 +85,7 @@ namespace vibrocontact
     // inverse(G) b; with a given force the approach moves the gaps by `hub`, along which the columns then sum to zero
     template <typename Number>
     Matrix<Number> close_gaps(const Matrix<Number> &G, const Matrix<Number> &b, const bool force_given,
-                              const std::vector<double> &hub)
+                              const std::vector<double> &hub, const double compliance)
     {
       if (G.m() == 0 || b.n() == 0)
         return b;
@@ -54,7 +93,7 @@ namespace vibrocontact
       add_block(right, b, 0, 0);
       for (unsigned int i = 0; i < b.m(); ++i)
         right(i, b.n()) = hub[i];
-      const Matrix<Number> x = solve(G, right, "normal flexibility");
+      const Matrix<Number> x = solve_flexibility(G, right, "normal flexibility", compliance);
       const auto sum = [&](const unsigned int column)
       {
         Number result = 0;
@@ -79,14 +118,17 @@ namespace vibrocontact
     struct ClosedGaps
     {
       Matrix<Number> by_x, by_R;
+      /// what the flexibility in by_R is a part of [m/N]; 0: by_R is of rates
+      double compliance;
     };
 
     template <typename Number>
-    ClosedGaps<Number> closed_gaps(const PairMotion &motion, const Matrix<Number> &W,
+    ClosedGaps<Number> closed_gaps(const ContactPair &pair, const PairMotion &motion, const Matrix<Number> &W,
                                    const std::vector<RelaxingRest> &rests,
                                    const std::vector<unsigned int> &points, const bool force_given)
     {
-      ClosedGaps<Number> gaps{entries_as<Number>(rows(motion.displacement, points)), rows(W, points)};
+      ClosedGaps<Number> gaps{entries_as<Number>(rows(motion.displacement, points)), rows(W, points),
+                              compliance_of_points(pair, W)};
       unsigned int n_by_rate = 0;
       for (unsigned int k = 0; k < points.size() && motion.rest_rate.m() > 0; ++k)
       {
@@ -108,6 +150,8 @@ namespace vibrocontact
             "Some closed contact points follow forces at once and others relax (Modes/Stiffness "
             "damping), which Stability does not take under a given normal force: set Rolling/Hub to held, "
             "or leave the Stiffness damping out.");
+      if (n_by_rate > 0)
+        gaps.compliance = 0;
       return gaps;
     }
 
@@ -307,7 +351,7 @@ namespace vibrocontact
       }
 
       // R = X_x x + X_z s from the closed gaps
-      const ClosedGaps<Number> gaps = closed_gaps(motion, W, rests, points, equilibrium.force_given);
+      const ClosedGaps<Number> gaps = closed_gaps(pair, motion, W, rests, points, equilibrium.force_given);
       const Matrix<Number> G = product(gaps.by_R, E_N);
       const std::vector<double> hub = gaps_by_approach(pair, points);
       const auto closed = [&](const Matrix<Number> &E, const Matrix<Number> *const gap)
@@ -317,7 +361,8 @@ namespace vibrocontact
         Matrix<Number> opened = product(gaps.by_R, E);
         if (gap && opened.m() > 0)
           opened.add(1., *gap);
-        return difference(E, product(E_N, close_gaps(G, opened, equilibrium.force_given, hub)));
+        return difference(E,
+                          product(E_N, close_gaps(G, opened, equilibrium.force_given, hub, gaps.compliance)));
       };
       ClosedForces<Number> forces{frame.across, frame.mobility, closed(E_x, &gaps.by_x),
                                   closed(E_z, nullptr)};
@@ -366,7 +411,10 @@ namespace vibrocontact
         }
         add_block(right, slip_x, 0, 0, -1);
         add_block(right, slip_z, 0, n_x, -1);
-        add_block(A, solve(product(W_d, X_z), right, "tangential flexibility"), n_x, 0);
+        add_block(A,
+                  solve_flexibility(product(W_d, X_z), right, "tangential flexibility",
+                                    compliance_of_points(pair, W)),
+                  n_x, 0);
       }
       else
       {
