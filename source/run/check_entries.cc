@@ -269,15 +269,16 @@ namespace vibrocontact
         continue;
       const ParameterSweep &sweep = parameters.sweeps.at(name);
       for (const ParameterSweep::Axis *const axis : {&sweep.first, &sweep.second})
-        if (!axis->entry.empty())
-        {
-          std::vector<std::string> followers;
-          for (const auto &[other, own] : parameters.sweeps)
-            if (own.sweeps(axis->entry))
-              followers.push_back(other);
-          check(analysis.type.sweep_section + "/Sweep", axis->entry + " in " + name + " alone", axis->entry,
-                followers);
-        }
+      {
+        if (axis->entry.empty())
+          continue;
+        std::vector<std::string> followers;
+        for (const auto &[other, own] : parameters.sweeps)
+          if (own.sweeps(axis->entry))
+            followers.push_back(other);
+        for (const std::string &moved : moved_entries({axis->entry}))
+          check(analysis.type.sweep_section + "/Sweep", moved + " in " + name + " alone", moved, followers);
+      }
     }
   }
 } // namespace vibrocontact

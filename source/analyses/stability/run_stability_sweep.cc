@@ -175,6 +175,11 @@ namespace vibrocontact
           run_log().warning(text + " is left out. " + reason);
           outcome.left_out.emplace_back(one.values, reason);
         };
+        const auto fail = [&](const std::string &reason)
+        {
+          leave_out(reason);
+          on.results.failures.push_back({"stability", text + ": " + reason});
+        };
         try
         {
           SolvedCase solved = dealii::Utilities::unpack<SolvedCase>(computed(), false);
@@ -209,12 +214,14 @@ namespace vibrocontact
         {
           const bool at_end =
               contacts_of_case(one).n_points() < one.parameters().placed_contacts().n_points();
-          leave_out((at_end ? "The tread ends within the contact grid. " : "") + std::string(error.what()));
+          if (at_end)
+            leave_out("The tread ends within the contact grid. " + std::string(error.what()));
+          else
+            fail(error.what());
         }
         catch (const ConvergenceError &error)
         {
-          leave_out(error.what());
-          on.results.failures.push_back({"stability", text + ": " + error.what()});
+          fail(error.what());
         }
         nlohmann::ordered_json &json = on.results.analyses["stability"];
         if (k == 0)
