@@ -263,6 +263,27 @@ namespace vibrocontact
       std::map<MatrixDof, unsigned int> numbers;
     };
 
+    /// @throws InputError if all other nodes lie where the opposite body is
+    void check_side(const MatricesParameters &parameters, const std::string &name, const NodeGrid &touching,
+                    const bool above)
+    {
+      const std::set<unsigned long> members(touching.nodes.begin(), touching.nodes.end());
+      const auto [lowest, highest] = std::minmax_element(touching.height.begin(), touching.height.end());
+      unsigned int n_own_side = 0, n_other_side = 0;
+      for (const auto &[node, place] : parameters.tables().places)
+        if (members.count(node) == 0)
+        {
+          n_own_side += above ? place[2] > *highest : place[2] < *lowest;
+          n_other_side += above ? place[2] < *lowest : place[2] > *highest;
+        }
+      if (n_own_side == 0 && n_other_side > 0)
+        throw InputError(name + "/Matrices/Contact group: " + name + " is the " +
+                         (above ? "upper" : "lower") +
+                         " body of its contact, but all of its other nodes lie " +
+                         (above ? "below" : "above") + " '" + parameters.contact_group +
+                         "': name the group on its other side, or exchange the bodies of the contact.");
+    }
+
     ContactTrace contact_trace(const MatricesParameters &parameters, const std::string &name,
                                const NodeRows &rows, const ContactGrid &grid, const bool above)
     {
@@ -289,9 +310,26 @@ namespace vibrocontact
                              "' does not move along z, the normal of the contact: leave it out, or free it.");
           trace.rows[contact_row(n, (d + 1) % 3, i)] = std::move(row);
         }
+      check_side(parameters, name, nodes, above);
       trace.surface_height = nodes.height;
       trace.faces_up = !above;
       return trace;
+    }
+
+    /// The box around all nodes, by which a wrong unit of length is seen.
+    std::string extent_text(const std::map<unsigned long, Point<3>> &places)
+    {
+      if (places.empty())
+        return "no places";
+      Point<3> low = places.begin()->second, high = low;
+      for (const auto &[node, place] : places)
+        for (unsigned int d = 0; d < 3; ++d)
+        {
+          low[d] = std::min(low[d], place[d]);
+          high[d] = std::max(high[d], place[d]);
+        }
+      return "nodes in a box of " + number_text(high[0] - low[0]) + " x " + number_text(high[1] - low[1]) +
+             " x " + number_text(high[2] - low[2]) + " m";
     }
 
     /// Nodes as points without faces between them: those of groups, and all if they are not too many.
@@ -348,12 +386,16 @@ namespace vibrocontact
     fill(system->mass, *system, {&loaded.mass}, held, false);
     check_semidefinite(system->stiffness, *system, stiffness, "stiffness");
     check_semidefinite(system->mass, *system, mass, "mass");
+    check_diagonals(loaded.structural_damping, structural_damping, n, {});
     system->has_damping = !damping.empty();
     if (system->has_damping)
       fill(system->damping, *system, {&loaded.damping}, held, false);
     system->has_loss = !structural_damping.empty();
     if (system->has_loss)
+    {
       fill(system->loss_stiffness, *system, {&loaded.structural_damping}, held, false);
+      check_semidefinite(system->loss_stiffness, *system, structural_damping, "structural damping");
+    }
 
     const bool all_placed =
         loaded.recovery.empty() &&
@@ -373,7 +415,7 @@ namespace vibrocontact
     system->rigid_motions = all_placed ? rigid_motions_by_places(*system, held, size) : null_motions(*system);
     system->n_rigid_modes = system->rigid_motions.size();
     run_log().line(body.name + ": " + std::to_string(n) + " coordinates, " +
-                   std::to_string(system->n_rigid_modes) + " rigid motions");
+                   std::to_string(system->n_rigid_modes) + " rigid motions, " + extent_text(tables().places));
     for (unsigned int d = 0; d < loaded.translations.n(); ++d)
     {
       system->translations.emplace_back(system->locally_owned, communicator);
@@ -382,6 +424,8 @@ namespace vibrocontact
       system->translations.back().compress(VectorOperation::insert);
     }
     system->total_mass = mass_along_axes(*system);
+    if (system->total_mass > 0)
+      run_log().line(body.name + ": a mass of " + number_text(system->total_mass) + " kg");
     system->follows_hub = system->n_rigid_modes == 0;
     const NodeRows rows(loaded, held);
     system->surface = nodes_as_surface(*this, rows);

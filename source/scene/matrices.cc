@@ -103,6 +103,8 @@ namespace vibrocontact
              " does not say where nodes are: give a deck, a table of nodes or cards GRID.");
     if (!nodes.empty() && !dofs.empty() && !has_extension(dofs, ".dof"))
       refuse("Nodes is given, but the table of Dofs says where nodes are: leave it out.");
+    if (mass == stiffness && has_extension(mass, ".mtx"))
+      refuse("Mass and Stiffness are the same file " + mass + ": name the file of each.");
     if (recovery.empty() && !translations.empty())
       refuse(
           "Translations is given without Recovery: coordinates with a place move as they say; leave it out.");
