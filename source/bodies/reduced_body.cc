@@ -2,6 +2,7 @@
 #include <vibrocontact/bodies/reduced_body.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vibrocontact
@@ -15,15 +16,15 @@ namespace vibrocontact
       // Name the directions in which nothing carries the contact forces.
       std::string directions;
       const char *const names[3] = {"vertically", "along x", "along y"};
+      std::array<double, 3> largest = {};
       for (unsigned int c = 0; c < 3; ++c)
-      {
-        double largest = 0;
         for (unsigned int k = 0; k < n_modes; ++k)
           for (unsigned int i = 0; i < n / 3 && omega[k] == 0; ++i)
-            largest = std::max(largest, std::abs(trace(c * (n / 3) + i, k)));
-        if (largest > 0)
+            largest[c] = std::max(largest[c], std::abs(trace(c * (n / 3) + i, k)));
+      const double rounded = 1e-6 * *std::max_element(largest.begin(), largest.end());
+      for (unsigned int c = 0; c < 3; ++c)
+        if (largest[c] > rounded)
           directions += (directions.empty() ? "" : ", ") + std::string(names[c]);
-      }
       throw InputError(
           "Body '" + body + "' is free to move (" + directions +
           "): a static analysis cannot load it; hold one of its boundaries or put it on springs.");

@@ -29,7 +29,7 @@ namespace vibrocontact
     /// The static response of a body that nothing holds is infinite.
     void check_supports(const Scene &scene)
     {
-      const std::string free = ", so that the body is free to fall under the contact force; ";
+      const std::string free = ", so that the body is free to move under the contact force; ";
       for (const BodyParameters &body : scene.bodies)
       {
         const auto [empty, advice] = body.description->missing_support(body.name);

@@ -12,6 +12,7 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -377,10 +378,18 @@ namespace vibrocontact
 
   std::pair<std::string, std::string> MeshFileParameters::missing_support(const std::string &name) const
   {
-    if (is_supported())
-      return {};
-    return {name + "/Mesh/Held groups and Foundation groups are empty",
-            "hold at least one of the file's groups or put it on springs"};
+    if (!is_supported())
+      return {name + "/Mesh/Held groups and Foundation groups are empty",
+              "hold at least one of the file's groups or put it on springs"};
+    std::array<bool, 3> carried = {};
+    for (const HeldPart &part : held_parts(held_groups, name + "/Mesh/Held groups"))
+      for (unsigned int d = 0; d < 3; ++d)
+        carried[d] = carried[d] || part.directions[d];
+    for (unsigned int d = 0; d < 3; ++d)
+      if (!carried[d] && (foundation_groups.empty() || !(foundation_stiffness[d] > 0)))
+        return {name + "/Mesh/Held groups and Foundation groups leave " + std::string(1, "xyz"[d]) + " free",
+                "hold a group along it too or put one on springs"};
+    return {};
   }
 
   BodyMesh<3> MeshFileParameters::make_mesh(const MeshRequest &request) const
