@@ -26,7 +26,10 @@ namespace vibrocontact
       throw InputError("The mesh file " + file + " has no faces in a group named '" + one.group +
                        "', asked for by " + name + "/Mesh/" + one.entry + "; " +
                        (list.empty() ? "it has no named group of faces: name one (gmsh: Physical Surface)."
-                                     : "name one of those it has: " + list + "."));
+                        : counts.size() == 1 ? "all of its faces in groups are in one: " + list +
+                                                   "; name more (gmsh: Physical Surface) and save it as "
+                                                   ".msh, .unv or .inp, which keep names."
+                                             : "name one of those it has: " + list + "."));
     }
   }
 

@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/stability/stability_output.h>
 #include <vibrocontact/output/answer_parts.h>
+#include <vibrocontact/run/parameter_sweep.h>
 
 #include <algorithm>
 #include <cmath>
@@ -327,6 +328,20 @@ namespace vibrocontact
       return line;
     }
 
+    /// The root that grows first along a sweep of one entry which begins without one, with its case; empty otherwise.
+    std::string first_that_grows(const answer_parts::Json &cases)
+    {
+      using namespace answer_parts;
+      for (const Json &one : cases)
+      {
+        if (one.value("swept", Json::object()).size() != 1)
+          return "";
+        if (const Json *const root = largest(list(one, "unstable"), "growth_1_s", 1))
+          return &one == &cases.front() ? "" : root_text(*root) + case_text(one);
+      }
+      return "";
+    }
+
     /// Of all cases: what Upper frequency hides.
     void say_what_grows_above(const answer_parts::Json &cases, answer_parts::Lines &lines)
     {
@@ -368,8 +383,11 @@ namespace vibrocontact
         lines.push_back("the fastest: " + root_text(*fastest) + case_text(*fastest_case));
       else if (nearest)
         lines.push_back("nearest to growing: " + root_text(*nearest) + case_text(*nearest_case));
-      if (const Json *const most = largest(list(stability, "mean_growth"), "growth_1_s", 1))
-        lines.push_back("averaged over the sweep: " +
+      if (const std::string first = first_that_grows(cases); !first.empty())
+        lines.push_back("the first that grows: " + first);
+      const Json *const most = largest(list(stability, "mean_growth"), "growth_1_s", 1);
+      if (most && list(stability, "swept_entries") == Json{ParameterSweep::lateral_position})
+        lines.push_back("averaged over the positions: " +
                         text("growth %+.4g 1/s, ", number(*most, "growth_1_s")) + word(*most, "root"));
       say_what_grows_above(cases, lines);
       if (const std::size_t n = list(stability, "left_out").size(); n > 0)
