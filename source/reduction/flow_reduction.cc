@@ -1,4 +1,5 @@
 #include <vibrocontact/reduction/flow_reduction.h>
+#include <vibrocontact/reduction/projected_matrix.h>
 
 #include <algorithm>
 
@@ -7,23 +8,6 @@ namespace vibrocontact
   namespace
   {
     using Vector = dealii::PETScWrappers::MPI::Vector;
-
-    DenseMatrix in_modes(const dealii::PETScWrappers::MPI::SparseMatrix &G, const Modes &modes)
-    {
-      const unsigned int n = modes.shapes.size();
-      DenseMatrix result(n, n);
-      for (unsigned int j = 0; j < n; ++j)
-      {
-        Vector flow(modes.shapes[j]);
-        G.vmult(flow, modes.shapes[j]);
-        for (unsigned int i = 0; i < j; ++i)
-        {
-          result(i, j) = modes.shapes[i] * flow;
-          result(j, i) = -result(i, j);
-        }
-      }
-      return result;
-    }
 
     DenseMatrix in_modes(const std::vector<TraceRow> &rows, const Modes &modes)
     {
@@ -44,10 +28,10 @@ namespace vibrocontact
     const MaterialFlow &flow = *system.flow;
     FlowReduction result;
     result.omega = modes.omega;
-    result.fixed = in_modes(flow.fixed, modes);
+    result.fixed = projected_antisymmetric_matrix(flow.fixed, modes.shapes);
     if (flow.turning.m() == 0)
       return result;
-    result.turning = in_modes(flow.turning, modes);
+    result.turning = projected_antisymmetric_matrix(flow.turning, modes.shapes);
     result.stretch = in_modes(flow.stretch, modes);
     result.beyond = in_modes(flow.beyond, modes);
     result.beyond_compliance.reinit(flow.beyond.size(), system.trace.rows.size());

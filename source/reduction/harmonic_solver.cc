@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/petsc_check.h>
+#include <vibrocontact/fe/material_flow.h>
 #include <vibrocontact/reduction/fill_reducing_order.h>
 #include <vibrocontact/reduction/harmonic_solver.h>
 #include <vibrocontact/reduction/mumps_job.h>
@@ -20,9 +21,10 @@ namespace vibrocontact
     bool is_host = false;
     PetscInt n = 0;
     ZMUMPS_STRUC_C mumps{};
-    /// own entries of the lower triangle: place, K, K'', M, B, C
+    /// own entries of the lower triangle, with Coriolis forces of both: place, K, K'', M, B, C and 2 Omega G together
     std::vector<MUMPS_INT> rows, columns, position;
     std::vector<double> stiffness, loss, mass, of_frequency, damping;
+    bool is_symmetric = true;
     std::vector<ZMUMPS_COMPLEX> values, work;
 
     void run(const int job, const char *what)
@@ -31,7 +33,8 @@ namespace vibrocontact
     }
 
     void add_row(const SecondOrderSystem &system,
-                 const dealii::PETScWrappers::MPI::SparseMatrix *const linear, const PetscInt row)
+                 const dealii::PETScWrappers::MPI::SparseMatrix *const linear, const double rotation,
+                 const PetscInt row)
     {
       const auto read = [&](Mat matrix, const auto &take)
       {
@@ -39,7 +42,7 @@ namespace vibrocontact
         const PetscInt *c = nullptr;
         const PetscScalar *v = nullptr;
         petsc_check(MatGetRow(matrix, row, &m, &c, &v), "MatGetRow");
-        for (PetscInt k = 0; k < m && c[k] <= row; ++k)
+        for (PetscInt k = 0; k < m && (c[k] <= row || !is_symmetric); ++k)
           take(c[k] + 1, v[k]);
         MatRestoreRow(matrix, row, &m, &c, &v);
       };
@@ -54,7 +57,7 @@ namespace vibrocontact
       // the others have no place that the stiffness does not have
       for (auto *const values : {&loss, &mass, &of_frequency, &damping})
         values->resize(stiffness.size(), 0.);
-      const auto read_beside = [&](Mat matrix, std::vector<double> &into)
+      const auto read_beside = [&](Mat matrix, std::vector<double> &into, const double factor = 1)
       {
         std::size_t place = first;
         read(matrix,
@@ -65,7 +68,7 @@ namespace vibrocontact
                AssertThrow(
                    place < columns.size() && columns[place] == column,
                    dealii::ExcMessage("The matrices of body " + system.body + " differ in their patterns."));
-               into[place] = value;
+               into[place] += factor * value;
              });
       };
       read_beside(system.mass, mass);
@@ -73,6 +76,8 @@ namespace vibrocontact
         read_beside(system.loss_stiffness, loss);
       if (system.has_damping)
         read_beside(system.damping, damping);
+      if (!is_symmetric)
+        read_beside(system.flow->fixed, damping, 2 * rotation);
       if (linear)
         read_beside(*linear, of_frequency);
     }
@@ -99,24 +104,26 @@ namespace vibrocontact
   };
 
   HarmonicSolver::HarmonicSolver(const SecondOrderSystem &system, const Ranks ranks,
-                                 const dealii::PETScWrappers::MPI::SparseMatrix *const of_frequency)
+                                 const dealii::PETScWrappers::MPI::SparseMatrix *const of_frequency,
+                                 const double rotation)
       : implementation(std::make_unique<Implementation>())
   {
     Implementation &my = *implementation;
     my.communicator = ranks == Ranks::alone ? MPI_COMM_SELF : system.communicator;
     my.is_host = dealii::Utilities::MPI::this_mpi_process(my.communicator) == 0;
     my.n = system.stiffness.m();
+    my.is_symmetric = rotation == 0;
     my.position = fill_reducing_order(system.stiffness, {});
     const auto [begin, end] = system.stiffness.local_range();
     for (PetscInt row = begin; row < static_cast<PetscInt>(end); ++row)
-      my.add_row(system, of_frequency, row);
+      my.add_row(system, of_frequency, rotation, row);
     if (ranks == Ranks::alone)
       my.gather(system.communicator);
 
     ZMUMPS_STRUC_C &mumps = my.mumps;
     mumps.comm_fortran = MPI_Comm_c2f(my.communicator);
     mumps.par = 1;
-    mumps.sym = 2;
+    mumps.sym = my.is_symmetric ? 2 : 0;
     my.run(-1, "start");
     const auto control = [&mumps](const int k, const int value) { mumps.icntl[k - 1] = value; };
     for (const int k : {1, 2, 3})

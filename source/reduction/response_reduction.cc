@@ -1,6 +1,7 @@
 #include <vibrocontact/base/memory.h>
 #include <vibrocontact/base/petsc_check.h>
 #include <vibrocontact/base/shared_cases.h>
+#include <vibrocontact/fe/material_flow.h>
 #include <vibrocontact/reduction/projected_matrix.h>
 #include <vibrocontact/reduction/response_reduction.h>
 
@@ -131,6 +132,8 @@ namespace vibrocontact
       result.loss = projected_matrix(system.loss_stiffness, vectors);
     if (system.has_damping)
       result.damping = projected_matrix(system.damping, vectors);
+    if (system.flow && system.flow->turning.m() == 0)
+      result.gyroscopic = projected_antisymmetric_matrix(system.flow->fixed, vectors);
     // a wheel's ratios by nodal diameters (Eq. 23) come on top of what its material loses
     for (unsigned int k = 0; k < n && wheel; ++k)
       result.loss(k, k) = 2 * damping_ratio[k] * modes.omega[k] * modes.omega[k];
@@ -150,18 +153,19 @@ namespace vibrocontact
   {
     /// Of frequencies that ranks share out, if each rank's memory holds the factors; null otherwise. Collective.
     std::unique_ptr<HarmonicSolver> single_rank_solver(const SecondOrderSystem &system,
-                                                       const std::size_t n_frequencies)
+                                                       const std::size_t n_frequencies, const double rotation)
     {
       if (dealii::Utilities::MPI::n_mpi_processes(system.communicator) == 1 || n_frequencies < 2)
         return nullptr;
-      auto solver = std::make_unique<HarmonicSolver>(system, HarmonicSolver::Ranks::alone);
+      auto solver = std::make_unique<HarmonicSolver>(system, HarmonicSolver::Ranks::alone, nullptr, rotation);
       const bool is_short = !memory_shortage("", solver->factorisation_bytes(), system.communicator).empty();
       return is_short ? nullptr : std::move(solver);
     }
   } // namespace
 
   DirectResponse solve_directly(const SecondOrderSystem &system, const std::vector<TraceRow> &points,
-                                const std::vector<double> &frequency, const std::function<void()> &advance)
+                                const std::vector<double> &frequency, const std::function<void()> &advance,
+                                const double rotation)
   {
     dealii::Timer timer;
     DirectResponse result;
@@ -178,7 +182,7 @@ namespace vibrocontact
       }
       advance();
     };
-    if (const auto alone = single_rank_solver(system, frequency.size()))
+    if (const auto alone = single_rank_solver(system, frequency.size(), rotation))
       share_cases<std::vector<std::complex<double>>>(
           frequency.size(), 1,
           [&]
@@ -191,7 +195,7 @@ namespace vibrocontact
           system.communicator);
     else
     {
-      HarmonicSolver solver(system);
+      HarmonicSolver solver(system, HarmonicSolver::Ranks::together, nullptr, rotation);
       for (unsigned int k = 0; k < frequency.size(); ++k)
         take(k, solver.receptance(2 * dealii::numbers::PI * frequency[k], points));
     }

@@ -199,9 +199,6 @@ namespace vibrocontact
           continue;
         const std::string forces = section + "/Coriolis is true, but ",
                           advice = "; set it to false, or leave that out.";
-        if (parameters.scene.runs("frequency response") && parameters.frequency_response.asks_for(body.name))
-          throw InputError(forces + "the frequency response of " + body.name +
-                           " is made of real modes or symmetric matrices" + advice);
         for (const auto &[of_analysis, model] : unreduced_models(parameters))
           throw InputError(forces + of_analysis + "/Model is " + model +
                            ", which knows symmetric matrices alone" + advice);

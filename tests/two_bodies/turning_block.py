@@ -9,12 +9,12 @@ from scene import Check, entries, run, section, table
 check = Check()
 
 
-def block(face, held, coriolis, speed=1e-3, axis="0, 0, 1"):
+def block(face, held, coriolis, speed=1e-3, axis="0, 0, 1", modes=entries(Count=6, Stiffness_damping=1e-7)):
     return "\n".join(["set Type = block", section("Material", entries(Loss_factor=0.01)),
                       section("Block", entries(Length=0.08, Width=0.08, Height=0.04, Divisions_x=4, Divisions_y=4,
                                                Divisions_z=1, Contact_face=face, Held=held)),
                       section("Rotation", entries(Speed=speed, Coriolis=coriolis, Axis=axis)),
-                      section("Modes", entries(Count=6, Stiffness_damping=1e-7))])
+                      section("Modes", modes)])
 
 
 def rolled(name, coriolis, speed=1e-3, ranks=1):
@@ -53,6 +53,41 @@ def alone(name, coriolis, analysis, *sections):
     text = "\n".join(["set Bodies = block" + (", stop" if analysis == "periodic" else ""), "set Analyses = " + analysis,
                       section("block", block("bottom", "top", coriolis, axis="0, 1, 0")), *sections])
     return run(name, text)[0]
+
+
+def receptances(name, coriolis, speed, ranks=1, method="modal"):
+    text = "\n".join(["set Bodies = block", "set Analyses = frequency response",
+                      section("block", block("bottom", "top", coriolis, speed, "0, 1, 0", entries(Count=40))),
+                      section("Frequency response", entries(Points="a: 0.02, 0.02, 0, z; b: 0.02, 0, 0, x", First_frequency=2000,
+                                                            Last_frequency=9000, Number_of_frequencies=4, Method=method))])
+    found, folder = run(name, text, ranks, "--set", f"Output/Cache directory=cache_{ranks}")
+    return table(folder, "frequency_response_block.csv")
+
+
+def mobilities(row):
+    """Complex mobilities of a row by <response>_<force>."""
+    return {key[:-len("_real_m_Ns")]: complex(row[key], row[key.replace("real", "imag")]) for key in row if key.endswith("_real_m_Ns")}
+
+
+def same_mobilities(what, one, two, tolerance):
+    for row, other in zip(one, two):
+        row, other = mobilities(row), mobilities(other)
+        scale = max(map(abs, other.values()))
+        for key in row.keys() & other.keys():
+            check.near(f"{what}, {key}", abs(row[key] - other[key]), 0, tolerance, scale)
+
+
+same_mobilities("hardly turning", receptances("shaken_hardly", "true", 1e-3), receptances("shaken_real", "false", 1e-3), 1e-6)
+turning, other_sense = receptances("shaken", "true", 4000), receptances("shaken_back", "true", -4000)
+same_mobilities("two ranks", turning, receptances("shaken_2", "true", 4000, 2), 1e-8)
+same_mobilities("modes beside all dofs", turning, receptances("shaken_direct", "true", 4000, 1, "direct"), 1e-3)
+same_mobilities("all dofs, two ranks", receptances("shaken_direct_2", "true", 4000, 2, "direct"),
+                receptances("shaken_direct", "true", 4000, 1, "direct"), 1e-8)
+# what one sense does from a to b the other does from b to a
+for row, back in zip(map(mobilities, turning), map(mobilities, other_sense)):
+    check.near("reciprocity", abs(row["a_z_b_x"] - back["b_x_a_z"]), 0, 1e-8, abs(row["a_z_b_x"]))
+    if abs(row["a_z_b_x"] - row["b_x_a_z"]) < 1e-3 * abs(row["a_z_b_x"]):
+        check.near("Coriolis forces are felt", 0, 1, 0)
 
 
 grid = section("Contact", entries(Grid_spacing=0.01, Half_length=0.01, Half_width=0.01))

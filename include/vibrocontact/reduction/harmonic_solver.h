@@ -20,6 +20,11 @@ namespace vibrocontact
   /// A wave around a body that turns (fe/revolved_section.h) has i sign K'' and a term of w beside it:
   ///
   ///   (K + i sign K'' + w B - w^2 M) u = f,    B real and symmetric
+  ///
+  /// A body seen in axes that turn with it at Omega has Coriolis forces, by which the matrix is no longer symmetric: L U, twice
+  /// the operations and entries,
+  ///
+  ///   (K + i K'' + i w (C + 2 Omega G) - w^2 M) u = f,    G antisymmetric (fe/material_flow.h)
   class HarmonicSolver
   {
   public:
@@ -30,8 +35,10 @@ namespace vibrocontact
       alone
     };
     /// @param of_frequency B, of the pattern of M and K; null: there is none
+    /// @param rotation Omega; 0: without Coriolis forces [rad/s]
     explicit HarmonicSolver(const SecondOrderSystem &system, Ranks ranks = Ranks::together,
-                            const dealii::PETScWrappers::MPI::SparseMatrix *of_frequency = nullptr);
+                            const dealii::PETScWrappers::MPI::SparseMatrix *of_frequency = nullptr,
+                            double rotation = 0);
     ~HarmonicSolver();
     HarmonicSolver(const HarmonicSolver &) = delete;
     HarmonicSolver &operator=(const HarmonicSolver &) = delete;

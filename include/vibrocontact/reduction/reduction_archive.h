@@ -125,6 +125,7 @@ namespace vibrocontact
       archive("damping_ratio", part.damping_ratio);
       archive("loss_1_s2", part.loss);
       archive("damping_1_s", part.damping);
+      archive("gyroscopic", part.gyroscopic);
       archive("trace", part.trace);
       archive("compliance_m_N", part.compliance);
     }

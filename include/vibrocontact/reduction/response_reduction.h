@@ -27,6 +27,8 @@ namespace vibrocontact
     DenseMatrix loss;
     /// Phi^T C Phi of a viscous damping matrix, full; n_vectors square or, without one, empty [1/s]
     DenseMatrix damping = DenseMatrix();
+    /// Phi^T G Phi of a body seen in axes that turn with it (fe/material_flow.h), antisymmetric; n_vectors square or empty [-]
+    DenseMatrix gyroscopic = DenseMatrix();
     /// motion of the points; n_points x n_vectors [1/sqrt(kg)]
     DenseMatrix trace;
     /// P G P^T with the real stiffness (inertia relief if the body is free) [m/N]
@@ -53,7 +55,8 @@ namespace vibrocontact
                                     std::vector<dealii::PETScWrappers::MPI::Vector> *basis = nullptr);
 
   /// By all ranks together, or, of several frequencies, shared out over ranks that hold all factors each if their memory
-  /// allows it. Collective. @param advance called after each frequency
+  /// allows it. Collective. @param advance called after each frequency @param rotation see HarmonicSolver
   DirectResponse solve_directly(const SecondOrderSystem &system, const std::vector<TraceRow> &points,
-                                const std::vector<double> &frequency, const std::function<void()> &advance);
+                                const std::vector<double> &frequency, const std::function<void()> &advance,
+                                double rotation = 0);
 } // namespace vibrocontact

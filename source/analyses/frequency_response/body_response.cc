@@ -147,6 +147,12 @@ namespace vibrocontact
                : 0.;
   }
 
+  double BodyResponse::turning_axes() const
+  {
+    const auto &rotation = body.parameters.rotation;
+    return rotation.has_coriolis() ? rotation.speed : 0.;
+  }
+
   const ResponseReduction &BodyResponse::reduction()
   {
     const ReductionRequest &request = body.reduction.request();
@@ -214,11 +220,12 @@ namespace vibrocontact
     else
     {
       Progress progress("direct solutions of " + request.body, frequency.size());
-      found = solve_directly(body.reduction.system(), points(), frequency, [&] { progress.advance(); });
+      found = solve_directly(
+          body.reduction.system(), points(), frequency, [&] { progress.advance(); }, turning_axes());
       cache.save(request.body, own_key.str(), *found);
     }
     run_log().value("direct solutions took", found->seconds / frequency.size(), "s per frequency");
-    return {"direct", 0, frequency, receptances(*found)};
+    return {"direct", 0, frequency, receptances(*found), turning_axes() == 0};
   }
 
   ResponseVariant BodyResponse::modal(const std::string &method, const double cut,
@@ -230,8 +237,9 @@ namespace vibrocontact
     const ResponseReduction &modes = reduction();
     const unsigned int n = modes_below(modes, cut);
     return {method, n, frequency,
-            method == "hysteretic" ? hysteretic_response(modes, n, frequency)
-                                   : time_domain_response(modes, n, frequency)};
+            method == "hysteretic" ? hysteretic_response(modes, n, frequency, turning_axes())
+                                   : time_domain_response(modes, n, frequency, turning_axes()),
+            turning_axes() == 0};
   }
 
   const std::vector<TraceRow> &BodyResponse::points()

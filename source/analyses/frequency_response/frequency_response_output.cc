@@ -81,7 +81,7 @@ namespace vibrocontact
                   " of the first point under a unit force e^{i w t} at the second, directions x, y, z of "
                   "the contact frame; " +
                   (variant.is_reciprocal ? "symmetric in the points"
-                                         : "points stand still while the body turns past them")};
+                                         : "not symmetric in the points, since the body turns")};
     }
   } // namespace
 

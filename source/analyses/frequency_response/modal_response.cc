@@ -112,22 +112,25 @@ namespace vibrocontact
       return result;
     }
 
-    /// The same where a viscous damping depends on the frequency: (diag(w^2) + i D + i omega C - omega^2) q = P^T f.
-    std::vector<Receptance> viscous_response(const ResponseReduction &body, const Indices &kept,
-                                             const std::vector<double> &frequency)
+    /// The same with forces by the velocity: (diag(w^2) + i D + i omega (C + 2 Omega G) - omega^2) q = P^T f.
+    std::vector<Receptance> response_with_rates(const ResponseReduction &body, const Indices &kept,
+                                                const std::vector<double> &frequency, const double rotation)
     {
       return coupled_response(body, kept, frequency,
                               [&](const unsigned int k, const unsigned int l, const double f)
                               {
                                 const double omega = two_pi * f;
+                                double by_rate = body.damping.m() > 0 ? body.damping(k, l) : 0.;
+                                if (rotation != 0)
+                                  by_rate += 2 * rotation * body.gyroscopic(k, l);
                                 return Complex(k == l ? body.omega[k] * body.omega[k] - omega * omega : 0.,
-                                               body.loss(k, l) + omega * body.damping(k, l));
+                                               body.loss(k, l) + omega * by_rate);
                               });
     }
   } // namespace
 
   std::vector<Receptance> hysteretic_response(const ResponseReduction &body, const unsigned int n_modes,
-                                              const std::vector<double> &frequency)
+                                              const std::vector<double> &frequency, const double rotation)
   {
     Indices kept = first_modes(n_modes);
     for (unsigned int k = body.damping_ratio.size(); k < body.omega.size(); ++k)
@@ -137,8 +140,8 @@ namespace vibrocontact
     if (n == 0)
       return std::vector<Receptance>(frequency.size(), real_residual(body, kept));
 
-    if (body.damping.m() > 0)
-      return viscous_response(body, kept, frequency);
+    if (body.damping.m() > 0 || rotation != 0)
+      return response_with_rates(body, kept, frequency, rotation);
 
     // by columns: diag(w^2) + i D, its eigenvectors X, X^-1 P^T
     std::vector<Complex> A(std::size_t(n) * n), mu(n), X(A.size()), weights(std::size_t(n) * m), work(1);
@@ -187,8 +190,18 @@ namespace vibrocontact
   }
 
   std::vector<Receptance> time_domain_response(const ResponseReduction &body, const unsigned int n_modes,
-                                               const std::vector<double> &frequency)
+                                               const std::vector<double> &frequency, const double rotation)
   {
+    if (rotation != 0)
+      return coupled_response(body, first_modes(n_modes), frequency,
+                              [&](const unsigned int k, const unsigned int l, const double f)
+                              {
+                                const double omega = two_pi * f, own = body.omega[k];
+                                const Complex coriolis(0, 2 * rotation * omega * body.gyroscopic(k, l));
+                                return k != l ? coriolis
+                                              : Complex(own * own - omega * omega,
+                                                        2 * body.damping_ratio[k] * own * omega);
+                              });
     const unsigned int m = body.trace.m();
     const Receptance residual = static_residual(body, n_modes);
     std::vector<Receptance> result;

@@ -31,6 +31,8 @@ namespace vibrocontact
     ResponseVariant modal(const std::string &method, double cut, const std::vector<double> &frequency);
 
   private:
+    /// Omega of axes that turn with the body and bring Coriolis forces; 0: they do not [rad/s]
+    double turning_axes() const;
     const ResponseReduction &reduction();
     const std::vector<TraceRow> &points();
     RevolvedResponse &waves();

@@ -34,16 +34,20 @@ namespace vibrocontact
   ///   H(w) = P X diag(1 / (mu - w^2)) X^-1 P^T + [P G P^T - sum P_k P_k^T / w_k^2]
   ///
   /// The residual in brackets vanishes if all modes are kept, as the Ritz vectors hold the static answers.
-  /// @param n_modes modes kept, lowest first
+  /// With a viscous C or Coriolis forces the equations (diag(w_k^2) + i D + i w (C + 2 Omega G) - w^2) q = P^T f are solved at
+  /// each frequency in place of that.
+  /// @param n_modes modes kept, lowest first @param rotation Omega of axes that turn with the body [rad/s]
   std::vector<Receptance> hysteretic_response(const ResponseReduction &body, unsigned int n_modes,
-                                              const std::vector<double> &frequency);
+                                              const std::vector<double> &frequency, double rotation = 0);
 
   /// What a run in time has instead: viscous damping of each mode by its strain energy and a residual
   /// flexibility without loss,
   ///
   ///   H(w) = sum P_k P_k^T / (w_k^2 + 2 i zeta_k w_k w - w^2) + [P G P^T - sum P_k P_k^T / w_k^2]
+  ///
+  /// @param rotation Omega, by which Coriolis forces 2 i Omega w G couple the modes [rad/s]
   std::vector<Receptance> time_domain_response(const ResponseReduction &body, unsigned int n_modes,
-                                               const std::vector<double> &frequency);
+                                               const std::vector<double> &frequency, double rotation = 0);
 
   /// What a rotation does to the vectors of a ResponseReduction that are n waves around the axle (fe/revolved_section.h).
   struct WaveRotation
