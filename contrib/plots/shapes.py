@@ -53,15 +53,25 @@ def read_vtu(name):
     return np.concatenate(points), np.concatenate(quads), {name: np.concatenate(parts) for name, parts in data.items()}
 
 
+# faces of a cell by its first, linear corners, by VTK's number of the type; a triangle names its last corner twice
+FACES = {
+    10: ([0, 1, 2, 2], [0, 1, 3, 3], [1, 2, 3, 3], [0, 2, 3, 3]),  # tetrahedron
+    12: ([0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]),  # hexahedron
+    13: ([0, 1, 2, 2], [3, 4, 5, 5], [0, 1, 4, 3], [1, 2, 5, 4], [2, 0, 3, 5]),  # prism
+}
+# cells of higher order and their linear likes
+LIKE = {24: 10, 71: 10, 25: 12, 29: 12, 72: 12, 26: 13, 32: 13, 73: 13}
+
+
 def surface_quads(points, cells):
-    """Outer faces of hexahedra (or the quadrilaterals themselves) as rows of four point numbers."""
+    """Outer faces of solid cells (or the quadrilaterals themselves) as rows of four point numbers."""
     offsets, connectivity = cells["offsets"].astype(int), cells["connectivity"].astype(int)
     sizes = np.diff(np.concatenate([[0], offsets]))
-    if (sizes == 4).all():
-        return connectivity.reshape(-1, 4)
-    hexahedra = connectivity.reshape(-1, sizes[0])[:, :8]
-    faces = np.concatenate([hexahedra[:, f] for f in
-                            ([0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7])])
+    kinds = {LIKE.get(int(kind), int(kind)) for kind in np.unique(cells["types"])}
+    if len(kinds) != 1 or kinds.isdisjoint(FACES):
+        return connectivity.reshape(-1, sizes[0])[:, :4]
+    corners = connectivity.reshape(-1, sizes[0])
+    faces = np.concatenate([corners[:, f] for f in FACES[kinds.pop()]])
     # Cells do not share points in the file: equal places are found by their coordinates.
     _, number = np.unique(np.round(points / 1e-7).astype(np.int64), axis=0, return_inverse=True)
     key = np.sort(number.ravel()[faces], axis=1)
@@ -83,8 +93,8 @@ def plot_plane_shape(axis, title, points, quads, values):
 
 
 def plot_shapes(folder, name, panels, columns):
-    """Deformed surfaces coloured by their displacement over its largest: title, points, quadrilaterals and displacement of each
-    panel, then the surfaces of the other body, if any."""
+    """Deformed surfaces coloured by their displacement over the largest of the panel: title, then points, quadrilaterals and
+    displacement of the body in the middle and, as triples, of those beside it."""
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
     rows = (len(panels) + columns - 1) // columns
     plane = (np.ptp(panels[0][1], axis=0) == 0).any()
@@ -95,17 +105,21 @@ def plot_shapes(folder, name, panels, columns):
             plot_plane_shape(figure.add_subplot(rows, columns, position + 1), title, points[:, ~flat], quads, values[:, ~flat])
             continue
         axis = figure.add_subplot(rows, columns, position + 1, projection="3d")
-        amplitude = np.linalg.norm(values, axis=1)
         size = np.ptp(points, axis=0).max()
-        moved = points + values * (0.08 * size / max(amplitude.max(), 1e-300))
-        # A wheel is looked at along its axle: y to the front.
-        moved, points = moved[:, [1, 0, 2]], points[:, [1, 0, 2]]
-        colour = plt.cm.turbo(amplitude[quads].mean(axis=1) / max(amplitude.max(), 1e-300))
-        axis.add_collection3d(Poly3DCollection(moved[quads], facecolors=colour, edgecolors=colour, linewidths=0.2))
-        for other_points, other_quads in others:
-            near = np.abs(other_points[other_quads].mean(axis=1) - [points[:, 1].mean(), points[:, 0].mean(), 0]).max(axis=1) < size
-            axis.add_collection3d(Poly3DCollection(other_points[other_quads[near]][:, :, [1, 0, 2]], facecolors="0.85",
-                                                   edgecolors="0.75", linewidths=0.2))
+        bodies = [(points, quads, values), *others]
+        largest = max(np.linalg.norm(displacement, axis=1).max() for _, _, displacement in bodies) or 1
+        # one collection, whose faces are drawn from back to front: of several the later one would hide the others
+        faces, colours = [], []
+        middle = (points.max(axis=0) + points.min(axis=0)) / 2
+        for body_points, body_quads, displacement in bodies:
+            near = np.abs(body_points[body_quads].mean(axis=1) - middle).max(axis=1) < 0.75 * size
+            shown = body_quads[near]
+            # A wheel is looked at along its axle: y to the front.
+            faces.append((body_points + displacement * (0.08 * size / largest))[shown][:, :, [1, 0, 2]])
+            colours.append(plt.cm.turbo(np.linalg.norm(displacement, axis=1)[shown].mean(axis=1) / largest))
+        axis.add_collection3d(Poly3DCollection(np.concatenate(faces), facecolors=np.concatenate(colours),
+                                               edgecolors=np.concatenate(colours), linewidths=0.2))
+        points = points[:, [1, 0, 2]]
         centre = (points.max(axis=0) + points.min(axis=0)) / 2
         for set_limit, c in zip((axis.set_xlim, axis.set_ylim, axis.set_zlim), centre):
             set_limit(c - size / 2, c + size / 2)
@@ -138,24 +152,28 @@ def plot_modes(folder, body, modes):
 
 
 def plot_unstable(folder, analysis):
-    """Up to six unstable roots from unstable_<root>_<body>.pvd: the body that moves most, when it moves most, and the other
-    at rest."""
+    """Up to six unstable roots from unstable_<root>_<body>.pvd, when most moves: in the middle the body whose mode the root
+    began as, or else the one that moves most."""
     cases = analysis.get("cases") or [analysis]
     panels = []
     for number, root in enumerate(cases[0].get("unstable", [])):
-        most, bodies = None, {}
+        frames = {}
         for index in glob.glob(os.path.join(folder, f"unstable_{number}_*.pvd")):
-            frames = [node.get("file") for node in ElementTree.parse(index).getroot().iter("DataSet")]
-            for frame in frames[:len(frames) // 2]:  # the other half of the period is the opposite
-                points, quads, data = read_vtu(os.path.join(folder, frame))
-                values = data["displacement_m"]
-                bodies[index] = points, quads
-                largest = np.linalg.norm(values, axis=1).max()
-                if most is None or largest > most[0]:
-                    most = largest, index, points, quads, values
-        if most:
-            others = [body for index, body in bodies.items() if index != most[1]]
-            panels.append((f"{root['label']}, {root['frequency_Hz']:.1f} Hz, {root['growth_1_s']:+.2f} 1/s", *most[2:], *others))
+            files = [node.get("file") for node in ElementTree.parse(index).getroot().iter("DataSet")]
+            body = re.sub(rf"^unstable_{number}_|\.pvd$", "", os.path.basename(index))
+            # the other half of the period is the opposite
+            frames[body] = [read_vtu(os.path.join(folder, file)) for file in files[:len(files) // 2]]
+        if not frames:
+            continue
+        largest = {body: [np.linalg.norm(data["displacement_m"], axis=1).max() for _, _, data in moments]
+                   for body, moments in frames.items()}
+        moment = int(np.argmax(np.max(list(largest.values()), axis=0)))
+        main = root["label"].split(":")[0]
+        if main not in frames:
+            main = max(largest, key=lambda body: largest[body][moment])
+        shown = [main] + [body for body in frames if body != main]
+        bodies = [(points, quads, data["displacement_m"]) for points, quads, data in (frames[body][moment] for body in shown)]
+        panels.append((f"{root['label']}, {root['frequency_Hz']:.1f} Hz, {root['growth_1_s']:+.2f} 1/s", *bodies[0], *bodies[1:]))
     panels = panels[:6]
     if panels:
         plot_shapes(folder, "unstable_shapes", panels, 2 if len(panels) in (2, 4) else min(3, len(panels)))
