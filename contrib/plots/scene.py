@@ -37,7 +37,9 @@ def outlines(body, above, extent):
 def plot_scene(folder):
     with open(os.path.join(folder, "scene.json"), encoding="utf-8") as file:
         scene = json.load(file)
-    grid = scene.get("contact_grid")
+    contacts = scene.get("contacts", [])
+    # the grid of the first is shown
+    grid = contacts[0]["grid"] if contacts else None
     if grid and min(grid["n_x"], grid["n_y"]) == 1:
         grid = None
     curved_only = all(body["type"] in ("half-space", "rigid") for body in scene["bodies"])
@@ -62,7 +64,9 @@ def plot_scene(folder):
                     axis.plot(*np.asarray(line).T, color=colour, lw=1.5)
         axes[0].plot([], [], color=colour, lw=6, label=label + ")")
     for axis, name in zip(axes, "xy"):
-        axis.plot(0, 0, "o", ms=4, color=UNSTABLE, label="contact" if name == "x" else None)
+        places = np.array([contact["place_m"] for contact in contacts] or [[0, 0, 0]])
+        axis.plot(places[:, "xy".index(name)], places[:, 2], "o", ms=4, color=UNSTABLE,
+                  label=("contacts" if len(places) > 1 else "contact") if name == "x" else None)
         axis.autoscale()
         half = 0.75 * np.ptp(axis.get_ylim())
         width = np.ptp(axis.get_xlim())
@@ -83,7 +87,8 @@ def plot_scene(folder):
         axes[2].set_aspect("equal")
         axes[2].set_xlabel("x [mm]")
         axes[2].set_ylabel("y [mm]")
-        axes[2].set_title(f"contact grid, {grid['n_x']} x {grid['n_y']} points of {1e3 * grid['spacing_x_m']:g} mm x "
+        which = f" of {contacts[0]['name']}" if contacts[0]["name"] else ""
+        axes[2].set_title(f"contact grid{which}, {grid['n_x']} x {grid['n_y']} points of {1e3 * grid['spacing_x_m']:g} mm x "
                           f"{1e3 * grid['spacing_y_m']:g} mm", fontsize=9)
     figure.legend(loc="lower center", ncols=4, frameon=False)
     figure.tight_layout(rect=(0, 0.06, 1, 1))

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/atomic_file.h>
+#include <vibrocontact/contact/body_places.h>
 #include <vibrocontact/output/contact_patch.h>
 
 #include <deal.II/base/data_out_base.h>
@@ -39,6 +40,7 @@ namespace vibrocontact
     const ContactGrid &grid = contacts.all[k].grid;
     const ContactFrame &frame = contacts.all[k].frame;
     const unsigned int first = contacts.first_point(k);
+    const std::array<double, 3> place = places_of_bodies(contacts)[contacts.all[k].above];
     using Patch = dealii::DataOutBase::Patch<2, 3>;
     std::vector<unsigned int> points;
     for (unsigned int i = 0; i < grid.n_points(); ++i)
@@ -58,7 +60,8 @@ namespace vibrocontact
         const double x = grid.x(points[p]) + (v % 2 ? 0.5 : -0.5) * grid.spacing_x,
                      y = grid.y(points[p]) + (v / 2 ? 0.5 : -0.5) * grid.spacing_y;
         for (unsigned int d = 0; d < 3; ++d)
-          patches[p].vertices[v][d] = frame.origin[d] + x * frame.axes[1][d] + y * frame.axes[2][d];
+          patches[p].vertices[v][d] =
+              place[d] + frame.origin[d] + x * frame.axes[1][d] + y * frame.axes[2][d];
         for (unsigned int k = 0; k < values.size(); ++k)
           patches[p].data(k, v) = values[k];
       }

@@ -89,6 +89,18 @@ namespace vibrocontact
       return result;
     }
 
+    template <int dim, int spacedim>
+    void shift(DataOutBase::Patch<dim, spacedim> &patch, const std::array<double, 3> &by)
+    {
+      for (const unsigned int v : patch.reference_cell.vertex_indices())
+        for (unsigned int d = 0; d < spacedim; ++d)
+          patch.vertices[v][d] += by[d];
+      // curved ones have the places of all points behind their data
+      for (unsigned int d = 0; d < spacedim && patch.points_are_available; ++d)
+        for (unsigned int i = 0; i < patch.data.n_cols(); ++i)
+          patch.data(patch.data.n_rows() - spacedim + d, i) += by[d];
+    }
+
     /// Output whose ranks give their patches to rank 0, which writes them as one piece, whole or not at all: with
     /// MPI input-output a full disk may meet some ranks only, and many readers take the first piece for all.
     template <typename Output>
@@ -97,7 +109,9 @@ namespace vibrocontact
     public:
       using Output::Output;
 
-      void write(const std::string &file, const MPI_Comm communicator) const
+      /// @param place added to every point [m]
+      void write(const std::string &file, const std::array<double, 3> &place,
+                 const MPI_Comm communicator) const
       {
         const auto gathered = Utilities::MPI::gather(communicator, this->get_patches());
         on_first_rank(
@@ -106,6 +120,8 @@ namespace vibrocontact
               auto patches = gathered.front();
               for (std::size_t rank = 1; rank < gathered.size(); ++rank)
                 patches.insert(patches.end(), gathered[rank].begin(), gathered[rank].end());
+              for (auto &patch : patches)
+                shift(patch, place);
               std::ostringstream text;
               DataOutBase::write_vtu(patches, this->get_dataset_names(), this->get_nonscalar_data_ranges(),
                                      flags(), text);
@@ -246,7 +262,7 @@ namespace vibrocontact
 
   template <int dim>
   void write_fields(const ElasticBody<dim> &body, const std::vector<FieldState> &states,
-                    const std::string &folder, const std::string &set)
+                    const std::string &folder, const std::string &set, const std::array<double, 3> &place)
   {
     const auto write_state = [&](const PETScWrappers::MPI::Vector &displacement, const std::string &file)
     {
@@ -254,14 +270,15 @@ namespace vibrocontact
       Gathered<DataOut<dim>> output;
       output.add_data_vector(body.dof_handler, displacement, stress);
       output.build_patches(body.mapping, body.element.degree, DataOut<dim>::curved_boundary);
-      output.write(file, body.communicator());
+      output.write(file, place, body.communicator());
     };
     write_set(body, states, folder, set, write_state);
   }
 
   template <int dim>
   void write_surface_fields(const ElasticBody<dim> &body, const std::vector<FieldState> &states,
-                            const std::string &folder, const std::string &set)
+                            const std::string &folder, const std::string &set,
+                            const std::array<double, 3> &place)
   {
     const auto write_state = [&](const PETScWrappers::MPI::Vector &displacement, const std::string &file)
     {
@@ -270,7 +287,7 @@ namespace vibrocontact
         {
           Gathered<FaceOutput> output;
           output.build_patches(body, displacement);
-          output.write(file, body.communicator());
+          output.write(file, place, body.communicator());
           return;
         }
       Gathered<DataOutFaces<dim>> output(true);
@@ -278,17 +295,17 @@ namespace vibrocontact
                              std::vector<DataComponentInterpretation::DataComponentInterpretation>(
                                  dim, DataComponentInterpretation::component_is_part_of_vector));
       output.build_patches(body.mapping, body.element.degree);
-      output.write(file, body.communicator());
+      output.write(file, place, body.communicator());
     };
     write_set(body, states, folder, set, write_state);
   }
 
   template void write_fields(const ElasticBody<2> &, const std::vector<FieldState> &, const std::string &,
-                             const std::string &);
+                             const std::string &, const std::array<double, 3> &);
   template void write_fields(const ElasticBody<3> &, const std::vector<FieldState> &, const std::string &,
-                             const std::string &);
+                             const std::string &, const std::array<double, 3> &);
   template void write_surface_fields(const ElasticBody<2> &, const std::vector<FieldState> &,
-                                     const std::string &, const std::string &);
+                                     const std::string &, const std::string &, const std::array<double, 3> &);
   template void write_surface_fields(const ElasticBody<3> &, const std::vector<FieldState> &,
-                                     const std::string &, const std::string &);
+                                     const std::string &, const std::string &, const std::array<double, 3> &);
 } // namespace vibrocontact

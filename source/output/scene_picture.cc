@@ -24,7 +24,7 @@ namespace vibrocontact
     }
   } // namespace
 
-  void draw_scene(const std::vector<DrawnBody> &bodies, const ContactGrid *const grid,
+  void draw_scene(const std::vector<DrawnBody> &bodies, const PlacedContacts *const contacts,
                   const std::string &folder)
   {
     on_first_rank([&] { std::filesystem::create_directories(folder + "/fields"); });
@@ -38,21 +38,28 @@ namespace vibrocontact
         const std::string set = "scene_" + body.parameters->name;
         const dealii::PETScWrappers::MPI::Vector at_rest(body.solid->locally_owned,
                                                          body.solid->communicator());
-        write_surface_fields(*body.solid, {{&at_rest}}, folder, set);
+        write_surface_fields(*body.solid, {{&at_rest}}, folder, set, body.place);
         one["surface"] = field_name(set, 0);
       }
       if (!body.quads.empty())
       {
         one["surface"] = field_name("scene_" + body.parameters->name, 0);
+        std::vector<double> points = body.points;
+        for (std::size_t i = 0; i < points.size(); ++i)
+          points[i] += body.place[i % 3];
         on_first_rank(
-            [&] {
-              write_surface(body.points, body.quads, {}, folder + "/" + one["surface"].get<std::string>());
-            });
+            [&] { write_surface(points, body.quads, {}, folder + "/" + one["surface"].get<std::string>()); });
       }
       scene["bodies"].push_back(one);
     }
-    if (grid)
-      scene["contact_grid"] = grid_json(*grid);
+    for (unsigned int k = 0; contacts && k < contacts->all.size(); ++k)
+    {
+      const PlacedContact &contact = contacts->all[k];
+      nlohmann::ordered_json one = {{"name", contact.name}, {"grid", grid_json(contact.grid)}};
+      for (unsigned int d = 0; d < 3; ++d)
+        one["place_m"].push_back(bodies.at(contact.above).place[d] + contact.frame.origin[d]);
+      scene["contacts"].push_back(one);
+    }
     on_first_rank([&] { write_file(folder + "/scene.json", scene.dump(2) + "\n"); });
     draw_figures(folder, "--scene");
   }

@@ -5,6 +5,7 @@
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/bodies/rolling_modes.h>
+#include <vibrocontact/contact/body_places.h>
 #include <vibrocontact/output/results.h>
 #include <vibrocontact/output/scene_picture.h>
 #include <vibrocontact/output/scene_summary.h>
@@ -329,7 +330,11 @@ namespace vibrocontact
     if (!picture_folder.empty())
     {
       run_log().block("Picture of the scene");
-      draw_scene(drawn, contact_grid, picture_folder);
+      const PlacedContacts contacts = parameters.placed_contacts();
+      const auto places = places_of_bodies(contacts, drawn.size());
+      for (unsigned int k = 0; k < drawn.size(); ++k)
+        drawn[k].place = places[k];
+      draw_scene(drawn, contact_grid ? &contacts : nullptr, picture_folder);
     }
     run_log().end_block();
     run_log().line("");

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/fe/elastic_body.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -22,13 +23,15 @@ namespace vibrocontact
 
   /// Write states of a body as <folder>/fields/<set>_<k>.vtu with <folder>/<set>.pvd on top: displacement_m
   /// and von_mises_Pa in the volume. The whole body is written, hanging and held values filled in.
-  /// Collective. @throws OutputError
+  /// Collective. @param place of the body in the scene (contact/body_places.h) [m] @throws OutputError
   template <int dim>
   void write_fields(const ElasticBody<dim> &body, const std::vector<FieldState> &states,
-                    const std::string &folder, const std::string &set);
+                    const std::string &folder, const std::string &set,
+                    const std::array<double, 3> &place = {{0, 0, 0}});
 
   /// The same on the surface alone, displacement only: small files for mode shapes.
   template <int dim>
   void write_surface_fields(const ElasticBody<dim> &body, const std::vector<FieldState> &states,
-                            const std::string &folder, const std::string &set);
+                            const std::string &folder, const std::string &set,
+                            const std::array<double, 3> &place = {{0, 0, 0}});
 } // namespace vibrocontact

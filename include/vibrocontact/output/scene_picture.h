@@ -1,9 +1,10 @@
 #pragma once
 
+#include <vibrocontact/contact/placed_contacts.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/scene/body.h>
-#include <vibrocontact/scene/contact_grid.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -18,11 +19,14 @@ namespace vibrocontact
     /// points and quads (SurfaceShapes) of another body that has a surface
     std::vector<double> points = {};
     std::vector<int> quads = {};
+    /// of the body in the scene (contact/body_places.h) [m]
+    std::array<double, 3> place = {{0, 0, 0}};
   };
 
-  /// Draws what --check has read: folder/scene.json (types and sizes of the bodies, the contact grid), the surfaces of
+  /// Draws what --check has read: folder/scene.json (types and sizes of the bodies, the contacts and their grids), the surfaces of
   /// bodies that have one as folder/fields/scene_<body>_0000.vtu, and by contrib/plot_results.py folder/figures/scene.png.
-  /// Collective. @param bodies above first; @param grid null without contact
+  /// Collective. @param bodies above first; @param contacts null without one
   /// @throws OutputError
-  void draw_scene(const std::vector<DrawnBody> &bodies, const ContactGrid *grid, const std::string &folder);
+  void draw_scene(const std::vector<DrawnBody> &bodies, const PlacedContacts *contacts,
+                  const std::string &folder);
 } // namespace vibrocontact

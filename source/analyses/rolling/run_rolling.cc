@@ -5,6 +5,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/run_communicator.h>
+#include <vibrocontact/contact/body_places.h>
 #include <vibrocontact/contact/problem_file.h>
 #include <vibrocontact/output/contact_patch.h>
 #include <vibrocontact/output/field_writer.h>
@@ -227,7 +228,7 @@ namespace vibrocontact
         const bool follows_hub = k == 0 && bodies[k]->reduction.system().follows_hub;
         write_fields(bodies[k]->elastic_body(),
                      {{&displacement, 0., follows_hub ? -result.solution.approach : 0.}}, folder,
-                     "deformation_" + name);
+                     "deformation_" + name, places_of_bodies(contacts, bodies.size())[k]);
       }
   }
 

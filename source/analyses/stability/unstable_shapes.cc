@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/stability/unstable_shapes.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/contact/body_places.h>
 #include <vibrocontact/output/field_writer.h>
 #include <vibrocontact/output/surface_fields.h>
 
@@ -26,6 +27,8 @@ namespace vibrocontact
       const MeshedBody *body;
       const SurfaceShapes *surface;
       std::vector<double> real, imaginary;
+      /// of the surface in the scene; x, y, z of each point [m]
+      std::vector<double> points;
     };
 
     void write_frames(const SurfaceShape &shape, const double scale, const unsigned int number,
@@ -40,7 +43,7 @@ namespace vibrocontact
         for (unsigned int i = 0; i < displacement.size(); ++i)
           displacement[i] = scale * (shape.real[i] * std::cos(phase) - shape.imaginary[i] * std::sin(phase));
         files.emplace_back(double(frame) / n_frames, field_name(set, frame));
-        write_surface(shape.surface->points, shape.surface->quads, {{"displacement_m", displacement}},
+        write_surface(shape.points, shape.surface->quads, {{"displacement_m", displacement}},
                       folder + "/" + files.back().second);
       }
       write_pvd(files, folder + "/" + set + ".pvd");
@@ -59,6 +62,8 @@ namespace vibrocontact
                         [](const auto *a, const auto *b) { return a->growth > b->growth; });
       fastest.resize(most_shapes);
     }
+    const std::vector<std::array<double, 3>> places =
+        places_of_bodies(pair.interface.contacts, bodies.size());
     const SuspendedHub *const hub = result.suspended ? result.suspended->hub.get() : nullptr;
     std::vector<std::unique_ptr<SurfaceShapes>> surfaces(bodies.size());
     unsigned int number = 0;
@@ -103,7 +108,9 @@ namespace vibrocontact
           surfaces[k] = std::make_unique<SurfaceShapes>(shapes_of_modes(*bodies[k], bodies[k]->parameters));
         const SurfaceShapes &surface = *surfaces[k];
         shapes.push_back({bodies[k].get(), &surface, surface_displacement(surface, real),
-                          surface_displacement(surface, imaginary)});
+                          surface_displacement(surface, imaginary), surface.points});
+        for (unsigned int i = 0; i < surface.points.size(); ++i)
+          shapes.back().points[i] += places[k][i % 3];
         for (unsigned int point = 0; hub && k == 0 && point < surface.n_points(); ++point)
         {
           const auto carried =
