@@ -18,6 +18,14 @@ namespace vibrocontact
     constexpr unsigned int most_rounds = 30;
   } // namespace
 
+  LoadingGrid loading_grid(const ContactPair &pair)
+  {
+    if (pair.half_spaces)
+      return {static_interface(pair),
+              std::shared_ptr<const ContactOperator>(pair.half_spaces, &pair.half_spaces->flexibility)};
+    return {static_interface(pair), std::make_shared<const DenseContactOperator>(static_compliance(pair))};
+  }
+
   LoadedContact::LoadedContact(const LoadingGrid &grid, const ContactSections &sections,
                                const ContactSolverParameters &parameters,
                                const std::array<bool, 3> &force_given)

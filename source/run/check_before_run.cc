@@ -175,6 +175,10 @@ namespace vibrocontact
       return;
     const TransientParameters &transient = parameters.transient;
     const LoadOverTime load = load_over_time(transient);
+    if (transient.starts_from_loading() && (load.normal_force || load.hub_displacement))
+      throw InputError("Transient/Initial state is quasi-static loading, but " + load.name +
+                       " gives a load over time, which would begin with another one: leave it out, or end "
+                       "section Loading with it.");
     transient_hub(parameters.hub(), load);
     const BodyParameters &body_1 = parameters.scene.bodies[0];
     if (load.hub_displacement && body_1.is_known_by_poles())
@@ -204,7 +208,7 @@ namespace vibrocontact
       check_rim(parameters);
     if (scene.runs("transient"))
       check_numbered_mode(parameters);
-    if (scene.runs("quasi-static loading"))
+    if (parameters.goes_through_loading())
       check_load_history(parameters);
     check_data(parameters, measured);
     if (scene.runs("modal convolution"))

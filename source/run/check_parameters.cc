@@ -320,7 +320,7 @@ namespace vibrocontact
                          "/Modes asks for no modes, nor does any other body, but the analysis "
                          "\"modes\" is listed; give Upper frequency or Count, or leave it out");
     }
-    if (scene.runs("quasi-static loading"))
+    if (goes_through_loading())
     {
       check_supports(scene);
       check_loading(*this);

@@ -197,6 +197,17 @@ namespace vibrocontact
                      contact.section, "Friction coefficient");
   }
 
+  void add_load_history(EntriesRead &entries, const Parameters &parameters)
+  {
+    const LoadingParameters &own = parameters.loading;
+    entries.add("Loading", "Table");
+    entries.add_if(own.table.empty(), "Loading/Table is empty", "Loading",
+                   "Normal force, Hub displacement, Steps");
+    entries.add_if(own.table.empty() && parameters.largest_friction() > 0,
+                   "Loading/Table is empty and there is friction", "Loading",
+                   "Force x, Displacement x, Force y, Displacement y");
+  }
+
   void add_hub(EntriesRead &entries, const Parameters &parameters)
   {
     entries.add_if(parameters.hub() != "none", "body 1 has a hub", "Rolling", "Hub");

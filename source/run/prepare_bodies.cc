@@ -323,7 +323,7 @@ namespace vibrocontact
       if (contact_grid)
         print_contact_grid(contact.grid);
     }
-    if (parameters.scene.runs("quasi-static loading"))
+    if (parameters.goes_through_loading())
       print_load_history(parameters);
     if (parameters.scene.runs("stability"))
       run_log().value("loss of the bodies in stability", parameters.stability.loss);

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/contact/contact_solver.h>
 #include <vibrocontact/contact/interface.h>
+#include <vibrocontact/coupled_bodies/contact_pair.h>
 #include <vibrocontact/coupled_bodies/loading_parameters.h>
 
 #include <array>
@@ -27,6 +28,10 @@ namespace vibrocontact
     LoadingGrid own;
     std::optional<LoadingGrid> coarse;
   };
+
+  /// The grid of a pair of bodies: its static compliance and the gaps at rest, or the kernels of half-spaces alone.
+  /// @throws InputError if a body can move freely
+  LoadingGrid loading_grid(const ContactPair &pair);
 
   /// What a load comes to. Axes: x, y, and downwards, against the normal.
   struct LoadedState

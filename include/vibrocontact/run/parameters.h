@@ -120,6 +120,12 @@ namespace vibrocontact
     }
     /// RollingParameters::hub as it applies to the bodies of this scene.
     std::string hub() const { return has_hub() ? rolling.hub : "none"; }
+    /// the history of section Loading, by itself or before a march
+    bool goes_through_loading() const
+    {
+      return scene.runs("quasi-static loading") ||
+             (scene.runs("transient") && transient.starts_from_loading());
+    }
     /// body 1 is no half-space
     bool has_hub() const { return scene.bodies[0].vibrates() || scene.bodies[0].description->is_rigid(); }
     /// Whether some body touches in one point only.

@@ -94,13 +94,7 @@ namespace vibrocontact
       add_contacts_at_rest(entries, parameters);
       for (const ContactParameters &contact : parameters.contacts.all)
         add_friction_coefficient(entries, contact);
-      const LoadingParameters &own = parameters.loading;
-      entries.add("Loading", "Table");
-      entries.add_if(own.table.empty(), "Loading/Table is empty", "Loading",
-                     "Normal force, Hub displacement, Steps");
-      const bool rubs = parameters.largest_friction() > 0;
-      entries.add_if(own.table.empty() && rubs, "Loading/Table is empty and there is friction", "Loading",
-                     "Force x, Displacement x, Force y, Displacement y");
+      add_load_history(entries, parameters);
       entries.add("Output", "Contact patches");
     }
 

@@ -112,6 +112,30 @@ namespace vibrocontact
                          body_1.type +
                          " body, which it cannot move: list the body that moves first in Bodies.");
     }
+    /// A march from the end of section Loading.
+    void check_loaded_start(const Parameters &parameters)
+    {
+      const TransientParameters &transient = parameters.transient;
+      if (!transient.starts_from_loading())
+        return;
+      const std::string is = "Transient/Initial state is quasi-static loading, but ";
+      if (contact_points_have_mass(parameters))
+        throw InputError(is + "the contact points have mass, whose reactions at rest are not those of the "
+                              "loading: set Model to reduced, or take a contact that yields.");
+      for (const BodyParameters &body : parameters.scene.bodies)
+        if (body.is_periodic_rail())
+          throw InputError(
+              is + body.name +
+              "/Rail/Model is periodic, which follows time about a rolling equilibrium: set it to "
+              "solid.");
+      if (!transient.normal_force.empty() || !transient.hub_displacement.empty())
+        throw InputError(is + "section Transient gives a load over time, which would begin with another one: "
+                              "leave it out, or end section Loading with it.");
+      if (transient.release && !hub_has_mass(parameters.hub()))
+        throw InputError("Transient/Release takes the driving force off the hub, but Rolling/Hub is " +
+                         parameters.hub() +
+                         ", which has no mass that could spring back: set it to suspended.");
+    }
   } // namespace
 
   bool contact_points_have_mass(const Parameters &parameters)
@@ -138,5 +162,6 @@ namespace vibrocontact
     check_thrown_body(transient, bodies[0]);
     check_body_known_by_poles(parameters, bodies[0]);
     check_excited_body(transient, bodies[0]);
+    check_loaded_start(parameters);
   }
 } // namespace vibrocontact

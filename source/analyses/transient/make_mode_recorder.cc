@@ -15,7 +15,7 @@ namespace vibrocontact
 
     std::string reason_for_none(const Parameters &parameters, const ContactPair &pair)
     {
-      if (parameters.transient.initial_state != "quasi-static")
+      if (parameters.transient.starts_undeformed() || parameters.transient.release)
         return "the run does not start from an equilibrium";
       if (contact_points_have_mass(parameters))
         return "the contact points have mass";

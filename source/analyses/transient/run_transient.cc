@@ -11,9 +11,12 @@
 #include <vibrocontact/analyses/transient/transient_output.h>
 #include <vibrocontact/analyses/transient/transient_probes.h>
 #include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
+#include <vibrocontact/coupled_bodies/quasi_static_loading.h>
 #include <vibrocontact/marching/run_march.h>
 #include <vibrocontact/marching/sound.h>
 #include <vibrocontact/output/verdict.h>
@@ -152,11 +155,29 @@ namespace vibrocontact
       return result;
     }
 
+    /// Goes through the history of section Loading. @throws ConvergenceError where it ends early
+    LoadedState end_of_loading(const Parameters &parameters, const ContactPair &pair)
+    {
+      const LoadHistory history = parameters.loading.history();
+      const unsigned int n_steps = history.steps.size();
+      Progress progress("load steps before the march", n_steps);
+      LoadingResult loading = quasi_static_loading(
+          history, parameters.contacts, parameters.contact_solver, {loading_grid(pair), {}},
+          [&](const unsigned int, const LoadedContact &) { progress.advance(); });
+      if (!loading.failure.empty())
+        throw ConvergenceError(
+            "Step " + std::to_string(loading.steps_done + 1) + " of " + std::to_string(n_steps) +
+            " of the quasi-static loading from which the transient starts: " + loading.failure);
+      run_log().value("driving force along x, y after the loading",
+                      number_text(loading.last.force[0]) + ", " + number_text(loading.last.force[1]) + " N");
+      return loading.last;
+    }
+
     void warn_of_ringing(const Parameters &all, const ContactPair &pair, Results &results)
     {
       const TransientParameters &parameters = all.transient;
       const bool massive = contact_points_have_mass(all);
-      if (massive && parameters.initial_state == "undeformed" &&
+      if (massive && parameters.starts_undeformed() &&
           (parameters.integrator == "exact propagator" || parameters.theta < 0.55))
         doubt("The contact points have mass: after an impact "
               "velocities and forces there ring from step to step; the theta method with Theta = "
@@ -191,9 +212,13 @@ namespace vibrocontact
     const RollingCase constants = rolling_cases(parameters.rolling, parameters.contacts).front();
     const LoadOverTime load = load_over_time(own);
     const std::string applied_hub = transient_hub(parameters.hub(), load);
+    std::optional<LoadedState> loaded;
+    if (own.starts_from_loading())
+      loaded = end_of_loading(parameters, *held);
     const HubMotion hub =
         hub_motion(applied_hub, parameters.rolling, load, parameters.contacts, parameters.contact_solver,
-                   held, drive_function(own, constants, parameters.placed_contacts()));
+                   held, drive_function(own, constants, parameters.placed_contacts()),
+                   loaded ? &*loaded : nullptr, own.release);
     run_log().value("hub", transient_hub_text(parameters.hub(), load));
     if (hub.place > 0)
     {
@@ -302,8 +327,13 @@ namespace vibrocontact
         entries.add_if(rolls, "Rolling/Speed is above 0", "Transient", name);
       }
       const bool loaded = is_driven("Normal force") || is_driven("Hub displacement");
-      entries.add_if(!loaded, "section Transient drives no load", "Rolling",
+      entries.add_if(!loaded && !own.starts_from_loading(),
+                     "section Transient drives no load and does not start from section Loading", "Rolling",
                      "Normal force, Hub displacement");
+      if (own.starts_from_loading())
+        add_load_history(entries, parameters);
+      entries.add_if(own.starts_from_loading(), "Transient/Initial state is quasi-static loading",
+                     "Transient", "Release");
       const bool rubs = largest_friction_of_cases(parameters) > 0;
       entries.add("Rolling", "Speed");
       add_sliding(entries, parameters, rubs, "there is friction");
@@ -318,7 +348,7 @@ namespace vibrocontact
                      "Shortest time step");
       entries.add_if(own.integrator == "theta method", "Transient/Integrator is theta method", section,
                      "Theta");
-      entries.add_if(own.initial_state == "undeformed", "Transient/Initial state is undeformed", section,
+      entries.add_if(own.starts_undeformed(), "Transient/Initial state is undeformed", section,
                      "Initial gap, Initial velocity");
       entries.add_if(!own.perturbed_mode.empty(), "there is a Transient/Perturbed mode", section,
                      "Perturbation, Perturbation velocity");
@@ -331,7 +361,7 @@ namespace vibrocontact
                      "Patch interval");
       entries.add_if(parameters.output.fields && signals.patch_interval > 0,
                      "there is a Transient/Signals/Patch interval", section + "/Signals", "Patch begin");
-      entries.add_if(own.initial_state == "quasi-static" && !contact_points_have_mass(parameters),
+      entries.add_if(!own.starts_undeformed() && !own.release && !contact_points_have_mass(parameters),
                      "the run starts from an equilibrium, with contact points without mass",
                      section + "/Signals", "Mode amplitudes");
       const bool has_wheel = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),

@@ -86,7 +86,7 @@ namespace vibrocontact
 
   DynamicState initial_state(const TransientParameters &transient, const ContactSections &contact,
                              const ContactSolverParameters &solver, const ContactPair &pair,
-                             const Drive &drive)
+                             const Drive &drive, const ContactSolution *const loaded)
   {
     const unsigned int n = pair.n_points(), n_modes = pair.n_modes();
     DynamicState state;
@@ -97,7 +97,7 @@ namespace vibrocontact
     state.v.assign(n_modes, 0.);
     state.z.assign(pair.n_poles(), 0.);
     state.R.reinit(3 * n);
-    if (transient.initial_state == "undeformed")
+    if (transient.starts_undeformed())
     {
       state.relaxed.assign(pair.relaxing.size(), DenseVector(3 * n));
       for (unsigned int k = 0; k < n_modes; ++k)
@@ -110,7 +110,7 @@ namespace vibrocontact
     else
     {
       // rests have relaxed: complete()
-      state.contact = transient_equilibrium(contact, solver, pair, drive);
+      state.contact = loaded ? *loaded : transient_equilibrium(contact, solver, pair, drive);
       state.R = state.contact.R;
       DenseVector force(n_modes);
       if (n_modes > 0)

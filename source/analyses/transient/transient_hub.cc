@@ -25,28 +25,66 @@ namespace vibrocontact
                                        (applied == hub ? "" : ", so that it is not held");
   }
 
+  namespace
+  {
+    /// The end of a loading as a state of motion: nothing slips but by what drives the bodies from now on.
+    ContactSolution at_rest(const LoadedState &loaded, const PlacedContacts &contacts,
+                            const CreepScheme &scheme, const Drive &start)
+    {
+      ContactSolution result = loaded.solution;
+      result.approach = loaded.displacement[2];
+      const DenseVector rigid = rigid_slip(contacts, scheme, start.creepage);
+      for (unsigned int row = contacts.n_points(); row < 3 * contacts.n_points(); ++row)
+        result.y[row] = rigid[row];
+      return result;
+    }
+
+    /// Without what the forces do on a hub along x and y. Its motions along the axes have orthogonal rows.
+    void take_off_tangential_force(const PlacedContacts &contacts, DenseVector &forces)
+    {
+      const DenseMatrix hub = contacts.translation_of(0);
+      for (unsigned int d = 0; d < 2; ++d)
+      {
+        double along = 0, square = 0;
+        for (unsigned int row = 0; row < forces.size(); ++row)
+        {
+          along += hub(row, d) * forces[row];
+          square += hub(row, d) * hub(row, d);
+        }
+        for (unsigned int row = 0; row < forces.size() && square > 0; ++row)
+          forces[row] -= hub(row, d) * along / square;
+      }
+    }
+  } // namespace
+
   HubMotion hub_motion(const std::string &hub, const RollingParameters &rolling, const LoadOverTime &load,
                        const ContactSections &contact, const ContactSolverParameters &solver,
-                       const std::shared_ptr<const ContactPair> &held, const DriveFunction &drive)
+                       const std::shared_ptr<const ContactPair> &held, const DriveFunction &drive,
+                       const LoadedState *const loaded, const bool released)
   {
     HubMotion motion{held, [](const DriveFunction &given) { return given; }, drive};
     const Drive start = drive(0);
     const bool by_force = start.normal_force > 0;
-    if (hub == "none" || (hub == "held" && !by_force) || (hub == "massless" && by_force))
+    if (!loaded && (hub == "none" || (hub == "held" && !by_force) || (hub == "massless" && by_force)))
       return motion;
-    const ContactSolution equilibrium = transient_equilibrium(contact, solver, *held, start);
     const PlacedContacts &contacts = held->interface.contacts;
+    if (loaded)
+      motion.loaded = at_rest(*loaded, contacts, find_creep_scheme(contact.first().creep_scheme), start);
+    const ContactSolution equilibrium =
+        loaded ? *motion.loaded : transient_equilibrium(contact, solver, *held, start);
     const std::array<double, 3> force = contacts.force_on(0, contacts.resultants(equilibrium.R));
     motion.place = equilibrium.approach;
     motion.normal_force = force[2];
     const double place = motion.place, normal_force = motion.normal_force;
-    const bool loaded = load.normal_force, by_displacement = hub != "massless", suspended = hub_has_mass(hub);
+    const bool driven = load.normal_force, by_displacement = hub != "massless", suspended = hub_has_mass(hub);
     if (suspended)
     {
       RollingParameters own = rolling;
       own.hub = hub;
       DenseVector preload = equilibrium.R;
       preload[0] += start.force;
+      if (released)
+        take_off_tangential_force(contacts, preload);
       motion.pair =
           std::make_shared<const ContactPair>(suspended_pair(*held, hub_coordinates(own, *held), preload));
     }
@@ -56,7 +94,7 @@ namespace vibrocontact
       return [=](const double time)
       {
         Drive now = given(time);
-        if (suspended && loaded)
+        if (suspended && driven)
           now.hub_acceleration = (now.normal_force - normal_force) / mass;
         now.approach = by_displacement ? place : 0;
         now.normal_force = by_displacement ? 0 : normal_force;
@@ -72,7 +110,8 @@ namespace vibrocontact
                              const HubMotion &hub)
   {
     const Drive start = hub.drive(0);
-    DynamicState state = initial_state(transient, contact, solver, held, start);
+    DynamicState state =
+        initial_state(transient, contact, solver, held, start, hub.loaded ? &*hub.loaded : nullptr);
     if (hub.pair->hub)
     {
       hang(*hub.pair, state);

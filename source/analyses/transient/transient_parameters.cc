@@ -42,10 +42,15 @@ namespace vibrocontact
         "The contact force within a step: weighted as other forces (linear for the exact propagator), or "
         "its value at the end of the step alone, as the paper has it. Units: none.",
         Selection("as other forces|end of step"));
+    prm.add_parameter("Initial state", initial_state,
+                      "The equilibrium of section Rolling, all bodies without stress and apart, or the end "
+                      "of the history of "
+                      "section Loading, whose loads stay. Units: none.",
+                      Selection("quasi-static|undeformed|quasi-static loading"));
     prm.add_parameter(
-        "Initial state", initial_state,
-        "The equilibrium of section Rolling, or all bodies without stress and apart. Units: none.",
-        Selection("quasi-static|undeformed"));
+        "Release", release,
+        "The force that the loading ends with along x and y is taken off at the beginning; a hub "
+        "with a mass of its own then springs back. Units: none.");
     prm.add_parameter("Initial gap", initial_gap, "Of undeformed bodies. Units: m.", Double(0, 1e6));
     prm.add_parameter("Initial velocity", initial_velocity,
                       "Of body 1 as a whole along z, negative towards body 2; undeformed only. Units: m/s.",
@@ -112,10 +117,15 @@ namespace vibrocontact
            << end_time << " s, so that the histories would hold the first instant alone: make it shorter.";
       throw InputError(text.str());
     }
-    if (initial_state == "quasi-static" && (initial_gap != 0 || initial_velocity != 0))
-      throw InputError(
-          "Section Transient gives an initial gap or velocity, but its Initial state is quasi-static: set it "
-          "to undeformed.");
+    if (!starts_undeformed() && (initial_gap != 0 || initial_velocity != 0))
+      throw InputError("Section Transient gives an initial gap or velocity, but its Initial state is " +
+                       initial_state + ": set it to undeformed.");
+    if (release && !starts_from_loading())
+      throw InputError("Transient/Release takes off what section Loading ends with, but Initial state is " +
+                       initial_state + ": set it to quasi-static loading, or leave Release out.");
+    if (starts_from_loading() && roughness.any())
+      throw InputError("Section Transient/Roughness moves the surfaces, but Initial state is quasi-static "
+                       "loading, whose bodies rest on smooth ones: leave it out.");
     if (!normal_force.empty() && !hub_displacement.empty())
       throw InputError("Section Transient gives expressions of both Normal force and Hub displacement: empty "
                        "one of them.");

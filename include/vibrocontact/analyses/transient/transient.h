@@ -29,10 +29,11 @@ namespace vibrocontact
 
   /// State at time zero, by TransientParameters::initial_state. The quasi-static one is the equilibrium under
   /// the drive at time zero, q = diag(w^-2) Psi^T R, v = 0.
+  /// @param loaded the contact that it starts from, in place of an equilibrium found here; null: none
   /// @throws InputError, ConvergenceError
   DynamicState initial_state(const TransientParameters &transient, const ContactSections &contact,
                              const ContactSolverParameters &solver, const ContactPair &pair,
-                             const Drive &drive);
+                             const Drive &drive, const ContactSolution *loaded = nullptr);
 
   /// The same run again with twice the step, beside the first one: what both differ by tells the error of the
   /// first (numerics/doubled_step.h).

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <vibrocontact/analyses/transient/drive.h>
+#include <vibrocontact/coupled_bodies/quasi_static_loading.h>
 #include <vibrocontact/coupled_bodies/rolling_parameters.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace vibrocontact
@@ -29,14 +31,19 @@ namespace vibrocontact
     DriveFunction drive;
     /// where it stays [m], and the normal force there [N]; found for a constant load or a suspended hub, else 0
     double place = 0, normal_force = 0;
+    /// the contact at the end of a quasi-static loading, from which the march starts
+    std::optional<ContactSolution> loaded = {};
   };
 
   /// Finds the place of the hub in the equilibrium under the drive at t = 0, if it has to be known, and lets the hub
   /// move from there as `hub` says (transient_hub()).
+  /// @param loaded the end of a quasi-static loading, in place of that equilibrium; null: none
+  /// @param released its force along x and y is taken off
   /// @throws InputError, ConvergenceError
   HubMotion hub_motion(const std::string &hub, const RollingParameters &rolling, const LoadOverTime &load,
                        const ContactSections &contact, const ContactSolverParameters &solver,
-                       const std::shared_ptr<const ContactPair> &held, const DriveFunction &drive);
+                       const std::shared_ptr<const ContactPair> &held, const DriveFunction &drive,
+                       const LoadedState *loaded = nullptr, bool released = false);
 
   /// initial_state() of the held pair, as HubMotion::pair has it.
   DynamicState initial_state(const TransientParameters &transient, const ContactSections &contact,

@@ -28,8 +28,13 @@ namespace vibrocontact
     /// "as other forces" or "end of step", see ReactionWeighting
     std::string reaction = "as other forces";
     /// "quasi-static": the equilibrium of section Rolling, at rest in the moving frame; "undeformed": bodies
-    /// without stress, apart by initial_gap, body 1 moving with initial_velocity
+    /// without stress, apart by initial_gap, body 1 moving with initial_velocity; "quasi-static loading": the end of the history
+    /// of section Loading
     std::string initial_state = "quasi-static";
+    bool starts_undeformed() const { return initial_state == "undeformed"; }
+    bool starts_from_loading() const { return initial_state == "quasi-static loading"; }
+    /// the force that the loading ends with along x and y is taken off at the beginning
+    bool release = false;
     /// [m]; along z, positive upwards [m/s]
     double initial_gap = 0, initial_velocity = 0;
     /// stated perturbation of the initial state: name of a mode (body:label), its largest displacement in the
