@@ -1,4 +1,6 @@
+#include <vibrocontact/fe/glued_faces.h>
 #include <vibrocontact/fe/make_elastic_body.h>
+#include <vibrocontact/scene/glued_parts.h>
 
 #include <optional>
 
@@ -21,6 +23,16 @@ namespace vibrocontact
     return model;
   }
 
+  void glue_parts(ElasticBody<3> &body, const GluedParts &parts)
+  {
+    std::vector<GluedBoundaries> boundaries;
+    for (const GluedPair &pair : parts.glued(body.mesh.name))
+      boundaries.push_back({body.mesh.boundary_id(pair.follower), body.mesh.boundary_id(pair.leader),
+                            pair.follower, pair.leader});
+    glue_faces(body.dof_handler, body.mapping, boundaries, body.mesh.name + "/Mesh/Glued",
+               body.locally_relevant, body.constraints);
+  }
+
   std::unique_ptr<ElasticBody<3>> make_elastic_body(const BodyParameters &parameters,
                                                     const double lateral_position,
                                                     const std::vector<ContactPlace> &places,
@@ -37,6 +49,9 @@ namespace vibrocontact
     solid->hold(model, mesh);
     add_loads(model, parameters.loads, mesh);
     model.rotation = parameters.rotation.steady();
-    return std::make_unique<ElasticBody<3>>(std::move(mesh), model, solid->mesh_degree());
+    auto body = std::make_unique<ElasticBody<3>>(std::move(mesh), model, solid->mesh_degree());
+    if (const auto *const parts = dynamic_cast<const GluedParts *>(solid))
+      glue_parts(*body, *parts);
+    return body;
   }
 } // namespace vibrocontact

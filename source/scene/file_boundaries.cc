@@ -60,7 +60,8 @@ namespace vibrocontact
         throw InputError(
             "The mesh file " + file + " has faces that belong to \"" + cells.names.at(own[0]) +
             "\" and to \"" + cells.names.at(own[1]) + "\", both of which " + mesh.name +
-            "/Mesh names: a face is held, in contact or on springs; take it out of one of them.");
+            "/Mesh names: a face is held, in contact, glued or on springs; take it out of one of "
+            "them.");
       const std::string &name = cells.names.at(own.front());
       ids.push_back(name == "surface" ? 0 : own.front());
       for (std::size_t k = 1; k < own.size(); ++k)

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -96,38 +95,14 @@ namespace vibrocontact
       if (types.size() > 1)
         throw InputError(
             "The mesh file " + file + " mixes " + list_of(mesh, is_solid) +
-            ": a body has cells of one type and order; in gmsh mesh it with tetrahedra alone (no "
-            "recombination), set Mesh.SubdivisionAlgorithm = 2 for hexahedra alone, and one "
-            "Mesh.ElementOrder for all.");
+            ": a body has cells of one type and order, parts that are glued as well; in gmsh mesh it with "
+            "tetrahedra alone (no recombination), set Mesh.SubdivisionAlgorithm = 2 for hexahedra alone, and "
+            "one Mesh.ElementOrder for all.");
       const ElementType &kind = *element_type(*types.begin());
       if (kind.n_corners == 5)
         throw InputError("The mesh file " + file + " holds " + list_of(mesh, is_solid) +
                          ", of which no body is made: mesh it with hexahedra, tetrahedra or prisms.");
       return *types.begin();
-    }
-
-    /// Two corners at one place: they would be a crack.
-    void check_double_nodes(const FileCells &cells, const std::string &file)
-    {
-      const BoundingBox<3> box(cells.vertices);
-      const double size = (box.get_boundary_points().second - box.get_boundary_points().first).norm(),
-                   near = 1e-8 * size;
-      std::vector<unsigned int> order(cells.vertices.size());
-      std::iota(order.begin(), order.end(), 0u);
-      std::sort(order.begin(), order.end(),
-                [&](const unsigned int a, const unsigned int b)
-                { return cells.vertices[a][0] < cells.vertices[b][0]; });
-      unsigned int n = 0, first = 0;
-      for (unsigned int k = 0; k < order.size(); ++k)
-        for (unsigned int l = k + 1;
-             l < order.size() && cells.vertices[order[l]][0] < cells.vertices[order[k]][0] + near; ++l)
-          if (cells.vertices[order[l]].distance(cells.vertices[order[k]]) < near && n++ == 0)
-            first = order[k];
-      if (n > 0)
-        throw InputError(
-            "The mesh file " + file + " has " + std::to_string(n) + " double nodes, the first at " +
-            text_of(cells.vertices[first]) +
-            " (unit of the file): two nodes at one place make a crack; merge them (gmsh: Coherence Mesh).");
     }
 
     struct Fault
@@ -301,7 +276,6 @@ namespace vibrocontact
         result.groups.names[key.second] = name;
       else if (key.first == 2)
         result.names[key.second] = name;
-    check_double_nodes(result, file);
 
     // a face may be listed once for each of its groups
     std::map<Around, unsigned int> number;
@@ -335,5 +309,40 @@ namespace vibrocontact
     if (kind.order == 2)
       add_middles(result, mesh, vertex_of, file);
     return result;
+  }
+
+  void check_double_nodes(const FileCells &cells, const std::string &file, const std::set<std::string> &glued)
+  {
+    std::vector<bool> is_glued(cells.vertices.size(), false);
+    for (const FileCells::Face &face : cells.faces)
+      if (std::any_of(face.groups.begin(), face.groups.end(),
+                      [&](const unsigned int group) { return glued.count(cells.names.at(group)) > 0; }))
+        for (const unsigned int v : face.corners)
+          is_glued[v] = true;
+    const BoundingBox<3> box(cells.vertices);
+    const double size = (box.get_boundary_points().second - box.get_boundary_points().first).norm(),
+                 near = 1e-8 * size;
+    // nodes of faces alone are named where these are sought
+    std::vector<unsigned int> order;
+    for (const CellData<3> &cell : cells.cells)
+      order.insert(order.end(), cell.vertices.begin(), cell.vertices.end());
+    std::sort(order.begin(), order.end());
+    order.erase(std::unique(order.begin(), order.end()), order.end());
+    std::sort(order.begin(), order.end(),
+              [&](const unsigned int a, const unsigned int b)
+              { return cells.vertices[a][0] < cells.vertices[b][0]; });
+    unsigned int n = 0, first = 0;
+    for (unsigned int k = 0; k < order.size(); ++k)
+      for (unsigned int l = k + 1;
+           l < order.size() && cells.vertices[order[l]][0] < cells.vertices[order[k]][0] + near; ++l)
+        if (cells.vertices[order[l]].distance(cells.vertices[order[k]]) < near &&
+            !(is_glued[order[k]] && is_glued[order[l]]) && n++ == 0)
+          first = order[k];
+    if (n > 0)
+      throw InputError(
+          "The mesh file " + file + " has " + std::to_string(n) + " double nodes, the first at " +
+          text_of(cells.vertices[first]) +
+          " (unit of the file): two nodes at one place make a crack; merge them (gmsh: Coherence Mesh), or "
+          "glue their faces (Mesh/Glued).");
   }
 } // namespace vibrocontact

@@ -15,6 +15,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace vibrocontact
@@ -52,6 +53,12 @@ namespace vibrocontact
     prm.add_parameter("Foundation loss factor", foundation_loss_factor,
                       "Hysteretic loss factor of these springs. Units: none.", Double(0, 10));
     prm.add_parameter(
+        "Glued", glued_groups,
+        "Pairs of boundaries of parts whose meshes do not match, glued where the first lies on the "
+        "second: pad back: plate front; rib: plate back. The first, better the finer mesh, follows "
+        "the second. Empty: one mesh. Units: none.",
+        Patterns::Anything());
+    prm.add_parameter(
         "Geometry", geometry,
         "flat: cells as in the file; wheel: the arcs of a wheel's outline are attached again. Units: none.",
         Patterns::Selection("flat|wheel"));
@@ -70,6 +77,22 @@ namespace vibrocontact
   void MeshFileParameters::check(const std::string &section) const
   {
     refinement.check(section);
+    for (const GluedPair &pair : glued_pairs(glued_groups, section + "/Glued"))
+      for (const std::string &group : {pair.follower, pair.leader})
+      {
+        const auto refuse = [&](const std::string &entry)
+        {
+          throw InputError(section + "/Glued and " + entry + " both name '" + group +
+                           "': a face is held, in contact, glued or on springs; take it out of one of them.");
+        };
+        if (group == contact_group)
+          refuse("Contact group");
+        for (const HeldPart &part : held_parts(held_groups, section + "/Held groups"))
+          if (part.boundary == group)
+            refuse("Held groups");
+        if (std::count(foundation_groups.begin(), foundation_groups.end(), group) > 0)
+          refuse("Foundation groups");
+      }
     if (file.empty())
       throw InputError(section + "/File is empty: give the path of a mesh file.");
     if (!std::ifstream(file) || std::filesystem::is_directory(file))
@@ -138,6 +161,17 @@ namespace vibrocontact
                          ", whose elements are of degree 1 or 2: write Element degree = 2.");
     }
 
+    std::set<std::string> names_of_glued(const MeshFileParameters &parameters)
+    {
+      std::set<std::string> result;
+      for (const GluedPair &pair : glued_pairs(parameters.glued_groups, "Glued"))
+      {
+        result.insert(pair.follower);
+        result.insert(pair.leader);
+      }
+      return result;
+    }
+
     /// The groups that the section Mesh names, each once per entry.
     std::vector<NamedGroup> named_groups(const MeshFileParameters &parameters, const std::string &name)
     {
@@ -146,8 +180,26 @@ namespace vibrocontact
         groups.push_back({part.boundary, "Held groups"});
       for (const std::string &group : parameters.foundation_groups)
         groups.push_back({group, "Foundation groups"});
+      for (const std::string &group : names_of_glued(parameters))
+        groups.push_back({group, "Glued"});
       groups.push_back({parameters.contact_group, "Contact group"});
       return groups;
+    }
+
+    /// The faces of each glued pair, by their corners.
+    std::vector<std::vector<std::vector<unsigned int>>> glued_faces(const MeshFileParameters &parameters,
+                                                                    const FileCells &file)
+    {
+      std::vector<std::vector<std::vector<unsigned int>>> result;
+      for (const GluedPair &pair : glued_pairs(parameters.glued_groups, "Glued"))
+      {
+        result.emplace_back();
+        for (const FileCells::Face &face : file.faces)
+          for (const unsigned int group : face.groups)
+            if (file.names.at(group) == pair.follower || file.names.at(group) == pair.leader)
+              result.back().push_back(face.corners);
+      }
+      return result;
     }
 
     /// Points of a reference cell a quarter apart, its nodes among them.
@@ -211,6 +263,10 @@ namespace vibrocontact
                                   const MPI_Comm communicator, const std::vector<std::string> &materials)
   {
     FileCells file = FileCells::read(parameters.file);
+    const std::vector<NamedGroup> named = named_groups(parameters, name);
+    // without contact its group need not be there
+    require_groups({named.begin(), grid ? named.end() : named.end() - 1}, file, name, parameters.file);
+    check_double_nodes(file, parameters.file, names_of_glued(parameters));
     const std::vector<unsigned int> numbers =
         material_numbers(file.groups, {name, materials}, parameters.file);
     const bool hexahedra = file.kind().is_hexahedron();
@@ -229,15 +285,13 @@ namespace vibrocontact
       place = Point<3>(parameters.unit * place - origin);
     for (unsigned int c = 0; c < file.cells.size(); ++c)
       file.cells[c].material_id = numbers[c];
-    check_cells(file.vertices, file.cells, parameters.file);
+    check_cells(file.vertices, file.cells, parameters.file, glued_faces(parameters, file),
+                ", glue groups of their faces (" + name + "/Mesh/Glued)");
     check_size(file.vertices, parameters);
 
     BodyMesh<3> mesh;
     mesh.name = name;
     mesh.cell_groups = materials;
-    const std::vector<NamedGroup> named = named_groups(parameters, name);
-    // without contact its group need not be there
-    require_groups({named.begin(), grid ? named.end() : named.end() - 1}, file, name, parameters.file);
     const std::vector<types::boundary_id> ids = boundary_ids(named, file, mesh, parameters.file);
     if (grid)
       mesh.contact_boundaries = {mesh.boundaries.at(parameters.contact_group)};
@@ -364,8 +418,8 @@ namespace vibrocontact
   bool MeshFileParameters::add_entries(EntriesRead &entries, const std::string &section,
                                        const BodyUse &use) const
   {
-    entries.add(section, "File, Unit, Contact point, Held groups, Foundation groups, Geometry, "
-                         "Element degree");
+    entries.add(section, "File, Unit, Contact point, Held groups, Foundation groups, Glued, "
+                         "Geometry, Element degree");
     entries.add_if(use.contact, "the body is in contact", section, "Contact group");
     const bool springs = !foundation_groups.empty();
     entries.add_if(springs, "there are Foundation groups", section, "Foundation stiffness");
@@ -401,6 +455,11 @@ namespace vibrocontact
   void MeshFileParameters::hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const
   {
     add_supports(model, *this, mesh);
+  }
+
+  std::vector<GluedPair> MeshFileParameters::glued(const std::string &body) const
+  {
+    return glued_pairs(glued_groups, body + "/Mesh/Glued");
   }
 
   std::optional<FlatFace> MeshFileParameters::flat_face(double) const

@@ -129,7 +129,8 @@ namespace vibrocontact
 
     template <int dim>
     void check_joined(const std::vector<Point<dim>> &vertices, const std::vector<CellData<dim>> &cells,
-                      const std::string &file)
+                      const std::string &file, const std::vector<std::vector<FaceVertices>> &glued,
+                      const std::string &way_out)
     {
       std::vector<unsigned int> piece(cells.size());
       std::iota(piece.begin(), piece.end(), 0u);
@@ -140,7 +141,8 @@ namespace vibrocontact
         return c;
       };
       Fault<dim> overlapping;
-      for (const auto &[face, own] : faces(cells))
+      const auto cells_of = faces(cells);
+      for (const auto &[face, own] : cells_of)
       {
         if (own.size() > 2)
           overlapping.add(own[2], cells[own[2]], centre(vertices, cells[own[2]]));
@@ -150,6 +152,20 @@ namespace vibrocontact
       if (overlapping.n > 0)
         throw InputError("The mesh file " + file + " has " + overlapping.text("overlapping") +
                          ": more than two cells share a face; remove what is there twice.");
+      for (const std::vector<FaceVertices> &list : glued)
+      {
+        unsigned int first = numbers::invalid_unsigned_int;
+        for (FaceVertices face : list)
+        {
+          std::sort(face.begin(), face.end());
+          const auto behind = cells_of.find(face);
+          if (behind == cells_of.end())
+            continue;
+          if (first == numbers::invalid_unsigned_int)
+            first = behind->second[0];
+          piece[root(behind->second[0])] = root(first);
+        }
+      }
       std::map<unsigned int, std::vector<unsigned int>> pieces;
       for (unsigned int c = 0; c < cells.size(); ++c)
         pieces[root(c)].push_back(c);
@@ -163,14 +179,16 @@ namespace vibrocontact
            << " pieces that share no face, the smallest of " << smallest->second.size() << " cells at ("
            << centre(vertices, cells[smallest->second.front()])
            << ") m: a body is of one piece; join them in gmsh (BooleanFragments before meshing, "
-              "Coherence Mesh after it) or remove what does not belong.";
+              "Coherence Mesh after it)"
+           << way_out << " or remove what does not belong.";
       throw InputError(text.str());
     }
   } // namespace
 
   template <int dim>
   void check_cells(const std::vector<Point<dim>> &vertices, const std::vector<CellData<dim>> &cells,
-                   const std::string &file)
+                   const std::string &file, const std::vector<std::vector<FaceVertices>> &glued,
+                   const std::string &way_out)
   {
     Fault<dim> bad, slivers, poor;
     for (unsigned int c = 0; c < cells.size(); ++c)
@@ -193,7 +211,7 @@ namespace vibrocontact
     if (poor.n > 0)
       run_log().line("The mesh file " + file + " has " + poor.text("very thin") +
                      ": expect larger errors and longer times there.");
-    check_joined(vertices, cells, file);
+    check_joined(vertices, cells, file, glued, way_out);
   }
 
   template <int dim>
@@ -211,8 +229,10 @@ namespace vibrocontact
   }
 
   template void check_cells(const std::vector<Point<2>> &, const std::vector<CellData<2>> &,
+                            const std::string &, const std::vector<std::vector<FaceVertices>> &,
                             const std::string &);
   template void check_cells(const std::vector<Point<3>> &, const std::vector<CellData<3>> &,
+                            const std::string &, const std::vector<std::vector<FaceVertices>> &,
                             const std::string &);
   template void check_number_of_cells<2>(double, unsigned int, const std::string &, const std::string &);
   template void check_number_of_cells<3>(double, unsigned int, const std::string &, const std::string &);

@@ -25,6 +25,9 @@ namespace vibrocontact
     bool curved = false;
     /// written behind the cells and sets
     std::string more;
+    /// of several boxes in a deck: in front of the sets' names, and added to all numbers
+    std::string prefix;
+    unsigned int offset = 0;
 
     /// Node sets of the faces: left, right, front, back, bottom, top.
     std::string text() const
@@ -57,7 +60,7 @@ namespace vibrocontact
       };
       const auto node = [&](const Index &index, const dealii::Point<3> &p)
       {
-        const auto [found, is_new] = number.emplace(index, number.size() + 1);
+        const auto [found, is_new] = number.emplace(index, offset + number.size() + 1);
         if (is_new)
           nodes << found->second << ", " << p[0] << ", " << p[1] << ", " << p[2] << "\n";
         return found->second;
@@ -71,7 +74,7 @@ namespace vibrocontact
               std::vector<Index> corners;
               for (const unsigned int c : part)
                 corners.push_back({{2 * i + cube[c][0], 2 * j + cube[c][1], 2 * k + cube[c][2]}});
-              cells << ++n_cells;
+              cells << offset + ++n_cells;
               for (const Index &corner : corners)
                 cells << ", " << node(corner, at(corner));
               if (quadratic)
@@ -87,13 +90,13 @@ namespace vibrocontact
       const std::array<std::string, 6> names = {{"left", "right", "front", "back", "bottom", "top"}};
       for (unsigned int f = 0; f < 6; ++f)
       {
-        sets << "*NSET, NSET=" << names[f] << "\n";
+        sets << "*NSET, NSET=" << prefix << names[f] << "\n";
         for (const auto &[index, n] : number)
           if (index[f / 2] == (f % 2) * 2 * divisions[f / 2])
             sets << n << ",\n";
       }
-      return "*NODE, NSET=all\n" + nodes.str() + "*ELEMENT, TYPE=" + type + ", ELSET=body\n" + cells.str() +
-             sets.str() + more;
+      return "*NODE, NSET=" + prefix + "all\n" + nodes.str() + "*ELEMENT, TYPE=" + type + ", ELSET=body\n" +
+             cells.str() + sets.str() + more;
     }
 
     void write(const std::string &file) const { std::ofstream(file) << text(); }

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,12 @@ namespace vibrocontact
   };
 
   /// The cells of a mesh.
-  /// @throws InputError if there are none or of several types (with their numbers and groups and what to do), for double
-  ///   nodes, middle nodes that two cells see in two places or that lie far off their edge - with the place of the first
+  /// @throws InputError if there are none or of several types (with their numbers and groups and what to do), for middle
+  ///   nodes that two cells see in two places or that lie far off their edge - with the place of the first
   FileCells solid_cells(const FileMesh &mesh, const std::string &file);
+
+  /// Two corners at one place would be a crack, unless both are on glued faces.
+  /// @param glued groups of faces @throws InputError with their number and the place of the first
+  void check_double_nodes(const FileCells &cells, const std::string &file,
+                          const std::set<std::string> &glued);
 } // namespace vibrocontact

@@ -4,6 +4,7 @@
 #include <vibrocontact/scene/contact_refinement.h>
 #include <vibrocontact/scene/elastic_model.h>
 #include <vibrocontact/scene/flat_face.h>
+#include <vibrocontact/scene/glued_parts.h>
 
 #include <vibrocontact/scene/section.h>
 
@@ -17,7 +18,7 @@ namespace vibrocontact
   ///
   /// The file's axes are those of the contact (z up, x the rolling line); its nominal contact point is moved
   /// to the origin. Faces of no group belong to `surface`.
-  struct MeshFileParameters : SolidBody
+  struct MeshFileParameters : SolidBody, GluedParts
   {
     /// mesh file, see read_file_mesh()
     std::string file;
@@ -33,6 +34,8 @@ namespace vibrocontact
     std::vector<std::string> foundation_groups;
     std::vector<double> foundation_stiffness = {0, 0, 0};
     double foundation_loss_factor = 0;
+    /// groups of parts whose meshes do not match, glued_pairs()
+    std::string glued_groups;
     /// flat: cells as they are; wheel: arcs of a wheel's outline are attached as to the built-in one
     std::string geometry = "flat";
     /// for geometry = wheel: outline, empty the built-in one, and similarity factor
@@ -47,6 +50,7 @@ namespace vibrocontact
     std::pair<std::string, std::string> missing_support(const std::string &name) const override;
     BodyMesh<3> make_mesh(const MeshRequest &request) const override;
     void hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const override;
+    std::vector<GluedPair> glued(const std::string &body) const override;
     unsigned int mesh_degree() const override { return element_degree; }
     bool has_groups() const override { return true; }
     bool may_turn() const override { return true; }

@@ -4,6 +4,7 @@
 #include <deal.II/grid/tria_description.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vibrocontact
@@ -16,10 +17,14 @@ namespace vibrocontact
   /// within 1e-2 and 0.05 are announced in the log with their place.
   ///
   /// @param cells vertices in deal.II's order
+  /// @param glued lists of faces, by their vertices, that join the cells behind them as well
+  /// @param way_out what else joins pieces, end of a sentence; empty: nothing
   /// @throws InputError with the number of bad cells, the first of them and its place [m]
   template <int dim>
   void check_cells(const std::vector<dealii::Point<dim>> &vertices,
-                   const std::vector<dealii::CellData<dim>> &cells, const std::string &file);
+                   const std::vector<dealii::CellData<dim>> &cells, const std::string &file,
+                   const std::vector<std::vector<std::vector<unsigned int>>> &glued = {},
+                   const std::string &way_out = "");
 
   /// Refuses a mesh that no machine could hold, before it is made: more than 2e7 unknowns (some 500 GB to
   /// factorise).
