@@ -401,4 +401,8 @@ TEST(GluedParts, refused_with_numbers_and_places)
   boxes = two_boxes({{1, 1, 1}}, {{1, 1, 1}});
   boxes.push_back({"c", {{1, 1, 1}}, {0.15, 0.5, 0}, {0.3, 0.7, 0.1}});
   expect_said(said_of_glue(boxes, "a_right: b_left"), {"falls into 2 pieces"});
+  // in the group that leads, but away from what follows
+  boxes[2].name = "b";
+  expect_said(said_of_glue(boxes, "a_right: b_left"),
+              {"no face of \"a_right\" lies on the part of \"b_left\" at (0.15 0.6", "loose"});
 }
