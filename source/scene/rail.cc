@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/read_ahead.h>
 #include <vibrocontact/scene/mesh_quality.h>
 #include <vibrocontact/scene/rail.h>
 #include <vibrocontact/scene/section_manifolds.h>
@@ -13,6 +14,8 @@ namespace vibrocontact
 
   namespace
   {
+    const dealii::Patterns::Selection rail_models("solid|periodic");
+
     constexpr types::boundary_id surface_id = 0, foot_id = 1, contact_id = 2, left_id = 3, right_id = 4;
 
     /// Manifold and boundary ids of the extruded outline, mirrored about the section's axis a = 0.
@@ -91,7 +94,7 @@ namespace vibrocontact
     prm.add_parameter("Model", model,
                       "solid: the section extruded over a length; periodic: infinite on equal supports, by "
                       "finite elements of the section alone. Units: none.",
-                      Patterns::Selection("solid|periodic"));
+                      rail_models);
     section.declare_parameters(prm, "lateral, height; outline of the right half");
     prm.add_parameter("Length", length, "Length of the rail; the contact is at its middle. Units: m.",
                       Double(0));
@@ -126,7 +129,7 @@ namespace vibrocontact
   void RailParameters::read_ahead(const ParameterFile &file, const std::string &section)
   {
     // whether it has modes and a mesh
-    model = file.raw_value(section, "Model", model);
+    model = read_ahead_choice(file, section, "Model", model, rail_models);
   }
 
   void RailParameters::check(const std::string &path) const

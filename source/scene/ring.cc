@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/read_ahead.h>
 #include <vibrocontact/scene/ring.h>
 
 #include <nlohmann/json.hpp>
@@ -10,6 +11,11 @@
 
 namespace vibrocontact
 {
+  namespace
+  {
+    const dealii::Patterns::Selection ring_models("analytic|beam elements|solid elements");
+  }
+
   void RingParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
@@ -17,7 +23,7 @@ namespace vibrocontact
         "Model", model,
         "How its Green's functions are found: analytic (poles of each circumferential order), beam "
         "elements (curved, cubic) or solid elements (plane stress). Units: none.",
-        Selection("analytic|beam elements|solid elements"));
+        ring_models);
     prm.add_parameter("Radius", radius, "Radius of the mean circle. Units: m.", Double(1e-6, 1e3));
     prm.add_parameter("Thickness", thickness, "Thickness of the tread band. Units: m.", Double(1e-9, 1e3));
     prm.add_parameter("Width", width, "Width of the tread band. Units: m.", Double(1e-6, 1e3));
@@ -196,7 +202,7 @@ namespace vibrocontact
   void RingParameters::read_ahead(const ParameterFile &file, const std::string &section)
   {
     // whether it has modes
-    model = file.raw_value(section, "Model", model);
+    model = read_ahead_choice(file, section, "Model", model, ring_models);
   }
 
   bool RingParameters::add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const

@@ -1,6 +1,7 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/parameter_text.h>
+#include <vibrocontact/base/read_ahead.h>
 #include <vibrocontact/scene/gmsh_file.h>
 #include <vibrocontact/scene/mesh_quality.h>
 #include <vibrocontact/scene/revolved_mesh.h>
@@ -20,6 +21,8 @@ namespace vibrocontact
 
   namespace
   {
+    const dealii::Patterns::Selection wheel_models("solid|harmonics");
+
     constexpr types::boundary_id wheel_surface_id = 0, wheel_bore_id = 1, wheel_contact_id = 2;
 
     InputError no_bore(const std::string &name)
@@ -68,7 +71,7 @@ namespace vibrocontact
         "Model", model,
         "Elements: solid, hexahedra all around; harmonics, quadrilaterals of the section and one "
         "problem for each number of waves around the axle, a hundredth of the cost. Units: none.",
-        Patterns::Selection("solid|harmonics"));
+        wheel_models);
     prm.add_parameter(
         "Harmonics", n_harmonics,
         "Waves around the axle that the contact compliance is summed over; a half-space answers "
@@ -286,7 +289,7 @@ namespace vibrocontact
   void WheelParameters::read_ahead(const ParameterFile &file, const std::string &section)
   {
     // whether it has tractions
-    model = file.raw_value(section, "Model", model);
+    model = read_ahead_choice(file, section, "Model", model, wheel_models);
     // a wheel's section costs little; 0.05 % of its frequencies to 8 kHz with the shipped one
     if (is_by_harmonics())
       this->section.element_degree = 3;
