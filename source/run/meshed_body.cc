@@ -32,7 +32,7 @@ namespace vibrocontact
       if (as_drawn && (entry.name == "Web thickness change" || entry.name == "Web radii"))
         continue;
       // as those of a body at rest they change nothing, and are younger than many a cache
-      const bool is_young = entry.section == body + "/Rotation" || entry.name.rfind("Pressure", 0) == 0 ||
+      const bool is_young = entry.section == body + "/Mesh/CAD" || entry.section == body + "/Rotation" || entry.name.rfind("Pressure", 0) == 0 ||
                             entry.name == "Prestress";
       if (is_young && entry.value == entry.default_value)
         continue;

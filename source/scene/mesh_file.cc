@@ -25,12 +25,15 @@ namespace vibrocontact
   void MeshFileParameters::declare_parameters(ParameterHandler &prm)
   {
     using Patterns::Double;
-    prm.add_parameter("File", file,
-                      "Mesh of hexahedra, tetrahedra or prisms, by the ending of its name: .msh (gmsh), "
-                      ".unv, .bdf, .vtk, .inp "
-                      "(Abaqus, CalculiX). Units: none.",
-                      Patterns::FileName());
-    prm.add_parameter("Unit", unit, "Length of the file's unit; 0.001 for a file in mm. Units: m.",
+    prm.add_parameter(
+        "File", file,
+        "Mesh of hexahedra, tetrahedra or prisms, by the ending of its name: .msh (gmsh), "
+        ".unv, .bdf, .vtk, .inp "
+        "(Abaqus, CalculiX); or a part that is meshed as section CAD says: .step, .stp, .brep. Units: none.",
+        Patterns::FileName());
+    prm.add_parameter("Unit", unit,
+                      "Length of the file's unit; 0.001 for a file in mm. STEP files say it themselves and "
+                      "are in m. Units: m.",
                       Double(1e-9, 1e3));
     prm.add_parameter(
         "Contact point", contact_point,
@@ -72,7 +75,20 @@ namespace vibrocontact
                       "Polynomial degree of the displacements; tetrahedra and prisms: 1 or 2. Units: none.",
                       Patterns::Integer(1, 4));
     refinement.declare_parameters(prm);
+    cad.declare_parameters(prm);
   }
+
+  namespace
+  {
+    std::vector<std::string> supporting_groups(const MeshFileParameters &parameters,
+                                               const std::string &section)
+    {
+      std::vector<std::string> groups = parameters.foundation_groups;
+      for (const HeldPart &part : held_parts(parameters.held_groups, section + "/Held groups"))
+        groups.push_back(part.boundary);
+      return groups;
+    }
+  } // namespace
 
   void MeshFileParameters::check(const std::string &section) const
   {
@@ -125,6 +141,8 @@ namespace vibrocontact
         throw InputError(section + "/Foundation groups contains '" + group +
                          "', which Held groups holds rigidly; take it out of one of the lists.");
     }
+    if (is_cad_file(file))
+      cad.check(section, file, unit, element_degree, supporting_groups(*this, section));
   }
 
   namespace
@@ -202,6 +220,19 @@ namespace vibrocontact
       return result;
     }
 
+    FileCells meshed_cells(const MeshFileParameters &parameters, const ContactGrid *const grid,
+                           const std::string &name, const MPI_Comm communicator)
+    {
+      const std::string section = name + "/Mesh";
+      std::vector<std::string> groups = supporting_groups(parameters, section);
+      if (grid)
+        groups.push_back(parameters.contact_group);
+      parameters.cad.check(section, parameters.file, parameters.unit, parameters.element_degree, groups);
+      return solid_cells(parameters.cad.mesh(section, parameters.file, parameters.element_degree,
+                                             parameters.contact_group, communicator),
+                         parameters.file);
+    }
+
     /// Points of a reference cell a quarter apart, its nodes among them.
     std::vector<Point<3>> quarters(const ReferenceCell &cell)
     {
@@ -262,7 +293,9 @@ namespace vibrocontact
                                   const ContactGrid *grid, const std::string &name,
                                   const MPI_Comm communicator, const std::vector<std::string> &materials)
   {
-    FileCells file = FileCells::read(parameters.file);
+    const bool is_cad = is_cad_file(parameters.file);
+    FileCells file =
+        is_cad ? meshed_cells(parameters, grid, name, communicator) : FileCells::read(parameters.file);
     const std::vector<NamedGroup> named = named_groups(parameters, name);
     // without contact its group need not be there
     require_groups({named.begin(), grid ? named.end() : named.end() - 1}, file, name, parameters.file);
@@ -333,7 +366,7 @@ namespace vibrocontact
                              lateral_position);
       mesh.geometry_degree = std::max(2u, parameters.element_degree);
     }
-    if (grid)
+    if (grid && !is_cad)
       refine_at_contact(mesh, *grid, parameters.refinement, parameters.element_degree);
     return mesh;
   }
@@ -377,6 +410,9 @@ namespace vibrocontact
 
   std::optional<FlatFace> flat_contact_group(const MeshFileParameters &parameters)
   {
+    if (is_cad_file(parameters.file))
+      return parameters.cad.flat_face(parameters.file, parameters.contact_group, parameters.contact_point,
+                                      parameters.unit);
     const FileCells file = FileCells::read(parameters.file);
     FlatFace face{1e300, -1e300, 1e300, -1e300};
     double area = 0, height = 0;
@@ -426,7 +462,10 @@ namespace vibrocontact
     entries.add_if(springs && use.loss, "there are Foundation groups and the body moves", section,
                    "Foundation loss factor");
     entries.add_if(is_wheel(), "Geometry is wheel", section, "Wheel outline, Wheel scale");
-    refinement.add_entries(entries, section, use);
+    const bool is_cad = is_cad_file(file);
+    if (!is_cad)
+      refinement.add_entries(entries, section, use);
+    cad.add_entries(entries, section, is_cad);
     return true;
   }
 

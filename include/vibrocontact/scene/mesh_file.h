@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/scene/body_description.h>
+#include <vibrocontact/scene/cad_meshing.h>
 #include <vibrocontact/scene/contact_refinement.h>
 #include <vibrocontact/scene/elastic_model.h>
 #include <vibrocontact/scene/flat_face.h>
@@ -14,7 +15,7 @@
 
 namespace vibrocontact
 {
-  /// A body from a mesh file of another program: cells of one type, whose boundary groups are found by their names.
+  /// A body from a mesh file of another program, or from a CAD file that is meshed here: cells of one type, whose boundary groups are found by their names.
   ///
   /// The file's axes are those of the contact (z up, x the rolling line); its nominal contact point is moved
   /// to the origin. Faces of no group belong to `surface`.
@@ -43,6 +44,8 @@ namespace vibrocontact
     double wheel_scale = 1;
     unsigned int element_degree = 2;
     ContactRefinement refinement;
+    /// of a STEP or BREP file, whose mesh is taken as it is
+    CadMeshing cad;
 
     void declare_parameters(dealii::ParameterHandler &prm) override;
     void check(const std::string &section) const override;
@@ -58,6 +61,7 @@ namespace vibrocontact
     std::optional<FlatFace> flat_face(double lateral_position) const override;
     std::optional<SectionOutline> wheel_section() const override;
     std::string way_to_turn(const std::string &name, bool above) const override;
+    void write_no_mesh() override { cad.write_nothing(); }
     bool is_wheel() const override { return geometry == "wheel"; }
     /// held, or on springs that resist every direction: no motion without force
     bool is_supported() const { return !held_groups.empty() || !foundation_groups.empty(); }

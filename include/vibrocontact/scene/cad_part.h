@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vibrocontact/scene/cad_faces.h>
+#include <vibrocontact/scene/file_mesh.h>
+
+#include <string>
+
+namespace vibrocontact
+{
+  /// Whether the ending of a file's name is that of a CAD format that can be meshed: .step, .stp, .brep.
+  bool is_cad_file(const std::string &file);
+
+  /// Whether a CAD file says its unit itself, so that its part is in metres (STEP).
+  bool has_own_unit(const std::string &file);
+
+  /// The solid of a CAD file and its faces, by gmsh's OpenCASCADE kernel in a process of its own. Kept as long as this process
+  /// lives and the file is the same.
+  /// @throws InputError for a file that is no CAD file, cut off, without a solid, with several, or without a unit
+  CadPart read_cad_part(const std::string &file);
+
+  /// How a part is meshed [unit of the part].
+  struct CadSizes
+  {
+    /// edge of a cell
+    double cell_size = 0;
+    /// at the fine faces, 0: as elsewhere; within `growth` of them it becomes cell_size
+    double fine_size = 0, growth = 0;
+    /// cells around a whole circle at least; 0: curved faces are not looked at
+    unsigned int cells_around_circle = 12;
+    /// of the geometry, 1 or 2
+    unsigned int order = 2;
+  };
+
+  /// Tetrahedra of a CAD part with its groups of faces; those of the solid are the group "solid".
+  ///
+  /// It is meshed once: the mesh is kept in the folder of keep_cad_meshes() under a name made of the file's content, the sizes, the
+  /// groups and gmsh's version.
+  /// To be called by one rank. @param fine_faces numbers of the fine faces @param copy the mesh is written there too; empty: nowhere
+  /// @param keep whether a new mesh stays in the folder
+  /// @throws InputError if gmsh cannot mesh it
+  FileMesh mesh_cad_part(const std::string &file, const CadSizes &sizes,
+                         const std::map<std::string, std::vector<int>> &groups,
+                         const std::vector<int> &fine_faces, const std::string &copy, bool keep);
+
+  /// The folder where meshes of CAD parts are kept between runs; empty, as before the first call: nowhere.
+  void keep_cad_meshes(const std::string &folder);
+} // namespace vibrocontact

@@ -1,0 +1,389 @@
+#include <vibrocontact/base/atomic_file.h>
+#include <vibrocontact/base/child_process.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/utf8.h>
+#include <vibrocontact/scene/cad_part.h>
+#include <vibrocontact/scene/gmsh_library.h>
+#include <vibrocontact/scene/step_names.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <gmsh.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace vibrocontact
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// A CAD format by the ending of its files' names.
+    struct CadFormat
+    {
+      std::vector<std::string> endings;
+      /// what its files begin with, one of them; and end with, empty: anything
+      std::vector<std::string> beginnings;
+      std::string end;
+      /// what a file has in it that says the unit of length; empty: the format has none
+      std::string unit;
+    };
+
+    const CadFormat *cad_format_of(const std::string &file)
+    {
+      static const std::vector<CadFormat> cad_formats = {
+          {{".step", ".stp"}, {"ISO-10303-21;"}, "END-ISO-10303-21;", "LENGTH_UNIT"},
+          {{".brep"}, {"DBRep_DrawableShape", "CASCADE Topology"}, "", ""}};
+      std::string ending = std::filesystem::path(file).extension().string();
+      for (char &c : ending)
+        c = std::tolower(c);
+      for (const CadFormat &format : cad_formats)
+        for (const std::string &one : format.endings)
+          if (ending == one)
+            return &format;
+      return nullptr;
+    }
+
+    std::string content_of(const std::string &file)
+    {
+      std::ifstream stream(file, std::ios::binary);
+      if (!stream || std::filesystem::is_directory(file))
+        throw InputError("Cannot read the CAD file " + file + "; give the path of an existing file.");
+      return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    }
+
+    void check_content(const std::string &content, const CadFormat &format, const std::string &file)
+    {
+      const std::size_t start = content.find_first_not_of(" \t\r\n");
+      bool begins = false;
+      for (const std::string &beginning : format.beginnings)
+        begins = begins ||
+                 (start != std::string::npos && content.compare(start, beginning.size(), beginning) == 0);
+      if (!begins)
+        throw InputError("The CAD file " + file + " is no file of its format: it does not begin with \"" +
+                         format.beginnings.front() + "\"; save it again with the program that made it.");
+      const std::size_t last = content.find_last_not_of(" \t\r\n") + 1;
+      if (!format.end.empty() &&
+          (last < format.end.size() ||
+           content.compare(last - format.end.size(), format.end.size(), format.end) != 0))
+        throw InputError("The CAD file " + file + " is cut off: it does not end with \"" + format.end +
+                         "\"; save or copy it again.");
+      if (!format.unit.empty() && content.find(format.unit) == std::string::npos)
+        throw InputError("The CAD file " + file + " says no unit of length (" + format.unit +
+                         "): save it again with the program that made it.");
+    }
+
+    /// The file in gmsh, in a process of its own. @returns its solids
+    gmsh::vectorpair open_in_gmsh(const std::string &file)
+    {
+      start_gmsh();
+      gmsh::option::setNumber("General.AbortOnError", 0);
+      if (has_own_unit(file))
+        gmsh::option::setString("Geometry.OCCTargetUnit", "M");
+      gmsh::vectorpair shapes, solids;
+      gmsh::model::occ::importShapes(file, shapes);
+      gmsh::model::occ::synchronize();
+      gmsh::model::getEntities(solids, 3);
+      return solids;
+    }
+
+    Point<3> point_on(const int face, const double u, const double v)
+    {
+      std::vector<double> p;
+      gmsh::model::getValue(2, face, {u, v}, p);
+      return {p.at(0), p.at(1), p.at(2)};
+    }
+
+    /// What surface a face lies on: of planes the normal, of cylinders axis and radius, from three points around it.
+    void find_surface(CadFace &face)
+    {
+      gmsh::model::getType(2, face.number, face.surface);
+      const bool is_plane = face.surface == "Plane", is_cylinder = face.surface == "Cylinder";
+      if (!is_plane && !is_cylinder)
+        return;
+      std::vector<double> low, high;
+      gmsh::model::getParametrizationBounds(2, face.number, low, high);
+      const double du = (high.at(0) - low.at(0)) / 3, dv = high.at(1) - low.at(1);
+      const Point<3> a = point_on(face.number, low[0], low[1]),
+                     b = point_on(face.number, low[0] + du, low[1]),
+                     c = is_plane ? point_on(face.number, low[0], low[1] + dv)
+                                  : point_on(face.number, low[0] + 2 * du, low[1]);
+      const Tensor<1, 3> u = b - a, v = c - a, normal = cross_product_3d(u, v);
+      if (!(normal.norm() > 0))
+        return;
+      face.direction = normal / normal.norm();
+      face.place = a;
+      if (is_plane)
+        return;
+      const Tensor<1, 3> to_axis =
+          cross_product_3d(u.norm_square() * v - v.norm_square() * u, normal) / (-2 * normal.norm_square());
+      face.place = a - to_axis;
+      face.radius = to_axis.norm();
+    }
+
+    void take_names(CadPart &part, const std::vector<StepName> &names)
+    {
+      const double size = part.size();
+      for (const StepName &one : names)
+      {
+        CadFace *match = nullptr;
+        unsigned int n = 0;
+        for (CadFace &face : part.faces)
+          if (std::abs(face.area - one.area) < 1e-6 * one.area &&
+              face.centre.distance(one.centre) < 1e-6 * size)
+          {
+            match = &face;
+            ++n;
+          }
+        // a face that is not certain has no name: to choose it is refused then
+        if (n == 1)
+          match->name = as_utf8(one.name);
+      }
+    }
+
+    struct Described
+    {
+      CadPart part;
+      unsigned int n_solids = 0, n_surfaces = 0;
+
+      template <typename Archive>
+      void serialize(Archive &archive, const unsigned int)
+      {
+        archive &part &n_solids &n_surfaces;
+      }
+    };
+
+    Described describe(const std::string &file)
+    {
+      std::vector<StepName> names;
+      if (has_own_unit(file))
+        names = step_names(file);
+      Described result;
+      const gmsh::vectorpair solids = open_in_gmsh(file);
+      result.n_solids = solids.size();
+      gmsh::vectorpair faces;
+      gmsh::model::getEntities(faces, 2);
+      result.n_surfaces = faces.size();
+      if (solids.size() != 1)
+        return result;
+      gmsh::model::occ::getMass(3, solids[0].second, result.part.volume);
+      for (const auto &[dim, number] : faces)
+      {
+        CadFace face;
+        face.number = number;
+        gmsh::model::occ::getMass(2, number, face.area);
+        gmsh::model::occ::getCenterOfMass(2, number, face.centre[0], face.centre[1], face.centre[2]);
+        gmsh::model::getBoundingBox(2, number, face.low[0], face.low[1], face.low[2], face.high[0],
+                                    face.high[1], face.high[2]);
+        // OpenCASCADE's boxes are so much wider on each side
+        for (unsigned int d = 0; d < 3; ++d)
+        {
+          face.low[d] += 1e-7;
+          face.high[d] -= 1e-7;
+        }
+        find_surface(face);
+        result.part.faces.push_back(face);
+      }
+      take_names(result.part, names);
+      return result;
+    }
+
+    std::string &mesh_folder()
+    {
+      static std::string folder;
+      return folder;
+    }
+
+    /// What a mesh depends on, as the name of its file.
+    std::string mesh_name(const std::string &file, const CadSizes &sizes,
+                          const std::map<std::string, std::vector<int>> &groups,
+                          const std::vector<int> &fine_faces)
+    {
+      std::ostringstream key;
+      key.precision(17);
+      key << "mesh of CAD 1, gmsh " << GMSH_API_VERSION << "\n"
+          << sizes.cell_size << " " << sizes.fine_size << " " << sizes.growth << " "
+          << sizes.cells_around_circle << " " << sizes.order << "\n";
+      for (const auto &[group, faces] : groups)
+      {
+        key << group << ":";
+        for (const int face : faces)
+          key << " " << face;
+        key << "\n";
+      }
+      for (const int face : fine_faces)
+        key << face << " ";
+      key << "\n" << content_of(file);
+      unsigned long long hash = 1469598103934665603ull;
+      for (const unsigned char c : key.str())
+        hash = (hash ^ c) * 1099511628211ull;
+      char text[17];
+      std::snprintf(text, sizeof(text), "%016llx", hash);
+      return std::filesystem::path(file).stem().string() + "-mesh-" + text + ".msh";
+    }
+
+    /// In a process of its own. @returns number of tetrahedra
+    std::string write_mesh(const std::string &file, const CadSizes &sizes,
+                           const std::map<std::string, std::vector<int>> &groups,
+                           const std::vector<int> &fine_faces, const std::string &to)
+    {
+      const auto set = [](const std::string &option, const double value)
+      { gmsh::option::setNumber(option, value); };
+      gmsh::vectorpair solids = open_in_gmsh(file);
+      gmsh::logger::start();
+      int tag = 0;
+      for (const auto &[group, faces] : groups)
+      {
+        gmsh::model::addPhysicalGroup(2, faces, ++tag);
+        gmsh::model::setPhysicalName(2, tag, group);
+      }
+      gmsh::model::addPhysicalGroup(3, {solids.at(0).second}, ++tag);
+      gmsh::model::setPhysicalName(3, tag, "solid");
+      set("Mesh.MeshSizeMax", sizes.cell_size);
+      set("Mesh.MeshSizeFromPoints", 0);
+      set("Mesh.MeshSizeExtendFromBoundary", 0);
+      set("Mesh.MeshSizeFromCurvature", sizes.cells_around_circle);
+      set("Mesh.ElementOrder", sizes.order);
+      set("Mesh.HighOrderOptimize", sizes.order > 1 ? 1 : 0);
+      set("Mesh.Binary", 1);
+      set("Mesh.MshFileVersion", 4.1);
+      if (sizes.fine_size > 0 && !fine_faces.empty())
+      {
+        using namespace gmsh::model::mesh;
+        const int distance = field::add("Distance"), size = field::add("Threshold");
+        field::setNumbers(distance, "SurfacesList", {fine_faces.begin(), fine_faces.end()});
+        field::setNumber(distance, "NumPointsPerCurve", 100);
+        field::setNumber(size, "InField", distance);
+        field::setNumber(size, "SizeMin", sizes.fine_size);
+        field::setNumber(size, "SizeMax", sizes.cell_size);
+        field::setNumber(size, "DistMin", 0);
+        field::setNumber(size, "DistMax", sizes.growth);
+        field::setAsBackgroundMesh(size);
+      }
+      gmsh::model::mesh::generate(3);
+      std::vector<int> types;
+      std::vector<std::vector<std::size_t>> elements, nodes;
+      gmsh::model::mesh::getElements(types, elements, nodes, 3);
+      std::size_t n = 0;
+      for (const auto &list : elements)
+        n += list.size();
+      std::vector<std::string> log;
+      gmsh::logger::get(log);
+      for (const std::string &line : log)
+        if (line.rfind("Error: ", 0) == 0)
+          throw InputError(line.substr(7));
+      if (n > 0)
+        gmsh::write(to);
+      return std::to_string(n);
+    }
+  } // namespace
+
+  bool is_cad_file(const std::string &file)
+  {
+    return cad_format_of(file) != nullptr;
+  }
+
+  bool has_own_unit(const std::string &file)
+  {
+    const CadFormat *const format = cad_format_of(file);
+    return format && !format->unit.empty();
+  }
+
+  CadPart read_cad_part(const std::string &file)
+  {
+    const CadFormat *const format = cad_format_of(file);
+    AssertThrow(format, ExcMessage(file + " is no CAD file."));
+    const std::string content = content_of(file);
+    check_content(content, *format, file);
+    static std::map<std::pair<std::string, std::size_t>, CadPart> known;
+    const auto key = std::make_pair(file, std::hash<std::string>()(content));
+    const auto found = known.find(key);
+    if (found != known.end())
+      return found->second;
+    const ChildResult result = run_in_child(
+        [&]
+        {
+          const std::vector<char> packed = Utilities::pack(describe(file), false);
+          return std::string(packed.begin(), packed.end());
+        },
+        120 + 1e-4 * content.size(), 4e9 + 400. * content.size());
+    if (!result.error.empty())
+      throw InputError("gmsh " +
+                       (result.crashed
+                            ? "breaks off (" + result.error + ") while it reads the CAD file " + file
+                            : "cannot read the CAD file " + file + ": " + as_utf8(result.error)) +
+                       "; it is damaged, save it again with the program that made it.");
+    Described described =
+        Utilities::unpack<Described>(std::vector<char>(result.output.begin(), result.output.end()), false);
+    if (described.n_solids == 0)
+      throw InputError("The CAD file " + file + " has no solid, only " +
+                       std::to_string(described.n_surfaces) +
+                       " surfaces: close them to a solid in the program that made it.");
+    if (described.n_solids > 1)
+      throw InputError(
+          "The CAD file " + file + " has " + std::to_string(described.n_solids) +
+          " solids: save each as a file and a body of its own, or unite them to one in the program that "
+          "made it.");
+    if (!(described.part.volume > 0))
+      throw InputError(
+          "The CAD file " + file +
+          " has a solid without volume: it is damaged, save it again with the program that made it.");
+    return known[key] = described.part;
+  }
+
+  FileMesh mesh_cad_part(const std::string &file, const CadSizes &sizes,
+                         const std::map<std::string, std::vector<int>> &groups,
+                         const std::vector<int> &fine_faces, const std::string &copy, const bool keep)
+  {
+    namespace fs = std::filesystem;
+    const std::string own_name = mesh_name(file, sizes, groups, fine_faces);
+    const bool is_known = !mesh_folder().empty() && fs::exists(mesh_folder() + "/" + own_name);
+    const bool kept = is_known || (keep && !mesh_folder().empty());
+    const std::string name = (kept ? mesh_folder() : fs::temp_directory_path().string()) + "/" +
+                             (kept ? own_name : unique_part(own_name) + ".msh");
+    if (is_known)
+      run_log().line("The mesh of " + file + " is taken from " + name + ".");
+    else
+    {
+      const std::string part = unique_part(name) + ".msh";
+      if (kept)
+        fs::create_directories(mesh_folder());
+      const ChildResult result =
+          run_in_child([&] { return write_mesh(file, sizes, groups, fine_faces, part); }, 7200, 16e9);
+      if (!result.error.empty() || result.output == "0")
+      {
+        std::error_code none;
+        fs::remove(part, none);
+        throw InputError(
+            "gmsh cannot mesh the CAD file " + file + " (" +
+            (result.error.empty() ? "no tetrahedra" : as_utf8(result.error)) +
+            "): give other sizes in the section CAD, or mend its faces in the program that made it.");
+      }
+      if (!fs::exists(part))
+        throw OutputError("The mesh of " + file + " could not be written to " + part + ": is the disk full?");
+      fs::rename(part, name);
+      run_log().line("The CAD file " + file + " is meshed: " + result.output + " tetrahedra" +
+                     (kept ? ", kept in " + name + "." : "."));
+    }
+    if (!copy.empty())
+      copy_file(name, copy);
+    const FileMesh mesh = read_file_mesh(name);
+    if (!kept)
+      fs::remove(name);
+    return mesh;
+  }
+
+  void keep_cad_meshes(const std::string &folder)
+  {
+    mesh_folder() = folder;
+  }
+} // namespace vibrocontact
