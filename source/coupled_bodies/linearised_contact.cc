@@ -40,16 +40,20 @@ namespace vibrocontact
     /// difference.
     constexpr double rounded = 1e-11;
 
-    /// The largest static displacement of a contact point per force on itself [m/N], rigid motions aside.
+    /// The largest static displacement of a contact point per force on itself [m/N], but for motions on soft springs, which say
+    /// nothing of what the flexibility was a part of: modes far below the highest.
     template <typename Number>
     double compliance_of_points(const ContactPair &pair, const Matrix<Number> &W)
     {
+      constexpr double far_below = 3e-4;
+      const double highest =
+          pair.omega.empty() ? 0. : *std::max_element(pair.omega.begin(), pair.omega.end());
       double largest = 0;
       for (unsigned int i = 0; i < W.m(); ++i)
       {
         double own = std::abs(W(i, i));
         for (unsigned int k = 0; k < pair.n_modes(); ++k)
-          if (pair.omega[k] > 0)
+          if (pair.omega[k] > far_below * highest)
             own += std::pow(pair.trace(i, k) / pair.omega[k], 2);
         largest = std::max(largest, own);
       }
