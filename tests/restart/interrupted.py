@@ -131,6 +131,11 @@ bar.stop(signal.SIGINT)
 bar.kill()
 bar.more_ranks()
 
+# the loading before a march is gone through again by the run that resumes
+joint = Scene("lap_joint", "Transient/End time=0.006")
+joint.stop(signal.SIGTERM)
+joint.more_ranks()
+
 # a run that came to its end goes on to a later one
 bar.run("later", "--set", "Transient/End time=4")
 bar.run("later", "--resume")
