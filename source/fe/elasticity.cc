@@ -1,3 +1,4 @@
+#include <vibrocontact/fe/attached_points.h>
 #include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/fe/elasticity.h>
 
@@ -54,7 +55,21 @@ namespace vibrocontact
         rank_update(gradients, n_q, nd, products);
         rank_update(shapes, n_q, n, scalar_mass);
 
-        const double lambda = material.lambda(), mu = material.mu(), rho = material.density;
+        const double rho = material.density;
+        if (material.is_orthotropic())
+          add_orthotropic(material.stiffness());
+        else
+          add_isotropic(material.lambda(), material.mu());
+        for (unsigned int a = 0; a < n; ++a)
+          for (unsigned int b = 0; b < n; ++b)
+            for (unsigned int i = 0; i < dim; ++i)
+              mass(dof_of[a * dim + i], dof_of[b * dim + i]) = rho * scalar_mass(a, b);
+      }
+
+    private:
+      void add_isotropic(const double lambda, const double mu)
+      {
+        const unsigned int n = n_nodes;
         for (unsigned int a = 0; a < n; ++a)
           for (unsigned int b = 0; b < n; ++b)
           {
@@ -66,12 +81,32 @@ namespace vibrocontact
                 stiffness(dof_of[a * dim + i], dof_of[b * dim + j]) =
                     lambda * products(i * n + a, j * n + b) + mu * products(j * n + a, i * n + b) +
                     (i == j ? mu * trace : 0.);
-            for (unsigned int i = 0; i < dim; ++i)
-              mass(dof_of[a * dim + i], dof_of[b * dim + i]) = rho * scalar_mass(a, b);
           }
       }
 
-    private:
+      /// K_{(a,i)(b,j)} = C_ikjl int N_a,k N_b,l dV
+      void add_orthotropic(const SymmetricTensor<4, 3> &C)
+      {
+        const unsigned int n = n_nodes;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < dim; ++j)
+          {
+            double here[dim][dim];
+            for (unsigned int k = 0; k < dim; ++k)
+              for (unsigned int l = 0; l < dim; ++l)
+                here[k][l] = C[i][k][j][l];
+            for (unsigned int a = 0; a < n; ++a)
+              for (unsigned int b = 0; b < n; ++b)
+              {
+                double sum = 0;
+                for (unsigned int k = 0; k < dim; ++k)
+                  for (unsigned int l = 0; l < dim; ++l)
+                    sum += here[k][l] * products(k * n + a, l * n + b);
+                stiffness(dof_of[a * dim + i], dof_of[b * dim + j]) = sum;
+              }
+          }
+      }
+
       /// C = B^T B with B of size rows x columns, row by row.
       static void rank_update(const std::vector<double> &B, const unsigned int rows,
                               const unsigned int columns, FullMatrix<double> &C)
@@ -168,16 +203,23 @@ namespace vibrocontact
     system.communicator = communicator;
     system.locally_owned = body.locally_owned;
     system.has_loss = model.has_loss();
+    system.has_damping = model.has_damping();
     system.has_load = model.has_load();
+    std::vector<AttachedPoint> attached;
+    if constexpr (dim == 3)
+      attached = attached_points(body);
 
     {
       DynamicSparsityPattern pattern(body.locally_relevant);
       DoFTools::make_sparsity_pattern(body.dof_handler, pattern, body.constraints, false);
+      add_places(attached, body.locally_owned, pattern);
       SparsityTools::distribute_sparsity_pattern(pattern, body.locally_owned, communicator,
                                                  body.locally_relevant);
       system.stiffness.reinit(body.locally_owned, body.locally_owned, pattern, communicator);
       if (system.has_loss)
         system.loss_stiffness.reinit(system.stiffness);
+      if (system.has_damping)
+        system.damping.reinit(system.stiffness);
     }
     {
       // the mass couples no two directions: a third of the entries
@@ -187,6 +229,7 @@ namespace vibrocontact
         couplings(d, d) = DoFTools::always;
       DynamicSparsityPattern pattern(body.locally_relevant);
       DoFTools::make_sparsity_pattern(body.dof_handler, couplings, pattern, body.constraints, false);
+      add_places(attached, body.locally_owned, pattern);
       SparsityTools::distribute_sparsity_pattern(pattern, body.locally_owned, communicator,
                                                  body.locally_relevant);
       system.mass.reinit(body.locally_owned, body.locally_owned, pattern, communicator);
@@ -200,7 +243,8 @@ namespace vibrocontact
                          update_values | update_gradients | update_JxW_values | update_quadrature_points);
     FaceValues<dim> face_values(body.mapping, scalar, n_gauss);
     CellMatrices<dim> cell_matrices(element);
-    FullMatrix<double> spring(n_dofs_per_cell, n_dofs_per_cell), loss(n_dofs_per_cell, n_dofs_per_cell);
+    FullMatrix<double> spring(n_dofs_per_cell, n_dofs_per_cell), loss(n_dofs_per_cell, n_dofs_per_cell),
+        dashpots(n_dofs_per_cell, n_dofs_per_cell);
     Vector<double> cell_load(n_dofs_per_cell);
     std::vector<types::global_dof_index> dofs(n_dofs_per_cell);
     double total_mass = 0;
@@ -220,6 +264,8 @@ namespace vibrocontact
         loss = cell_matrices.stiffness;
         loss *= material.loss_factor;
       }
+      dashpots = 0;
+      bool on_dashpots = false;
       cell_load = 0;
       if (model.has_body_force())
         for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
@@ -267,21 +313,29 @@ namespace vibrocontact
           if (bed.boundary == id)
           {
             spring = 0;
+            const bool is_damped = bed.damping_per_area.norm() > 0;
+            on_dashpots = on_dashpots || is_damped;
             // shape functions of the scalar element and area element in each point of the face
-            const auto add_springs = [&](const auto &bed_values, const unsigned int n_points)
+            const auto add_bed = [&](const auto &bed_values, const unsigned int n_points,
+                                     const Tensor<1, dim> &per_area, FullMatrix<double> &matrix)
             {
               for (unsigned int q = 0; q < n_points; ++q)
                 for (unsigned int k = 0; k < n_dofs_per_cell; ++k)
                 {
                   const auto [c, node] = element.system_to_component_index(k);
-                  const double factor =
-                      bed.stiffness_per_area[c] * bed_values.shape_value(node, q) * bed_values.JxW(q);
+                  const double factor = per_area[c] * bed_values.shape_value(node, q) * bed_values.JxW(q);
                   if (factor != 0)
                     for (unsigned int l = 0; l < n_dofs_per_cell; ++l)
                       if (element.system_to_component_index(l).first == c)
-                        spring(k, l) +=
+                        matrix(k, l) +=
                             factor * bed_values.shape_value(element.system_to_component_index(l).second, q);
                 }
+            };
+            const auto add_springs = [&](const auto &bed_values, const unsigned int n_points)
+            {
+              add_bed(bed_values, n_points, bed.stiffness_per_area, spring);
+              if (is_damped)
+                add_bed(bed_values, n_points, bed.damping_per_area, dashpots);
             };
             if (bed.segments.empty())
             {
@@ -306,12 +360,19 @@ namespace vibrocontact
       body.constraints.distribute_local_to_global(cell_matrices.mass, dofs, system.mass);
       if (system.has_loss)
         body.constraints.distribute_local_to_global(loss, dofs, system.loss_stiffness);
+      if (on_dashpots)
+        body.constraints.distribute_local_to_global(dashpots, dofs, system.damping);
       if (system.has_load)
         body.constraints.distribute_local_to_global(cell_load, dofs, system.load);
     }
 
+    add_masses(attached, &AttachedPoint::mass, system.mass);
+    if (system.has_load)
+      add_loads(attached, system.load);
     system.stiffness.compress(VectorOperation::add);
     system.mass.compress(VectorOperation::add);
+    if (system.has_damping)
+      system.damping.compress(VectorOperation::add);
     if (system.has_loss)
       system.loss_stiffness.compress(VectorOperation::add);
     if (system.has_load)
@@ -323,12 +384,18 @@ namespace vibrocontact
         system.mass.set(dof, dof, 0.);
         if (system.has_loss)
           system.loss_stiffness.set(dof, dof, 0.);
+        if (system.has_damping)
+          system.damping.set(dof, dof, 0.);
       }
     system.mass.compress(VectorOperation::insert);
     if (system.has_loss)
       system.loss_stiffness.compress(VectorOperation::insert);
+    if (system.has_damping)
+      system.damping.compress(VectorOperation::insert);
 
     system.total_mass = Utilities::MPI::sum(total_mass, communicator);
+    for (const PointMass &mass : model.masses)
+      system.total_mass += mass.mass;
     return result;
   }
 

@@ -1,3 +1,4 @@
+#include <vibrocontact/fe/attached_points.h>
 #include <vibrocontact/fe/glued_faces.h>
 #include <vibrocontact/fe/make_elastic_body.h>
 #include <vibrocontact/scene/glued_parts.h>
@@ -52,6 +53,7 @@ namespace vibrocontact
     auto body = std::make_unique<ElasticBody<3>>(std::move(mesh), model, solid->mesh_degree());
     if (const auto *const parts = dynamic_cast<const GluedParts *>(solid))
       glue_parts(*body, *parts);
+    attach_masses(*body);
     return body;
   }
 } // namespace vibrocontact

@@ -1,3 +1,4 @@
+#include <vibrocontact/fe/attached_points.h>
 #include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/fe/prestress.h>
 
@@ -15,14 +16,13 @@ namespace vibrocontact
   {
     /// Also of the direction across a plane body, whose strain is zero.
     template <int dim>
-    double von_mises(const SymmetricTensor<2, dim> &stress, const double across)
+    SymmetricTensor<2, 3> in_space(const SymmetricTensor<2, dim> &strain)
     {
-      const double mean = (trace(stress) + (dim == 2 ? across : 0.)) / 3;
-      double square = dim == 2 ? std::pow(across - mean, 2) : 0.;
+      SymmetricTensor<2, 3> result;
       for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
-          square += std::pow(stress[i][j] - (i == j ? mean : 0.), 2);
-      return std::sqrt(1.5 * square);
+        for (unsigned int j = 0; j <= i; ++j)
+          result[i][j] = strain[i][j];
+      return result;
     }
 
     template <int dim>
@@ -69,6 +69,7 @@ namespace vibrocontact
       values.reinit(typename Triangulation<dim>::active_cell_iterator(cell));
       cell->get_dof_indices(dofs);
       const ElasticMaterial &material = model.material_of(cell->material_id());
+      const SymmetricTensor<4, 3> stiffness = material.stiffness();
       stretch = 0;
       inertia = 0;
       for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
@@ -79,12 +80,12 @@ namespace vibrocontact
           const auto [component, node] = element.system_to_component_index(k);
           gradient[component] += u(dofs[k]) * values.shape_grad(node, q);
         }
-        const SymmetricTensor<2, dim> strain = symmetrize(gradient),
-                                      stress =
-                                          material.lambda() * trace(strain) * unit_symmetric_tensor<dim>() +
-                                          2 * material.mu() * strain;
-        numbers.largest_stress =
-            std::max(numbers.largest_stress, von_mises(stress, material.lambda() * trace(strain)));
+        const SymmetricTensor<2, 3> whole = stiffness * in_space<dim>(symmetrize(gradient));
+        SymmetricTensor<2, dim> stress;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j <= i; ++j)
+            stress[i][j] = whole[i][j];
+        numbers.largest_stress = std::max(numbers.largest_stress, std::sqrt(1.5) * deviator(whole).norm());
         numbers.largest_gradient = std::max(numbers.largest_gradient, gradient.norm());
         for (unsigned int a = 0; a < n_nodes; ++a)
         {
@@ -116,6 +117,8 @@ namespace vibrocontact
           }
       body.constraints.distribute_local_to_global(matrix, dofs, system.stiffness);
     }
+    if constexpr (dim == 3)
+      add_masses(attached_points(body), &AttachedPoint::stiffening, system.stiffness);
     system.stiffness.compress(VectorOperation::add);
     numbers.largest_stress = Utilities::MPI::max(numbers.largest_stress, body.communicator());
     numbers.largest_gradient = Utilities::MPI::max(numbers.largest_gradient, body.communicator());
@@ -164,6 +167,7 @@ namespace vibrocontact
       cell->get_dof_indices(dofs);
       body.constraints.distribute_local_to_global(matrix, dofs, result->fixed);
     }
+    add_masses(attached_points(body), &AttachedPoint::coriolis, result->fixed);
     result->fixed.compress(VectorOperation::add);
     return result;
   }

@@ -57,24 +57,18 @@ namespace vibrocontact
       void evaluate_vector_field(const DataPostprocessorInputs::Vector<dim> &inputs,
                                  std::vector<Vector<double>> &computed) const override
       {
-        const double mu = model.material_of(inputs.template get_cell<dim>()->material_id()).mu();
+        const ElasticMaterial &material = model.material_of(inputs.template get_cell<dim>()->material_id());
+        const SymmetricTensor<4, 3> stiffness = material.stiffness();
         for (unsigned int q = 0; q < computed.size(); ++q)
         {
-          double strain[3][3] = {}, trace = 0, square = 0;
+          SymmetricTensor<2, 3> strain;
           for (unsigned int i = 0; i < dim; ++i)
           {
             computed[q](i) = inputs.solution_values[q](i);
-            for (unsigned int j = 0; j < dim; ++j)
+            for (unsigned int j = 0; j <= i; ++j)
               strain[i][j] = (inputs.solution_gradients[q][i][j] + inputs.solution_gradients[q][j][i]) / 2;
-            trace += strain[i][i];
           }
-          for (unsigned int i = 0; i < 3; ++i)
-            for (unsigned int j = 0; j < 3; ++j)
-            {
-              const double deviator = strain[i][j] - (i == j ? trace / 3 : 0.);
-              square += deviator * deviator;
-            }
-          computed[q](dim) = 2 * mu * std::sqrt(1.5 * square);
+          computed[q](dim) = std::sqrt(1.5) * deviator(stiffness * strain).norm();
         }
       }
 

@@ -43,8 +43,22 @@ namespace vibrocontact
     log.value("type", parameters.type + " (" + parameters.body_type().help + ")");
     const auto print_material = [&](const ElasticMaterial &material, const std::string &of)
     {
-      log.value("Young modulus" + of, material.young_modulus, "Pa");
-      log.value("Poisson ratio" + of, material.poisson_ratio);
+      if (material.is_orthotropic())
+      {
+        const OrthotropicElasticity &own = material.orthotropic;
+        const auto three = [](const double a, const double b, const double c)
+        { return number_text(a) + ", " + number_text(b) + ", " + number_text(c); };
+        log.value("Young moduli along axes 1, 2, 3" + of, three(own.E1, own.E2, own.E3) + " Pa");
+        log.value("Poisson ratios 12, 13, 23" + of, three(own.nu12, own.nu13, own.nu23));
+        log.value("shear moduli 12, 13, 23" + of, three(own.G12, own.G13, own.G23) + " Pa");
+        log.value("axis 1" + of, three(own.axis_1[0], own.axis_1[1], own.axis_1[2]));
+        log.value("in the plane of axes 1 and 2" + of, three(own.axis_2[0], own.axis_2[1], own.axis_2[2]));
+      }
+      else
+      {
+        log.value("Young modulus" + of, material.young_modulus, "Pa");
+        log.value("Poisson ratio" + of, material.poisson_ratio);
+      }
       log.value("density" + of, material.density, "kg/m^3");
       if (material.loss_factor > 0)
         log.value("loss factor" + of, material.loss_factor);

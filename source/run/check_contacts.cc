@@ -187,6 +187,10 @@ namespace vibrocontact
           throw InputError(entry + ", but " + body.name +
                            "/Materials lists several, and which of them would fill the half-space is not "
                            "known: set it to finite elements.");
+        if (contact.half_space_flexibility() && body.is_orthotropic())
+          throw InputError(entry + ", but " + body.name +
+                           " has an orthotropic material, and half-spaces here are isotropic: set it to "
+                           "finite elements.");
         if (body.is_meshed() && !parameters.modes.at(body.name).any())
           throw InputError(body.name + "/Modes asks for no modes, but " + entry +
                            ", so that the modes have to carry the rest of the body's flexibility; give Upper "

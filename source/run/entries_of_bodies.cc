@@ -37,11 +37,23 @@ namespace vibrocontact
       if (sections.empty())
         sections.push_back(body.name + "/Material");
       const bool has_elements = body.is_meshed() || body.description->periodic_rail();
-      for (const std::string &section : sections)
+      for (unsigned int k = 0; k < sections.size(); ++k)
       {
-        entries.add(section, "Young modulus");
-        entries.add_if(!body.description->moves_along_z_only(), "the body does not move along z alone",
-                       section, "Poisson ratio");
+        const std::string &section = sections[k];
+        const ElasticMaterial &material = body.materials.empty() ? body.material : body.materials[k].second;
+        const bool orthotropic = material.is_orthotropic();
+        const std::string isotropic = section + "/Orthotropic is left out";
+        entries.add_if(!orthotropic, isotropic, section, "Young modulus");
+        entries.add_if(!orthotropic && !body.description->moves_along_z_only(),
+                       orthotropic ? isotropic : "the body does not move along z alone", section,
+                       "Poisson ratio");
+        if (body.may_be_orthotropic())
+        {
+          const std::string own = section + "/Orthotropic";
+          entries.add(own, "E1, E2, E3, nu12, nu13, nu23, G12, G13, G23");
+          entries.add_if(orthotropic, "constants of an orthotropic material are given", own,
+                         "Axis 1, Axis 2");
+        }
         // of several materials each has to name its density
         entries.add_if(!body.materials.empty() || (has_elements && (use.motion || use.heavy)),
                        "the body moves or has a Gravity", section, "Density");

@@ -32,8 +32,13 @@ namespace vibrocontact
       if (as_drawn && (entry.name == "Web thickness change" || entry.name == "Web radii"))
         continue;
       // as those of a body at rest they change nothing, and are younger than many a cache
-      const bool is_young = entry.section == body + "/Mesh/CAD" || entry.section == body + "/Rotation" || entry.name.rfind("Pressure", 0) == 0 ||
-                            entry.name == "Prestress";
+      constexpr const char *orthotropic = "/Orthotropic";
+      const std::size_t end = std::string(orthotropic).size();
+      const bool is_young =
+          entry.section == body + "/Mesh/CAD" || entry.section == body + "/Rotation" ||
+          entry.name.rfind("Pressure", 0) == 0 || entry.name == "Prestress" || entry.name == "Masses" ||
+          entry.name == "Foundation damping" ||
+          (entry.section.size() > end && entry.section.substr(entry.section.size() - end) == orthotropic);
       if (is_young && entry.value == entry.default_value)
         continue;
       // what turns is made of the modes at rest

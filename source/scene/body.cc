@@ -105,13 +105,21 @@ namespace vibrocontact
                         "entries. Empty: one material for the whole body. Units: none.",
                         dealii::Patterns::Anything());
     }
+    const auto declare_material = [&](const std::string &section, ElasticMaterial &group)
+    {
+      prm.enter_subsection(section);
+      group.declare_parameters(prm);
+      if (may_be_orthotropic())
+        declare("Orthotropic", group.orthotropic);
+      prm.leave_subsection();
+    };
     if (description->has_material() && materials.empty())
-      declare("Material", material);
+      declare_material("Material", material);
     if (!materials.empty())
     {
       prm.enter_subsection("Material");
       for (auto &[group, own] : materials)
-        declare(group, own);
+        declare_material(group, own);
       prm.leave_subsection();
     }
     declare(body_type().section, *description);
@@ -133,6 +141,7 @@ namespace vibrocontact
       own.check(section + "/Material/" + group);
     if (description->has_material() && materials.empty())
       material.check(section + "/Material");
+    check_isotropic(section);
     description->check(section + "/" + body_type().section);
     if (is_solid())
       loads.check(section + "/Loads");
@@ -140,11 +149,35 @@ namespace vibrocontact
       check_rotation(section + "/Rotation");
     if (!is_prestressed())
       return;
+    if (const auto *const masses = dynamic_cast<const TakesMasses *>(description.get()))
+      if (const std::string reason = masses->in_the_way_of_prestress(name); !reason.empty())
+        throw InputError(reason + (rotation.turns() ? " of its Rotation." : " (Loads/Prestress)."));
     const auto [empty, advice] = description->missing_support(name);
     if (!empty.empty())
       throw InputError(
           (rotation.turns() ? section + "/Rotation/Speed is not 0" : section + "/Loads/Prestress is true") +
           ", but " + empty + ", so that nothing holds the body against its loads; " + advice + ".");
+  }
+
+  bool BodyParameters::may_be_orthotropic() const
+  {
+    return is_solid() && description->has_material();
+  }
+
+  bool BodyParameters::is_orthotropic() const
+  {
+    return material.is_orthotropic() ||
+           std::any_of(materials.begin(), materials.end(),
+                       [](const auto &group) { return group.second.is_orthotropic(); });
+  }
+
+  void BodyParameters::check_isotropic(const std::string &section) const
+  {
+    if (is_orthotropic() && description->is_wheel())
+      throw InputError(
+          section + "/Material has constants of an orthotropic material, but " + name +
+          " is a wheel, whose modes are named by their waves around the axle, which need a material "
+          "that is the same all around: leave Orthotropic out.");
   }
 
   void BodyParameters::check_rotation(const std::string &section) const

@@ -19,6 +19,15 @@ namespace vibrocontact
         Double(0, 10));
   }
 
+  dealii::SymmetricTensor<4, 3> ElasticMaterial::stiffness() const
+  {
+    using namespace dealii;
+    if (is_orthotropic())
+      return orthotropic.stiffness();
+    return lambda() * outer_product(unit_symmetric_tensor<3>(), unit_symmetric_tensor<3>()) +
+           2 * mu() * identity_tensor<3>();
+  }
+
   void ElasticMaterial::check(const std::string &section) const
   {
     const auto refuse = [&](const std::string &entry, const double value, const std::string &advice)
@@ -27,16 +36,23 @@ namespace vibrocontact
       text << section << "/" << entry << " is " << value << ": " << advice << ".";
       throw InputError(text.str());
     };
+    if (!(density > 0))
+      refuse("Density", density, "it must be positive, in kg/m^3 (steel: 7800)");
+    if (density < 0.5 || density > 1e5)
+      refuse("Density", density, "no solid has it; give it in kg/m^3 (steel: 7800)");
+    if (!(loss_factor >= 0))
+      refuse("Loss factor", loss_factor, "it must not be negative");
+    if (is_orthotropic())
+    {
+      orthotropic.check(section + "/Orthotropic", density);
+      return;
+    }
     if (!(young_modulus > 0))
       refuse("Young modulus", young_modulus, "it must be positive and given in Pa (steel: 2.1e11)");
     if (young_modulus > 1e13)
       refuse("Young modulus", young_modulus, "no material is that stiff; give it in Pa (steel: 2.1e11)");
     if (!(poisson_ratio > -1 && poisson_ratio <= 0.4999))
       refuse("Poisson ratio", poisson_ratio, "it must lie above -1 and not above 0.4999");
-    if (!(density > 0))
-      refuse("Density", density, "it must be positive, in kg/m^3 (steel: 7800)");
-    if (density < 0.5 || density > 1e5)
-      refuse("Density", density, "no solid has it; give it in kg/m^3 (steel: 7800)");
     // Sound travels at 10 m/s in the softest rubber and at 18 km/s in diamond.
     const double sound_speed = std::sqrt(young_modulus / density);
     if (sound_speed < 10 || sound_speed > 2e4)
@@ -47,7 +63,5 @@ namespace vibrocontact
               "(steel: 7800)";
       throw InputError(text.str());
     }
-    if (!(loss_factor >= 0))
-      refuse("Loss factor", loss_factor, "it must not be negative");
   }
 } // namespace vibrocontact

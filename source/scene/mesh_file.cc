@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/scene/file_boundaries.h>
 #include <vibrocontact/scene/held_part.h>
@@ -21,6 +22,25 @@
 namespace vibrocontact
 {
   using namespace dealii;
+
+  void MeshFileParameters::read_ahead(const ParameterFile &file, const std::string &section)
+  {
+    masses.clear();
+    const std::vector<std::string> names = split_list(file.raw_value(section, "Masses"));
+    for (const std::string &name : names)
+    {
+      if (std::count(names.begin(), names.end(), name) > 1 || name.find('/') != std::string::npos)
+        throw InputError(file.where(section, "Masses") + ": the name \"" + name +
+                         "\" is listed twice or has a / in it, which separates sections");
+      masses.emplace_back().name = name;
+    }
+    // an option that lists others leaves the file its sections
+    unlisted_masses.clear();
+    const ParameterFile alone(file.file_name(), file.bytes());
+    for (const std::string &name : split_list(alone.raw_value(section, "Masses")))
+      if (std::count(names.begin(), names.end(), name) == 0)
+        unlisted_masses.emplace_back().name = name;
+  }
 
   void MeshFileParameters::declare_parameters(ParameterHandler &prm)
   {
@@ -56,6 +76,26 @@ namespace vibrocontact
     prm.add_parameter("Foundation loss factor", foundation_loss_factor,
                       "Hysteretic loss factor of these springs. Units: none.", Double(0, 10));
     prm.add_parameter(
+        "Foundation damping", foundation_damping,
+        "Viscous damping per area of dashpots beside these springs, along x, y, z. Units: N s/m^3.",
+        Patterns::List(Double(0, 1e18), 3, 3, ","));
+    masses_entry.clear();
+    for (const PointMassParameters &mass : masses)
+      masses_entry += (masses_entry.empty() ? "" : ", ") + mass.name;
+    prm.add_parameter("Masses", masses_entry,
+                      "Names of rigid masses that are coupled to groups, separated by commas: a motor, a "
+                      "sensor. Section Mass then holds a subsection of each name. Units: none.",
+                      Patterns::Anything());
+    prm.enter_subsection("Mass");
+    for (std::vector<PointMassParameters> *const some : {&masses, &unlisted_masses})
+      for (PointMassParameters &mass : *some)
+      {
+        prm.enter_subsection(mass.name);
+        mass.declare_parameters(prm);
+        prm.leave_subsection();
+      }
+    prm.leave_subsection();
+    prm.add_parameter(
         "Glued", glued_groups,
         "Pairs of boundaries of parts whose meshes do not match, glued where the first lies on the "
         "second: pad back: plate front; rib: plate back. The first, better the finer mesh, follows "
@@ -86,9 +126,57 @@ namespace vibrocontact
       std::vector<std::string> groups = parameters.foundation_groups;
       for (const HeldPart &part : held_parts(parameters.held_groups, section + "/Held groups"))
         groups.push_back(part.boundary);
+      for (const PointMassParameters &mass : parameters.masses)
+        groups.insert(groups.end(), mass.groups.begin(), mass.groups.end());
       return groups;
     }
+
+    bool any_of(const std::vector<double> &values)
+    {
+      return std::any_of(values.begin(), values.end(), [](const double value) { return value > 0; });
+    }
   } // namespace
+
+  bool MeshFileParameters::has_dashpots() const
+  {
+    return !foundation_groups.empty() && any_of(foundation_damping);
+  }
+
+  std::string MeshFileParameters::in_the_way_of_prestress(const std::string &body) const
+  {
+    for (const PointMassParameters &mass : masses)
+      if (mass.rigid)
+        return body + "/Mesh/Mass/" + mass.name +
+               "/Rigid is true, which has no stiffness of second order in the rotations of its groups: set "
+               "it "
+               "to false, or leave out the stress of the loads";
+    return "";
+  }
+
+  void MeshFileParameters::check_masses(const std::string &section) const
+  {
+    if (!masses.empty() && is_wheel())
+      throw InputError(section +
+                       "/Masses is given, but Geometry is wheel, whose modes are named by their waves "
+                       "around the axle, which a mass mixes: set Geometry to flat.");
+    for (const PointMassParameters &mass : masses)
+    {
+      const std::string own = section + "/Mass/" + mass.name;
+      mass.check(own);
+      for (const std::string &group : mass.groups)
+      {
+        for (const HeldPart &part : held_parts(held_groups, section + "/Held groups"))
+          if (part.boundary == group && (mass.rigid || part.holds_all()))
+            throw InputError(
+                own + "/Groups and Held groups both name '" + group + "': a mass on what is held " +
+                (mass.rigid ? "is not rigid with it" : "does not move") + "; take it out of one of them.");
+        if (mass.rigid && group == contact_group)
+          throw InputError(own + "/Groups contains the contact group '" + group +
+                           "', which Rigid would keep from deforming in contact: set Rigid to false or name "
+                           "another group.");
+      }
+    }
+  }
 
   void MeshFileParameters::check(const std::string &section) const
   {
@@ -125,6 +213,11 @@ namespace vibrocontact
     if (some && foundation_groups.empty())
       throw InputError(section + "/Foundation stiffness is given without Foundation groups: name the groups "
                                  "that stand on springs.");
+    if (any_of(foundation_damping) && foundation_groups.empty())
+      throw InputError(section +
+                       "/Foundation damping is given without Foundation groups: name the groups that "
+                       "stand on dashpots, which are beside springs.");
+    check_masses(section);
     if (!foundation_groups.empty() && !(held_groups.empty() ? all : some))
       throw InputError(section + "/Foundation stiffness must be positive " +
                        (held_groups.empty()
@@ -200,6 +293,9 @@ namespace vibrocontact
         groups.push_back({group, "Foundation groups"});
       for (const std::string &group : names_of_glued(parameters))
         groups.push_back({group, "Glued"});
+      for (const PointMassParameters &mass : parameters.masses)
+        for (const std::string &group : mass.groups)
+          groups.push_back({group, "Mass/" + mass.name + "/Groups"});
       groups.push_back({parameters.contact_group, "Contact group"});
       return groups;
     }
@@ -402,9 +498,29 @@ namespace vibrocontact
       SpringBed<3> bed;
       bed.boundary = mesh.boundary_id(group);
       for (unsigned int d = 0; d < 3; ++d)
+      {
         bed.stiffness_per_area[d] = parameters.foundation_stiffness.at(d);
+        bed.damping_per_area[d] = parameters.foundation_damping.at(d);
+      }
       bed.loss_factor = parameters.foundation_loss_factor;
       model.springs.push_back(bed);
+    }
+    for (const PointMassParameters &given : parameters.masses)
+    {
+      PointMass mass;
+      mass.name = given.name;
+      for (const std::string &group : given.groups)
+        mass.boundaries.push_back(mesh.boundary_id(group));
+      mass.rigid = given.rigid;
+      mass.mass = given.mass;
+      mass.inertia = given.inertia_tensor();
+      if (!given.place.empty())
+      {
+        mass.place.emplace();
+        for (unsigned int d = 0; d < 3; ++d)
+          (*mass.place)[d] = parameters.unit * (given.place[d] - parameters.contact_point.at(d));
+      }
+      model.masses.push_back(mass);
     }
   }
 
@@ -459,6 +575,16 @@ namespace vibrocontact
     entries.add_if(use.contact, "the body is in contact", section, "Contact group");
     const bool springs = !foundation_groups.empty();
     entries.add_if(springs, "there are Foundation groups", section, "Foundation stiffness");
+    entries.add_if(springs && use.loss, "there are Foundation groups and the body moves", section,
+                   "Foundation damping");
+    const bool weighs = use.motion || use.heavy;
+    entries.add_if(weighs || std::any_of(masses.begin(), masses.end(),
+                                         [](const PointMassParameters &mass) { return mass.rigid; }),
+                   "the body moves or has a Gravity, or a mass is Rigid", section, "Masses");
+    for (const PointMassParameters &mass : masses)
+      entries.add_if(weighs || mass.rigid, "the body moves or has a Gravity, or the mass is Rigid",
+                     section + "/Mass/" + mass.name,
+                     "Groups, Rigid, Mass, Place, Inertia, Products of inertia");
     entries.add_if(springs && use.loss, "there are Foundation groups and the body moves", section,
                    "Foundation loss factor");
     entries.add_if(is_wheel(), "Geometry is wheel", section, "Wheel outline, Wheel scale");

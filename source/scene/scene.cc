@@ -92,8 +92,9 @@ namespace vibrocontact
           throw InputError(where + "the group \"" + group +
                            "\" has a / in its name, which separates sections; name it otherwise in gmsh");
         const std::string section = joined_path(joined_path(body.name, "Material"), group);
+        const bool orthotropic = file.has_section(joined_path(section, "Orthotropic"));
         for (const char *entry : {"Young modulus", "Poisson ratio", "Density"})
-          if (file.raw_value(section, entry).empty())
+          if (file.raw_value(section, entry).empty() && (!orthotropic || entry == std::string("Density")))
             throw InputError(where + "the group \"" + group + "\" has no " + section + "/" + entry +
                              "; of several materials each is given with its Young modulus, Poisson ratio "
                              "and Density");

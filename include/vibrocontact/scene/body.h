@@ -78,6 +78,9 @@ namespace vibrocontact
     bool vibrates() const { return is_meshed() || is_green() || is_periodic_rail(); }
     /// Whether its material or its supports take energy.
     bool has_loss() const { return material_loss_factor() > 0 || description->has_loss(); }
+    /// of a solid; others have one stiffness in all directions
+    bool may_be_orthotropic() const;
+    bool is_orthotropic() const;
     /// of the material, of several the one that loses most; 0 if it has none [-]
     double material_loss_factor() const;
     /// stands under gravity, a traction, a pressure or its own centrifugal forces
@@ -99,6 +102,7 @@ namespace vibrocontact
     std::optional<std::pair<double, double>> contact_limits() const;
 
   private:
+    void check_isotropic(const std::string &section) const;
     void check_rotation(const std::string &section) const;
 
     std::string materials_entry;

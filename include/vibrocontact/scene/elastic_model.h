@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/scene/material.h>
+#include <vibrocontact/scene/point_mass.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -25,6 +26,8 @@ namespace vibrocontact
     std::vector<std::pair<double, double>> segments;
     /// hysteretic loss factor [-]
     double loss_factor = 0;
+    /// of dashpots beside the springs [N s/m^3]
+    dealii::Tensor<1, dim> damping_per_area;
   };
 
   /// Traction on a part of the boundary, global directions [Pa].
@@ -90,6 +93,8 @@ namespace vibrocontact
     std::map<dealii::types::material_id, ElasticMaterial> zones;
     std::vector<HeldBoundary<dim>> held;
     std::vector<SpringBed<dim>> springs;
+    /// coupled to parts of the boundary, of bodies in three dimensions
+    std::vector<PointMass> masses;
     std::vector<SurfaceTraction<dim>> tractions;
     std::vector<SurfacePressure> pressures;
     /// acceleration of gravity [m/s^2]; zero: none
@@ -111,6 +116,11 @@ namespace vibrocontact
       for (const auto &bed : springs)
         largest = std::max(largest, bed.loss_factor);
       return largest > 0;
+    }
+    bool has_damping() const
+    {
+      return std::any_of(springs.begin(), springs.end(),
+                         [](const SpringBed<dim> &bed) { return bed.damping_per_area.norm() > 0; });
     }
     bool turns() const { return rotation.speed != 0; }
     bool has_body_force() const { return gravity.norm() > 0 || turns(); }

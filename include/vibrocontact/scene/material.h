@@ -1,13 +1,15 @@
 #pragma once
 
+#include <vibrocontact/scene/orthotropic.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
 
 namespace vibrocontact
 {
-  /// Isotropic linear elastic material with hysteretic loss, sigma = (1 + i eta) (lambda tr(eps) I + 2 mu
-  /// eps).
+  /// Linear elastic material with hysteretic loss: sigma = (1 + i eta) (lambda tr(eps) I + 2 mu eps), or with the
+  /// constants of an orthotropic one, of solids alone.
   struct ElasticMaterial
   {
     double young_modulus = 206.9e9; ///< [Pa]
@@ -15,7 +17,14 @@ namespace vibrocontact
     double density = 7800;          ///< [kg/m^3]
     double loss_factor = 0;         ///< eta [-]
 
-    /// Lame coefficients [Pa]
+    /// in place of Young's modulus and Poisson's ratio, if it is given
+    OrthotropicElasticity orthotropic;
+
+    bool is_orthotropic() const { return orthotropic.is_given(); }
+    /// C of sigma = C : eps [Pa]
+    dealii::SymmetricTensor<4, 3> stiffness() const;
+
+    /// Lame coefficients of an isotropic one [Pa]
     double lambda() const
     {
       return young_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio));

@@ -6,6 +6,7 @@
 #include <vibrocontact/scene/elastic_model.h>
 #include <vibrocontact/scene/flat_face.h>
 #include <vibrocontact/scene/glued_parts.h>
+#include <vibrocontact/scene/point_mass.h>
 
 #include <vibrocontact/scene/section.h>
 
@@ -19,7 +20,7 @@ namespace vibrocontact
   ///
   /// The file's axes are those of the contact (z up, x the rolling line); its nominal contact point is moved
   /// to the origin. Faces of no group belong to `surface`.
-  struct MeshFileParameters : SolidBody, GluedParts
+  struct MeshFileParameters : SolidBody, GluedParts, TakesMasses
   {
     /// mesh file, see read_file_mesh()
     std::string file;
@@ -35,6 +36,10 @@ namespace vibrocontact
     std::vector<std::string> foundation_groups;
     std::vector<double> foundation_stiffness = {0, 0, 0};
     double foundation_loss_factor = 0;
+    /// of dashpots beside these springs, per area in x, y, z [N s/m^3]
+    std::vector<double> foundation_damping = {0, 0, 0};
+    /// rigid masses coupled to groups; those that the file has sections of and an option leaves out
+    std::vector<PointMassParameters> masses, unlisted_masses;
     /// groups of parts whose meshes do not match, glued_pairs()
     std::string glued_groups;
     /// flat: cells as they are; wheel: arcs of a wheel's outline are attached as to the built-in one
@@ -47,6 +52,7 @@ namespace vibrocontact
     /// of a STEP or BREP file, whose mesh is taken as it is
     CadMeshing cad;
 
+    void read_ahead(const ParameterFile &file, const std::string &section) override;
     void declare_parameters(dealii::ParameterHandler &prm) override;
     void check(const std::string &section) const override;
     bool add_entries(EntriesRead &entries, const std::string &section, const BodyUse &use) const override;
@@ -54,10 +60,12 @@ namespace vibrocontact
     BodyMesh<3> make_mesh(const MeshRequest &request) const override;
     void hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const override;
     std::vector<GluedPair> glued(const std::string &body) const override;
+    std::string in_the_way_of_prestress(const std::string &body) const override;
     unsigned int mesh_degree() const override { return element_degree; }
     bool has_groups() const override { return true; }
     bool may_turn() const override { return true; }
-    bool has_loss() const override { return foundation_loss_factor > 0; }
+    bool has_loss() const override { return foundation_loss_factor > 0 || has_dashpots(); }
+    bool has_dashpots() const;
     std::optional<FlatFace> flat_face(double lateral_position) const override;
     std::optional<SectionOutline> wheel_section() const override;
     std::string way_to_turn(const std::string &name, bool above) const override;
@@ -65,6 +73,10 @@ namespace vibrocontact
     bool is_wheel() const override { return geometry == "wheel"; }
     /// held, or on springs that resist every direction: no motion without force
     bool is_supported() const { return !held_groups.empty() || !foundation_groups.empty(); }
+
+  private:
+    void check_masses(const std::string &section) const;
+    std::string masses_entry;
   };
 
   /// @param lateral_position used with geometry = wheel: y of the contact in the wheel's section [m]
