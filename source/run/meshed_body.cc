@@ -147,6 +147,12 @@ namespace vibrocontact
     const Progress progress(parameters.name + ": assembly of " + number_text(n_dofs) + " dofs", 1,
                             20e-6 * n_dofs / dealii::Utilities::MPI::n_mpi_processes(communicator));
     std::unique_ptr<SecondOrderSystem> system = assemble_body(elastic_body());
+    double attached = 0;
+    for (const PointMass &mass : elastic_body().model.masses)
+      attached += mass.mass;
+    if (attached > 0)
+      run_log().line(parameters.name + ": a mass of " + number_text(system->total_mass) + " kg, " +
+                     number_text(attached) + " kg of it coupled to groups");
     if (parameters.is_prestressed())
       prestress(elastic_body(), reduction.solver(), *system);
     if (!places.empty())

@@ -16,7 +16,7 @@ Array = NDArray[Any]
 UNITS = {**{one: one for one in ("N", "J", "m", "s", "Hz", "Pa", "MB", "dB", "rad", "deg", "kg")},
          "displacement_1_m": "m", "force_1_N": "N", "rad_s": "rad/s", "rad_m": "rad/m", "dB_m": "dB/m", "dBA": "dB(A)", "m_Ns": "m/(N s)", "m_s2": "m/s^2",
          "m_s_2": "m/s^2", "1_s2": "1/s^2", "m_N": "m/N", "m_s": "m/s", "1_s": "1/s", "1_m": "1/m", "Nm": "N m", "Ns": "N s", "seconds": "s", "degrees": "deg",
-         "m_2": "m^2", "m_4": "m^4", "m_6": "m^6", "kg_m": "kg/m", "kg_m_3": "kg/m^3", "Ns_m": "N s/m", "N_m": "N/m", "N_m_2": "N/m^2", "N_m_3": "N/m^3",
+         "m_2": "m^2", "m_4": "m^4", "m_6": "m^6", "kg_m": "kg/m", "kg_m_3": "kg/m^3", "Ns_m": "N s/m", "N_s_m_3": "N s/m^3", "N_m": "N/m", "N_m_2": "N/m^2", "N_m_3": "N/m^3",
          "bending_stiffness_N_m_2": "N m^2"}
 
 LABELS = ("label", "root", "nearest", "unstable", "mode")
