@@ -1,7 +1,6 @@
 #include <vibrocontact/fe/attached_points.h>
 #include <vibrocontact/fe/glued_faces.h>
 #include <vibrocontact/fe/make_elastic_body.h>
-#include <vibrocontact/scene/glued_parts.h>
 
 #include <optional>
 
@@ -24,10 +23,10 @@ namespace vibrocontact
     return model;
   }
 
-  void glue_parts(ElasticBody<3> &body, const GluedParts &parts)
+  void glue_parts(ElasticBody<3> &body, const std::vector<GluedPair> &pairs)
   {
     std::vector<GluedBoundaries> boundaries;
-    for (const GluedPair &pair : parts.glued(body.mesh.name))
+    for (const GluedPair &pair : pairs)
       boundaries.push_back({body.mesh.boundary_id(pair.follower), body.mesh.boundary_id(pair.leader),
                             pair.follower, pair.leader});
     glue_faces(body.dof_handler, body.mapping, boundaries, body.mesh.name + "/Mesh/Glued",
@@ -51,8 +50,7 @@ namespace vibrocontact
     add_loads(model, parameters.loads, mesh);
     model.rotation = parameters.rotation.steady();
     auto body = std::make_unique<ElasticBody<3>>(std::move(mesh), model, solid->mesh_degree());
-    if (const auto *const parts = dynamic_cast<const GluedParts *>(solid))
-      glue_parts(*body, *parts);
+    glue_parts(*body, solid->glued(parameters.name));
     attach_masses(*body);
     return body;
   }

@@ -149,9 +149,8 @@ namespace vibrocontact
       check_rotation(section + "/Rotation");
     if (!is_prestressed())
       return;
-    if (const auto *const masses = dynamic_cast<const TakesMasses *>(description.get()))
-      if (const std::string reason = masses->in_the_way_of_prestress(name); !reason.empty())
-        throw InputError(reason + (rotation.turns() ? " of its Rotation." : " (Loads/Prestress)."));
+    if (const std::string reason = description->in_the_way_of_prestress(name); !reason.empty())
+      throw InputError(reason + (rotation.turns() ? " of its Rotation." : " (Loads/Prestress)."));
     const auto [empty, advice] = description->missing_support(name);
     if (!empty.empty())
       throw InputError(

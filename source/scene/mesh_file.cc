@@ -1,6 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
-#include <vibrocontact/base/parameter_text.h>
+#include <vibrocontact/base/read_ahead.h>
 #include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/scene/file_boundaries.h>
 #include <vibrocontact/scene/held_part.h>
@@ -25,21 +25,9 @@ namespace vibrocontact
 
   void MeshFileParameters::read_ahead(const ParameterFile &file, const std::string &section)
   {
-    masses.clear();
-    const std::vector<std::string> names = split_list(file.raw_value(section, "Masses"));
-    for (const std::string &name : names)
-    {
-      if (std::count(names.begin(), names.end(), name) > 1 || name.find('/') != std::string::npos)
-        throw InputError(file.where(section, "Masses") + ": the name \"" + name +
-                         "\" is listed twice or has a / in it, which separates sections");
-      masses.emplace_back().name = name;
-    }
-    // an option that lists others leaves the file its sections
-    unlisted_masses.clear();
-    const ParameterFile alone(file.file_name(), file.bytes());
-    for (const std::string &name : split_list(alone.raw_value(section, "Masses")))
-      if (std::count(names.begin(), names.end(), name) == 0)
-        unlisted_masses.emplace_back().name = name;
+    const ListedNames names = read_ahead_names(file, section, "Masses");
+    masses = groups_of<PointMassParameters>(names.listed);
+    unlisted_masses = groups_of<PointMassParameters>(names.unlisted);
   }
 
   void MeshFileParameters::declare_parameters(ParameterHandler &prm)
@@ -79,22 +67,12 @@ namespace vibrocontact
         "Foundation damping", foundation_damping,
         "Viscous damping per area of dashpots beside these springs, along x, y, z. Units: N s/m^3.",
         Patterns::List(Double(0, 1e18), 3, 3, ","));
-    masses_entry.clear();
-    for (const PointMassParameters &mass : masses)
-      masses_entry += (masses_entry.empty() ? "" : ", ") + mass.name;
+    masses_entry = names_of_groups(masses);
     prm.add_parameter("Masses", masses_entry,
                       "Names of rigid masses that are coupled to groups, separated by commas: a motor, a "
                       "sensor. Section Mass then holds a subsection of each name. Units: none.",
                       Patterns::Anything());
-    prm.enter_subsection("Mass");
-    for (std::vector<PointMassParameters> *const some : {&masses, &unlisted_masses})
-      for (PointMassParameters &mass : *some)
-      {
-        prm.enter_subsection(mass.name);
-        mass.declare_parameters(prm);
-        prm.leave_subsection();
-      }
-    prm.leave_subsection();
+    declare_groups(prm, "Mass", masses, unlisted_masses);
     prm.add_parameter(
         "Glued", glued_groups,
         "Pairs of boundaries of parts whose meshes do not match, glued where the first lies on the "

@@ -84,22 +84,12 @@ namespace vibrocontact
                       "rotation and one against it (Model = harmonics). false: it stands still there, as in "
                       "the paper. Units: none.",
                       Patterns::Bool());
-    dampers_entry.clear();
-    for (const WheelDamper &damper : dampers)
-      dampers_entry += (dampers_entry.empty() ? "" : ", ") + damper.name;
+    dampers_entry = names_of_groups(dampers);
     prm.add_parameter("Dampers", dampers_entry,
                       "Names of what damps the wheel besides its materials, separated by commas (Model = "
                       "harmonics). Section Damper then holds a subsection of each name. Units: none.",
                       Patterns::Anything());
-    prm.enter_subsection("Damper");
-    for (std::vector<WheelDamper> *const some : {&dampers, &unlisted_dampers})
-      for (WheelDamper &damper : *some)
-      {
-        prm.enter_subsection(damper.name);
-        damper.declare_parameters(prm);
-        prm.leave_subsection();
-      }
-    prm.leave_subsection();
+    declare_groups(prm, "Damper", dampers, unlisted_dampers);
     prm.add_parameter(
         "Write mesh", write_mesh,
         "gmsh file to write the coarse hexahedra and named boundaries to, y as in the section; empty: "
@@ -293,22 +283,9 @@ namespace vibrocontact
     // a wheel's section costs little; 0.05 % of its frequencies to 8 kHz with the shipped one
     if (is_by_harmonics())
       this->section.element_degree = 3;
-    dampers.clear();
-    const std::vector<std::string> names = split_list(file.raw_value(section, "Dampers"));
-    for (const std::string &name : names)
-    {
-      if (std::count(names.begin(), names.end(), name) > 1 || name.find('/') != std::string::npos)
-        throw InputError(file.where(section, "Dampers") + ": the name \"" + name +
-                         "\" is listed twice or has a / in it, which separates sections");
-      dampers.emplace_back();
-      dampers.back().name = name;
-    }
-    // an option that lists others leaves the file its sections
-    unlisted_dampers.clear();
-    const ParameterFile alone(file.file_name(), file.bytes());
-    for (const std::string &name : split_list(alone.raw_value(section, "Dampers")))
-      if (std::count(names.begin(), names.end(), name) == 0)
-        unlisted_dampers.emplace_back().name = name;
+    const ListedNames names = read_ahead_names(file, section, "Dampers");
+    dampers = groups_of<WheelDamper>(names.listed);
+    unlisted_dampers = groups_of<WheelDamper>(names.unlisted);
   }
 
   bool WheelParameters::add_entries(EntriesRead &entries, const std::string &section,

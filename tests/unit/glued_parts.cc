@@ -94,7 +94,7 @@ namespace
       mesh.triangulation->execute_coarsening_and_refinement();
     }
     auto body = std::make_unique<ElasticBody<3>>(std::move(mesh), model, parameters.element_degree);
-    glue_parts(*body, parameters);
+    glue_parts(*body, parameters.glued(body->mesh.name));
     return body;
   }
 

@@ -6,14 +6,12 @@
 
 namespace vibrocontact
 {
-  class GluedParts;
-
   /// Names of the groups of cells that have a material each, and a model of these materials by group.
   std::vector<std::string> group_names(const BodyParameters &parameters);
   ElasticModel<3> elastic_model(const BodyParameters &parameters);
 
   /// Glues the parts of a body whose meshes do not match, before it is assembled.
-  void glue_parts(ElasticBody<3> &body, const GluedParts &parts);
+  void glue_parts(ElasticBody<3> &body, const std::vector<GluedPair> &pairs);
 
   /// Mesh, material, supports and loads of a meshed body as its parameters say, ready to be assembled.
   /// @param lateral_position of the contact on a wheel or, beside its offset, a block [m]

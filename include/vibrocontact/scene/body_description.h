@@ -9,6 +9,7 @@
 #include <vibrocontact/scene/contact_grid.h>
 #include <vibrocontact/scene/elastic_model.h>
 #include <vibrocontact/scene/flat_face.h>
+#include <vibrocontact/scene/glued_parts.h>
 #include <vibrocontact/scene/section.h>
 
 #include <deal.II/base/mpi.h>
@@ -117,6 +118,8 @@ namespace vibrocontact
     virtual bool has_weight() const { return false; }
     /// What is empty so that the body is free, and what to do; both empty: it is held. @param name of the body
     virtual std::pair<std::string, std::string> missing_support(const std::string &) const { return {}; }
+    /// What of it knows no stiffness under the stress of its loads, and what to do; empty: nothing. @param name of the body
+    virtual std::string in_the_way_of_prestress(const std::string &) const { return {}; }
 
     // Where it is touched.
     /// Its own contact points, if it brings some; nothing: those of the grid of section Contact.
@@ -234,6 +237,8 @@ namespace vibrocontact
     /// Boundaries that are held or on springs. @param mesh of make_mesh()
     virtual void hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const = 0;
     virtual unsigned int mesh_degree() const { return 2; }
+    /// Groups of its parts whose meshes do not match. @param name of the body
+    virtual std::vector<GluedPair> glued(const std::string &) const { return {}; }
   };
 
   /// A body of revolution whose motions are solved wave by wave around its axle.

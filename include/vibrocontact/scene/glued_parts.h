@@ -14,13 +14,4 @@ namespace vibrocontact
   /// What the entry Glued says: `pad back : plate front; rib : plate back`.
   /// @param entry where it stands, for messages @throws InputError for what is no pair, and for a group that follows twice
   std::vector<GluedPair> glued_pairs(const std::string &text, const std::string &entry);
-
-  /// A body of parts whose meshes do not match, glued group by group.
-  class GluedParts
-  {
-  public:
-    virtual ~GluedParts() = default;
-    /// @param body its name
-    virtual std::vector<GluedPair> glued(const std::string &body) const = 0;
-  };
 } // namespace vibrocontact

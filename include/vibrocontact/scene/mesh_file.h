@@ -5,7 +5,6 @@
 #include <vibrocontact/scene/contact_refinement.h>
 #include <vibrocontact/scene/elastic_model.h>
 #include <vibrocontact/scene/flat_face.h>
-#include <vibrocontact/scene/glued_parts.h>
 #include <vibrocontact/scene/point_mass.h>
 
 #include <vibrocontact/scene/section.h>
@@ -20,7 +19,7 @@ namespace vibrocontact
   ///
   /// The file's axes are those of the contact (z up, x the rolling line); its nominal contact point is moved
   /// to the origin. Faces of no group belong to `surface`.
-  struct MeshFileParameters : SolidBody, GluedParts, TakesMasses
+  struct MeshFileParameters : SolidBody
   {
     /// mesh file, see read_file_mesh()
     std::string file;

@@ -44,13 +44,4 @@ namespace vibrocontact
     void check(const std::string &section) const;
     dealii::SymmetricTensor<2, 3> inertia_tensor() const;
   };
-
-  /// A body that masses may be coupled to.
-  class TakesMasses
-  {
-  public:
-    virtual ~TakesMasses() = default;
-    /// What is in the way of a stiffness under the stress of its loads; empty: nothing. @param body its name
-    virtual std::string in_the_way_of_prestress(const std::string &body) const = 0;
-  };
 } // namespace vibrocontact
