@@ -11,6 +11,14 @@ namespace vibrocontact
 {
   using namespace dealii;
 
+  std::vector<std::string> group_names_of(const std::vector<NamedGroup> &groups)
+  {
+    std::vector<std::string> names;
+    for (const NamedGroup &one : groups)
+      names.push_back(one.group);
+    return names;
+  }
+
   void require_groups(const std::vector<NamedGroup> &groups, const FileCells &cells, const std::string &name,
                       const std::string &file)
   {

@@ -13,6 +13,7 @@ namespace vibrocontact
   {
     std::string group, entry;
   };
+  std::vector<std::string> group_names_of(const std::vector<NamedGroup> &groups);
 
   /// @param name of the body @param file for messages
   /// @throws InputError for a group without faces, with the groups there are and their counts

@@ -15,6 +15,8 @@
 
 namespace vibrocontact
 {
+  struct NamedGroup;
+
   /// A body from a mesh file of another program, or from a CAD file that is meshed here: cells of one type, whose boundary groups are found by their names.
   ///
   /// The file's axes are those of the contact (z up, x the rolling line); its nominal contact point is moved
@@ -72,6 +74,8 @@ namespace vibrocontact
     bool is_wheel() const override { return geometry == "wheel"; }
     /// held, or on springs that resist every direction: no motion without force
     bool is_supported() const { return !held_groups.empty() || !foundation_groups.empty(); }
+    /// The groups that the section names but for that in contact, each once per entry.
+    std::vector<NamedGroup> supporting_groups(const std::string &section) const;
 
   private:
     void check_masses(const std::string &section) const;
