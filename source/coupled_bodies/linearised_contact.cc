@@ -68,14 +68,21 @@ namespace vibrocontact
     {
       if (a.m() == 0 || b.n() == 0)
         return b;
-      Matrix<Number> identity(a.m(), a.m());
-      for (unsigned int i = 0; i < a.m(); ++i)
-        identity(i, i) = 1;
-      if (!(std::abs(solve(a, identity, what).l1_norm()) * rounded * compliance < 1))
+      const unsigned int n = a.m();
+      Matrix<Number> right(n, b.n() + n);
+      add_block(right, b, 0, 0);
+      for (unsigned int i = 0; i < n; ++i)
+        right(i, b.n() + i) = 1;
+      const Matrix<Number> both = solve(a, right, what);
+      Matrix<Number> result(n, b.n()), inverse(n, n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < both.n(); ++j)
+          (j < b.n() ? result(i, j) : inverse(i, j - b.n())) = both(i, j);
+      if (!(std::abs(inverse.l1_norm()) * rounded * compliance < 1))
         throw ConvergenceError(
             "The modes that are kept leave no " + what +
             " of the contact points but rounding: keep fewer modes (Modes/Count or Upper frequency).");
-      return solve(a, b, what);
+      return result;
     }
 
     template <typename Number>
