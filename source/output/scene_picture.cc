@@ -44,11 +44,12 @@ namespace vibrocontact
       if (!body.quads.empty())
       {
         one["surface"] = field_name("scene_" + body.parameters->name, 0);
-        std::vector<double> points = body.points;
-        for (std::size_t i = 0; i < points.size(); ++i)
-          points[i] += body.place[i % 3];
         on_first_rank(
-            [&] { write_surface(points, body.quads, {}, folder + "/" + one["surface"].get<std::string>()); });
+            [&]
+            {
+              write_surface(body.points, body.quads, {}, folder + "/" + one["surface"].get<std::string>(),
+                            body.place);
+            });
       }
       scene["bodies"].push_back(one);
     }

@@ -9,7 +9,8 @@
 namespace vibrocontact
 {
   void write_surface(const std::vector<double> &points, const std::vector<int> &quads,
-                     const std::vector<SurfaceField> &fields, const std::string &file_name)
+                     const std::vector<SurfaceField> &fields, const std::string &file_name,
+                     const std::array<double, 3> &place)
   {
     using Patch = dealii::DataOutBase::Patch<2, 3>;
     std::vector<Patch> patches(quads.size() / 4);
@@ -26,7 +27,7 @@ namespace vibrocontact
         const unsigned int i = quads[4 * p + around[v]];
         for (unsigned int d = 0; d < 3; ++d)
         {
-          patch.vertices[v][d] = points[3 * i + d];
+          patch.vertices[v][d] = points[3 * i + d] + place[d];
           for (unsigned int f = 0; f < fields.size(); ++f)
             patch.data(3 * f + d, v) = fields[f].second[3 * i + d];
         }

@@ -8,6 +8,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <memory>
@@ -27,8 +28,8 @@ namespace vibrocontact
       const MeshedBody *body;
       const SurfaceShapes *surface;
       std::vector<double> real, imaginary;
-      /// of the surface in the scene; x, y, z of each point [m]
-      std::vector<double> points;
+      /// of the body in the scene [m]
+      std::array<double, 3> place;
     };
 
     void write_frames(const SurfaceShape &shape, const double scale, const unsigned int number,
@@ -43,8 +44,8 @@ namespace vibrocontact
         for (unsigned int i = 0; i < displacement.size(); ++i)
           displacement[i] = scale * (shape.real[i] * std::cos(phase) - shape.imaginary[i] * std::sin(phase));
         files.emplace_back(double(frame) / n_frames, field_name(set, frame));
-        write_surface(shape.points, shape.surface->quads, {{"displacement_m", displacement}},
-                      folder + "/" + files.back().second);
+        write_surface(shape.surface->points, shape.surface->quads, {{"displacement_m", displacement}},
+                      folder + "/" + files.back().second, shape.place);
       }
       write_pvd(files, folder + "/" + set + ".pvd");
     }
@@ -108,9 +109,7 @@ namespace vibrocontact
           surfaces[k] = std::make_unique<SurfaceShapes>(shapes_of_modes(*bodies[k], bodies[k]->parameters));
         const SurfaceShapes &surface = *surfaces[k];
         shapes.push_back({bodies[k].get(), &surface, surface_displacement(surface, real),
-                          surface_displacement(surface, imaginary), surface.points});
-        for (unsigned int i = 0; i < surface.points.size(); ++i)
-          shapes.back().points[i] += places[k][i % 3];
+                          surface_displacement(surface, imaginary), places[k]});
         for (unsigned int point = 0; hub && k == 0 && point < surface.n_points(); ++point)
         {
           const auto carried =
