@@ -4,6 +4,7 @@
 #include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/fe/glued_faces.h>
 #include <vibrocontact/fe/glued_surfaces.h>
+#include <vibrocontact/fe/own_faces.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_values.h>
@@ -82,38 +83,31 @@ namespace vibrocontact
         on_faces.push_back(nodes_of_face(nodes, shape, f, scalar.degree));
       std::vector<Dof> dofs(element.n_dofs_per_cell());
       Surfaces own;
-      for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const auto &[cell, f] : own_faces(dof_handler, boundaries))
       {
-        if (!cell->is_locally_owned())
-          continue;
-        for (const unsigned int f : cell->face_indices())
+        values.reinit(typename Triangulation<3>::active_cell_iterator(cell));
+        cell->get_dof_indices(dofs);
+        FaceOfDofs one;
+        one.face.triangle = shape.face_reference_cell(f) == ReferenceCells::Triangle;
+        one.face.degree = scalar.degree;
+        for (const unsigned int k : on_faces[f])
         {
-          if (!cell->face(f)->at_boundary() || boundaries.count(cell->face(f)->boundary_id()) == 0)
-            continue;
-          values.reinit(typename Triangulation<3>::active_cell_iterator(cell));
-          cell->get_dof_indices(dofs);
-          FaceOfDofs one;
-          one.face.triangle = shape.face_reference_cell(f) == ReferenceCells::Triangle;
-          one.face.degree = scalar.degree;
-          for (const unsigned int k : on_faces[f])
-          {
-            one.face.nodes.push_back(values.quadrature_point(k));
-            one.dofs.push_back({{dofs[element.component_to_system_index(0, k)],
-                                 dofs[element.component_to_system_index(1, k)],
-                                 dofs[element.component_to_system_index(2, k)]}});
-            for (const Dof dof : one.dofs.back())
-              if (constraints.is_constrained(dof))
-              {
-                Sum &line = own.lines[dof];
-                for (const auto &[other, factor] : *constraints.get_constraint_entries(dof))
-                  line[other] = factor;
-              }
-          }
-          if (one.face.area_vector(one.face.middle()) * (one.face.place(one.face.middle()) - cell->center()) <
-              0)
-            one.face.side = -1;
-          own.faces[cell->face(f)->boundary_id()].push_back(one);
+          one.face.nodes.push_back(values.quadrature_point(k));
+          one.dofs.push_back(
+              {{dofs[element.component_to_system_index(0, k)], dofs[element.component_to_system_index(1, k)],
+                dofs[element.component_to_system_index(2, k)]}});
+          for (const Dof dof : one.dofs.back())
+            if (constraints.is_constrained(dof))
+            {
+              Sum &line = own.lines[dof];
+              for (const auto &[other, factor] : *constraints.get_constraint_entries(dof))
+                line[other] = factor;
+            }
         }
+        if (one.face.area_vector(one.face.middle()) * (one.face.place(one.face.middle()) - cell->center()) <
+            0)
+          one.face.side = -1;
+        own.faces[cell->face(f)->boundary_id()].push_back(one);
       }
       Surfaces all;
       for (const Surfaces &piece : Utilities::MPI::all_gather(dof_handler.get_communicator(), own))

@@ -1,10 +1,9 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/fe/group_motion.h>
+#include <vibrocontact/fe/own_faces.h>
 
 #include <deal.II/base/mpi.h>
-
-#include <algorithm>
 
 namespace vibrocontact
 {
@@ -55,53 +54,48 @@ namespace vibrocontact
                         update_quadrature_points);
       std::vector<Dof> dofs(body.element.n_dofs_per_cell());
       GroupIntegrals result;
-      for (const auto &cell : body.dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned() && cell->at_boundary())
-          for (const unsigned int f : cell->face_indices())
+      for (const auto &[cell, f] : own_faces(body.dof_handler, mass.boundaries))
+      {
+        faces.reinit(cell, f);
+        nodes.reinit(typename Triangulation<3>::active_cell_iterator(cell));
+        cell->get_dof_indices(dofs);
+        std::vector<ShareOfDof> shares(n_nodes);
+        for (unsigned int q = 0; q < faces.n_points(); ++q)
+        {
+          // geometry has no higher degree than the displacement
+          Point<3> x;
+          for (unsigned int k = 0; k < n_nodes; ++k)
+            x += faces.shape_value(k, q) * nodes.quadrature_point(k);
+          const double dA = faces.JxW(q);
+          result.area += dA;
+          result.first += dA * x;
+          result.second += dA * outer_product(Tensor<1, 3>(x), Tensor<1, 3>(x));
+          for (unsigned int k = 0; k < n_nodes; ++k)
           {
-            if (!cell->face(f)->at_boundary() ||
-                std::count(mass.boundaries.begin(), mass.boundaries.end(), cell->face(f)->boundary_id()) == 0)
-              continue;
-            faces.reinit(cell, f);
-            nodes.reinit(typename Triangulation<3>::active_cell_iterator(cell));
-            cell->get_dof_indices(dofs);
-            std::vector<ShareOfDof> shares(n_nodes);
-            for (unsigned int q = 0; q < faces.n_points(); ++q)
-            {
-              // geometry has no higher degree than the displacement
-              Point<3> x;
-              for (unsigned int k = 0; k < n_nodes; ++k)
-                x += faces.shape_value(k, q) * nodes.quadrature_point(k);
-              const double dA = faces.JxW(q);
-              result.area += dA;
-              result.first += dA * x;
-              result.second += dA * outer_product(Tensor<1, 3>(x), Tensor<1, 3>(x));
-              for (unsigned int k = 0; k < n_nodes; ++k)
-              {
-                shares[k].area += faces.shape_value(k, q) * dA;
-                shares[k].first += faces.shape_value(k, q) * dA * x;
-              }
-            }
-            for (unsigned int k = 0; k < dofs.size(); ++k)
-            {
-              const auto [direction, node] = body.element.system_to_component_index(k);
-              if (!lies_on_face<3>(body.element.reference_cell(), f, body.node_points[k]))
-                continue;
-              const auto add = [&, d = direction, n = node](const Dof dof, const double factor)
-              {
-                // constraints lie across directions in rigid groups: of each direction by itself
-                ShareOfDof &sum = result.dofs[3 * dof + d];
-                sum.direction = d;
-                sum.area += factor * shares[n].area;
-                sum.first += factor * shares[n].first;
-              };
-              if (!body.constraints.is_constrained(dofs[k]))
-                add(dofs[k], 1.);
-              else
-                for (const auto &[dof, factor] : *body.constraints.get_constraint_entries(dofs[k]))
-                  add(dof, factor);
-            }
+            shares[k].area += faces.shape_value(k, q) * dA;
+            shares[k].first += faces.shape_value(k, q) * dA * x;
           }
+        }
+        for (unsigned int k = 0; k < dofs.size(); ++k)
+        {
+          const auto [direction, node] = body.element.system_to_component_index(k);
+          if (!lies_on_face<3>(body.element.reference_cell(), f, body.node_points[k]))
+            continue;
+          const auto add = [&, d = direction, n = node](const Dof dof, const double factor)
+          {
+            // constraints lie across directions in rigid groups: of each direction by itself
+            ShareOfDof &sum = result.dofs[3 * dof + d];
+            sum.direction = d;
+            sum.area += factor * shares[n].area;
+            sum.first += factor * shares[n].first;
+          };
+          if (!body.constraints.is_constrained(dofs[k]))
+            add(dofs[k], 1.);
+          else
+            for (const auto &[dof, factor] : *body.constraints.get_constraint_entries(dofs[k]))
+              add(dof, factor);
+        }
+      }
       return result;
     }
   } // namespace

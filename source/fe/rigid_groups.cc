@@ -3,6 +3,7 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/fe/attached_points.h>
 #include <vibrocontact/fe/cell_elements.h>
+#include <vibrocontact/fe/own_faces.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -42,37 +43,32 @@ namespace vibrocontact
       const std::vector<Point<3>> points = scalar_node_points<3>(scalar);
       FEValues<3> values(body.mapping, scalar, Quadrature<3>(points), update_quadrature_points);
       std::vector<Dof> dofs(body.element.n_dofs_per_cell());
-      for (const auto &cell : body.dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned() && cell->at_boundary())
-          for (const unsigned int f : cell->face_indices())
+      for (const auto &[cell, f] : own_faces(body.dof_handler, mass.boundaries))
+      {
+        values.reinit(typename Triangulation<3>::active_cell_iterator(cell));
+        cell->get_dof_indices(dofs);
+        for (unsigned int k = 0; k < points.size(); ++k)
+        {
+          if (!lies_on_face<3>(body.element.reference_cell(), f, points[k]))
+            continue;
+          RigidNode node;
+          node.place = values.quadrature_point(k);
+          for (unsigned int d = 0; d < 3; ++d)
           {
-            if (!cell->face(f)->at_boundary() ||
-                std::count(mass.boundaries.begin(), mass.boundaries.end(), cell->face(f)->boundary_id()) == 0)
+            node.dofs[d] = dofs[body.element.component_to_system_index(d, k)];
+            node.constrained[d] = body.constraints.is_constrained(node.dofs[d]);
+            if (!node.constrained[d])
               continue;
-            values.reinit(typename Triangulation<3>::active_cell_iterator(cell));
-            cell->get_dof_indices(dofs);
-            for (unsigned int k = 0; k < points.size(); ++k)
-            {
-              if (!lies_on_face<3>(body.element.reference_cell(), f, points[k]))
-                continue;
-              RigidNode node;
-              node.place = values.quadrature_point(k);
-              for (unsigned int d = 0; d < 3; ++d)
-              {
-                node.dofs[d] = dofs[body.element.component_to_system_index(d, k)];
-                node.constrained[d] = body.constraints.is_constrained(node.dofs[d]);
-                if (!node.constrained[d])
-                  continue;
-                const auto &entries = *body.constraints.get_constraint_entries(node.dofs[d]);
-                // what is held follows nothing; marked as a leader that no group has
-                if (entries.empty())
-                  node.leaders.push_back(numbers::invalid_dof_index);
-                for (const auto &entry : entries)
-                  node.leaders.push_back(entry.first);
-              }
-              own[node.dofs[0]] = node;
-            }
+            const auto &entries = *body.constraints.get_constraint_entries(node.dofs[d]);
+            // what is held follows nothing; marked as a leader that no group has
+            if (entries.empty())
+              node.leaders.push_back(numbers::invalid_dof_index);
+            for (const auto &entry : entries)
+              node.leaders.push_back(entry.first);
           }
+          own[node.dofs[0]] = node;
+        }
+      }
       std::map<Dof, RigidNode> all;
       for (const auto &one : Utilities::MPI::all_gather(body.communicator(), own))
         all.insert(one.begin(), one.end());

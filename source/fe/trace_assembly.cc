@@ -2,6 +2,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/fe/face_map.h>
 #include <vibrocontact/fe/grid_quadrature.h>
+#include <vibrocontact/fe/own_faces.h>
 #include <vibrocontact/fe/trace_assembly.h>
 
 #include <deal.II/fe/fe_values.h>
@@ -105,23 +106,18 @@ namespace vibrocontact
         for (unsigned int f = 0; f < shape.n_faces(); ++f)
           face_nodes.push_back(std::make_unique<FEValues<dim>>(
               body.mapping, scalar, map_of(f).support(shape, f), update_quadrature_points));
-        for (const auto &cell : body.dof_handler.active_cell_iterators())
-          if (cell->is_locally_owned() && cell->at_boundary())
-            for (const unsigned int f : cell->face_indices())
-            {
-              if (!cell->face(f)->at_boundary() ||
-                  body.mesh.contact_boundaries.count(cell->face(f)->boundary_id()) == 0)
-                continue;
-              face_nodes[f]->reinit(typename Triangulation<dim>::active_cell_iterator(cell));
-              std::vector<Point<dim>> positions = face_nodes[f]->get_quadrature_points();
-              for (Point<dim> &position : positions)
-                position = seen(position);
-              const BoundingBox<dim> bounds = box(positions);
-              if (bounds.upper_bound(0) < x_low || bounds.lower_bound(0) > x_high ||
-                  (dim == 3 && (bounds.upper_bound(1) < y_low || bounds.lower_bound(1) > y_high)))
-                continue;
-              faces.push_back({cell, f, positions});
-            }
+        for (const auto &[cell, f] : own_faces(body.dof_handler, body.mesh.contact_boundaries))
+        {
+          face_nodes[f]->reinit(typename Triangulation<dim>::active_cell_iterator(cell));
+          std::vector<Point<dim>> positions = face_nodes[f]->get_quadrature_points();
+          for (Point<dim> &position : positions)
+            position = seen(position);
+          const BoundingBox<dim> bounds = box(positions);
+          if (bounds.upper_bound(0) < x_low || bounds.lower_bound(0) > x_high ||
+              (dim == 3 && (bounds.upper_bound(1) < y_low || bounds.lower_bound(1) > y_high)))
+            continue;
+          faces.push_back({cell, f, positions});
+        }
       }
 
       GridQuadrature fitting_quadrature()
