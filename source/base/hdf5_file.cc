@@ -1,5 +1,4 @@
 #include <vibrocontact/base/atomic_file.h>
-#include <vibrocontact/base/checksum.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/hdf5_file.h>
 
@@ -16,27 +15,6 @@ namespace vibrocontact
 {
   namespace
   {
-    constexpr unsigned long long checksum_start = 1469598103934665603ull;
-
-    // FNV on words of eight bytes: 10 ms for a compliance of 1,800 rows.
-    void add_to(unsigned long long &checksum, const void *const data, const std::size_t n_bytes)
-    {
-      const auto *const bytes = static_cast<const unsigned char *>(data);
-      for (std::size_t i = 0; i < n_bytes; i += 8)
-      {
-        unsigned long long word = 0;
-        std::copy_n(bytes + i, std::min<std::size_t>(8, n_bytes - i),
-                    reinterpret_cast<unsigned char *>(&word));
-        checksum = (checksum ^ word) * 1099511628211ull;
-      }
-    }
-
-    template <typename T>
-    void add_to(unsigned long long &checksum, const std::vector<T> &values)
-    {
-      add_to(checksum, values.data(), values.size() * sizeof(T));
-    }
-
     /// An identifier of HDF5 that is given back at the end of the scope.
     class Handle
     {
@@ -136,7 +114,7 @@ namespace vibrocontact
     }
   } // namespace
 
-  Hdf5Writer::Hdf5Writer(const std::string &file_name) : file_name(file_name), checksum(checksum_start)
+  Hdf5Writer::Hdf5Writer(const std::string &file_name) : file_name(file_name)
   {
     silence();
     const Handle in_memory(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -163,14 +141,14 @@ namespace vibrocontact
     write_set(file, file_name, name, H5T_NATIVE_DOUBLE,
               storage.single_precision ? H5T_IEEE_F32LE : H5T_IEEE_F64LE, kept.data(), {kept.size()},
               storage.compressed);
-    add_to(checksum, kept);
+    checksum.add(kept);
   }
 
   void Hdf5Writer::write(const std::string &name, const std::vector<int> &values, const Hdf5Storage &storage)
   {
     write_set(file, file_name, name, H5T_NATIVE_INT, H5T_STD_I32LE, values.data(), {values.size()},
               storage.compressed);
-    add_to(checksum, values);
+    checksum.add(values);
   }
 
   void Hdf5Writer::write(const std::string &name, const double value)
@@ -190,7 +168,7 @@ namespace vibrocontact
     const std::vector<hsize_t> sizes = {matrix.n(), matrix.m()};
     const double *const data = matrix.m() * matrix.n() > 0 ? &matrix(0, 0) : nullptr;
     write_set(file, file_name, name, H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, data, sizes, false);
-    add_to(checksum, data, sizes[0] * sizes[1] * sizeof(double));
+    checksum.add(data, sizes[0] * sizes[1] * sizeof(double));
   }
 
   void Hdf5Writer::write(const std::string &name, const std::string &text)
@@ -198,7 +176,7 @@ namespace vibrocontact
     const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
     H5Tset_size(type, text.size() + 1);
     write_set(file, file_name, name, type, type, text.c_str(), {}, false);
-    add_to(checksum, text.data(), text.size());
+    checksum.add(text.data(), text.size());
   }
 
   void Hdf5Writer::finish(const bool sealed)
@@ -207,7 +185,8 @@ namespace vibrocontact
       const Handle space(H5Screate(H5S_SCALAR), H5Sclose),
           attribute(H5Acreate2(file, "checksum", H5T_NATIVE_ULLONG, space, H5P_DEFAULT, H5P_DEFAULT),
                     H5Aclose);
-      AssertThrow(attribute >= 0 && H5Awrite(attribute, H5T_NATIVE_ULLONG, &checksum) >= 0,
+      const unsigned long long written = checksum.value();
+      AssertThrow(attribute >= 0 && H5Awrite(attribute, H5T_NATIVE_ULLONG, &written) >= 0,
                   dealii::ExcInternalError());
     }
     // the memory of the file itself, which is longer: no copy of it is made
@@ -223,7 +202,7 @@ namespace vibrocontact
     file = -1;
   }
 
-  Hdf5Reader::Hdf5Reader(const std::string &file_name) : file_name(file_name), checksum(checksum_start)
+  Hdf5Reader::Hdf5Reader(const std::string &file_name) : file_name(file_name)
   {
     silence();
     file = H5Fopen(file_name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
@@ -259,7 +238,7 @@ namespace vibrocontact
     std::vector<hsize_t> sizes;
     const auto values = read_set<double>(open_set(file, file_name, name, has(name)), file_name, name,
                                          H5T_NATIVE_DOUBLE, size, sizes);
-    add_to(checksum, values);
+    checksum.add(values);
     return values;
   }
 
@@ -268,7 +247,7 @@ namespace vibrocontact
     std::vector<hsize_t> sizes;
     const auto values = read_set<int>(open_set(file, file_name, name, has(name)), file_name, name,
                                       H5T_NATIVE_INT, size, sizes);
-    add_to(checksum, values);
+    checksum.add(values);
     return values;
   }
 
@@ -279,7 +258,7 @@ namespace vibrocontact
                                          H5T_NATIVE_DOUBLE, 0, sizes);
     if (sizes.size() != 2)
       throw InputError("'" + name + "' in the file '" + file_name + "' is no matrix; write the file anew.");
-    add_to(checksum, values);
+    checksum.add(values);
     DenseMatrix result(sizes[1], sizes[0]);
     if (!values.empty())
       std::copy(values.begin(), values.end(), &result(0, 0));
@@ -306,7 +285,7 @@ namespace vibrocontact
       H5free_memory(there);
     }
     text.resize(std::min(text.find('\0'), text.size()));
-    add_to(checksum, text.data(), text.size());
+    checksum.add(text.data(), text.size());
     return text;
   }
 
@@ -316,7 +295,7 @@ namespace vibrocontact
     const Handle attribute(H5Aopen(file, "checksum", H5P_DEFAULT), H5Aclose),
         space(attribute < 0 ? -1 : H5Aget_space(attribute), H5Sclose);
     if (space < 0 || H5Sget_simple_extent_npoints(space) != 1 ||
-        H5Aread(attribute, H5T_NATIVE_ULLONG, &written) < 0 || written != checksum)
+        H5Aread(attribute, H5T_NATIVE_ULLONG, &written) < 0 || written != checksum.value())
       throw InputError("The contents of the file '" + file_name + "' are damaged; write it anew.");
   }
 } // namespace vibrocontact

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/base/checksum.h>
 #include <vibrocontact/base/dense.h>
 #include <vibrocontact/base/exceptions.h>
 
@@ -63,7 +64,7 @@ namespace vibrocontact
   private:
     std::string file_name;
     long long file = -1;
-    unsigned long long checksum;
+    Checksum checksum;
   };
 
   /// Reads what Hdf5Writer or another program wrote. A set's shape and kind of number do not matter: it is
@@ -94,6 +95,6 @@ namespace vibrocontact
   private:
     std::string file_name;
     long long file = -1;
-    unsigned long long checksum;
+    Checksum checksum;
   };
 } // namespace vibrocontact
