@@ -8,7 +8,6 @@
 #include <deal.II/base/utilities.h>
 
 #include <cmath>
-#include <cstdio>
 
 namespace vibrocontact
 {
@@ -26,9 +25,7 @@ namespace vibrocontact
       const std::string text = text_of(top, -1);
       Checksum sum;
       sum.add(text.data(), text.size());
-      char digits[17];
-      std::snprintf(digits, sizeof digits, "%016llx", sum.value());
-      return digits;
+      return hexadecimal(sum.value());
     }
   } // namespace
 

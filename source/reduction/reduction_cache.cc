@@ -1,3 +1,4 @@
+#include <vibrocontact/base/checksum.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/hdf5_file.h>
 #include <vibrocontact/base/log.h>
@@ -6,7 +7,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <cstdio>
 #include <filesystem>
 
 namespace vibrocontact
@@ -82,12 +82,7 @@ namespace vibrocontact
   std::string ReductionCache::file_name(const std::string &body, const std::string &kind,
                                         const std::string &key) const
   {
-    unsigned long long hash = 1469598103934665603ull;
-    for (const unsigned char c : formulation + key)
-      hash = (hash ^ c) * 1099511628211ull;
-    char text[17];
-    std::snprintf(text, sizeof(text), "%016llx", hash);
-    return folder + "/" + body + "-" + kind + "-" + text + ".h5";
+    return folder + "/" + body + "-" + kind + "-" + digits_of_key(formulation + key) + ".h5";
   }
 
   std::optional<StaticReduction> ReductionCache::load_static(const std::string &body,

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/atomic_file.h>
+#include <vibrocontact/base/checksum.h>
 #include <vibrocontact/base/child_process.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
@@ -15,7 +16,6 @@
 #include <gmsh.h>
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -223,12 +223,7 @@ namespace vibrocontact
       for (const int face : fine_faces)
         key << face << " ";
       key << "\n" << content_of(file);
-      unsigned long long hash = 1469598103934665603ull;
-      for (const unsigned char c : key.str())
-        hash = (hash ^ c) * 1099511628211ull;
-      char text[17];
-      std::snprintf(text, sizeof(text), "%016llx", hash);
-      return std::filesystem::path(file).stem().string() + "-mesh-" + text + ".msh";
+      return std::filesystem::path(file).stem().string() + "-mesh-" + digits_of_key(key.str()) + ".msh";
     }
 
     /// In a process of its own. @returns number of tetrahedra

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace vibrocontact
@@ -40,4 +41,9 @@ namespace vibrocontact
   private:
     unsigned long long sum = 1469598103934665603ull;
   };
+
+  /// A sum as sixteen digits.
+  std::string hexadecimal(unsigned long long value);
+  /// Sixteen digits for the name of a file that depends on a key: FNV-1a on its bytes, one by one.
+  std::string digits_of_key(const std::string &key);
 } // namespace vibrocontact
