@@ -2,6 +2,7 @@
 #include <vibrocontact/base/checksum.h>
 #include <vibrocontact/base/child_process.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/local_file.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/utf8.h>
 #include <vibrocontact/scene/cad_part.h>
@@ -43,12 +44,9 @@ namespace vibrocontact
       static const std::vector<CadFormat> cad_formats = {
           {{".step", ".stp"}, {"ISO-10303-21;"}, "END-ISO-10303-21;", "LENGTH_UNIT"},
           {{".brep"}, {"DBRep_DrawableShape", "CASCADE Topology"}, "", ""}};
-      std::string ending = std::filesystem::path(file).extension().string();
-      for (char &c : ending)
-        c = std::tolower(c);
       for (const CadFormat &format : cad_formats)
         for (const std::string &one : format.endings)
-          if (ending == one)
+          if (has_extension(file, one))
             return &format;
       return nullptr;
     }
