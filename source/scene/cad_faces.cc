@@ -119,7 +119,7 @@ namespace vibrocontact
       const double place = words.number(wanted);
       return [axis, place](const CadFace &face, const double tolerance)
       {
-        return face.surface == "Plane" && is_along(face.direction, axis) &&
+        return face.is_plane() && is_along(face.direction, axis) &&
                std::abs(face.place[axis] - place) < tolerance;
       };
     }
@@ -139,7 +139,7 @@ namespace vibrocontact
       }
       return [axis, radius, at](const CadFace &face, const double tolerance)
       {
-        if (face.surface != "Cylinder" || !is_along(face.direction, axis) ||
+        if (!face.is_cylinder() || !is_along(face.direction, axis) ||
             std::abs(face.radius - radius) > tolerance)
           return false;
         for (unsigned int d = 0, k = 0; d < 3 && !at.empty(); ++d)

@@ -133,7 +133,7 @@ namespace vibrocontact
     {
       if (std::count(own->second.begin(), own->second.end(), int(face.number)) == 0)
         continue;
-      if (face.surface != "Plane" || std::abs(face.place[2] - place.at(2)) > 1e-5 * part.size() ||
+      if (!face.is_plane() || std::abs(face.place[2] - place.at(2)) > 1e-5 * part.size() ||
           std::abs(std::abs(face.direction[2]) - 1) > 1e-8)
         return {};
       area += unit * unit * face.area;

@@ -105,22 +105,21 @@ namespace vibrocontact
     void find_surface(CadFace &face)
     {
       gmsh::model::getType(2, face.number, face.surface);
-      const bool is_plane = face.surface == "Plane", is_cylinder = face.surface == "Cylinder";
-      if (!is_plane && !is_cylinder)
+      if (!face.is_plane() && !face.is_cylinder())
         return;
       std::vector<double> low, high;
       gmsh::model::getParametrizationBounds(2, face.number, low, high);
       const double du = (high.at(0) - low.at(0)) / 3, dv = high.at(1) - low.at(1);
       const Point<3> a = point_on(face.number, low[0], low[1]),
                      b = point_on(face.number, low[0] + du, low[1]),
-                     c = is_plane ? point_on(face.number, low[0], low[1] + dv)
-                                  : point_on(face.number, low[0] + 2 * du, low[1]);
+                     c = face.is_plane() ? point_on(face.number, low[0], low[1] + dv)
+                                         : point_on(face.number, low[0] + 2 * du, low[1]);
       const Tensor<1, 3> u = b - a, v = c - a, normal = cross_product_3d(u, v);
       if (!(normal.norm() > 0))
         return;
       face.direction = normal / normal.norm();
       face.place = a;
-      if (is_plane)
+      if (face.is_plane())
         return;
       const Tensor<1, 3> to_axis =
           cross_product_3d(u.norm_square() * v - v.norm_square() * u, normal) / (-2 * normal.norm_square());

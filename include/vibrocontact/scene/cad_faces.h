@@ -28,6 +28,8 @@ namespace vibrocontact
     /// of a cylinder
     double radius = 0;
 
+    bool is_plane() const { return surface == "Plane"; }
+    bool is_cylinder() const { return surface == "Cylinder"; }
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int)
     {
