@@ -42,12 +42,14 @@ namespace vibrocontact
     class Words
     {
     public:
-      Words(std::string text, const std::string &item, const std::string &entry) : item(item), entry(entry)
+      Words(const std::string &text, const std::string &item, const std::string &entry)
+          : text(text), item(item), entry(entry)
       {
-        for (char &c : text)
+        std::string spaced = text;
+        for (char &c : spaced)
           if (c == '=' || c == ',')
             c = ' ';
-        std::istringstream stream(text);
+        std::istringstream stream(spaced);
         for (std::string word; stream >> word;)
           words.push_back(word);
       }
@@ -59,6 +61,12 @@ namespace vibrocontact
 
       bool empty() const { return at == words.size(); }
       std::string next() { return empty() ? "" : words[at++]; }
+      /// All of them as they are written, for an item that is one text.
+      std::string whole()
+      {
+        at = words.size();
+        return text;
+      }
 
       double number(const std::string &wanted)
       {
@@ -87,7 +95,7 @@ namespace vibrocontact
       }
 
     private:
-      std::string item, entry;
+      std::string text, item, entry;
       std::vector<std::string> words;
       std::size_t at = 0;
     };
@@ -170,6 +178,18 @@ namespace vibrocontact
       };
     }
 
+    const std::string wanted_item =
+        "write group: number 5, plane z = 0, cylinder z 0.01, box x0 y0 z0 x1 y1 z1 or "
+        "name text, items separated by semicolons.";
+
+    Holds read_name(Words &words)
+    {
+      const std::string name = words.whole();
+      if (name.empty())
+        words.refuse(wanted_item);
+      return [name](const CadFace &face, double) { return face.name == name; };
+    }
+
     struct Kind
     {
       std::string word;
@@ -178,27 +198,22 @@ namespace vibrocontact
 
     FaceRule rule_of(const std::string &item, const std::string &entry)
     {
-      static const std::vector<Kind> kinds = {
-          {"number", read_numbers}, {"plane", read_plane}, {"cylinder", read_cylinder}, {"box", read_box}};
+      static const std::vector<Kind> kinds = {{"number", read_numbers},
+                                              {"plane", read_plane},
+                                              {"cylinder", read_cylinder},
+                                              {"box", read_box},
+                                              {"name", read_name}};
       const std::size_t colon = item.find(':');
       FaceRule rule;
       rule.group = trimmed(item.substr(0, colon));
       rule.text = colon == std::string::npos ? "" : trimmed(item.substr(colon + 1));
       const std::string word = rule.text.substr(0, rule.text.find_first_of(" ="));
       const std::string rest = trimmed(rule.text.substr(word.size()));
-      const bool by_name = word == "name";
-      if (by_name && !rest.empty() && !rule.group.empty())
-      {
-        rule.holds = [rest](const CadFace &face, double) { return face.name == rest; };
-        return rule;
-      }
       const auto kind =
           std::find_if(kinds.begin(), kinds.end(), [&](const Kind &one) { return one.word == word; });
-      if (rule.group.empty() || kind == kinds.end())
-        throw InputError(entry + " has \"" + item +
-                         "\": write group: number 5, plane z = 0, cylinder z 0.01, box x0 y0 z0 x1 y1 z1 or "
-                         "name text, items separated by semicolons.");
       Words words(rest, item, entry);
+      if (rule.group.empty() || kind == kinds.end())
+        words.refuse(wanted_item);
       rule.holds = kind->read(words);
       if (!words.empty())
         words.refuse("there are more words than it takes.");
