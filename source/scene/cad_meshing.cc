@@ -56,6 +56,12 @@ namespace vibrocontact
                    "Growth distance");
   }
 
+  std::map<std::string, std::vector<int>>
+  CadMeshing::face_groups(const CadPart &part, const std::string &file, const std::string &entry) const
+  {
+    return chosen_faces(face_rules(faces, entry), part, entry, file);
+  }
+
   void CadMeshing::check(const std::string &section, const std::string &file, const double unit,
                          const unsigned int degree, const std::vector<std::string> &groups) const
   {
@@ -76,7 +82,7 @@ namespace vibrocontact
     if (contact_cell_size > cell_size)
       throw InputError(own + "Contact cell size is " + number_text(contact_cell_size) +
                        ", above the Cell size of " + number_text(cell_size) + ": make it smaller, or 0.");
-    const auto chosen = chosen_faces(face_rules(faces, own + "Faces"), part, own + "Faces", file);
+    const auto chosen = face_groups(part, file, own + "Faces");
     for (const std::string &group : groups)
       if (chosen.count(group) == 0)
       {
@@ -100,8 +106,7 @@ namespace vibrocontact
     on_first_rank(
         [&]
         {
-          const std::string entry = section + "/CAD/Faces";
-          const auto groups = chosen_faces(face_rules(faces, entry), read_cad_part(file), entry, file);
+          const auto groups = face_groups(read_cad_part(file), file, section + "/CAD/Faces");
           CadSizes sizes;
           sizes.cell_size = cell_size;
           sizes.fine_size = contact_cell_size;
@@ -121,9 +126,8 @@ namespace vibrocontact
   std::optional<FlatFace> CadMeshing::flat_face(const std::string &file, const std::string &group,
                                                 const std::vector<double> &place, const double unit) const
   {
-    const std::string entry = "CAD/Faces";
     const CadPart part = read_cad_part(file);
-    const auto groups = chosen_faces(face_rules(faces, entry), part, entry, file);
+    const auto groups = face_groups(part, file, "CAD/Faces");
     const auto own = groups.find(group);
     if (own == groups.end())
       return {};

@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,5 +48,10 @@ namespace vibrocontact
     /// See flat_contact_group(). @param place nominal contact point, @param unit [m]
     std::optional<FlatFace> flat_face(const std::string &file, const std::string &group,
                                       const std::vector<double> &place, double unit) const;
+
+  private:
+    /// Faces of each group of a part. @param entry that names them, for messages
+    std::map<std::string, std::vector<int>> face_groups(const CadPart &part, const std::string &file,
+                                                        const std::string &entry) const;
   };
 } // namespace vibrocontact
