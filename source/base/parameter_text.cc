@@ -4,6 +4,7 @@
 #include <vibrocontact/base/utf8.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -24,6 +25,21 @@ namespace vibrocontact
       if (!trimmed(member).empty())
         members.push_back(trimmed(member));
     return members;
+  }
+
+  std::optional<double> finite_number(const std::string &word)
+  {
+    try
+    {
+      std::size_t used = 0;
+      const double value = std::stod(word, &used);
+      if (used == word.size() && std::isfinite(value))
+        return value;
+    }
+    catch (const std::exception &)
+    {
+    }
+    return {};
   }
 
   std::string section_text(const std::string &path)

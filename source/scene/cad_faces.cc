@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace vibrocontact
@@ -70,20 +71,10 @@ namespace vibrocontact
 
       double number(const std::string &wanted)
       {
-        const std::string word = next();
-        std::size_t used = 0;
-        double value = 0;
-        try
-        {
-          value = std::stod(word, &used);
-        }
-        catch (const std::exception &)
-        {
+        const std::optional<double> value = finite_number(next());
+        if (!value)
           refuse(wanted);
-        }
-        if (used != word.size() || !std::isfinite(value))
-          refuse(wanted);
-        return value;
+        return *value;
       }
 
       unsigned int axis(const std::string &wanted)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,4 +53,6 @@ namespace vibrocontact
   std::string trimmed(const std::string &text);
   /// "a, b" -> {a, b}, without empty members.
   std::vector<std::string> split_list(const std::string &text);
+  /// A word that is a finite number as a whole; nothing: it is none.
+  std::optional<double> finite_number(const std::string &word);
 } // namespace vibrocontact

@@ -1,10 +1,11 @@
 #include <vibrocontact/analyses/transient/signal_parameters.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/base/parameter_text.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iomanip>
+#include <optional>
 #include <regex>
 #include <sstream>
 
@@ -82,19 +83,11 @@ namespace vibrocontact
         R"(\s*([A-Za-z]\w*)\s*:\s*([^\s:;]+)\s+(\S+)\s+(\S+)\s+(\S+)\s+along\s+(.*?)\s*)");
     const auto number = [](const std::string &word, const std::string &item)
     {
-      std::size_t used = 0;
-      double value = 0;
-      try
-      {
-        value = std::stod(word, &used);
-      }
-      catch (const std::exception &)
-      {
-      }
-      if (used == 0 || used != word.size() || !std::isfinite(value))
+      const std::optional<double> value = finite_number(word);
+      if (!value)
         throw InputError("Transient/Signals/Probes: '" + word + "' in '" + item +
                          "' is no number; write for instance head: rail 0.3 0 0 along z.");
-      return value;
+      return *value;
     };
     std::vector<ProbeRequest> probes;
     std::istringstream items(text);
