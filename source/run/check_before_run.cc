@@ -2,6 +2,7 @@
 #include <vibrocontact/analyses/identification/identification.h>
 #include <vibrocontact/analyses/modal_convolution/modal_convolution.h>
 #include <vibrocontact/analyses/periodic/make_forced_body.h>
+#include <vibrocontact/analyses/transient/check_transient.h>
 #include <vibrocontact/analyses/transient/probes.h>
 #include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/analyses/transient/transient_hub.h>
@@ -175,10 +176,7 @@ namespace vibrocontact
       return;
     const TransientParameters &transient = parameters.transient;
     const LoadOverTime load = load_over_time(transient);
-    if (transient.starts_from_loading() && (load.normal_force || load.hub_displacement))
-      throw InputError("Transient/Initial state is quasi-static loading, but " + load.name +
-                       " gives a load over time, which would begin with another one: leave it out, or end "
-                       "section Loading with it.");
+    check_load_over_time(transient, load.name);
     transient_hub(parameters.hub(), load);
     const BodyParameters &body_1 = parameters.scene.bodies[0];
     if (load.hub_displacement && body_1.is_known_by_poles())

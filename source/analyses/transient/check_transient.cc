@@ -128,9 +128,10 @@ namespace vibrocontact
               is + body.name +
               "/Rail/Model is periodic, which follows time about a rolling equilibrium: set it to "
               "solid.");
-      if (!transient.normal_force.empty() || !transient.hub_displacement.empty())
-        throw InputError(is + "section Transient gives a load over time, which would begin with another one: "
-                              "leave it out, or end section Loading with it.");
+      // a table is read when all ranks are there
+      check_load_over_time(transient, transient.normal_force.empty() && transient.hub_displacement.empty()
+                                          ? ""
+                                          : "section Transient");
       if (transient.release && !hub_has_mass(parameters.hub()))
         throw InputError("Transient/Release takes the driving force off the hub, but Rolling/Hub is " +
                          parameters.hub() +
@@ -141,6 +142,14 @@ namespace vibrocontact
   bool contact_points_have_mass(const Parameters &parameters)
   {
     return elements_have_mass(parameters) || body_with_rigid_points(parameters);
+  }
+
+  void check_load_over_time(const TransientParameters &transient, const std::string &source)
+  {
+    if (transient.starts_from_loading() && !source.empty())
+      throw InputError("Transient/Initial state is quasi-static loading, but " + source +
+                       " gives a load over time, which would begin with another one: leave it out, or end "
+                       "section Loading with it.");
   }
 
   void check_transient(const Parameters &parameters)
