@@ -10,6 +10,7 @@
 #include <vibrocontact/scene/body.h>
 #include <vibrocontact/scene/matrices.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -321,15 +322,12 @@ namespace vibrocontact
     {
       if (places.empty())
         return "no places";
-      Point<3> low = places.begin()->second, high = low;
+      std::vector<Point<3>> points;
       for (const auto &[node, place] : places)
-        for (unsigned int d = 0; d < 3; ++d)
-        {
-          low[d] = std::min(low[d], place[d]);
-          high[d] = std::max(high[d], place[d]);
-        }
-      return "nodes in a box of " + number_text(high[0] - low[0]) + " x " + number_text(high[1] - low[1]) +
-             " x " + number_text(high[2] - low[2]) + " m";
+        points.push_back(place);
+      const BoundingBox<3> box(points);
+      return "nodes in a box of " + number_text(box.side_length(0)) + " x " +
+             number_text(box.side_length(1)) + " x " + number_text(box.side_length(2)) + " m";
     }
 
     /// Nodes as points without faces between them: those of groups, and all if they are not too many.
