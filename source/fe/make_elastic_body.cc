@@ -36,7 +36,8 @@ namespace vibrocontact
   std::unique_ptr<ElasticBody<3>> make_elastic_body(const BodyParameters &parameters,
                                                     const double lateral_position,
                                                     const std::vector<ContactPlace> &places,
-                                                    const MPI_Comm communicator)
+                                                    const MPI_Comm communicator,
+                                                    const std::string &mesh_folder)
   {
     ElasticModel<3> model = elastic_model(parameters);
     const std::optional<ContactGrid> covered =
@@ -45,7 +46,7 @@ namespace vibrocontact
     AssertThrow(solid, dealii::ExcMessage("Body " + parameters.name + " is no solid."));
     BodyMesh<3> mesh =
         solid->make_mesh({parameters.name, lateral_position, places, covered ? &*covered : nullptr,
-                          group_names(parameters), communicator});
+                          group_names(parameters), communicator, mesh_folder});
     solid->hold(model, mesh);
     add_loads(model, parameters.loads, mesh);
     model.rotation = parameters.rotation.steady();

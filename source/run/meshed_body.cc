@@ -240,7 +240,8 @@ namespace vibrocontact
     {
       const Log::Part part("Finite elements of " + parameters.name);
       const Progress progress(parameters.name + ": mesh", 1);
-      body = make_elastic_body(parameters, lateral_position, places, communicator);
+      body = make_elastic_body(parameters, lateral_position, places, communicator,
+                               reduction.request().cache_directory);
       run_log().value("cells", static_cast<unsigned int>(body->mesh.triangulation->n_global_active_cells()));
       run_log().value("dofs", static_cast<unsigned int>(body->dof_handler.n_dofs()));
     }

@@ -20,7 +20,6 @@
 #include <vibrocontact/run/swept_runs.h>
 #include <vibrocontact/run/unreduced_pair.h>
 #include <vibrocontact/run/varied_cases.h>
-#include <vibrocontact/scene/cad_part.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -200,7 +199,6 @@ namespace vibrocontact
     try
     {
       check_reach_of_sweeps(tables.analyses, parameters);
-      keep_cad_meshes(parameters.output.cache_directory);
       bodies = meshed_bodies(parameters, declared_parameters(prm));
       check_transient_files(parameters, bodies);
       check_meshes(parameters, bodies, command_line.check);

@@ -100,7 +100,8 @@ namespace vibrocontact
   }
 
   FileMesh CadMeshing::mesh(const std::string &section, const std::string &file, const unsigned int degree,
-                            const std::string &fine_group, const MPI_Comm communicator) const
+                            const std::string &fine_group, const std::string &folder,
+                            const MPI_Comm communicator) const
   {
     FileMesh result;
     on_first_rank(
@@ -117,7 +118,7 @@ namespace vibrocontact
           result = mesh_cad_part(file, sizes, groups,
                                  fine == groups.end() || contact_cell_size == 0 ? std::vector<int>()
                                                                                 : fine->second,
-                                 copy, keeps);
+                                 copy, folder, keeps);
         },
         communicator);
     return Utilities::MPI::broadcast(communicator, result);

@@ -194,12 +194,6 @@ namespace vibrocontact
       return result;
     }
 
-    std::string &mesh_folder()
-    {
-      static std::string folder;
-      return folder;
-    }
-
     /// What a mesh depends on, as the name of its file.
     std::string mesh_name(const std::string &file, const CadSizes &sizes,
                           const std::map<std::string, std::vector<int>> &groups,
@@ -334,13 +328,14 @@ namespace vibrocontact
 
   FileMesh mesh_cad_part(const std::string &file, const CadSizes &sizes,
                          const std::map<std::string, std::vector<int>> &groups,
-                         const std::vector<int> &fine_faces, const std::string &copy, const bool keep)
+                         const std::vector<int> &fine_faces, const std::string &copy,
+                         const std::string &folder, const bool keep)
   {
     namespace fs = std::filesystem;
     const std::string own_name = mesh_name(file, sizes, groups, fine_faces);
-    const bool is_known = !mesh_folder().empty() && fs::exists(mesh_folder() + "/" + own_name);
-    const bool kept = is_known || (keep && !mesh_folder().empty());
-    const std::string name = (kept ? mesh_folder() : fs::temp_directory_path().string()) + "/" +
+    const bool is_known = !folder.empty() && fs::exists(folder + "/" + own_name);
+    const bool kept = is_known || (keep && !folder.empty());
+    const std::string name = (kept ? folder : fs::temp_directory_path().string()) + "/" +
                              (kept ? own_name : unique_part(own_name) + ".msh");
     if (is_known)
       run_log().line("The mesh of " + file + " is taken from " + name + ".");
@@ -348,7 +343,7 @@ namespace vibrocontact
     {
       const std::string part = unique_part(name) + ".msh";
       if (kept)
-        fs::create_directories(mesh_folder());
+        fs::create_directories(folder);
       const ChildResult result =
           run_in_child([&] { return write_mesh(file, sizes, groups, fine_faces, part); }, 7200, 16e9);
       if (!result.error.empty() || result.output == "0")
@@ -372,10 +367,5 @@ namespace vibrocontact
     if (!kept)
       fs::remove(name);
     return mesh;
-  }
-
-  void keep_cad_meshes(const std::string &folder)
-  {
-    mesh_folder() = folder;
   }
 } // namespace vibrocontact

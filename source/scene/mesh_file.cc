@@ -324,7 +324,7 @@ namespace vibrocontact
   BodyMesh<3> MeshFileParameters::make_mesh(const MeshRequest &request) const
   {
     return make_mesh_from_file(*this, request.lateral_position, request.grid, request.name,
-                               request.communicator, request.materials);
+                               request.communicator, request.materials, request.mesh_folder);
   }
 
   void MeshFileParameters::hold(ElasticModel<3> &model, const BodyMesh<3> &mesh) const

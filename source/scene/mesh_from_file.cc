@@ -80,13 +80,13 @@ namespace vibrocontact
     }
 
     FileCells meshed_cells(const MeshFileParameters &parameters, const std::vector<NamedGroup> &named,
-                           const std::string &name, const MPI_Comm communicator)
+                           const std::string &name, const std::string &folder, const MPI_Comm communicator)
     {
       const std::string section = name + "/Mesh";
       parameters.cad.check(section, parameters.file, parameters.unit, parameters.element_degree,
                            group_names_of(named));
       return solid_cells(parameters.cad.mesh(section, parameters.file, parameters.element_degree,
-                                             parameters.contact_group, communicator),
+                                             parameters.contact_group, folder, communicator),
                          parameters.file);
     }
 
@@ -148,7 +148,8 @@ namespace vibrocontact
 
   BodyMesh<3> make_mesh_from_file(const MeshFileParameters &parameters, const double lateral_position,
                                   const ContactGrid *grid, const std::string &name,
-                                  const MPI_Comm communicator, const std::vector<std::string> &materials)
+                                  const MPI_Comm communicator, const std::vector<std::string> &materials,
+                                  const std::string &mesh_folder)
   {
     const bool is_cad = is_cad_file(parameters.file);
     std::vector<NamedGroup> named = parameters.supporting_groups(name + "/Mesh");
@@ -156,8 +157,8 @@ namespace vibrocontact
     // without contact its group need not be there
     if (grid)
       named.push_back(contact);
-    FileCells file =
-        is_cad ? meshed_cells(parameters, named, name, communicator) : FileCells::read(parameters.file);
+    FileCells file = is_cad ? meshed_cells(parameters, named, name, mesh_folder, communicator)
+                            : FileCells::read(parameters.file);
     require_groups(named, file, name, parameters.file);
     if (!grid)
       named.push_back(contact);

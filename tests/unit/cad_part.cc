@@ -238,11 +238,10 @@ TEST(CadPart, a_mesh_is_made_once_and_finer_at_the_contact)
   namespace fs = std::filesystem;
   const std::string file = step_file("cached.step", draw_cylinder), folder = cad_folder() + "/cache";
   fs::remove_all(folder);
-  keep_cad_meshes(folder);
   MeshFileParameters parameters = part_of(file, "contact: plane z = 0", 4e-3);
   const auto n_cells = [&]
   {
-    return make_mesh_from_file(parameters, 0, nullptr, "pin", MPI_COMM_WORLD)
+    return make_mesh_from_file(parameters, 0, nullptr, "pin", MPI_COMM_WORLD, {}, folder)
         .triangulation->n_global_active_cells();
   };
   const auto n_files = [&]
@@ -274,7 +273,6 @@ TEST(CadPart, a_mesh_is_made_once_and_finer_at_the_contact)
   EXPECT_EQ(
       make_mesh_from_file(copy, 0, nullptr, "pin", MPI_COMM_WORLD).triangulation->n_global_active_cells(),
       fine);
-  keep_cad_meshes("");
 }
 
 TEST(CadPart, units_are_those_of_the_file)

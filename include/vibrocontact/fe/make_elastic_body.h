@@ -16,8 +16,10 @@ namespace vibrocontact
   /// Mesh, material, supports and loads of a meshed body as its parameters say, ready to be assembled.
   /// @param lateral_position of the contact on a wheel or, beside its offset, a block [m]
   /// @param places of its contacts, whose grids are refined for; empty: a body without contact
+  /// @param mesh_folder where meshes of CAD parts are kept; empty: nowhere
   /// @throws InputError for anything that the mesh makers refuse
   std::unique_ptr<ElasticBody<3>> make_elastic_body(const BodyParameters &parameters, double lateral_position,
                                                     const std::vector<ContactPlace> &places,
-                                                    MPI_Comm communicator);
+                                                    MPI_Comm communicator,
+                                                    const std::string &mesh_folder = "");
 } // namespace vibrocontact

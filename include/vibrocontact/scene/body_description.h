@@ -228,6 +228,8 @@ namespace vibrocontact
       /// groups of cells with a material each; empty: one material
       std::vector<std::string> materials;
       MPI_Comm communicator;
+      /// where meshes of CAD parts are kept between runs; empty: nowhere
+      std::string mesh_folder = {};
     };
 
     const SolidBody *solid() const override { return this; }

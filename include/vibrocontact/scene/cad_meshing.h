@@ -43,8 +43,9 @@ namespace vibrocontact
                const std::vector<std::string> &groups) const;
     void add_entries(EntriesRead &entries, const std::string &section, bool is_cad) const;
     /// The mesh, the same on all ranks. @param fine_group is meshed with Contact cell size
+    /// @param folder of kept meshes, see mesh_cad_part()
     FileMesh mesh(const std::string &section, const std::string &file, unsigned int degree,
-                  const std::string &fine_group, MPI_Comm communicator) const;
+                  const std::string &fine_group, const std::string &folder, MPI_Comm communicator) const;
     /// See flat_contact_group(). @param place nominal contact point, @param unit [m]
     std::optional<FlatFace> flat_face(const std::string &file, const std::string &group,
                                       const std::vector<double> &place, double unit) const;

@@ -33,15 +33,13 @@ namespace vibrocontact
 
   /// Tetrahedra of a CAD part with its groups of faces; those of the solid are the group "solid".
   ///
-  /// It is meshed once: the mesh is kept in the folder of keep_cad_meshes() under a name made of the file's content, the sizes, the
-  /// groups and gmsh's version.
+  /// It is meshed once: the mesh is kept in a folder under a name made of the file's content, the sizes, the groups and gmsh's
+  /// version.
   /// To be called by one rank. @param fine_faces numbers of the fine faces @param copy the mesh is written there too; empty: nowhere
-  /// @param keep whether a new mesh stays in the folder
+  /// @param folder of the kept meshes; empty: none is kept @param keep whether a new mesh stays there
   /// @throws InputError if gmsh cannot mesh it
   FileMesh mesh_cad_part(const std::string &file, const CadSizes &sizes,
                          const std::map<std::string, std::vector<int>> &groups,
-                         const std::vector<int> &fine_faces, const std::string &copy, bool keep);
-
-  /// The folder where meshes of CAD parts are kept between runs; empty, as before the first call: nowhere.
-  void keep_cad_meshes(const std::string &folder);
+                         const std::vector<int> &fine_faces, const std::string &copy,
+                         const std::string &folder, bool keep);
 } // namespace vibrocontact

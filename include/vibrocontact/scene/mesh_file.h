@@ -85,12 +85,13 @@ namespace vibrocontact
   /// @param lateral_position used with geometry = wheel: y of the contact in the wheel's section [m]
   /// @param grid contact grid to refine for; null: the body has no contact, no contact group is needed
   /// @param materials groups of cells with a material each; empty: one material
+  /// @param mesh_folder where meshes of CAD parts are kept; empty: nowhere
   /// @throws InputError for a missing group (with the names there and their face counts), what check_cells()
   ///   finds, or a size that looks like another unit.
   BodyMesh<3> make_mesh_from_file(const MeshFileParameters &parameters, const double lateral_position,
                                   const ContactGrid *grid, const std::string &name,
-                                  const MPI_Comm communicator,
-                                  const std::vector<std::string> &materials = {});
+                                  const MPI_Comm communicator, const std::vector<std::string> &materials = {},
+                                  const std::string &mesh_folder = "");
 
   /// Held groups and foundation of the body, to be added to the model of @p mesh (a mesh of
   /// make_mesh_from_file).
