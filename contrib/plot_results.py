@@ -23,6 +23,7 @@ figures/unstable_shapes.png     deformed shapes of the unstable roots at their l
 figures/divergence_rates.png    divergence rates of the roots, as in Fig. 8
 figures/transient_force.png     tangential force with stick and slip counts, as in Fig. 13
 figures/transient_status.png    status of the contact points through a period, as in Fig. 14 (needs Patch interval)
+figures/ring_down.png           frequency and damping over amplitude of a hub that was let go (Transient/Release)
 figures/mode_growth.png         amplitudes of the modes over time beside the growth of their roots
 figures/transient_<signal>.png  velocity of a probe and its spectrogram, as in Fig. 15
 figures/spectrum_<signal>.png    its amplitudes over frequency, peaks named by roots, modes and harmonics

@@ -8,8 +8,9 @@ import matplotlib
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import ListedColormap
 
-from plots.common import case_title, friction_factor, legend_above, LIMIT, LINE, OPEN, plot_line, read_table, save, short, SLIP, STICK, plt
+from plots.common import case_title, friction_factor, legend_above, LIMIT, LINE, OPEN, plot_line, read_entries, read_table, save, short, SLIP, STICK, plt
 from plots.contact import status_legend
+from plots.ring_down import plot_ring_down
 from plots.shapes import read_vtu
 
 
@@ -253,6 +254,8 @@ def plot_transient(folder, transient, title, known=()):
         plot_status(folder, frames, title)
     if transient.get("modes") and os.path.exists(os.path.join(folder, "mode_amplitudes.csv")):
         plot_growth(folder, transient["modes"], title)
+    if read_entries(folder).get("Transient/Release") == "true":
+        plot_ring_down(folder, history, title)
     name = os.path.join(folder, "signals.h5")
     if os.path.exists(name):
         with h5py.File(name) as file:

@@ -17,10 +17,11 @@ from .errors import (CannotWrite, InputError, Killed, NotConverged, ProgramFault
 from .parameters import Catalogue, Parameter, parameters
 from .program import EXAMPLES, find_program
 from .results import Record, Results
+from .ring_down import RingDown, ring_down, turning_points
 from .run import Line, Run
 from .sweep import Objective, Point, Study, sweep
 from .tables import Quantity, Table
 
 __all__ = ["CannotWrite", "Case", "Catalogue", "EXAMPLES", "Entries", "InputError", "Killed", "Line", "NotConverged", "Objective", "Parameter", "Point",
-           "ProgramFault", "ProgramNotFound", "Quantity", "Record", "Results", "Run", "Stopped", "Study", "Table", "UnknownEntry", "Value",
-           "VibrocontactError", "figures", "find_program", "parameters", "sweep"]
+           "ProgramFault", "ProgramNotFound", "Quantity", "Record", "Results", "RingDown", "Run", "Stopped", "Study", "Table", "UnknownEntry", "Value",
+           "VibrocontactError", "figures", "find_program", "parameters", "ring_down", "sweep", "turning_points"]
