@@ -1,88 +1,130 @@
 """Masing's rule: a mass on a joint whose loops follow from its backbone f(u), the force of the first loading.
 
-From a turning point x0 on the joint pulls with F(x) = f(x0) - 2 f((x0 - x) / 2). The next turning point -x1 is where this force has
-done no work, which gives the decrement; half a period is the time between them. No number but those of the loading goes in.
+From any turning point (x0, f0) on, the joint pulls with F = f0 -+ 2 f(|x - x0| / 2), as long as ways get shorter: it remembers f0, not where it would
+stand without friction. A mass goes on until F has done no work. So half the way, a, tells all of a half cycle: what friction takes, its time, and the
+forces at its ends. No number but those of the loading goes in.
 """
-import bisect
-import csv
-import json
-import math
 import os
+import sys
+
+import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "contrib", "python"))
+import vibrocontact as vc  # noqa: E402
+from vibrocontact import prm  # noqa: E402
 
 
 class Backbone:
     """f(u) between the steps of a loading, linear, and its integral."""
 
     def __init__(self, displacement, force):
-        self.u, self.f, self.energy = list(displacement), list(force), [0.]
-        for k in range(1, len(self.u)):
-            self.energy.append(self.energy[-1] + (self.u[k] - self.u[k - 1]) * (self.f[k] + self.f[k - 1]) / 2)
-
-    def _place(self, u):
-        k = min(max(bisect.bisect_right(self.u, u), 1), len(self.u) - 1)
-        return k, (u - self.u[k - 1]) / (self.u[k] - self.u[k - 1])
+        self.u, self.f = np.asarray(displacement), np.asarray(force)
+        self.energy = np.append(0, np.cumsum(np.diff(self.u) * (self.f[1:] + self.f[:-1]) / 2))
 
     def force(self, u):
-        k, share = self._place(u)
-        return self.f[k - 1] + share * (self.f[k] - self.f[k - 1])
+        return np.interp(u, self.u, self.f)
 
     def work(self, u):
-        k, _ = self._place(u)
-        return self.energy[k - 1] + (u - self.u[k - 1]) * (self.f[k - 1] + self.force(u)) / 2
+        k = np.clip(np.searchsorted(self.u, u) - 1, 0, len(self.u) - 2)
+        return self.energy[k] + (u - self.u[k]) * (self.f[k] + self.force(u)) / 2
 
-    def work_from(self, x0, x):
-        """of F(x) between a turning point and a place on the way back"""
-        return self.force(x0) * (x0 - x) - 4 * self.work((x0 - x) / 2)
+    def loss(self, a):
+        """What friction takes in a half cycle of the amplitude a [J]: half the area of the loop."""
+        return 4 * self.work(a) - 2 * a * self.force(a)
 
-    def next_turn(self, x0):
-        """x1 of the next turning point -x1"""
-        low, high = 0.5 * x0, x0
+    def start_force(self, a):
+        """The force at the beginning of a half cycle that ends at rest, too [N]."""
+        return 2 * self.work(a) / a
+
+    def half_period(self, a, mass, n=2000):
+        angle = (np.arange(n) + 0.5) / n * np.pi
+        way = a * (1 - np.cos(angle))
+        work = self.start_force(a) * way - 4 * self.work(way / 2)
+        return np.sum(a * np.sin(angle) / np.sqrt(2 * work / mass)) * np.pi / n
+
+    def amplitude(self, force):
+        """Half the way from a turning point with this force to the next."""
+        low, high = 0., self.u[-1]
         for _ in range(100):
             middle = (low + high) / 2
-            low, high = (middle, high) if self.work_from(x0, -middle) > 0 else (low, middle)
+            low, high = (middle, high) if force * middle > 2 * self.work(middle) else (low, middle)
         return low
 
-    def half_period(self, x0, mass, n=2000):
-        x1 = self.next_turn(x0)
-        middle, radius, time = (x0 - x1) / 2, (x0 + x1) / 2, 0.
-        for k in range(n):
-            angle = (k + 0.5) / n * math.pi
-            speed = math.sqrt(max(2 * self.work_from(x0, middle + radius * math.cos(angle)) / mass, 0.))
-            time += radius * math.sin(angle) / speed * math.pi / n if speed > 0 else 0.
-        return time
+    def turns(self, mass, n, remembers=True):
+        """Times, places and forces of n turning points of a mass that is let go where the loading ends.
+        @param remembers False: each half cycle begins with the force of the first loading at its place, which is wrong"""
+        rows = [(0., self.u[-1], self.f[-1])]
+        while len(rows) < n:
+            time, place, force = rows[-1]
+            side, a = np.sign(force), self.amplitude(abs(force))
+            place -= side * 2 * a
+            force = force - side * 2 * self.force(a) if remembers else -side * self.force(abs(place))
+            rows.append((time + self.half_period(a, mass), place, force))
+        return np.array(rows).T
 
 
 def backbone(results):
-    """Of the steps of analyses.quasi_static_loading that pull along x."""
-    steps = [step for step in results["quasi_static_loading"]["steps"] if step["part"] > 1]
+    """Of the second part of the loading, the first pull along x."""
+    steps = [step for step in results.analyses.quasi_static_loading.steps if step["part"] == 2]
     return Backbone([0.] + [step["displacement_m"][0] for step in steps], [0.] + [step["driving_force_N"][0] for step in steps])
 
 
-def turning_points(folder, start):
-    """Times and sizes of the turning points of the hub along x, from histories.csv. @param start its displacement at t = 0"""
-    with open(os.path.join(folder, "histories.csv"), encoding="utf-8") as file:
-        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-    time, place, speed = ([float(row[name]) for row in rows]
-                          for name in ("time_s", "hub_x_displacement_m", "hub_x_velocity_m_s"))
-    found = []
-    for k in range(1, len(time)):
-        if speed[k - 1] * speed[k] < 0:
-            share = speed[k - 1] / (speed[k - 1] - speed[k])
-            # between two samples the hub goes along a parabola
-            largest = max(abs(start + place[k - 1]), abs(start + place[k]))
-            h, v = time[k] - time[k - 1], abs(speed[k - 1]) if share < 0.5 else abs(speed[k])
-            found.append((time[k - 1] + share * h, largest + min(share, 1 - share) * h * v / 2))
-    return found
-
-
-def compared(folder, mass):
-    """Cycle by cycle: amplitude at its beginning, decrement and period of the march, and by the rule from that amplitude on."""
-    with open(os.path.join(folder, "results.json"), encoding="utf-8") as file:
-        curve = backbone(json.load(file)["analyses"])
-    turns = turning_points(folder, curve.u[-1])
+def loops(folder):
+    """Of a loading to and fro, a row for each part after the first pull: amplitude, energy that friction took in it, and by the rule."""
+    results = vc.Results(folder)
+    curve = backbone(results)
+    ends = [step for step in results.analyses.quasi_static_loading.steps if step["ends_part"] and step["part"] > 1]
     rows = []
-    for (t0, x0), (t2, x2) in zip(turns[::2], turns[2::2]):
-        x1 = curve.next_turn(x0)
-        rows.append({"amplitude_m": x0, "decrement": math.log(x0 / x2), "decrement_masing": math.log(x0 / curve.next_turn(x1)),
-                     "period_s": t2 - t0, "period_masing_s": curve.half_period(x0, mass) + curve.half_period(x1, mass)})
+    for before, after in zip(ends, ends[1:]):
+        a = abs(after["displacement_m"][0] - before["displacement_m"][0]) / 2
+        rows.append({"amplitude_m": a, "loss_J": after["dissipated_sum_J"] - before["dissipated_sum_J"], "loss_masing_J": curve.loss(a)})
     return rows
+
+
+def used(results, entry):
+    """What the run took for an entry."""
+    return prm.read_entries((results.folder / "used.prm").read_text(encoding="utf-8"))[entry]
+
+
+def alone(results, n, remembers=True):
+    """Turning points by the rule, of the mass that the run had."""
+    return backbone(results).turns(float(used(results, "Rolling/Suspension/Unsprung mass")), n, remembers)
+
+
+def to_and_fro(results, n):
+    """Settings of a loading that goes on from the pull between the forces of the rule's n turning points, in steps of the same number."""
+    steps = [word.strip() for word in used(results, "Loading/Steps").split(",")]
+    return ["Loading/Force x=0, " + ", ".join(f"{force:.17g}" for force in alone(results, n)[2]),
+            "Loading/Steps=" + ", ".join(steps[:1] + steps[1:2] * n)]
+
+
+def turns(results):
+    """Times of the turning points of the hub, its places since it was let go, and the energy left there, of the march."""
+    history = results.histories()
+    time = history["time_s"]
+    at, place = vc.turning_points(time, history["hub_x_displacement_m"], history["hub_x_velocity_m_s"])
+    return at, place, np.interp(at, time, history["stored_energy_J"])
+
+
+def compared(folder):
+    """Half cycle by half cycle, a row each: amplitude of the march; energy that it lost and time that it took; both by the rule from that
+    amplitude; and the amplitude that the rule alone has by then."""
+    results = vc.Results(folder)
+    curve, mass = backbone(results), float(used(results, "Rolling/Suspension/Unsprung mass"))
+    time, place, energy = turns(results)
+    amplitude, predicted = np.abs(np.diff(place)) / 2, np.abs(np.diff(alone(results, len(time))[1])) / 2
+    return [{"amplitude_m": a, "amplitude_masing_m": by_rule, "loss_J": loss, "loss_masing_J": curve.loss(a), "time_s": t,
+             "time_masing_s": curve.half_period(a, mass)}
+            for a, by_rule, loss, t in zip(amplitude, predicted, -np.diff(energy), np.diff(time))]
+
+
+def cycles(rows):
+    """Two half cycles in one: sums, and the amplitude of the first."""
+    return [{key: first[key] if key.startswith("amplitude") else first[key] + second[key] for key in first}
+            for first, second in zip(rows[::2], rows[1::2])]
+
+
+def error(row, what):
+    """Against the rule, relative. @param what "loss_J", for instance, beside which there is "loss_masing_J" """
+    name, unit = what.rsplit("_", 1)
+    return row[what] / row[f"{name}_masing_{unit}"] - 1

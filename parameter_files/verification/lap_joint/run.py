@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Ring-down of the lap joint against Masing's rule from its own loading. See README.md.
+"""Loops and ring-down of the lap joint against Masing's rule from its first loading. See README.md.
 
-usage: run.py [PROGRAM] [--steps 1e-6 5e-7] [--picture FILE]
+usage: run.py [PROGRAM] [--file lap_joint.prm] [--steps 2e-6 1e-6] [--set ENTRY=VALUE ...] [--picture FILE]
 """
 import argparse
 import csv
@@ -11,61 +11,58 @@ import sys
 import tempfile
 
 here = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, here)
-from masing import compared  # noqa: E402
-
 top = os.path.join(here, "..", "..", "..")
+sys.path.insert(0, here)
+from masing import alone, compared, cycles, error, loops, to_and_fro, turns, vc  # noqa: E402
+
+example = os.path.join(top, "parameter_files", "examples", "lap_joint.prm")
 arguments = argparse.ArgumentParser()
 arguments.add_argument("program", nargs="?", default=os.path.join(top, "build", "vibrocontact"))
-arguments.add_argument("--steps", nargs="+", default=["1e-6", "5e-7"], help="the last half of the one before")
+arguments.add_argument("--file", default=example, help="another joint")
+arguments.add_argument("--steps", nargs="+", default=["2e-6", "1e-6"], help="the last half of the one before")
+arguments.add_argument("--set", nargs="+", default=[], metavar="ENTRY=VALUE", help="other entries of the file")
 arguments.add_argument("--picture", default="", help="needs matplotlib")
 options = arguments.parse_args()
 
 
-def percent(value, truth):
-    return 100 * (value / truth - 1)
+def run(folder, *settings):
+    words = [word for one in ["Output/Figures=false", *options.set, *settings] for word in ("--set", one)]
+    subprocess.run([options.program, options.file, "--quiet", "--output", folder, *words], check=True)
+    return vc.Results(folder)
 
 
-rows, by_step = [], []
+marches, rows = [], []
 with tempfile.TemporaryDirectory() as scratch:
+    cache = "Output/Cache directory=" + os.path.join(scratch, "cache")
     for step in options.steps:
-        folder = os.path.join(scratch, step)
-        subprocess.run([options.program, os.path.join(top, "parameter_files", "examples", "lap_joint.prm"), "--quiet",
-                        "--output", folder, "--set", f"Transient/Time step={step}", "--set", "Transient/Signals/Table=true",
-                        "--set", "Output/Figures=false", "--set", "Output/Cache directory=" + os.path.join(scratch, "cache")],
-                       check=True)
-        by_step.append(compared(folder, 1e4))
-        rows += [{"step_s": step, **row} for row in by_step[-1]]
-print("amplitude [um], decrement by Masing, of the march in %, with steps of", ", ".join(options.steps), "s and extrapolated; period in %")
-for cycles in zip(*by_step):
-    finest = cycles[-1]
-    errors = [percent(one["decrement"], one["decrement_masing"]) for one in cycles]
-    print(f"{finest['amplitude_m'] * 1e6:.4f}  {finest['decrement_masing']:.4e}",
-          *(f"{error:+.2f}" for error in errors),
-          f"{2 * errors[-1] - errors[-2]:+.2f}  {percent(finest['period_s'], finest['period_masing_s']):+.4f}")
+        marches.append(run(os.path.join(scratch, step), "Transient/Time step=" + step, cache))
+        rows += [{"step_s": step, **row} for row in compared(marches[-1].folder)]
+    motions = [turns(march)[:2] for march in marches]
+    n = len(motions[-1][0])
+    by_rule = alone(marches[-1], n)
+    by_step = [cycles(compared(march.folder)) for march in marches]
+    # the march after it is cut short
+    still = cycles(loops(run(os.path.join(scratch, "loops"), *to_and_fro(marches[-1], n), cache, "Transient/End time=1e-4").folder))
+
+print("cycle, amplitude [um], energy taken [J] by Masing's rule from that amplitude, in % of it: of the quasi-static loop, of the march with steps of",
+      ", ".join(options.steps), "s and extrapolated;\nperiod in %; amplitude in % of what the rule has by then, extrapolated")
+for number, (coarse, fine) in enumerate(zip(*by_step[-2:])):
+    every = [100 * error(one[number], "loss_J") for one in by_step]
+    ahead = [100 * error(one, "amplitude_m") for one in (coarse, fine)]
+    print(f"{number + 1}  {fine['amplitude_m'] * 1e6:.4f}  {fine['loss_masing_J']:.4e}  {100 * error(still[number], 'loss_J'):+.3f} ",
+          *(f"{one:+.2f}" for one in every), f"{2 * every[-1] - every[-2]:+.3f}  {100 * error(fine, 'time_s'):+.4f}  {2 * ahead[1] - ahead[0]:+.3f}")
 if options.picture:
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-    figure, axes = plt.subplots(1, 2, figsize=(9, 3.4))
-    amplitude = [1e6 * row["amplitude_m"] for row in by_step[-1]]
-    for axis, key, factor in ((axes[0], "decrement", 1), (axes[1], "period", 1e3)):
-        masing = "decrement_masing" if key == "decrement" else "period_masing_s"
-        axis.plot(amplitude, [factor * row[masing] for row in by_step[-1]], "-", color="0.5", label="Masing's rule from the loading")
-        for step, cycles in zip(options.steps, by_step):
-            axis.plot([1e6 * row["amplitude_m"] for row in cycles],
-                      [factor * row["decrement" if key == "decrement" else "period_s"] for row in cycles], "o", ms=4,
-                      label=f"march, {float(step) * 1e6:g} us")
-        axis.set_xlabel("amplitude [um]")
-        axis.grid(alpha=0.3)
-    axes[0].plot(amplitude, [b["decrement_masing"] * (2 * b["decrement"] / b["decrement_masing"] - a["decrement"] / a["decrement_masing"])
-                             for a, b in zip(by_step[-2], by_step[-1])], "x", color="k", label="extrapolated")
-    axes[0].set_ylabel("logarithmic decrement")
-    axes[1].set_ylabel("period [ms]")
+    sys.path.insert(0, os.path.join(top, "contrib"))
+    from plots.ring_down import draw, panels
+    figure, axes = panels()
+    draw(axes, vc.ring_down(*by_rule[:2]), "-", color="0.5", label="Masing's rule from the loading alone")
+    for step, motion in zip(options.steps, motions):
+        draw(axes, vc.ring_down(*motion), label=f"march, {float(step) * 1e6:g} us")
     axes[0].legend(fontsize=8)
     figure.tight_layout()
     figure.savefig(options.picture, dpi=90)
-with open(os.path.join(here, "lap_joint.csv"), "w", newline="", encoding="utf-8") as file:
-    writer = csv.DictWriter(file, list(rows[0]))
-    writer.writeheader()
-    writer.writerows(rows)
+if options.file == example and not options.set:
+    with open(os.path.join(here, "lap_joint.csv"), "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)

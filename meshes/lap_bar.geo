@@ -1,0 +1,26 @@
+// A bar of a lap joint in mm. Its faces "bottom" and "top" are crowned: their middle stands out by 4 um.
+length = 50;
+width = 10;
+height = 10;
+radius = 80000;
+drop = radius - Sqrt(radius^2 - length^2 / 4);
+Point(1) = {-length / 2, -width / 2, drop};
+Point(2) = {length / 2, -width / 2, drop};
+Point(3) = {length / 2, -width / 2, height - drop};
+Point(4) = {-length / 2, -width / 2, height - drop};
+Point(5) = {0, -width / 2, radius};
+Point(6) = {0, -width / 2, height - radius};
+Circle(1) = {1, 5, 2};
+Line(2) = {2, 3};
+Circle(3) = {3, 6, 4};
+Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Transfinite Curve {1, 3} = 50 + 1;
+Transfinite Curve {2, 4} = 3 + 1;
+Transfinite Surface {1};
+Recombine Surface {1};
+side() = Extrude {0, width, 0} { Surface{1}; Layers{1}; Recombine; };
+Physical Surface("bottom") = {side(2)};
+Physical Surface("top") = {side(4)};
+Physical Volume("steel") = {side(1)};
