@@ -1,4 +1,5 @@
 """Ring-downs of the Python package: frequency and damping over amplitude against a damped oscillator's, whose middle is not zero."""
+import pathlib
 import unittest
 
 import numpy as np
@@ -29,6 +30,12 @@ class Oscillator(unittest.TestCase):
         self.assertEqual(len(times), 0)
         self.assertEqual(len(vc.ring_down([0, 1], [0, 1]).amplitude_m), 1)
         self.assertEqual(len(vc.ring_down(times, places).amplitude_m), 0)
+
+    def test_figure(self):
+        joint = vc.Case.from_file(vc.EXAMPLES / "lap_joint.prm", {"Transient/Time step": 1e-5, "Transient/End time": 0.009, "Transient/History interval": 1e-5,
+                                                                 "Loading/Steps": 20, "Output/Figures": False, "Output/Cache directory": pathlib.Path("cache").absolute()})
+        pictures = vc.figures.draw(joint.run("joint"))
+        self.assertTrue(pictures["ring_down"].read_bytes().startswith(b"\x89PNG"))
 
 
 if __name__ == "__main__":
