@@ -12,7 +12,7 @@ from scene import Check
 
 program, _, parameter_files = sys.argv[1:4]
 sys.path.insert(0, os.path.join(parameter_files, "verification", "lap_joint"))
-from masing import alone, compared, cycles, error, loops, to_and_fro, vc  # noqa: E402
+from masing import alone, branch_errors, compared, cycles, error, loops, to_and_fro, vc  # noqa: E402
 
 check = Check()
 
@@ -47,6 +47,10 @@ still = cycles(loops("loops"))
 check.near("quasi-static cycles", len(still), 3, 1e-9)
 for row in still:
     check.near("energy taken quasi-statically", row["loss_J"], row["loss_masing_J"], 2e-3)
+# between two opposite forces step by step
+run("whole", "Loading/Force x=0, 1700, -1700, 1700", "Loading/Steps=2, 100, 100, 100", "Transient/End time=2e-5")
+for worst in branch_errors("whole"):
+    check.near("displacement of a branch", 1 + worst, 1, 1e-8)
 # slip spreads from small amplitudes on: the rule is tried where it says much
 slip = [step["slip_points"] for step in vc.Results("2e-6").analyses.quasi_static_loading.steps if step["part"] > 1]
 check.near("points that slip in the end", slip[-1], 18, 0.01)

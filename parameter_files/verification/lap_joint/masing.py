@@ -81,6 +81,19 @@ def loops(folder):
     return rows
 
 
+def branch_errors(folder):
+    """Of a loading between two opposite forces, in as many steps as the first pull had, part by part: the largest distance of a step from the rule over
+    the first pull's displacement. Steps of the rule are steps of the first pull, so that nothing lies between them."""
+    steps = vc.Results(folder).analyses.quasi_static_loading.steps
+    place = {part: np.array([0.] + [step["displacement_m"][0] for step in steps if step["part"] == part])
+             for part in range(2, steps[-1]["part"] + 1)}
+    errors = []
+    for part in range(3, max(place) + 1):
+        start, side = place[part - 1][-1], -1 if part % 2 else 1
+        errors.append(np.max(np.abs(place[part][1:] - start - side * 2 * place[2][1:])) / place[2][-1])
+    return errors
+
+
 def used(results, entry):
     """What the run took for an entry."""
     return prm.read_entries((results.folder / "used.prm").read_text(encoding="utf-8"))[entry]
