@@ -35,7 +35,8 @@ namespace vibrocontact
     using Lists = std::vector<std::vector<unsigned int>>;
     const Lists hexahedron = {{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 5}, {2, 3},
                               {2, 6}, {3, 7}, {4, 5}, {4, 7}, {5, 6}, {6, 7}},
-                prism = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 4}, {2, 5}, {3, 4}, {3, 5}, {4, 5}};
+                prism = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 4}, {2, 5}, {3, 4}, {3, 5}, {4, 5}},
+                pyramid = {{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 4}, {2, 3}, {2, 4}, {3, 4}};
     const auto with = [](Lists edges, const Lists &more)
     {
       edges.insert(edges.end(), more.begin(), more.end());
@@ -55,10 +56,14 @@ namespace vibrocontact
                                {0, 1, 2, 3, 4, 5, 6, 7}});
     case 13:
       return with(prism, {{0, 1, 4, 3}, {0, 3, 5, 2}, {1, 2, 5, 4}});
+    case 14:
+      return with(pyramid, {{0, 3, 2, 1}});
     case 17:
       return hexahedron;
     case 18:
       return prism;
+    case 19:
+      return pyramid;
     default:
       return {};
     }

@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/scene/file_cells.h>
+#include <vibrocontact/scene/split_cells.h>
 
 #include <deal.II/base/bounding_box.h>
 
@@ -92,16 +93,27 @@ namespace vibrocontact
             "; mesh the volume (gmsh -3), and where there are physical groups put the volume into one, "
             "or gmsh leaves it out.");
       }
+      std::set<unsigned int> shapes, orders;
+      for (const unsigned int type : types)
+      {
+        shapes.insert(element_type(type)->n_corners);
+        orders.insert(element_type(type)->order);
+      }
       if (types.size() > 1)
         throw InputError(
             "The mesh file " + file + " mixes " + list_of(mesh, is_solid) +
-            ": a body has cells of one type and order, parts that are glued as well; in gmsh mesh it with "
-            "tetrahedra alone (no recombination), set Mesh.SubdivisionAlgorithm = 2 for hexahedra alone, and "
-            "one Mesh.ElementOrder for all.");
+            ": a body has cells of one type and order, parts that are glued as well; " +
+            (shapes.size() == 1 && orders.size() > 1
+                 ? "mesh it with one Mesh.ElementOrder."
+                 : "set Mesh/Split into tetrahedra to true, or mesh it in gmsh with tetrahedra alone "
+                   "(no recombination) or hexahedra alone (Mesh.SubdivisionAlgorithm = 2); with one "
+                   "Mesh.ElementOrder."));
       const ElementType &kind = *element_type(*types.begin());
       if (kind.n_corners == 5)
-        throw InputError("The mesh file " + file + " holds " + list_of(mesh, is_solid) +
-                         ", of which no body is made: mesh it with hexahedra, tetrahedra or prisms.");
+        throw InputError(
+            "The mesh file " + file + " holds " + list_of(mesh, is_solid) +
+            ", of which no body is made: set Mesh/Split into tetrahedra to true, or mesh it with "
+            "hexahedra, tetrahedra or prisms.");
       return *types.begin();
     }
 
@@ -236,9 +248,10 @@ namespace vibrocontact
     return counts;
   }
 
-  FileCells FileCells::read(const std::string &file)
+  FileCells FileCells::read(const std::string &file, const bool split)
   {
-    return solid_cells(read_file_mesh(file), file);
+    const FileMesh mesh = read_file_mesh(file);
+    return solid_cells(split ? split_into_tetrahedra(mesh, file) : mesh, file);
   }
 
   FileCells solid_cells(const FileMesh &mesh, const std::string &file)

@@ -67,6 +67,10 @@ namespace vibrocontact
                       Patterns::Anything());
     declare_groups(prm, "Mass", masses, unlisted_masses);
     prm.add_parameter(
+        "Split into tetrahedra", split,
+        "Hexahedra, prisms and pyramids of the file are split into tetrahedra, so that parts of "
+        "different cells can be glued and mixed cells are one mesh. Units: none.");
+    prm.add_parameter(
         "Glued", glued_groups,
         "Pairs of boundaries of parts whose meshes do not match, glued where the first lies on the "
         "second: pad back: plate front; rib: plate back. The first, better the finer mesh, follows "
@@ -299,6 +303,7 @@ namespace vibrocontact
                      "Groups, Rigid, Mass, Place, Inertia, Products of inertia");
     entries.add_if(is_wheel(), "Geometry is wheel", section, "Wheel outline, Wheel scale");
     const bool is_cad = is_cad_file(file);
+    entries.add_if(!is_cad, "File is a mesh", section, "Split into tetrahedra");
     if (!is_cad)
       refinement.add_entries(entries, section, use);
     cad.add_entries(entries, section, is_cad);

@@ -158,7 +158,7 @@ namespace vibrocontact
     if (grid)
       named.push_back(contact);
     FileCells file = is_cad ? meshed_cells(parameters, named, name, mesh_folder, communicator)
-                            : FileCells::read(parameters.file);
+                            : FileCells::read(parameters.file, parameters.split);
     require_groups(named, file, name, parameters.file);
     if (!grid)
       named.push_back(contact);
@@ -239,7 +239,7 @@ namespace vibrocontact
     if (is_cad_file(parameters.file))
       return parameters.cad.flat_face(parameters.file, parameters.contact_group, parameters.contact_point,
                                       parameters.unit);
-    const FileCells file = FileCells::read(parameters.file);
+    const FileCells file = FileCells::read(parameters.file, parameters.split);
     FlatFace face{1e300, -1e300, 1e300, -1e300};
     double area = 0, height = 0;
     for (const FileCells::Face &named : file.faces)

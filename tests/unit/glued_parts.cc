@@ -28,6 +28,8 @@ namespace
     Point<3> from, to;
     /// of its nodes
     double distortion = 1;
+    /// of its cells, and of those beyond its middle; empty: as all
+    std::string type = "", other_type = "";
   };
 
   using Place = std::function<Point<3>(const Point<3> &)>;
@@ -68,7 +70,8 @@ namespace
     for (unsigned int k = 0; k < boxes.size(); ++k)
     {
       BoxOfCells box;
-      box.type = type;
+      box.type = boxes[k].type.empty() ? type : boxes[k].type;
+      box.other_type = boxes[k].other_type;
       box.divisions = boxes[k].divisions;
       box.prefix = boxes[k].name + "_";
       box.offset = 100000 * k;
@@ -268,6 +271,43 @@ TEST(GluedPartsMpi, held_hanging_and_doubly_glued_nodes_pass_it_as_well)
               1e-10)
         << "hanging, " << type << ", degree " << degree;
   }
+}
+
+TEST(GluedPartsMpi, parts_of_different_cells_pass_it)
+{
+  struct Pair
+  {
+    std::string first, beyond, second;
+    unsigned int degree;
+  };
+  double worst = 0;
+  const Tensor<2, 3> turned = turn();
+  for (const auto &[first, beyond, second, degree] : std::vector<Pair>{{"C3D8", "", "C3D4", 1},
+                                                                       {"C3D8", "", "C3D4", 2},
+                                                                       {"C3D4", "", "C3D6", 2},
+                                                                       {"C3D6", "C3D8", "C3D4", 1},
+                                                                       {"C3D8", "C3D6", "C3D4", 2},
+                                                                       {"C3D20", "", "C3D10", 1},
+                                                                       {"C3D20", "", "C3D10", 2},
+                                                                       {"C3D10", "", "C3D15", 2},
+                                                                       {"C3D15", "C3D20", "C3D10", 2}})
+    for (const bool finer : {true, false})
+    {
+      auto boxes = finer ? two_boxes({{2, 3, 3}}, {{2, 2, 2}}) : two_boxes({{2, 2, 1}}, {{2, 3, 3}});
+      boxes[0].other_type = beyond;
+      boxes[1].type = second;
+      MeshFileParameters parameters = glued_boxes(first, boxes, "a_right: b_left", degree,
+                                                  [&](const Point<3> &x) { return Point<3>(turned * x); });
+      parameters.split = true;
+      ElasticModel<3> model;
+      load_by_stress(model, parameters, boxes, stress_of(some_gradient), turned);
+      const auto body = glued_body(parameters, model, MPI_COMM_WORLD);
+      const double residual = residual_of(*body, some_gradient);
+      worst = std::max(worst, residual);
+      EXPECT_LT(residual, 1e-10) << first << " and " << second << ", degree " << degree;
+      EXPECT_EQ(assemble_body(*body)->n_rigid_modes, 6u);
+    }
+  std::cout << "forces left over the largest load on a node: " << worst << std::endl;
 }
 
 TEST(GluedPartsMpi, facets_of_a_curved_surface_turn_without_stress)

@@ -43,8 +43,8 @@ namespace vibrocontact
     /// Number of faces per named group.
     std::map<std::string, unsigned int> face_counts() const;
 
-    /// @throws InputError what read_file_mesh() and solid_cells() refuse
-    static FileCells read(const std::string &file);
+    /// @param split as split_into_tetrahedra() does @throws InputError what read_file_mesh() and solid_cells() refuse
+    static FileCells read(const std::string &file, bool split = false);
   };
 
   /// The cells of a mesh.

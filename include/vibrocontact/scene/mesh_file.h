@@ -41,6 +41,8 @@ namespace vibrocontact
     std::vector<double> foundation_damping = {0, 0, 0};
     /// rigid masses coupled to groups; those that the file has sections of and an option leaves out
     std::vector<PointMassParameters> masses, unlisted_masses;
+    /// hexahedra, prisms and pyramids become tetrahedra, split_into_tetrahedra()
+    bool split = false;
     /// groups of parts whose meshes do not match, glued_pairs()
     std::string glued_groups;
     /// flat: cells as they are; wheel: arcs of a wheel's outline are attached as to the built-in one
