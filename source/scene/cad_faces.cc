@@ -185,6 +185,8 @@ namespace vibrocontact
     {
       std::string word;
       Holds (*read)(Words &);
+      /// whether " of SOLID" may follow; names of faces may hold that word
+      bool takes_solid = true;
     };
 
     FaceRule rule_of(const std::string &item, const std::string &entry)
@@ -193,7 +195,7 @@ namespace vibrocontact
                                               {"plane", read_plane},
                                               {"cylinder", read_cylinder},
                                               {"box", read_box},
-                                              {"name", read_name}};
+                                              {"name", read_name, false}};
       const std::size_t colon = item.find(':');
       FaceRule rule;
       rule.group = trimmed(item.substr(0, colon));
@@ -202,12 +204,20 @@ namespace vibrocontact
       const std::string rest = trimmed(rule.text.substr(word.size()));
       const auto kind =
           std::find_if(kinds.begin(), kinds.end(), [&](const Kind &one) { return one.word == word; });
-      Words words(rest, item, entry);
+      const std::size_t of =
+          kind != kinds.end() && kind->takes_solid ? rest.find(" of ") : std::string::npos;
+      const std::string solid = of == std::string::npos ? "" : trimmed(rest.substr(of + 4));
+      Words words(rest.substr(0, of), item, entry);
       if (rule.group.empty() || kind == kinds.end())
         words.refuse(wanted_item);
-      rule.holds = kind->read(words);
+      const Holds holds = kind->read(words);
       if (!words.empty())
         words.refuse("there are more words than it takes.");
+      rule.holds = [holds, solid](const CadFace &face, const double tolerance)
+      {
+        return (solid.empty() || std::count(face.solids.begin(), face.solids.end(), solid) > 0) &&
+               holds(face, tolerance);
+      };
       return rule;
     }
 
@@ -223,7 +233,17 @@ namespace vibrocontact
                 in_brackets(face.centre) + (face.radius > 0 ? ", radius " + number_text(face.radius) : "") +
                 (face.name.empty() ? "" : ", \"" + face.name.substr(0, 20) + "\"") + ")";
       }
-      return list + (part.faces.size() > n_shown ? ", ..." : "");
+      list += part.faces.size() > n_shown ? ", ..." : "";
+      for (unsigned int k = 0; part.solids.size() > 1 && k < part.solids.size() && k <= n_shown; ++k)
+      {
+        const std::vector<int> &faces = part.solids[k].faces;
+        list += k == n_shown
+                    ? ", ..."
+                    : (k == 0 ? "; solids " : ", ") + part.solids[k].name.substr(0, 20) + " (faces " +
+                          std::to_string(*std::min_element(faces.begin(), faces.end())) + " to " +
+                          std::to_string(*std::max_element(faces.begin(), faces.end())) + ")";
+      }
+      return list;
     }
   } // namespace
 

@@ -16,10 +16,13 @@
 
 #include <gmsh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
+#include <set>
 #include <sstream>
 
 namespace vibrocontact
@@ -127,35 +130,84 @@ namespace vibrocontact
       face.radius = to_axis.norm();
     }
 
+    /// The only one of these that is as a name says; of several, or none, null.
+    template <typename Shapes, typename IsIt>
+    auto only_one(Shapes &shapes, const IsIt &is_it) -> decltype(&shapes.front())
+    {
+      const auto first = std::find_if(shapes.begin(), shapes.end(), is_it);
+      return first == shapes.end() || std::find_if(first + 1, shapes.end(), is_it) != shapes.end() ? nullptr
+                                                                                                   : &*first;
+    }
+
     void take_names(CadPart &part, const std::vector<StepName> &names)
     {
-      const double size = part.size();
+      const double near = 1e-6 * part.size();
+      const auto same_size = [](const double a, const double b) { return std::abs(a - b) < 1e-6 * b; };
+      // what is not certain has no name: to choose it is refused then
       for (const StepName &one : names)
       {
-        CadFace *match = nullptr;
-        unsigned int n = 0;
-        for (CadFace &face : part.faces)
-          if (std::abs(face.area - one.area) < 1e-6 * one.area &&
-              face.centre.distance(one.centre) < 1e-6 * size)
-          {
-            match = &face;
-            ++n;
-          }
-        // a face that is not certain has no name: to choose it is refused then
-        if (n == 1)
+        if (one.is_solid)
+        {
+          // lists of groups and sections could not hold it
+          if (one.name.find_first_of(",/") != std::string::npos)
+            continue;
+          if (CadSolid *const match = only_one(
+                  part.solids, [&](const CadSolid &solid)
+                  { return same_size(solid.volume, one.size) && solid.centre.distance(one.centre) < near; }))
+            match->name = as_utf8(one.name);
+          continue;
+        }
+        const auto bounds_it = [&](const CadFace &face)
+        {
+          return std::any_of(part.solids.begin(), part.solids.end(),
+                             [&](const CadSolid &solid)
+                             {
+                               return std::count(solid.faces.begin(), solid.faces.end(), int(face.number)) >
+                                          0 &&
+                                      solid.centre.distance(one.centre_of_solid) < near;
+                             });
+        };
+        if (CadFace *const match = only_one(part.faces,
+                                            [&](const CadFace &face) {
+                                              return same_size(face.area, one.size) &&
+                                                     face.centre.distance(one.centre) < near &&
+                                                     bounds_it(face);
+                                            }))
           match->name = as_utf8(one.name);
+      }
+    }
+
+    /// The names of the solids' groups, and of each face those of its solids.
+    void name_solids(CadPart &part)
+    {
+      if (part.solids.size() == 1)
+        part.solids.front().name = "solid";
+      std::set<std::string> taken;
+      for (const CadSolid &solid : part.solids)
+        taken.insert(solid.name);
+      unsigned int n = 0;
+      for (CadSolid &solid : part.solids)
+      {
+        ++n;
+        if (solid.name.empty())
+          while (!taken.insert(solid.name = "solid" + std::to_string(n)).second)
+            ++n;
+        for (CadFace &face : part.faces)
+          if (std::count(solid.faces.begin(), solid.faces.end(), int(face.number)) > 0)
+            face.solids.push_back(solid.name);
       }
     }
 
     struct Described
     {
       CadPart part;
-      unsigned int n_solids = 0, n_surfaces = 0;
+      unsigned int n_surfaces = 0;
+      double smallest_volume = std::numeric_limits<double>::max();
 
       template <typename Archive>
       void serialize(Archive &archive, const unsigned int)
       {
-        archive &part &n_solids &n_surfaces;
+        archive &part &n_surfaces &smallest_volume;
       }
     };
 
@@ -166,13 +218,23 @@ namespace vibrocontact
         names = step_names(file);
       Described result;
       const gmsh::vectorpair solids = open_in_gmsh(file);
-      result.n_solids = solids.size();
       gmsh::vectorpair faces;
       gmsh::model::getEntities(faces, 2);
       result.n_surfaces = faces.size();
-      if (solids.size() != 1)
-        return result;
-      gmsh::model::occ::getMass(3, solids[0].second, result.part.volume);
+      for (const auto &[dim, number] : solids)
+      {
+        CadSolid solid;
+        solid.number = number;
+        gmsh::model::occ::getMass(3, number, solid.volume);
+        gmsh::model::occ::getCenterOfMass(3, number, solid.centre[0], solid.centre[1], solid.centre[2]);
+        gmsh::vectorpair own;
+        gmsh::model::getBoundary({{3, number}}, own, false, false);
+        for (const auto &face : own)
+          solid.faces.push_back(std::abs(face.second));
+        result.smallest_volume = std::min(result.smallest_volume, solid.volume);
+        result.part.volume += solid.volume;
+        result.part.solids.push_back(solid);
+      }
       for (const auto &[dim, number] : faces)
       {
         CadFace face;
@@ -191,11 +253,12 @@ namespace vibrocontact
         result.part.faces.push_back(face);
       }
       take_names(result.part, names);
+      name_solids(result.part);
       return result;
     }
 
     /// What a mesh depends on, as the name of its file.
-    std::string mesh_name(const std::string &file, const CadSizes &sizes,
+    std::string mesh_name(const std::string &file, const CadPart &part, const CadSizes &sizes,
                           const std::map<std::string, std::vector<int>> &groups,
                           const std::vector<int> &fine_faces)
     {
@@ -213,18 +276,21 @@ namespace vibrocontact
       }
       for (const int face : fine_faces)
         key << face << " ";
+      if (part.solids.size() > 1)
+        for (const CadSolid &solid : part.solids)
+          key << "\n" << solid.name << ": " << solid.number;
       key << "\n" << content_of(file);
       return std::filesystem::path(file).stem().string() + "-mesh-" + digits_of_key(key.str()) + ".msh";
     }
 
     /// In a process of its own. @returns number of tetrahedra
-    std::string write_mesh(const std::string &file, const CadSizes &sizes,
+    std::string write_mesh(const std::string &file, const CadPart &part, const CadSizes &sizes,
                            const std::map<std::string, std::vector<int>> &groups,
                            const std::vector<int> &fine_faces, const std::string &to)
     {
       const auto set = [](const std::string &option, const double value)
       { gmsh::option::setNumber(option, value); };
-      gmsh::vectorpair solids = open_in_gmsh(file);
+      open_in_gmsh(file);
       gmsh::logger::start();
       int tag = 0;
       for (const auto &[group, faces] : groups)
@@ -232,8 +298,14 @@ namespace vibrocontact
         gmsh::model::addPhysicalGroup(2, faces, ++tag);
         gmsh::model::setPhysicalName(2, tag, group);
       }
-      gmsh::model::addPhysicalGroup(3, {solids.at(0).second}, ++tag);
-      gmsh::model::setPhysicalName(3, tag, "solid");
+      std::map<std::string, std::vector<int>> solids;
+      for (const CadSolid &solid : part.solids)
+        solids[solid.name].push_back(solid.number);
+      for (const auto &[name, members] : solids)
+      {
+        gmsh::model::addPhysicalGroup(3, members, ++tag);
+        gmsh::model::setPhysicalName(3, tag, name);
+      }
       set("Mesh.MeshSizeMax", sizes.cell_size);
       set("Mesh.MeshSizeFromPoints", 0);
       set("Mesh.MeshSizeExtendFromBoundary", 0);
@@ -310,16 +382,11 @@ namespace vibrocontact
                        "; it is damaged, save it again with the program that made it.");
     Described described =
         Utilities::unpack<Described>(std::vector<char>(result.output.begin(), result.output.end()), false);
-    if (described.n_solids == 0)
+    if (described.part.solids.empty())
       throw InputError("The CAD file " + file + " has no solid, only " +
                        std::to_string(described.n_surfaces) +
                        " surfaces: close them to a solid in the program that made it.");
-    if (described.n_solids > 1)
-      throw InputError(
-          "The CAD file " + file + " has " + std::to_string(described.n_solids) +
-          " solids: save each as a file and a body of its own, or unite them to one in the program that "
-          "made it.");
-    if (!(described.part.volume > 0))
+    if (!(described.smallest_volume > 0))
       throw InputError(
           "The CAD file " + file +
           " has a solid without volume: it is damaged, save it again with the program that made it.");
@@ -332,7 +399,8 @@ namespace vibrocontact
                          const std::string &folder, const bool keep)
   {
     namespace fs = std::filesystem;
-    const std::string own_name = mesh_name(file, sizes, groups, fine_faces);
+    const CadPart part = read_cad_part(file);
+    const std::string own_name = mesh_name(file, part, sizes, groups, fine_faces);
     const bool is_known = !folder.empty() && fs::exists(folder + "/" + own_name);
     const bool kept = is_known || (keep && !folder.empty());
     const std::string name = (kept ? folder : fs::temp_directory_path().string()) + "/" +
@@ -341,23 +409,24 @@ namespace vibrocontact
       run_log().line("The mesh of " + file + " is taken from " + name + ".");
     else
     {
-      const std::string part = unique_part(name) + ".msh";
+      const std::string unfinished = unique_part(name) + ".msh";
       if (kept)
         fs::create_directories(folder);
-      const ChildResult result =
-          run_in_child([&] { return write_mesh(file, sizes, groups, fine_faces, part); }, 7200, 16e9);
+      const ChildResult result = run_in_child(
+          [&] { return write_mesh(file, part, sizes, groups, fine_faces, unfinished); }, 7200, 16e9);
       if (!result.error.empty() || result.output == "0")
       {
         std::error_code none;
-        fs::remove(part, none);
+        fs::remove(unfinished, none);
         throw InputError(
             "gmsh cannot mesh the CAD file " + file + " (" +
             (result.error.empty() ? "no tetrahedra" : as_utf8(result.error)) +
             "): give other sizes in the section CAD, or mend its faces in the program that made it.");
       }
-      if (!fs::exists(part))
-        throw OutputError("The mesh of " + file + " could not be written to " + part + ": is the disk full?");
-      fs::rename(part, name);
+      if (!fs::exists(unfinished))
+        throw OutputError("The mesh of " + file + " could not be written to " + unfinished +
+                          ": is the disk full?");
+      fs::rename(unfinished, name);
       run_log().line("The CAD file " + file + " is meshed: " + result.output + " tetrahedra" +
                      (kept ? ", kept in " + name + "." : "."));
     }

@@ -1,7 +1,8 @@
 // Parts from STEP files: faces that are chosen, tetrahedra against closed forms and hexahedra, the cache of meshes, and damaged
 // files that are refused with a sentence.
 
-#include <vibrocontact/base/child_process.h>
+#include "step_file.h"
+
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/cell_elements.h>
@@ -9,7 +10,6 @@
 #include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/modes.h>
 #include <vibrocontact/scene/block.h>
-#include <vibrocontact/scene/gmsh_library.h>
 #include <vibrocontact/scene/mesh_file.h>
 
 #include <gmsh.h>
@@ -17,56 +17,12 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 using namespace vibrocontact;
 using namespace dealii;
 
 namespace
 {
-  std::string cad_folder()
-  {
-    const std::string folder = testing::TempDir() + "vibrocontact_cad_" +
-                               std::to_string(Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
-    std::filesystem::create_directories(folder);
-    return folder;
-  }
-
-  /// A STEP file as gmsh writes it, in mm.
-  std::string step_file(const std::string &name, const std::function<void()> &draw)
-  {
-    const std::string file = cad_folder() + "/" + name;
-    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-    {
-      const ChildResult result = run_in_child(
-          [&]
-          {
-            start_gmsh();
-            draw();
-            gmsh::model::occ::synchronize();
-            gmsh::write(file);
-            return std::string("written");
-          },
-          60, 4e9);
-      EXPECT_EQ(result.output, "written") << result.error;
-    }
-    MPI_Barrier(MPI_COMM_WORLD);
-    return file;
-  }
-
-  std::string step_text(const std::string &file)
-  {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  }
-
-  std::string step_with(std::string text, const std::string &from, const std::string &to)
-  {
-    const auto place = text.find(from);
-    EXPECT_NE(place, std::string::npos) << from;
-    return place == std::string::npos ? text : text.replace(place, from.size(), to);
-  }
-
   void draw_cylinder()
   {
     gmsh::model::occ::addCylinder(0, 0, 0, 0, 0, 20, 5);
@@ -96,7 +52,7 @@ namespace
 
   std::string said_of_step(const std::string &text, const std::string &ending = ".step")
   {
-    const std::string file = cad_folder() + "/damaged" + ending;
+    const std::string file = scratch_folder() + "/damaged" + ending;
     std::ofstream(file, std::ios::binary) << text;
     return said_of_part(part_of(file, "", 5e-3));
   }
@@ -164,9 +120,9 @@ TEST(CadPart, faces_are_chosen_by_number_plane_cylinder_box_and_name)
 {
   const std::string file = step_file("chosen.step", draw_cylinder);
   // the first face is the curved one
-  std::ofstream(cad_folder() + "/named.step")
+  std::ofstream(scratch_folder() + "/named.step")
       << step_with(step_text(file), "ADVANCED_FACE(''", "ADVANCED_FACE('mantle'");
-  const CadPart part = read_cad_part(cad_folder() + "/named.step");
+  const CadPart part = read_cad_part(scratch_folder() + "/named.step");
   ASSERT_EQ(part.faces.size(), 3u);
   EXPECT_NEAR(part.volume / (numbers::PI * 25e-6 * 20e-3), 1, 1e-9);
   const auto chosen = [&](const std::string &rule)
@@ -236,7 +192,7 @@ TEST(CadPart, frequencies_are_those_of_hexahedra)
 TEST(CadPart, a_mesh_is_made_once_and_finer_at_the_contact)
 {
   namespace fs = std::filesystem;
-  const std::string file = step_file("cached.step", draw_cylinder), folder = cad_folder() + "/cache";
+  const std::string file = step_file("cached.step", draw_cylinder), folder = scratch_folder() + "/cache";
   fs::remove_all(folder);
   MeshFileParameters parameters = part_of(file, "contact: plane z = 0", 4e-3);
   const auto n_cells = [&]
@@ -266,7 +222,7 @@ TEST(CadPart, a_mesh_is_made_once_and_finer_at_the_contact)
   EXPECT_GT(n_cells(), coarse);
   EXPECT_EQ(n_files(), 2);
   // a mesh that is written is that of the part
-  parameters.cad.copy = cad_folder() + "/copy.msh";
+  parameters.cad.copy = scratch_folder() + "/copy.msh";
   const auto fine = n_cells();
   MeshFileParameters copy;
   copy.file = parameters.cad.copy;
@@ -278,7 +234,7 @@ TEST(CadPart, a_mesh_is_made_once_and_finer_at_the_contact)
 TEST(CadPart, units_are_those_of_the_file)
 {
   const std::string text = step_text(step_file("units.step", draw_cylinder));
-  const std::string file = cad_folder() + "/centimetres.step";
+  const std::string file = scratch_folder() + "/centimetres.step";
   std::ofstream(file) << step_with(text, ".MILLI.,.METRE.", ".CENTI.,.METRE.");
   EXPECT_NEAR(read_cad_part(file).volume / (numbers::PI * 2.5e-3 * 0.2), 1, 1e-9);
   MeshFileParameters parameters = part_of(file, "", 0.02);
@@ -304,13 +260,6 @@ TEST(CadPart, damaged_files_are_refused_with_a_sentence)
                   {"the CAD file", "damaged"});
   expect_sentence(said_of_step(text, ".brep"), {"no file of its format", "DBRep_DrawableShape"});
   expect_sentence(said_of_step("DBRep_DrawableShape\n\nCASCADE Topology V1\n", ".brep"), {"CAD file"});
-  const std::string two = step_file("two.step",
-                                    []
-                                    {
-                                      draw_cylinder();
-                                      gmsh::model::occ::addBox(20, 0, 0, 1, 1, 1);
-                                    });
-  expect_sentence(said_of_part(part_of(two, "", 1e-3)), {"has 2 solids", "a body of its own"});
   const std::string surface =
       step_file("surface.step", [] { gmsh::model::occ::addRectangle(0, 0, 0, 10, 10); });
   expect_sentence(said_of_part(part_of(surface, "", 1e-3)), {"has no solid, only 1 surfaces"});

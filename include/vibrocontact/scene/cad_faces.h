@@ -18,6 +18,8 @@ namespace vibrocontact
     std::string surface;
     /// in the file; empty: none
     std::string name;
+    /// names of the solids that it bounds: one, of solids that share it two
+    std::vector<std::string> solids;
     double area = 0;
     dealii::Point<3> centre;
     /// corners of a box around it
@@ -33,14 +35,35 @@ namespace vibrocontact
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &number &surface &name &area &centre &low &high &place &direction &radius;
+      archive &number &surface &name &solids &area &centre &low &high &place &direction &radius;
     }
   };
 
-  /// The one solid of a CAD file and its faces.
+  /// A solid of a CAD part [unit of the part].
+  struct CadSolid
+  {
+    /// gmsh's number
+    int number = 0;
+    /// of its cells' group: "solid" if it is the only one, otherwise as in the file, without one solid1, solid2, ...
+    std::string name;
+    double volume = 0;
+    dealii::Point<3> centre;
+    /// numbers of its faces
+    std::vector<int> faces;
+
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &number &name &volume &centre &faces;
+    }
+  };
+
+  /// The solids of a CAD file and their faces.
   struct CadPart
   {
+    std::vector<CadSolid> solids;
     std::vector<CadFace> faces;
+    /// of all solids
     double volume = 0;
 
     /// diagonal of the box around all faces
@@ -48,7 +71,7 @@ namespace vibrocontact
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &faces &volume;
+      archive &solids &faces &volume;
     }
   };
 
@@ -69,6 +92,7 @@ namespace vibrocontact
   /// | box x0 y0 z0 x1 y1 z1 | faces that lie in it |
   /// | name text | of the file |
   ///
+  /// Behind number, plane, cylinder and box may stand "of NAME": of the faces of that solid alone.
   /// A group may have several items.
   /// @param entry where it stands, for messages @throws InputError
   std::vector<FaceRule> face_rules(const std::string &text, const std::string &entry);

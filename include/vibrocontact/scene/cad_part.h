@@ -13,9 +13,9 @@ namespace vibrocontact
   /// Whether a CAD file says its unit itself, so that its part is in metres (STEP).
   bool has_own_unit(const std::string &file);
 
-  /// The solid of a CAD file and its faces, by gmsh's OpenCASCADE kernel in a process of its own. Kept as long as this process
+  /// The solids of a CAD file and their faces, by gmsh's OpenCASCADE kernel in a process of its own. Kept as long as this process
   /// lives and the file is the same.
-  /// @throws InputError for a file that is no CAD file, cut off, without a solid, with several, or without a unit
+  /// @throws InputError for a file that is no CAD file, cut off, without a solid, or without a unit
   CadPart read_cad_part(const std::string &file);
 
   /// How a part is meshed [unit of the part].
@@ -31,10 +31,11 @@ namespace vibrocontact
     unsigned int order = 2;
   };
 
-  /// Tetrahedra of a CAD part with its groups of faces; those of the solid are the group "solid".
+  /// Tetrahedra of a CAD part with its groups of faces; those of a solid are the group of its name (CadSolid). Solids share nodes
+  /// only where the file has one face for both.
   ///
-  /// It is meshed once: the mesh is kept in a folder under a name made of the file's content, the sizes, the groups and gmsh's
-  /// version.
+  /// It is meshed once: the mesh is kept in a folder under a name made of the file's content, the sizes, the groups of faces and
+  /// cells and gmsh's version.
   /// To be called by one rank. @param fine_faces numbers of the fine faces @param copy the mesh is written there too; empty: nowhere
   /// @param folder of the kept meshes; empty: none is kept @param keep whether a new mesh stays there
   /// @throws InputError if gmsh cannot mesh it
