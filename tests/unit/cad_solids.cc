@@ -6,6 +6,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/fe/assemble_body.h>
 #include <vibrocontact/fe/make_elastic_body.h>
+#include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/flexibility.h>
 #include <vibrocontact/scene/file_cells.h>
 #include <vibrocontact/scene/mesh_file.h>
@@ -13,6 +14,8 @@
 #include <gmsh.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -246,26 +249,44 @@ TEST(CadSolids, each_is_meshed_by_itself_and_cached_by_its_names)
                 cells.groups.groups[c].at(0));
 }
 
-TEST(CadSolids, those_that_share_a_face_are_one_mesh)
+TEST(CadSolids, those_that_share_a_face_are_one_mesh_and_vibrate_as_glued_ones)
 {
+  const auto frequencies = [](MeshFileParameters mesh, const std::vector<std::string> &names)
+  {
+    mesh.held_groups = {"root"};
+    BodyParameters bars = body_of("bars", "mesh", mesh);
+    bars.materials = {{names[0], without_contraction(210e9, 7800)},
+                      {names[1], without_contraction(70e9, 2700)}};
+    const auto body = make_elastic_body(bars, 0, {}, MPI_COMM_SELF);
+    const auto system = assemble_body(*body);
+    Flexibility flexibility(*system);
+    ModeParameters wanted;
+    wanted.count = 4;
+    return compute_modes(*system, flexibility, wanted).omega;
+  };
   // by fragments of each other, which a BREP file keeps
-  MeshFileParameters parameters;
-  parameters.file = step_file("fragments.brep",
-                              []
-                              {
-                                draw_two_bars();
-                                gmsh::vectorpair all;
-                                std::vector<gmsh::vectorpair> map;
-                                gmsh::model::occ::fragment({{3, 1}}, {{3, 2}}, all, map);
-                              });
-  parameters.unit = 1e-3;
-  parameters.cad.faces = "root: plane x = 0";
-  parameters.cad.cell_size = 5;
-  parameters.held_groups = {"root"};
-  EXPECT_EQ(read_cad_part(parameters.file).faces.size(), 11u);
-  const BodyMesh<3> mesh =
-      make_mesh_from_file(parameters, 0, nullptr, "bars", MPI_COMM_SELF, {"solid1", "solid2"});
-  EXPECT_EQ(mesh.cell_groups, (std::vector<std::string>{"solid1", "solid2"}));
+  MeshFileParameters shared;
+  shared.file = step_file("fragments.brep",
+                          []
+                          {
+                            draw_two_bars();
+                            gmsh::vectorpair all;
+                            std::vector<gmsh::vectorpair> map;
+                            gmsh::model::occ::fragment({{3, 1}}, {{3, 2}}, all, map);
+                          });
+  shared.unit = 1e-3;
+  shared.cad.faces = "root: plane x = 0";
+  shared.cad.cell_size = 4;
+  EXPECT_EQ(read_cad_part(shared.file).faces.size(), 11u);
+  const auto one_mesh = frequencies(shared, {"solid1", "solid2"});
+  MeshFileParameters apart = bars_of(named_bars("glued.step"), "rod", "tip");
+  apart.cad.cell_size = 4e-3;
+  const auto glued = frequencies(apart, {"rod", "tip"});
+  double worst = 0;
+  for (unsigned int k = 0; k < 4; ++k)
+    worst = std::max(worst, std::abs(glued.at(k) / one_mesh.at(k) - 1));
+  std::cout << "four frequencies of glued bars against those of one mesh: " << worst << std::endl;
+  EXPECT_LT(worst, 2e-4);
 }
 
 TEST(CadSolids, what_does_not_fit_is_refused)

@@ -100,9 +100,9 @@ TEST(DamagedMeshes, cells)
 {
   const std::string good = deck_of_box("C3D4");
   // mixed cells, the way out
-  expect_in(
-      said_of_mesh(good + "*ELEMENT, TYPE=C3D8\n99, 1, 2, 3, 4, 5, 6, 7, 8\n"),
-      {"mixes 12 tetrahedra (12 in \"body\"), 1 hexahedra (1 in no group)", "one type", "tetrahedra alone"});
+  expect_in(said_of_mesh(good + "*ELEMENT, TYPE=C3D8\n99, 1, 2, 3, 4, 5, 6, 7, 8\n"),
+            {"mixes 12 tetrahedra (12 in \"body\"), 1 hexahedra (1 in no group)", "one type",
+             "tetrahedra alone", "Mesh/Split into tetrahedra"});
   expect_in(
       said_of_mesh(
           good +
@@ -241,7 +241,7 @@ TEST(DamagedMeshes, files_of_gmsh)
       said_of_mesh(head + "$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n$EndNodes\n$Elements\n1\n"
                           "1 7 2 1 1 1 2 3 4 5\n$EndElements\n",
                    ".msh"),
-      {"1 pyramids", "no body is made"});
+      {"1 pyramids", "no body is made", "Mesh/Split into tetrahedra"});
   expect_in(said_of_mesh(head + "$Nodes\n1\n1 nan 0 0\n$EndNodes\n", ".msh"), {"mesh.msh"});
   // what crashes gmsh itself: it reads in a process of its own
   expect_in(
