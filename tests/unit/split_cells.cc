@@ -313,6 +313,42 @@ TEST(SplitCells, triangles_on_quadrilaterals_fit_or_are_refused)
     }
 }
 
+TEST(SplitCells, cubes_that_gmsh_joins_by_pyramids)
+{
+  const std::string file = std::string(TESTS_DIRECTORY) + "/data/meshes/joined_by_pyramids.msh";
+  std::map<unsigned int, unsigned int> n_of;
+  for (const FileElements &block : read_file_mesh(file).elements)
+    n_of[block.type] += block.nodes.size() / element_type(block.type)->n_nodes;
+  // hexahedra of 27 nodes, pyramids of 14
+  EXPECT_EQ(n_of[12], 8u);
+  EXPECT_EQ(n_of[14], 4u);
+  EXPECT_GT(n_of[11], 40u);
+  EXPECT_THROW(FileCells::read(file), InputError);
+  const FileCells cells = FileCells::read(file, true);
+  EXPECT_EQ(cells.type, 11u);
+  double volume = 0, area = 0;
+  FileMesh places;
+  places.nodes = cells.vertices;
+  for (const CellData<3> &cell : cells.cells)
+  {
+    const double own = volume_of_corners(places, cell.vertices.data()) / 6;
+    EXPECT_GT(own, 0);
+    volume += own;
+  }
+  for (const auto &[face, n] : cells_at_faces(cells))
+    if (n == 1)
+    {
+      const std::vector<unsigned int> v(face.begin(), face.end());
+      area +=
+          cross_product_3d(places.nodes[v[1]] - places.nodes[v[0]], places.nodes[v[2]] - places.nodes[v[0]])
+              .norm() /
+          2;
+    }
+  EXPECT_NEAR(volume, 2, 1e-12);
+  // no face inside is left open
+  EXPECT_NEAR(area, 10, 1e-12);
+}
+
 TEST(SplitCellsMpi, mixed_cells_are_one_mesh_of_constant_strain)
 {
   double worst = 0;
