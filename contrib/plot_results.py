@@ -65,6 +65,7 @@ except ImportError:
 
 from plots.compare import plot_comparison_of_runs
 from plots.contact import plot_centre_line, plot_curves, plot_patch
+from plots.limit_cycle import plot_amplitudes, plot_limit_cycles
 from plots.loading import plot_loading
 from plots.periodic import plot_periodic
 from plots.rail import plot_rails
@@ -106,6 +107,10 @@ def main():
     plot_curves(folder, cases)
     if analyses.get("quasi_static_loading", {}).get("steps") and os.path.exists(os.path.join(folder, "loading.csv")):
         plot_loading(folder, analyses["quasi_static_loading"])
+    if analyses.get("limit_cycle", {}).get("cycles"):
+        plot_limit_cycles(folder, analyses["limit_cycle"])
+    if analyses.get("limit_cycle_sweep", {}).get("cases"):
+        plot_amplitudes(folder, analyses["limit_cycle_sweep"])
     if "frequency_response" in analyses:
         plot_frequency_response(folder, analyses["frequency_response"])
     plot_rails(folder, results.get("reductions", {}))

@@ -221,7 +221,7 @@ namespace vibrocontact
       check_response_points(parameters, bodies);
     if (scene.runs("periodic"))
       check_forced_points(parameters, bodies);
-    if (scene.runs("transient"))
+    if (parameters.goes_through_time())
       check_probes(parameters, bodies);
     for (const SweepCases &sweep : sweeps)
       check_sweep_meshes(bodies, sweep);

@@ -131,7 +131,8 @@ namespace vibrocontact
         check_type(scene.bodies[b], own);
       }
       const PlacedContacts placed = parameters.placed_contacts();
-      const bool moves = scene.runs("quasi-static rolling") || scene.runs("stability");
+      const bool moves =
+          scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("limit cycle");
       for (unsigned int k = 0; k < placed.all.size(); ++k)
       {
         const ContactParameters &contact = parameters.contacts.all[k];
@@ -152,12 +153,12 @@ namespace vibrocontact
                            ": its friction forces have no direction; give it a Sliding velocity or set " +
                            contact.section + "/Friction coefficient to 0.");
         const bool under_hub = placed.all[k].above == 0 || placed.all[k].below == 0;
-        if (scene.runs("stability") && parameters.rolling.hub == "massless" && under_hub &&
-            !placed.all[k].frame.has_usual_axes())
-          throw InputError(
-              "Rolling/Hub is massless, but the normal of contact " + contact.name +
-              " is inclined, so that its motion would slip there, which Stability does not linearise: set "
-              "it to suspended or held.");
+        if ((scene.runs("stability") || scene.runs("limit cycle")) && parameters.rolling.hub == "massless" &&
+            under_hub && !placed.all[k].frame.has_usual_axes())
+          throw InputError("Rolling/Hub is massless, but the normal of contact " + contact.name +
+                           " is inclined, so that its motion would slip there, which stability and limit "
+                           "cycle do not linearise: set "
+                           "it to suspended or held.");
       }
     }
 
@@ -250,12 +251,6 @@ namespace vibrocontact
             "number in both directions (along x alone with a Contact/Strip length).");
     }
 
-    /// Whether an analysis moves body 1 over body 2 as section Rolling says.
-    bool rolls_or_slides(const Scene &scene)
-    {
-      return scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient");
-    }
-
     /// A layer stays where it is; what it slides on is rigid.
     void check_layer(const Scene &scene, const RollingParameters &rolling)
     {
@@ -276,6 +271,12 @@ namespace vibrocontact
         }
     }
   } // namespace
+
+  bool rolls_or_slides(const Scene &scene)
+  {
+    return scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient") ||
+           scene.runs("limit cycle");
+  }
 
   std::map<std::string, std::string> unreduced_models(const Parameters &parameters)
   {

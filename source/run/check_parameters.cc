@@ -1,3 +1,4 @@
+#include <vibrocontact/analyses/limit_cycle/check_limit_cycle.h>
 #include <vibrocontact/analyses/transient/check_transient.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
@@ -325,7 +326,7 @@ namespace vibrocontact
       check_supports(scene);
       check_loading(*this);
     }
-    if (scene.runs("quasi-static rolling") || scene.runs("stability"))
+    if (scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("limit cycle"))
     {
       // what moves each of several contacts is asked of them
       rolling.check(!scene.contacts.empty() ||
@@ -344,13 +345,13 @@ namespace vibrocontact
                            "but the sweep takes the place of the single value: leave one of them out.");
       }
     }
-    if (scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient"))
+    if (rolls_or_slides(scene))
     {
       check_hub(*this);
       for (const BodyParameters &body : scene.bodies)
         check_green_body(*this, body);
     }
-    if (scene.runs("transient"))
+    if (goes_through_time())
     {
       std::vector<std::string> with_modes;
       for (const BodyParameters &body : scene.bodies)
@@ -361,6 +362,8 @@ namespace vibrocontact
         check_sweep_model("Transient", transient);
       signals.check(with_modes, transient);
     }
+    if (scene.runs("limit cycle"))
+      check_limit_cycle(*this);
     if (scene.runs("export"))
       check_export(*this);
     if (scene.runs("frequency response"))
@@ -403,8 +406,8 @@ namespace vibrocontact
     {
       const ContactParameters &one = contacts.all[k];
       for (const unsigned int b : {bodies_of_contact(k).first, bodies_of_contact(k).second})
-        if ((scene.runs("transient") || scene.runs("periodic")) && one.friction > 0 &&
-            b < scene.bodies.size() && scene.bodies[b].description->moves_along_z_only() &&
+        if ((goes_through_time() || scene.runs("periodic")) && one.friction > 0 && b < scene.bodies.size() &&
+            scene.bodies[b].description->moves_along_z_only() &&
             (b == 0 || scene.runs("periodic") || !one.name.empty()))
           throw InputError(scene.bodies[b].name + " is a " + scene.bodies[b].type +
                            ", which moves in one direction only: set " + one.section +
@@ -414,9 +417,10 @@ namespace vibrocontact
       if (body.is_meshed() && !modes.at(body.name).any())
       {
         if (has_dynamics() || scene.runs("periodic"))
-          throw InputError(body.name + "/Modes asks for no modes, but stability, transient, modal "
-                                       "convolution and periodic move the body by "
-                                       "them; give Upper frequency or Count");
+          throw InputError(body.name +
+                           "/Modes asks for no modes, but stability, transient, limit cycle, modal "
+                           "convolution and periodic move the body by "
+                           "them; give Upper frequency or Count");
         if (body.rolls() && has_contact())
           throw InputError(body.name +
                            "/Modes asks for no modes, but its material, which rolls, flows through "

@@ -1,23 +1,15 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/run/check_contacts.h>
 #include <vibrocontact/run/parameters.h>
 
 namespace vibrocontact
 {
-  namespace
-  {
-    /// Whether an analysis moves body 1 over body 2 as section Rolling says.
-    bool moves(const Scene &scene)
-    {
-      return scene.runs("quasi-static rolling") || scene.runs("stability") || scene.runs("transient");
-    }
-  } // namespace
-
   void Parameters::find_flat_faces()
   {
     const bool shifted = lateral_sweep() != nullptr;
-    if ((moves(scene) || scene.runs("quasi-static loading")) && !shifted)
+    if ((rolls_or_slides(scene) || scene.runs("quasi-static loading")) && !shifted)
       for (unsigned int k = 0; k < contacts.all.size(); ++k)
         find_flat_faces(k);
   }
@@ -43,7 +35,7 @@ namespace vibrocontact
       contact.flat_faces.push_back({faces[k]->x_low - origin[0], faces[k]->x_high - origin[0],
                                     faces[k]->y_low - origin[1], faces[k]->y_high - origin[1]});
     }
-    const bool rolls = rolling.creepage.speed > 0 && moves(scene);
+    const bool rolls = rolling.creepage.speed > 0 && rolls_or_slides(scene);
     contact.at_rest = !rolls;
     const auto is_flat = [&](const unsigned int k)
     {

@@ -84,6 +84,7 @@ namespace vibrocontact
     transient.declare_parameters(prm);
     declare("Signals", signals);
     prm.leave_subsection();
+    declare("Limit cycle", limit_cycle);
     declare("Stability", stability);
     declare("Frequency response", frequency_response);
     declare("Road", road);

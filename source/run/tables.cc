@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/export/run_export.h>
 #include <vibrocontact/analyses/frequency_response/run_frequency_response.h>
 #include <vibrocontact/analyses/identification/run_identification.h>
+#include <vibrocontact/analyses/limit_cycle/run_limit_cycle.h>
 #include <vibrocontact/analyses/loading/run_loading.h>
 #include <vibrocontact/analyses/modal_convolution/run_modal_convolution.h>
 #include <vibrocontact/analyses/modes/run_modes.h>
@@ -26,6 +27,7 @@ namespace vibrocontact
                        periodic_analysis(),
                        stability_analysis(),
                        transient_analysis(),
+                       limit_cycle_analysis(),
                        modal_convolution_analysis(),
                        export_analysis()};
     return tables;

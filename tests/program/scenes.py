@@ -62,8 +62,8 @@ BODIES = {
     "half-space": ("half-space", ["Half-space/Radius x = 0.3", "Half-space/Radius y = 0.3"], "half-space", True, None),
     "rigid": ("rigid", ["Rigid/Radius x = 0.3", "Rigid/Radius y = 0.3"], "half-space", True, None),
 }
-ANALYSES = ["modes", "frequency response", "quasi-static rolling", "quasi-static loading", "stability", "transient", "modal convolution",
-            "periodic"]
+ANALYSES = ["modes", "frequency response", "quasi-static rolling", "quasi-static loading", "stability", "transient", "limit cycle",
+            "modal convolution", "periodic"]
 PRESSED = ["Rolling/Hub displacement = 1e-6"]
 
 
@@ -97,6 +97,7 @@ def entries(analysis, kind, rubs, place, speed):
         "stability": pair,
         "transient": pair + ["Transient/Time step = 1e-6", "Transient/End time = 2e-5"]
                      + (["Transient/Reaction = end of step"] if kind in ("oscillator", "identified") else []),
+        "limit cycle": pair,
         "modal convolution": grid +
                              ["Road/Indentation = 1e-6", f"Modal convolution/Time step = {step}",
                               "Modal convolution/End time = 2e-3"],
@@ -129,7 +130,7 @@ def is_alone(analysis, kind):
 
 def is_below(analysis, kind):
     """Whether it looks up at the other body."""
-    return kind == "blade" and analysis in ("quasi-static rolling", "quasi-static loading", "stability", "transient")
+    return kind == "blade" and analysis in ("quasi-static rolling", "quasi-static loading", "stability", "transient", "limit cycle")
 
 
 def text(analysis, name, settings):

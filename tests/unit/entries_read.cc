@@ -45,6 +45,7 @@ namespace
       {"Modal convolution/Contact solver",
        "common asks Contact/Solver, whose automatic Method chooses the active set as well where it may"},
       {"Contact/Friction law", "names the law that the other entries of friction mean already"},
+      {"Limit cycle/Max Newton iterations", "a cycle that needs more is not found"},
       {"Transient/Checkpoint interval", "a matter of wall time"},
       {"Modal convolution/Checkpoint interval", "a matter of wall time"},
       {"Contact/Half length",
@@ -52,6 +53,12 @@ namespace
       {"Continuation/Smallest step", "a branch that asks for shorter ones ends and says so"},
       {"Comparison/Repetitions", "times are measured more often"},
       {"Wheel/Write mesh", "a file beside the results"}};
+
+  /// The same for one scene: "scene: entry".
+  const std::map<std::string, std::string> exempt_in_scene = {
+      {"limit_cycle: Contact/Half width", "a pad on a plane touches all over, the grid ends with its face"},
+      {"limit_cycle: Contact/Offset x", "a plane is the same everywhere"},
+      {"limit_cycle: Contact/Offset y", "a plane is the same everywhere"}};
 
   /// The value whose key is what the path ends with; null if there is none.
   template <typename T>
@@ -66,6 +73,9 @@ namespace
 
   /// Values to be tried first: of texts, and of numbers that a small change does not move.
   const std::map<std::string, std::vector<std::string>> chosen_values = {
+      {"Limit cycle/Multipliers", {"3"}},
+      {"Limit cycle/Roots", {"5"}},
+      {"Limit cycle/Tolerance", {"1e-3"}},
       {"Identification/Iterations", {"1"}},
       {"Identification/Residue tolerance", {"0.1"}},
       {"Periodic/Quadrature points", {"126"}},
@@ -302,7 +312,8 @@ TEST_P(EntriesRead_, ChangeTheResultOrAreRefused)
   for (const DeclaredParameters::Entry &entry : declared_parameters(prm).entries)
   {
     const std::string path = joined_path(entry.section, entry.name);
-    if (entry.section.empty() || entry.name == "Type" || of_end(exempt, path))
+    if (entry.section.empty() || entry.name == "Type" || of_end(exempt, path) ||
+        exempt_in_scene.count(GetParam() + ": " + path) > 0)
     {
       ++n_exempt;
       continue;

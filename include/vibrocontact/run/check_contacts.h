@@ -10,6 +10,9 @@ namespace vibrocontact
   /// Sections of the analyses that run on another model than the reduced one, and that model.
   std::map<std::string, std::string> unreduced_models(const Parameters &parameters);
 
+  /// Whether an analysis moves body 1 over body 2 as section Rolling says.
+  bool rolls_or_slides(const Scene &scene);
+
   /// What contacts join and where, against the bodies of the scene and the analyses. @throws InputError
   void check_contacts(const Parameters &parameters);
 

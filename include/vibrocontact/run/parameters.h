@@ -2,6 +2,7 @@
 
 #include <vibrocontact/analyses/frequency_response/frequency_response.h>
 #include <vibrocontact/analyses/identification/identification.h>
+#include <vibrocontact/analyses/limit_cycle/limit_cycle_parameters.h>
 #include <vibrocontact/analyses/modal_convolution/method_comparison.h>
 #include <vibrocontact/analyses/periodic/periodic.h>
 #include <vibrocontact/analyses/stability/stability.h>
@@ -38,6 +39,7 @@ namespace vibrocontact
     LoadingParameters loading;
     TransientParameters transient;
     SignalParameters signals;
+    LimitCycleParameters limit_cycle;
     StabilityParameters stability;
     FrequencyResponseParameters frequency_response;
     RoadParameters road;
@@ -126,6 +128,8 @@ namespace vibrocontact
       return scene.runs("quasi-static loading") ||
              (scene.runs("transient") && transient.starts_from_loading());
     }
+    /// by the steps of section Transient
+    bool goes_through_time() const { return scene.runs("transient") || scene.runs("limit cycle"); }
     /// body 1 is no half-space
     bool has_hub() const { return scene.bodies[0].vibrates() || scene.bodies[0].description->is_rigid(); }
     /// Whether some body touches in one point only.

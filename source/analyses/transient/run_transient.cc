@@ -67,10 +67,7 @@ namespace vibrocontact
                                     : prepare_pair_in_time(parameters, bodies, measured);
       ContactPair pair =
           contact_pair(prepared.prepared->bodies, parameters.contacts, parameters.placed_contacts());
-      for (Probe &probe : probes)
-        for (unsigned int b = 0; b < bodies.size(); ++b)
-          if (parameters.scene.bodies[b].name == probe.body)
-            probe.first = std::find(pair.body.begin(), pair.body.end(), b + 1) - pair.body.begin();
+      place_in_pair(parameters, pair, probes);
       return pair;
     }
 
@@ -377,12 +374,7 @@ namespace vibrocontact
     /// Bodies with their modes, and shapes where probes are, are made by all ranks.
     PreparedRun prepare_transient(const AnalysisRun &on)
     {
-      for (const ProbeRequest &request : parse_probes(on.parameters.signals.probes))
-        for (const auto &body : on.bodies)
-          if (body && !body->parameters.has_complex_modes() &&
-              (request.body == body->parameters.name ||
-               (request.name.empty() && body->reduction.request().wheel)))
-            body->reduction.surface_shapes();
+      request_probe_shapes(on.parameters, on.bodies);
       reduce_bodies(on.bodies, true);
       return do_transient;
     }

@@ -18,21 +18,6 @@ namespace vibrocontact
                  : 1;
     }
 
-    /// One per mode of the pair, for a step of h [s].
-    std::vector<ModalStep> modal_steps(const TransientParameters &parameters, const ContactPair &pair,
-                                       const double h)
-    {
-      const ReactionWeighting weighting = parameters.reaction == "end of step"
-                                              ? ReactionWeighting::end_of_step
-                                              : ReactionWeighting::as_other_forces;
-      std::vector<ModalStep> steps;
-      for (unsigned int k = 0; k < pair.n_modes(); ++k)
-        steps.push_back(
-            parameters.integrator == "exact propagator"
-                ? exact_step(pair.omega[k], pair.damping_ratio[k], h, weighting)
-                : theta_step(pair.omega[k], pair.damping_ratio[k], parameters.theta, h, weighting));
-      return steps;
-    }
     StepWeights pole_steps(const TransientParameters &parameters, const ContactPair &pair, const double h)
     {
       const ForceInterpolation interpolation =
@@ -42,6 +27,20 @@ namespace vibrocontact
                  : theta_weights(pair, h, interpolation, parameters.theta);
     }
   } // namespace
+
+  std::vector<ModalStep> modal_steps(const TransientParameters &parameters, const ContactPair &pair,
+                                     const double h)
+  {
+    const ReactionWeighting weighting = parameters.reaction == "end of step"
+                                            ? ReactionWeighting::end_of_step
+                                            : ReactionWeighting::as_other_forces;
+    std::vector<ModalStep> steps;
+    for (unsigned int k = 0; k < pair.n_modes(); ++k)
+      steps.push_back(parameters.integrator == "exact propagator"
+                          ? exact_step(pair.omega[k], pair.damping_ratio[k], h, weighting)
+                          : theta_step(pair.omega[k], pair.damping_ratio[k], parameters.theta, h, weighting));
+    return steps;
+  }
 
   StepLevels::StepLevels(const TransientParameters &parameters, const ContactSections &contact,
                          const ContactSolverParameters &solver, const ContactPair &pair, const double speed)

@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/transient/transient_probes.h>
 #include <vibrocontact/base/log.h>
 
+#include <algorithm>
 #include <optional>
 #include <sstream>
 
@@ -49,5 +50,24 @@ namespace vibrocontact
       }
     }
     return probes;
+  }
+
+  void place_in_pair(const Parameters &parameters, const ContactPair &pair, std::vector<Probe> &probes)
+  {
+    const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
+    for (Probe &probe : probes)
+      for (unsigned int b = 0; b < bodies.size(); ++b)
+        if (bodies[b].name == probe.body)
+          probe.first = std::find(pair.body.begin(), pair.body.end(), b + 1) - pair.body.begin();
+  }
+
+  void request_probe_shapes(const Parameters &parameters, const MeshedBodies &bodies)
+  {
+    for (const ProbeRequest &request : parse_probes(parameters.signals.probes))
+      for (const auto &body : bodies)
+        if (body && !body->parameters.has_complex_modes() &&
+            (request.body == body->parameters.name ||
+             (request.name.empty() && body->reduction.request().wheel)))
+          body->reduction.surface_shapes();
   }
 } // namespace vibrocontact

@@ -66,6 +66,17 @@ namespace vibrocontact
     /// found
     const ContactSolution &advance(DynamicState &state, const Drive &drive, ContactSolver &solver);
 
+    // what the derivative of a step needs
+    /// of each mode
+    const std::vector<ModalStep> &steps_of_modes() const { return steps; }
+    const StepMatrices &matrices_of_step() const { return matrices; }
+    /// of the last step: points on the grid, their contact problem and its solution
+    const std::vector<unsigned int> &nearby_points() const { return step_operator->points(); }
+    const ContactProblem &last_problem() const { return problem; }
+    const ContactSolution &last_solution() const { return solution; }
+    /// rows of gap and slip per approach of all points, 3 n [-, 1/s]
+    const DenseVector &approach_rows() const { return by_approach; }
+
   private:
     /// Whether a point that is not nearby had, at the last search, a gap of at most the distance [m].
     bool another_within(const DynamicState &state, double distance) const;

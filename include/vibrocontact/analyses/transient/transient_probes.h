@@ -11,4 +11,10 @@ namespace vibrocontact
   /// @throws InputError. Collective.
   std::vector<Probe> transient_probes(const Parameters &parameters, const MeshedBodies &bodies,
                                       const std::vector<SurfaceShapes> &unreduced = {});
+
+  /// Tells the probes where the modes of their bodies begin in the pair.
+  void place_in_pair(const Parameters &parameters, const ContactPair &pair, std::vector<Probe> &probes);
+
+  /// Asks the bodies for the shapes at their probes, before they are reduced for cases of a sweep. Collective.
+  void request_probe_shapes(const Parameters &parameters, const MeshedBodies &bodies);
 } // namespace vibrocontact

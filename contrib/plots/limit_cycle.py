@@ -1,0 +1,101 @@
+"""Limit cycles: a period of each, its harmonics, and what its Floquet multipliers say of small disturbances."""
+import glob
+import os
+
+import numpy as np
+
+from plots.common import LIMIT, LINE, OPEN, plt, read_table, save, STICK, UNSTABLE
+
+
+def plot_limit_cycles(folder, limit_cycle):
+    found = [(k + 1, cycle) for k, cycle in enumerate(limit_cycle["cycles"])
+             if os.path.exists(os.path.join(glob.escape(folder), f"limit_cycle_{k + 1}.csv")) and cycle["status"] == "converged"]
+    if not found:
+        return
+    figure, axes = plt.subplots(len(found), 3, figsize=(11, 2.5 * len(found) + 0.4), squeeze=False)
+    for (k, cycle), row in zip(found, axes):
+        plot_period(row[0], read_table(os.path.join(folder, f"limit_cycle_{k}.csv")), cycle)
+        plot_harmonics(row[1], read_table(os.path.join(folder, f"limit_cycle_{k}_harmonics.csv")))
+        plot_disturbances(row[2], cycle)
+    axes[-1][0].set_xlabel("time [ms]")
+    axes[-1][1].set_xlabel("frequency [Hz]")
+    axes[-1][2].set_xlabel("frequency of a disturbance [Hz]")
+    figure.tight_layout()
+    save(figure, folder, "limit_cycles")
+
+
+def main_signal(table):
+    """The first velocity, or the normal force of bodies without probes."""
+    velocities = [name for name in table if name.endswith("_velocity_m_s")]
+    if velocities:
+        return velocities[0], velocities[0].replace("_velocity_m_s", "").replace("_", " ") + " [m/s]"
+    return next(name for name in table if name.endswith("normal_force_N")), "normal force [N]"
+
+
+def plot_period(axis, table, cycle):
+    name, label = main_signal(table)
+    axis.plot(1e3 * table["time_s"], table[name], color=LINE)
+    axis.set_ylabel(label)
+    axis.set_title(f"{cycle['frequency_Hz']:.2f} Hz", loc="left")
+    points = axis.twinx()
+    points.fill_between(1e3 * table["time_s"], table["contact_points"], color=OPEN, step="pre", zorder=0)
+    points.fill_between(1e3 * table["time_s"], table["stick_points"], color=STICK, alpha=0.5, step="pre", zorder=1)
+    points.set_ylabel("points (blue: stick)")
+    axis.set_zorder(points.get_zorder() + 1)
+    axis.patch.set_visible(False)
+
+
+def plot_harmonics(axis, table):
+    name, label = main_signal(table)
+    audible = table["harmonic"] > 0
+    axis.stem(table["frequency_Hz"][audible], table[name][audible], linefmt=LINE, markerfmt=".", basefmt=" ")
+    axis.set_yscale("log")
+    axis.set_ylabel(label)
+    axis.grid(alpha=0.3)
+
+
+def plot_disturbances(axis, cycle):
+    multipliers = cycle.get("stability", {}).get("multipliers", [])
+    growth = np.array([one["growth_1_s"] for one in multipliers])
+    frequency = np.array([one["frequency_Hz"] for one in multipliers])
+    axis.axhline(0, color=LIMIT, lw=1)
+    axis.plot(frequency[growth < 0], growth[growth < 0], "o", color=STICK, ms=4)
+    axis.plot(frequency[growth >= 0], growth[growth >= 0], "o", color=UNSTABLE, ms=4)
+    axis.set_ylabel("growth [1/s]")
+    axis.set_title("stable" if len(growth) and growth.max() < 0 else "unstable" if len(growth) else "", loc="left")
+    axis.grid(alpha=0.3)
+
+
+def plot_amplitudes(folder, sweep):
+    """Amplitude of the loudest signal of each cycle over the swept entry, by the root that it began from; onset where it ends."""
+    column = sweep["swept_columns"][0]
+    if len(sweep["swept_columns"]) > 1:
+        return
+    curves = {}
+    for case in sweep["cases"]:
+        for cycle in case.get("limit_cycle", {}).get("cycles", []):
+            velocities = [one for one in cycle.get("signals", []) if "level_dB" in one]
+            if velocities:
+                loudest = max(velocities, key=lambda one: one["level_dB"])
+                curves.setdefault(cycle["root"]["label"], []).append(
+                    (case["swept"][column], loudest["amplitude"], cycle["frequency_Hz"], cycle.get("stability", {}).get("stable")))
+    if not curves:
+        return
+    figure, (loud, pitch) = plt.subplots(1, 2, figsize=(10, 3.8))
+    for label, points in sorted(curves.items()):
+        value, amplitude, frequency, stable = zip(*points)
+        line, = loud.plot(value, amplitude, "-", lw=1, label=label)
+        for one, marker, face in ((True, "o", line.get_color()), (False, "o", "white"), (None, ".", line.get_color())):
+            chosen = [k for k, found in enumerate(stable) if found is one]
+            loud.plot([value[k] for k in chosen], [amplitude[k] for k in chosen], marker, ms=4, mfc=face, color=line.get_color())
+        pitch.plot(value, frequency, ".-", color=line.get_color())
+    loud.set_ylabel("velocity of the loudest probe [m/s]")
+    loud.set_title("o stable   \u25cb unstable   . not judged", loc="left", fontsize=8)
+    loud.set_ylim(0, None)
+    pitch.set_ylabel("frequency [Hz]")
+    for axis in (loud, pitch):
+        axis.set_xlabel(sweep["swept_entries"][0].rpartition("/")[2])
+        axis.grid(alpha=0.3)
+    loud.legend(fontsize=8, frameon=False)
+    figure.tight_layout()
+    save(figure, folder, "limit_cycle_amplitudes")

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <vibrocontact/analyses/limit_cycle/step_derivative.h>
+#include <vibrocontact/analyses/transient/transient_parameters.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// The march of the transient over one period T in m equal steps, as a map of the state that it starts from, and its derivative.
+  ///
+  /// The state is all that the next step depends on, in units of the root of an energy [sqrt(J)]: w q and v of every mode, then
+  /// s R of the rows of the points that may touch, s^2 the flexibility of the row itself. m is fixed, so that h = T / m changes with T.
+  class CycleMap
+  {
+  public:
+    /// Called after every step.
+    using Observer = std::function<void(const DynamicState &)>;
+
+    /// All are referred to. @param drive constant, at a given approach or normal force
+    /// @param approach at rest, from which the steps start to look for theirs if the force is given [m]
+    /// @param points of the grid that may touch, ascending, see points_around()
+    CycleMap(const TransientParameters &transient, const ContactSections &contact,
+             const ContactSolverParameters &solver, const ContactPair &pair, const Drive &drive,
+             double approach, const std::vector<unsigned int> &points, unsigned int n_steps);
+
+    unsigned int size() const { return 2 * pair.n_modes() + 3 * points.size(); }
+    unsigned int n_steps() const { return m; }
+    /// V [m/s]
+    double speed() const { return drive.creepage.speed; }
+    DenseVector pack(const DynamicState &state) const;
+    DynamicState unpack(const DenseVector &x) const;
+
+    /// The state after a period. @param keep_derivatives for derivative() @throws ConvergenceError where a step does not converge
+    DenseVector march(const DenseVector &x, double period, bool keep_derivatives,
+                      const Observer &observe = {});
+    // of the last march that kept its derivatives:
+    /// What changes of the start, one per column, make of the end.
+    DenseMatrix derivative(const DenseMatrix &starts) const;
+    DenseVector derivative(const DenseVector &start) const;
+    /// Derivative of the end by the period [sqrt(J)/s].
+    DenseVector by_period() const;
+    /// |Phi_x r - r| / |r|, r: rate(). A disturbance along the motion stays what it is, if the steps are short enough.
+    double change_along_motion() const;
+    /// The derivative by the whole start, square: the monodromy matrix.
+    DenseMatrix monodromy() const;
+    /// Change of the state over the last step of the last march, over its length [sqrt(J)/s]: how the motion goes on.
+    const DenseVector &rate() const { return rate_at_end; }
+    /// The derivative of one step of h [s] that starts from a state, square. @throws ConvergenceError
+    DenseMatrix one_step(const DynamicState &state, double step) const;
+
+    /// whether a contact was found outside of the points
+    bool left_its_points = false;
+    /// steps that were marched so far, and columns that derivatives were multiplied with
+    unsigned long n_marched_steps = 0;
+    mutable unsigned long n_products = 0;
+
+  private:
+    /// Whether only the points are loaded.
+    bool are_known(const DenseVector &R) const;
+    StateChanges changes_of(const DenseMatrix &x) const;
+    DenseMatrix packed(const StateChanges &changes) const;
+    DenseMatrix unit_starts() const;
+    std::unique_ptr<ContactStepper> stepper_of(double step) const;
+
+    const TransientParameters &transient;
+    const ContactSections &contact;
+    ContactSolverParameters solver;
+    const ContactPair &pair;
+    const Drive drive;
+    const double approach;
+    const std::vector<unsigned int> points;
+    /// on the grid; 3 n_points, by component
+    std::vector<unsigned int> rows;
+    const unsigned int m;
+    /// of amplitudes [1/s] and of forces [sqrt(m/N)]
+    std::vector<double> frequency, root_of_flexibility;
+    /// of loads that stay, on the modes
+    DenseVector constant_force;
+    double marched_period = 0;
+    std::unique_ptr<ContactStepper> stepper;
+    std::unique_ptr<StepOnPoints> on_points;
+    /// Psi on the rows
+    DenseMatrix trace;
+    std::vector<StepDerivative> derivatives;
+    std::vector<StepEnds> ends;
+    std::vector<ModalStep> by_length;
+    DenseVector rate_at_end;
+  };
+
+  /// Points that carry load, and their neighbours up to so many columns and rows of their grid away; ascending.
+  std::vector<unsigned int> points_around(const PlacedContacts &contacts, const DenseVector &R,
+                                          unsigned int distance);
+} // namespace vibrocontact

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vibrocontact/analyses/limit_cycle/cycle_map.h>
+#include <vibrocontact/coupled_bodies/stability_roots.h>
+
+#include <utility>
+
+namespace vibrocontact
+{
+  /// The shape of an unstable root as a motion about the equilibrium.
+  class RootMotion
+  {
+  public:
+    /// @param equilibrium at rest, with the slips of its contact
+    RootMotion(const CycleMap &map, const ContactPair &pair, const DynamicState &equilibrium,
+               const StabilityRoot &root);
+
+    /// The equilibrium, and the shape at such a velocity of the point that it moves fastest along the contact [m/s].
+    DenseVector state(double velocity) const;
+    /// Makes a motion larger or smaller, until velocity_in() is this [m/s].
+    void scale(DenseVector &state, double velocity) const;
+    /// How much of the shape's motion is in a state [m/s].
+    double velocity_in(const DenseVector &state) const;
+    /// Where a state is on the way from the shape to the shape a quarter of a period later and on [rad].
+    double phase_of(const DenseVector &state) const;
+
+    /// least slip of the loaded points at the equilibrium [m/s]: from such velocities on they stick
+    double least_slip = 0;
+
+  private:
+    unsigned int n_modes;
+    /// Shares of shape and later in a state [m/s].
+    std::pair<double, double> shares_in(const DenseVector &state) const;
+    /// the equilibrium; the shape at unit velocity, and a quarter of a period later
+    DenseVector equilibrium, shape, later;
+  };
+
+  /// A state near the cycle that a root grows to: velocities are tried until a motion of a few periods neither grows nor decays.
+  struct CycleStart
+  {
+    DenseVector state;
+    /// of the shape [m/s], growth there [1/s] and time that the motion takes to come round [s]
+    double velocity = 0, growth = 0, period = 0;
+  };
+  /// @throws ConvergenceError if no velocity is found at which growth ends, or a step does not converge
+  CycleStart start_of_cycle(CycleMap &map, const RootMotion &motion, const StabilityRoot &root);
+
+  /// Lets a motion go on for so many of its periods. @throws ConvergenceError
+  void let_go_on(CycleMap &map, const RootMotion &motion, unsigned int n_periods, CycleStart &start);
+} // namespace vibrocontact

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vibrocontact/analyses/limit_cycle/cycle_map.h>
+#include <vibrocontact/analyses/limit_cycle/limit_cycle_parameters.h>
+#include <vibrocontact/analyses/limit_cycle/multipliers.h>
+#include <vibrocontact/coupled_bodies/stability_roots.h>
+
+#include <optional>
+#include <string>
+
+namespace vibrocontact
+{
+  /// A periodic motion of the coupled bodies, and how it was found.
+  struct LimitCycle
+  {
+    /// the unstable root of the equilibrium that it began from
+    StabilityRoot root;
+    bool converged = false;
+    /// why not
+    std::string message;
+    /// [s], in so many steps
+    double period = 0;
+    unsigned int n_steps = 0;
+    /// at its begin, see CycleMap; |x(T) - x(0)| over |x(0) - equilibrium|
+    DenseVector state;
+    double residual = 0;
+    /// what a period changes a disturbance along the motion by, over itself; 0 for infinitely short steps
+    double change_along = 0;
+    /// nothing: not asked for
+    std::optional<CycleStability> stability;
+    /// Newton iterations, columns that derivatives were multiplied with, steps that were marched
+    unsigned int newton_iterations = 0;
+    unsigned long n_products = 0, n_marched_steps = 0;
+    /// until it was found, and what its stability took [s]
+    double seconds = 0, stability_seconds = 0;
+  };
+
+  /// The cycle that an unstable root grows to, without time going by: its amplitude is estimated by marches over a few
+  /// periods (start_of_cycle()), then Newton's method closes it (CycleEquations).
+  /// @param equilibrium at rest, with its contact
+  LimitCycle find_limit_cycle(CycleMap &map, const ContactPair &pair, const DynamicState &equilibrium,
+                              const StabilityRoot &root, const LimitCycleParameters &parameters);
+
+  /// Steps of a period of a root.
+  unsigned int steps_of_period(const StabilityRoot &root, const LimitCycleParameters &parameters);
+} // namespace vibrocontact

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vibrocontact/base/dense.h>
+
+#include <complex>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// A Floquet multiplier mu of a cycle of period T: what a small disturbance is multiplied with in a period.
+  struct Multiplier
+  {
+    std::complex<double> value;
+    /// ln |mu| / T [1/s], positive: it grows; |arg mu| / (2 pi T), known up to whole frequencies of the cycle [Hz]
+    double growth = 0, frequency = 0;
+  };
+
+  struct CycleStability
+  {
+    /// of each pair one, the largest first, without the trivial one
+    std::vector<Multiplier> multipliers;
+    /// |mu - 1| of the disturbance along the cycle, which is 1
+    double trivial_error = 0;
+    bool is_stable() const { return multipliers.empty() || multipliers.front().growth < 0; }
+    /// What the largest multiplier beyond the circle does: "fold", "period doubling", "torus"; empty: stable
+    std::string instability() const;
+  };
+
+  /// @param monodromy derivative of the state after a period @param rate of the motion there, to tell the trivial multiplier
+  /// @throws ConvergenceError if LAPACK finds no eigenvalues
+  CycleStability cycle_stability(const DenseMatrix &monodromy, const DenseVector &rate, double period);
+} // namespace vibrocontact

@@ -1,0 +1,34 @@
+#include <vibrocontact/analyses/limit_cycle/check_limit_cycle.h>
+#include <vibrocontact/base/exceptions.h>
+
+#include <algorithm>
+
+namespace vibrocontact
+{
+  void check_limit_cycle(const Parameters &parameters)
+  {
+    const std::string lists = "Analyses lists limit cycle";
+    const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
+    if (std::none_of(bodies.begin(), bodies.end(),
+                     [](const BodyParameters &body) { return body.vibrates(); }))
+      throw InputError(lists + ", but no body has modes: leave it out.");
+    if (!(parameters.largest_friction() > 0))
+      throw InputError(lists + ", but Contact/Friction coefficient is 0, so that nothing slides or sticks: "
+                               "give a friction coefficient.");
+    const std::string but = lists + ", which does not take ";
+    if (hub_has_mass(parameters.hub()))
+      throw InputError(but + "a hub with mass: set Rolling/Hub to held or massless.");
+    for (const ContactParameters &contact : parameters.contacts.all)
+      if (contact.law_of_friction()->jump() > 0)
+        throw InputError(but + "friction that falls at once from rest to sliding, as that of " +
+                         contact.section + " does: let it fall over the slip speed.");
+    for (const BodyParameters &body : bodies)
+      if (body.is_green() || body.has_complex_modes())
+        throw InputError(but + "a body known by poles (" + body.name + ").");
+    for (const BodyParameters &body : bodies)
+      if (body.is_meshed() && parameters.modes.at(body.name).stiffness_damping > 0)
+        throw InputError(body.name +
+                         "/Modes/Stiffness damping is above 0, but in limit cycles what the modes leave "
+                         "out follows forces at once: set it to 0.");
+  }
+} // namespace vibrocontact

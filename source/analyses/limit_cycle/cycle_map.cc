@@ -1,0 +1,288 @@
+#include <vibrocontact/analyses/limit_cycle/cycle_map.h>
+#include <vibrocontact/analyses/transient/step_levels.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/contact_solvers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// of the contact of a step: what a period adds up to has to be below the tolerance of a cycle
+    constexpr double contact_tolerance = 1e-11;
+  } // namespace
+
+  CycleMap::CycleMap(const TransientParameters &transient, const ContactSections &contact,
+                     const ContactSolverParameters &solver, const ContactPair &pair, const Drive &drive,
+                     const double approach, const std::vector<unsigned int> &points,
+                     const unsigned int n_steps)
+      : transient(transient), contact(contact), solver(solver), pair(pair), drive(drive), approach(approach),
+        points(points), m(n_steps), frequency(pair.omega)
+  {
+    for (unsigned int c = 0; c < 3; ++c)
+      for (const unsigned int point : points)
+        rows.push_back(contact_row(pair.n_points(), c, point));
+    trace.reinit(rows.size(), pair.n_modes());
+    for (unsigned int k = 0; k < pair.n_modes(); ++k)
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        trace(i, k) = pair.trace(rows[i], k);
+    this->solver.tolerance = std::min(solver.tolerance, contact_tolerance);
+    AssertThrow(pair.n_modes() > 0 && !points.empty(), dealii::ExcInternalError());
+    constant_force.reinit(pair.n_modes());
+    for (unsigned int k = 0; k < pair.n_modes(); ++k)
+      constant_force[k] = pair.modal_load[k] + pair.hub_participation(k) * drive.hub_acceleration +
+                          pair.force_participation(k) * drive.force;
+    // motions without frequency and rows that hardly yield count as slow and soft ones do
+    const double largest = *std::max_element(frequency.begin(), frequency.end());
+    for (double &w : frequency)
+      w = std::max(w, 1e-3 * largest);
+    for (unsigned int i = 0; i < rows.size(); ++i)
+    {
+      double flexibility = pair.residual(rows[i], rows[i]);
+      for (unsigned int k = 0; k < pair.n_modes(); ++k)
+        flexibility += std::pow(trace(i, k) / frequency[k], 2);
+      root_of_flexibility.push_back(std::sqrt(flexibility));
+    }
+    const double most = *std::max_element(root_of_flexibility.begin(), root_of_flexibility.end());
+    for (double &root : root_of_flexibility)
+      root = std::max(root, 1e-3 * most);
+  }
+
+  DenseMatrix CycleMap::packed(const StateChanges &changes) const
+  {
+    const unsigned int n_modes = pair.n_modes(), n_rows = rows.size();
+    DenseMatrix x(size(), changes.R.n());
+    for (unsigned int j = 0; j < x.n(); ++j)
+    {
+      for (unsigned int k = 0; k < n_modes; ++k)
+      {
+        x(k, j) = frequency[k] * changes.q(k, j);
+        x(n_modes + k, j) = changes.v(k, j);
+      }
+      for (unsigned int i = 0; i < n_rows; ++i)
+        x(2 * n_modes + i, j) = root_of_flexibility[i] * changes.R(i, j);
+    }
+    return x;
+  }
+
+  DenseVector CycleMap::pack(const DynamicState &state) const
+  {
+    const unsigned int n_modes = pair.n_modes();
+    DenseVector x(size());
+    for (unsigned int k = 0; k < n_modes; ++k)
+    {
+      x[k] = frequency[k] * state.q[k];
+      x[n_modes + k] = state.v[k];
+    }
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      x[2 * n_modes + i] = root_of_flexibility[i] * state.R[rows[i]];
+    return x;
+  }
+
+  DynamicState CycleMap::unpack(const DenseVector &x) const
+  {
+    const unsigned int n_modes = pair.n_modes();
+    DynamicState state;
+    for (unsigned int k = 0; k < n_modes; ++k)
+    {
+      state.q.push_back(x[k] / frequency[k]);
+      state.v.push_back(x[n_modes + k]);
+    }
+    state.R.reinit(3 * pair.n_points());
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      state.R[rows[i]] = x[2 * n_modes + i] / root_of_flexibility[i];
+    state.contact.approach = approach;
+    state.hub_acceleration = drive.hub_acceleration;
+    state.force = drive.force;
+    complete(pair, {}, state);
+    return state;
+  }
+
+  std::unique_ptr<ContactStepper> CycleMap::stepper_of(const double step) const
+  {
+    return std::make_unique<ContactStepper>(pair, find_creep_scheme(contact.first().creep_scheme), contact,
+                                            modal_steps(transient, pair, step), step, drive.creepage.speed);
+  }
+
+  bool CycleMap::are_known(const DenseVector &R) const
+  {
+    for (unsigned int i = 0; i < pair.n_points(); ++i)
+      if (R[i] > 0 && !std::binary_search(points.begin(), points.end(), i))
+        return false;
+    return true;
+  }
+
+  DenseVector CycleMap::march(const DenseVector &x, const double period, const bool keep_derivatives,
+                              const Observer &observe)
+  {
+    const double h = period / m;
+    if (!stepper || period != marched_period)
+    {
+      derivatives.clear();
+      stepper = stepper_of(h);
+      on_points = std::make_unique<StepOnPoints>(*stepper, points);
+      // central differences: off by 1e-8 of what they are
+      const double little = 1e-4 * h;
+      by_length = steps_by_length(modal_steps(transient, pair, h + little),
+                                  modal_steps(transient, pair, h - little), 2 * little);
+    }
+    marched_period = period;
+    if (keep_derivatives)
+    {
+      derivatives.clear();
+      ends.clear();
+      derivatives.reserve(m);
+    }
+    const auto contact_solver = create_contact_solver(solver);
+    DynamicState state = unpack(x), before;
+    for (unsigned int j = 0; j < m; ++j)
+    {
+      before = state;
+      const ContactSolution &solution = stepper->advance(state, drive, *contact_solver);
+      ++n_marched_steps;
+      if (!solution.converged)
+        throw ConvergenceError("the contact of step " + std::to_string(j + 1) + " of " + std::to_string(m) +
+                               " of the period did not converge");
+      if (!are_known(state.R))
+      {
+        left_its_points = true;
+        throw ConvergenceError("the contact reaches points that are far from those it has at rest");
+      }
+      if (keep_derivatives)
+      {
+        DenseVector change = state.residual_displacement;
+        change -= before.residual_displacement;
+        derivatives.emplace_back(*stepper, *on_points, change);
+        DenseVector begin = before.modal_force, end = state.modal_force;
+        begin += constant_force;
+        end += constant_force;
+        ends.push_back({before.q, before.v, begin, end, change});
+      }
+      if (observe)
+        observe(state);
+    }
+    const DenseVector end = pack(state);
+    rate_at_end = end;
+    rate_at_end -= pack(before);
+    rate_at_end /= h;
+    return end;
+  }
+
+  StateChanges CycleMap::changes_of(const DenseMatrix &x) const
+  {
+    const unsigned int n_modes = pair.n_modes(), n_rows = rows.size(), n_columns = x.n();
+    StateChanges changes;
+    for (DenseMatrix *const modal : {&changes.q, &changes.v, &changes.modal_force})
+      modal->reinit(n_modes, n_columns);
+    for (DenseMatrix *const of_rows : {&changes.R, &changes.residual_displacement})
+      of_rows->reinit(n_rows, n_columns);
+    changes.approach.assign(n_columns, 0.);
+    for (unsigned int j = 0; j < n_columns; ++j)
+    {
+      for (unsigned int k = 0; k < n_modes; ++k)
+      {
+        changes.q(k, j) = x(k, j) / frequency[k];
+        changes.v(k, j) = x(n_modes + k, j);
+      }
+      for (unsigned int i = 0; i < n_rows; ++i)
+        changes.R(i, j) = x(2 * n_modes + i, j) / root_of_flexibility[i];
+    }
+    trace.Tmmult(changes.modal_force, changes.R);
+    for (unsigned int j = 0; j < n_columns; ++j)
+      for (unsigned int i = 0; i < n_rows; ++i)
+        for (unsigned int k = 0; k < n_rows && changes.R(i, j) != 0; ++k)
+          changes.residual_displacement(k, j) += pair.residual(rows[k], rows[i]) * changes.R(i, j);
+    return changes;
+  }
+
+  DenseMatrix CycleMap::derivative(const DenseMatrix &starts) const
+  {
+    n_products += starts.n();
+    StateChanges changes = changes_of(starts);
+    for (const StepDerivative &step : derivatives)
+      step.advance(changes);
+    return packed(changes);
+  }
+
+  DenseVector CycleMap::derivative(const DenseVector &start) const
+  {
+    DenseMatrix column(size(), 1);
+    std::copy(start.begin(), start.end(), &column(0, 0));
+    const DenseMatrix end = derivative(column);
+    return DenseVector(&end(0, 0), &end(0, 0) + size());
+  }
+
+  DenseVector CycleMap::by_period() const
+  {
+    StateChanges changes = changes_of(DenseMatrix(size(), 1));
+    const LengthChange longer = {by_length, 1. / m};
+    for (unsigned int j = 0; j < m; ++j)
+      derivatives[j].advance(changes, &longer, &ends[j]);
+    const DenseMatrix end = packed(changes);
+    return DenseVector(&end(0, 0), &end(0, 0) + size());
+  }
+
+  double CycleMap::change_along_motion() const
+  {
+    DenseVector change = derivative(rate_at_end);
+    change -= rate_at_end;
+    return change.l2_norm() / rate_at_end.l2_norm();
+  }
+
+  DenseMatrix CycleMap::unit_starts() const
+  {
+    DenseMatrix starts(size(), size());
+    for (unsigned int i = 0; i < size(); ++i)
+      starts(i, i) = 1;
+    return starts;
+  }
+
+  DenseMatrix CycleMap::monodromy() const
+  {
+    return derivative(unit_starts());
+  }
+
+  DenseMatrix CycleMap::one_step(const DynamicState &from, const double step) const
+  {
+    const auto one = stepper_of(step);
+    DynamicState state = from;
+    if (!one->advance(state, drive, *create_contact_solver(solver)).converged)
+      throw ConvergenceError("the contact of a step from the equilibrium did not converge");
+    StateChanges changes = changes_of(unit_starts());
+    const StepOnPoints on(*one, points);
+    DenseVector change = state.residual_displacement;
+    change -= from.residual_displacement;
+    StepDerivative(*one, on, change).advance(changes);
+    return packed(changes);
+  }
+
+  std::vector<unsigned int> points_around(const PlacedContacts &contacts, const DenseVector &R,
+                                          const unsigned int distance)
+  {
+    std::vector<bool> chosen(contacts.n_points(), false);
+    for (unsigned int k = 0; k < contacts.all.size(); ++k)
+    {
+      const ContactGrid &grid = contacts.all[k].grid;
+      const unsigned int first = contacts.first_point(k);
+      const auto near = [&](const unsigned int at, const unsigned int n)
+      { return std::make_pair(at > distance ? at - distance : 0u, std::min(n - 1, at + distance)); };
+      for (unsigned int i = 0; i < grid.n_points(); ++i)
+      {
+        if (!(R[first + i] > 0))
+          continue;
+        const auto [x_low, x_high] = near(i % grid.n_x, grid.n_x);
+        const auto [y_low, y_high] = near(i / grid.n_x, grid.n_y);
+        for (unsigned int y = y_low; y <= y_high; ++y)
+          for (unsigned int x = x_low; x <= x_high; ++x)
+            chosen[first + y * grid.n_x + x] = true;
+      }
+    }
+    std::vector<unsigned int> points;
+    for (unsigned int i = 0; i < chosen.size(); ++i)
+      if (chosen[i])
+        points.push_back(i);
+    return points;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,158 @@
+#include <vibrocontact/analyses/limit_cycle/cycle_start.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// periods before growth is measured, and those over which it is
+    constexpr unsigned int settling = 2, measured = 2;
+    constexpr double least_share_of_mean = 0.2;
+    /// First velocity over the least slip: a little beyond, so that points stick. Factor to the next one if it grows there, and how
+    /// many are tried at most, some 50 times the first.
+    constexpr double first_velocity = 1.2, next_velocity = 1.4;
+    constexpr unsigned int most_trials = 12;
+    /// Newton's method begins where this share of the root's growth is left. Where nothing sticks all of it is left: from there it
+    /// would go back to rest. A motion that decays has stuck; there a small change over a period is enough.
+    constexpr double little_growth = 0.3, little_change = 2e-3;
+  } // namespace
+
+  RootMotion::RootMotion(const CycleMap &map, const ContactPair &pair, const DynamicState &at_rest,
+                         const StabilityRoot &root)
+      : least_slip(std::numeric_limits<double>::max()), n_modes(pair.n_modes()),
+        equilibrium(map.pack(at_rest))
+  {
+    const unsigned int n = pair.n_points();
+    const std::complex<double> lambda(root.growth, 2 * dealii::numbers::PI * root.frequency);
+    double fastest = 0, weight = 0, mean_slip = 0;
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      if (!(at_rest.R[i] > 0))
+        continue;
+      const double slip = std::hypot(at_rest.contact.y[n + i], at_rest.contact.y[2 * n + i]);
+      least_slip = std::min(least_slip, slip);
+      weight += at_rest.R[i];
+      mean_slip += at_rest.R[i] * slip;
+      for (unsigned int c = 1; c < 3; ++c)
+      {
+        std::complex<double> velocity = 0;
+        for (unsigned int k = 0; k < n_modes; ++k)
+          velocity += pair.trace(contact_row(n, c, i), k) * lambda * root.shape[k];
+        fastest = std::max(fastest, std::abs(velocity));
+      }
+    }
+    // single points beside a centre of rotation hardly slip, and say little
+    least_slip = std::max(least_slip, least_share_of_mean * mean_slip / weight);
+    if (!(fastest > 0))
+      throw ConvergenceError("the root does not move the contact along its surface");
+    const auto moved = [&](const std::complex<double> factor)
+    {
+      DynamicState state = at_rest;
+      for (unsigned int k = 0; k < n_modes; ++k)
+      {
+        state.q[k] += (factor * root.shape[k]).real() / fastest;
+        state.v[k] += (factor * lambda * root.shape[k]).real() / fastest;
+      }
+      DenseVector change = map.pack(state);
+      change -= equilibrium;
+      return change;
+    };
+    shape = moved(1);
+    later = moved({0, 1});
+  }
+
+  DenseVector RootMotion::state(const double velocity) const
+  {
+    DenseVector x = equilibrium;
+    x.add(velocity, shape);
+    return x;
+  }
+
+  void RootMotion::scale(DenseVector &state, const double velocity) const
+  {
+    const double factor = velocity / velocity_in(state);
+    state.sadd(factor, 1 - factor, equilibrium);
+  }
+
+  std::pair<double, double> RootMotion::shares_in(const DenseVector &state) const
+  {
+    DenseVector change = state;
+    change -= equilibrium;
+    // forces are no part of the shape
+    std::fill(change.begin() + 2 * n_modes, change.end(), 0.);
+    return {change * shape / shape.norm_sqr(), change * later / later.norm_sqr()};
+  }
+
+  double RootMotion::velocity_in(const DenseVector &state) const
+  {
+    const auto [now, then] = shares_in(state);
+    return std::hypot(now, then);
+  }
+
+  double RootMotion::phase_of(const DenseVector &state) const
+  {
+    const auto [now, then] = shares_in(state);
+    return std::atan2(then, now);
+  }
+
+  void let_go_on(CycleMap &map, const RootMotion &motion, const unsigned int n_periods, CycleStart &start)
+  {
+    constexpr double turn = 2 * dealii::numbers::PI;
+    start.velocity = motion.velocity_in(start.state);
+    double phases = 0;
+    for (unsigned int p = 0; p < n_periods; ++p)
+    {
+      const double before = motion.phase_of(start.state);
+      start.state = map.march(start.state, start.period, false);
+      // beyond a whole turn, to the nearest
+      phases += std::remainder(motion.phase_of(start.state) - before, turn);
+    }
+    const double time = n_periods * start.period;
+    start.growth = std::log(motion.velocity_in(start.state) / start.velocity) / time;
+    start.period = time / (n_periods + phases / turn);
+  }
+
+  CycleStart start_of_cycle(CycleMap &map, const RootMotion &motion, const StabilityRoot &root)
+  {
+    CycleStart now;
+    now.state = motion.state(first_velocity * motion.least_slip);
+    now.period = 1 / root.frequency;
+    // what is tried next begins as the last motion, larger or smaller: what dies out does so once
+    const auto grown = [&](const double velocity)
+    {
+      motion.scale(now.state, velocity);
+      let_go_on(map, motion, settling, now);
+      let_go_on(map, motion, measured, now);
+      return now;
+    };
+    // it grows at `low`, decays at `high`
+    CycleStart low, high;
+    double velocity = first_velocity * motion.least_slip;
+    for (unsigned int trial = 0; trial < most_trials; ++trial)
+    {
+      const CycleStart start = grown(velocity);
+      if (std::abs(start.growth) < little_growth * root.growth ||
+          (start.growth < 0 && -start.growth * start.period < little_change))
+        return start;
+      (start.growth > 0 ? low : high) = start;
+      (start.growth > 0 ? low : high).velocity = velocity;
+      if (high.velocity == 0)
+        velocity *= next_velocity;
+      else if (low.velocity == 0)
+        velocity = 0.7 * high.velocity;
+      else
+      {
+        // growth is that of the root up to the first stick, and falls along a straight line beyond
+        const double share = low.growth < 0.9 * root.growth ? low.growth / (low.growth - high.growth) : 0.5;
+        velocity = low.velocity + std::clamp(share, 0.1, 0.9) * (high.velocity - low.velocity);
+      }
+    }
+    throw ConvergenceError("no velocity up to " + number_text(std::max(low.velocity, high.velocity)) +
+                           " m/s in the contact was found at which the growth of the root ends");
+  }
+} // namespace vibrocontact

@@ -1,0 +1,115 @@
+#include <vibrocontact/analyses/limit_cycle/cycle_equations.h>
+#include <vibrocontact/analyses/limit_cycle/cycle_start.h>
+#include <vibrocontact/analyses/limit_cycle/limit_cycle.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
+
+#include <chrono>
+#include <cmath>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    using Clock = std::chrono::steady_clock;
+
+    double seconds_since(const Clock::time_point begin)
+    {
+      return std::chrono::duration<double>(Clock::now() - begin).count();
+    }
+
+    /// fewer steps do not show a sine
+    constexpr unsigned int least_steps = 8;
+    /// periods that are marched where Newton's method led nowhere, before it begins again
+    constexpr unsigned int periods_between[] = {0, 12, 36, 108};
+    /// of a disturbance along the motion in a period
+    constexpr double most_change_along = 1e-2;
+
+    /// Whether what repeats itself is a motion, and what becomes of disturbances.
+    void judge(CycleMap &map, const LimitCycleParameters &parameters, LimitCycle &cycle)
+    {
+      const auto begin = Clock::now();
+      cycle.message.clear();
+      try
+      {
+        map.march(cycle.state, cycle.period, true);
+        cycle.change_along = map.change_along_motion();
+        if (cycle.change_along > most_change_along)
+        {
+          cycle.converged = false;
+          cycle.message = "in the motion that repeats itself a disturbance along it changes by " +
+                          number_text(cycle.change_along) +
+                          " of itself in a period: take a shorter Limit cycle/Time step";
+          return;
+        }
+        if (parameters.n_multipliers > 0)
+          cycle.stability = cycle_stability(map.monodromy(), map.rate(), cycle.period);
+      }
+      catch (const ConvergenceError &error)
+      {
+        cycle.converged = false;
+        cycle.message = std::string("its stability was not found: ") + error.what();
+      }
+      cycle.stability_seconds = seconds_since(begin);
+    }
+  } // namespace
+
+  unsigned int steps_of_period(const StabilityRoot &root, const LimitCycleParameters &parameters)
+  {
+    return std::max<unsigned int>(least_steps, std::ceil(1 / (root.frequency * parameters.time_step) - 1e-9));
+  }
+
+  LimitCycle find_limit_cycle(CycleMap &map, const ContactPair &pair, const DynamicState &equilibrium,
+                              const StabilityRoot &root, const LimitCycleParameters &parameters)
+  {
+    const auto begin = Clock::now();
+    LimitCycle cycle;
+    cycle.root = root;
+    cycle.n_steps = map.n_steps();
+    cycle.period = 1 / root.frequency;
+    try
+    {
+      const RootMotion motion(map, pair, equilibrium, root);
+      CycleStart start = start_of_cycle(map, motion, root);
+      CycleEquations equations(map, map.pack(equilibrium),
+                               map.one_step(equilibrium, cycle.period / map.n_steps()), parameters.tolerance);
+      NewtonSettings settings;
+      settings.max_iterations = parameters.max_newton_iterations;
+      for (const unsigned int n_periods : periods_between)
+      {
+        if (n_periods > 0)
+          let_go_on(map, motion, n_periods, start);
+        std::vector<double> x(start.state.begin(), start.state.end());
+        x.push_back(start.period);
+        const NewtonResult result = solve_by_newton(equations, settings, x);
+        cycle.converged = result.converged;
+        cycle.newton_iterations += result.iterations;
+        cycle.residual = result.size;
+        cycle.state = DenseVector(x.begin(), x.end() - 1);
+        cycle.period = x.back();
+        // rest repeats itself as well; what is left there is rounding
+        if (cycle.converged && motion.velocity_in(cycle.state) < 1e-3 * start.velocity)
+        {
+          cycle.converged = false;
+          cycle.message = "Newton's method led to the equilibrium";
+        }
+        else if (!cycle.converged)
+          cycle.message = "Newton's method ended at a change over a period of " +
+                          number_text(cycle.residual) + " of the motion" +
+                          (equations.failure.empty() ? "" : ": " + equations.failure);
+        if (cycle.converged)
+          break;
+      }
+    }
+    catch (const ConvergenceError &error)
+    {
+      cycle.message = error.what();
+    }
+    cycle.seconds = seconds_since(begin);
+    if (cycle.converged)
+      judge(map, parameters, cycle);
+    cycle.n_products = map.n_products;
+    cycle.n_marched_steps = map.n_marched_steps;
+    return cycle;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,28 @@
+#include <vibrocontact/analyses/limit_cycle/limit_cycle_parameters.h>
+
+namespace vibrocontact
+{
+  void LimitCycleParameters::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add_parameter("Time step", time_step,
+                      "The period of a root is divided into whole steps of at most this length. Their number "
+                      "stays while the period is found. Units: s.",
+                      Double(1e-12, 1e3));
+    prm.add_parameter("Roots", roots,
+                      "Frequencies of the unstable roots of the rolling equilibrium from which cycles are "
+                      "sought, to 1 %; empty: all. Units: Hz.",
+                      List(Double(0, 1e9), 0, 1000, ","));
+    prm.add_parameter("Tolerance", tolerance,
+                      "Change of the state over a period, over its distance from the equilibrium, both as "
+                      "the root of an energy. Units: none.",
+                      Double(1e-14, 1e-2));
+    prm.add_parameter("Max Newton iterations", max_newton_iterations,
+                      "Of each start for a cycle, of which there are up to four. Units: none.",
+                      Integer(1, 1000));
+    prm.add_parameter("Multipliers", n_multipliers,
+                      "How many of the Floquet multipliers are listed, the largest; 0: stability is not "
+                      "looked at. Units: none.",
+                      Integer(0, 1000000));
+  }
+} // namespace vibrocontact

@@ -1,0 +1,252 @@
+#include <vibrocontact/analyses/limit_cycle/limit_cycle_output.h>
+#include <vibrocontact/analyses/limit_cycle/run_limit_cycle.h>
+#include <vibrocontact/analyses/stability/stability.h>
+#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/analyses/transient/transient_hub.h>
+#include <vibrocontact/analyses/transient/transient_probes.h>
+#include <vibrocontact/base/collective.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/memory.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/base/run_communicator.h>
+#include <vibrocontact/output/verdict.h>
+#include <vibrocontact/run/entries_of_contact.h>
+#include <vibrocontact/run/prepare_pair.h>
+#include <vibrocontact/run/swept_runs.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// of the frequencies in Limit cycle/Roots
+    constexpr double same_frequency = 1e-2;
+    /// how far a contact may spread beyond its points at rest, columns and rows of the grid: tried one after the other, the whole grid last
+    constexpr unsigned int spreads[] = {1, 4, std::numeric_limits<unsigned int>::max() / 2};
+
+    std::vector<StabilityRoot> unstable_roots(const ContactPair &pair, const ContactSections &contacts,
+                                              const DynamicState &at_rest, const Drive &drive)
+    {
+      const RollingEquilibrium equilibrium =
+          rolling_equilibrium(at_rest.contact, friction_law_of_points(contacts, pair.interface.contacts),
+                              normal_law_of_points(contacts, pair.interface.contacts), drive.creepage.speed,
+                              drive.normal_force > 0);
+      const auto n_stuck =
+          std::count(at_rest.contact.status.begin(), at_rest.contact.status.end(), ContactStatus::stick);
+      if (n_stuck > 0)
+        throw InputError(
+            std::to_string(n_stuck) +
+            " points stick in the rolling equilibrium, but limit cycles are sought from one in which "
+            "all slide: raise the creepage or the sliding velocity, or lower the friction.");
+      StabilityResult about;
+      about.roots = all_roots(pair, find_creep_scheme(contacts.first().creep_scheme), equilibrium,
+                              LinearisationOptions(), nullptr);
+      std::vector<StabilityRoot> unstable;
+      for (const StabilityRoot *const root : about.unstable())
+        if (root->frequency > 0)
+          unstable.push_back(*root);
+      return unstable;
+    }
+
+    /// What a march over a period keeps for its derivative. @throws MachineError if the machine has too little
+    void check_memory(const std::size_t n_loaded, const unsigned int n_steps)
+    {
+      const std::string shortage =
+          memory_shortage("the derivatives of " + std::to_string(n_steps) +
+                              " steps (a longer Limit cycle/Time step needs fewer)",
+                          8. * n_steps * 9 * n_loaded * n_loaded, run_communicator());
+      if (!shortage.empty())
+        throw MachineError(shortage);
+    }
+
+    /// Those that Limit cycle/Roots asks for.
+    std::vector<StabilityRoot> asked_roots(const std::vector<StabilityRoot> &unstable,
+                                           const std::vector<double> &frequencies)
+    {
+      if (frequencies.empty())
+        return unstable;
+      std::vector<StabilityRoot> result;
+      for (const double frequency : frequencies)
+      {
+        const auto nearest =
+            std::min_element(unstable.begin(), unstable.end(),
+                             [&](const StabilityRoot &a, const StabilityRoot &b) {
+                               return std::abs(a.frequency - frequency) < std::abs(b.frequency - frequency);
+                             });
+        if (nearest == unstable.end() ||
+            std::abs(nearest->frequency - frequency) > same_frequency * nearest->frequency)
+        {
+          std::string list;
+          for (const StabilityRoot &root : unstable)
+            list += (list.empty() ? "" : ", ") + number_text(root.frequency);
+          throw InputError("Limit cycle/Roots has " + number_text(frequency) + " Hz, but " +
+                           (list.empty() ? "no root of the equilibrium grows"
+                                         : "the roots of the equilibrium that grow are at " + list + " Hz") +
+                           ": leave the entry empty for all.");
+        }
+        result.push_back(*nearest);
+      }
+      return result;
+    }
+
+    void print(const LimitCycle &cycle)
+    {
+      Log &log = run_log();
+      log.line("root at " + number_text(cycle.root.frequency) + " Hz, growth " +
+               number_text(cycle.root.growth) + " 1/s, " + cycle.root.label + ": " +
+               (cycle.converged ? "cycle at " + number_text(1 / cycle.period) + " Hz" : cycle.message) +
+               ", " + std::to_string(cycle.newton_iterations) + " Newton iterations, " +
+               std::to_string(cycle.n_marched_steps) + " steps, " + number_text(cycle.seconds) + " s");
+      if (cycle.stability && !cycle.stability->multipliers.empty())
+        log.line("  disturbances grow by " + number_text(cycle.stability->multipliers.front().growth) +
+                 " 1/s at most; trivial multiplier off by " + number_text(cycle.stability->trivial_error) +
+                 ", " + number_text(cycle.stability_seconds) + " s");
+    }
+
+    void run_limit_cycle(const AnalysisRun &on)
+    {
+      const Parameters &parameters = on.parameters;
+      const LimitCycleParameters &own = parameters.limit_cycle;
+      // the steps alone: what else a march is given belongs to it
+      TransientParameters steps;
+      steps.integrator = parameters.transient.integrator;
+      steps.theta = parameters.transient.theta;
+      steps.reaction = parameters.transient.reaction;
+      std::vector<Probe> probes = transient_probes(parameters, on.bodies);
+      const auto prepared = prepare_pair(parameters, on.bodies, on.measured, true);
+      run_log().block("Limit cycles");
+      const auto held = std::make_shared<const ContactPair>(
+          contact_pair(prepared->bodies, parameters.contacts, parameters.placed_contacts()));
+      const RollingCase constants = rolling_cases(parameters.rolling, parameters.contacts).front();
+      const HubMotion hub = hub_motion(parameters.hub(), parameters.rolling, LoadOverTime(),
+                                       parameters.contacts, parameters.contact_solver, held,
+                                       drive_function(steps, constants, parameters.placed_contacts()));
+      const ContactPair &pair = *hub.pair;
+      place_in_pair(parameters, pair, probes);
+      const Drive drive = hub.drive(0);
+      const DynamicState at_rest =
+          initial_state(steps, parameters.contacts, parameters.contact_solver, *held, hub);
+      run_log().value("modes", pair.n_modes());
+      run_log().value("contact points", pair.n_points());
+      run_log().value("hub", hub_text(parameters.hub()));
+
+      const std::vector<StabilityRoot> roots =
+          asked_roots(unstable_roots(pair, parameters.contacts, at_rest, drive), own.roots);
+      nlohmann::ordered_json &json = on.results.analyses["limit_cycle"];
+      json["friction"] = parameters.largest_friction();
+      json["loss"] = "viscous";
+      json["hub"] = parameters.hub();
+      json["cycles"] = nlohmann::ordered_json::array();
+      Progress progress("limit cycles", std::max<std::size_t>(1, roots.size()));
+      const std::size_t n_loaded = loaded_points(at_rest.R, pair.n_points()).size();
+      for (std::size_t k = 0; k < roots.size(); ++k)
+      {
+        check_memory(n_loaded, steps_of_period(roots[k], own));
+        std::unique_ptr<CycleMap> map;
+        LimitCycle cycle;
+        for (const unsigned int spread : spreads)
+        {
+          map = std::make_unique<CycleMap>(
+              steps, parameters.contacts, parameters.contact_solver, pair, drive, at_rest.contact.approach,
+              points_around(pair.interface.contacts, at_rest.R, spread), steps_of_period(roots[k], own));
+          cycle = find_limit_cycle(*map, pair, at_rest, roots[k], own);
+          if (cycle.converged || !map->left_its_points)
+            break;
+        }
+        std::optional<CyclePeriod> period;
+        if (cycle.converged)
+          try
+          {
+            period = listen_to_cycle(*map, cycle, pair, parameters.contacts, probes);
+          }
+          catch (const InputError &error)
+          {
+            cycle.converged = false;
+            cycle.message = error.what();
+          }
+        print(cycle);
+        if (period)
+        {
+          json["cycles"].push_back(cycle_json(cycle, &*period, own.n_multipliers));
+          on_first_rank(
+              [&]
+              {
+                const std::string name = on.folder + "/limit_cycle_" + std::to_string(k + 1);
+                cycle_table(*period).write(name + ".csv");
+                harmonics_table(*period, 1 / cycle.period).write(name + "_harmonics.csv");
+              });
+        }
+        else
+        {
+          json["cycles"].push_back(cycle_json(cycle, nullptr, 0));
+          refuse("limit cycle",
+                 "No limit cycle was found from the root at " + number_text(cycle.root.frequency) +
+                     " Hz: " + cycle.message + ".",
+                 on.results);
+        }
+        on.save_sometimes();
+        progress.advance();
+      }
+      add_sums(json);
+      on_first_rank([&] { cycles_table(json["cycles"]).write(on.folder + "/limit_cycles.csv"); });
+    }
+
+    /// Bodies with their modes, and shapes where probes are, are made by all ranks.
+    PreparedRun prepare_limit_cycle(const AnalysisRun &on)
+    {
+      request_probe_shapes(on.parameters, on.bodies);
+      reduce_bodies(on.bodies, true);
+      return run_limit_cycle;
+    }
+
+    void limit_cycle_read(EntriesRead &entries, const Parameters &parameters)
+    {
+      add_partners(entries, parameters, moving_in_contact());
+      add_contacts(entries, parameters);
+      for (const ContactParameters &contact : parameters.contacts.all)
+        add_friction_coefficient(entries, contact);
+      add_hub(entries, parameters);
+      entries.add("Rolling", "Speed, Normal force, Hub displacement");
+      entries.add_if(parameters.rolling.creepage.speed > 0, "Rolling/Speed is above 0", "Rolling",
+                     "Longitudinal creepage, Lateral creepage, Spin");
+      add_sliding(entries, parameters);
+      entries.add("Limit cycle", "Time step, Roots, Tolerance, Max Newton iterations, Multipliers");
+      entries.add("Transient", "Integrator, Reaction");
+      entries.add_if(parameters.transient.integrator == "theta method",
+                     "Transient/Integrator is theta method", "Transient", "Theta");
+      entries.add("Transient/Signals", "Probes");
+    }
+  } // namespace
+
+  Analysis limit_cycle_analysis()
+  {
+    return {{"limit cycle",
+             "periodic motions of stick and slip that unstable roots grow to, found without time going by",
+             2,
+             true,
+             true,
+             "",
+             {},
+             "Limit cycle"},
+            limit_cycle_read,
+            run_limit_cycle,
+            false,
+            {{"limit_cycle",
+              "limit cycle",
+              limit_cycle_answer,
+              {"limit_cycles.csv", "limit_cycle_*.csv", "figures/limit_cycles.png"}}},
+            swept_runs(prepare_limit_cycle,
+                       {{"roots", "/limit_cycle/roots"},
+                        {"cycles", "/limit_cycle/cycles_found"},
+                        {"loudest_frequency_Hz", "/limit_cycle/loudest/frequency_Hz"},
+                        {"loudest_amplitude_m_s", "/limit_cycle/loudest/amplitude_m_s"},
+                        {"loudest_level_dB", "/limit_cycle/loudest/level_dB"},
+                        {"loudest_power_into_body_1_W", "/limit_cycle/loudest/power_into_body_1_W"},
+                        {"loudest_largest_growth_1_s", "/limit_cycle/loudest/largest_growth_1_s"}})};
+  }
+} // namespace vibrocontact

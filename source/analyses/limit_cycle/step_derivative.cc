@@ -1,0 +1,217 @@
+#include <vibrocontact/analyses/limit_cycle/step_derivative.h>
+#include <vibrocontact/base/dense_operations.h>
+#include <vibrocontact/base/exceptions.h>
+
+#include <deal.II/lac/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    DenseMatrix rows_at(const DenseMatrix &matrix, const std::vector<unsigned int> &rows)
+    {
+      DenseMatrix result(rows.size(), matrix.n());
+      for (unsigned int j = 0; j < matrix.n(); ++j)
+        for (unsigned int i = 0; i < rows.size(); ++i)
+          result(i, j) = matrix(rows[i], j);
+      return result;
+    }
+  } // namespace
+
+  StepOnPoints::StepOnPoints(const ContactStepper &stepper, const std::vector<unsigned int> &points)
+      : points(points)
+  {
+    const StepMatrices &matrices = stepper.matrices_of_step();
+    const unsigned int n = matrices.contacts.n_points();
+    std::vector<unsigned int> rows;
+    for (unsigned int c = 0; c < 3; ++c)
+      for (const unsigned int point : points)
+        rows.push_back(contact_row(n, c, point));
+    basis = rows_at(matrices.shapes.basis, rows);
+    by_displacement = rows_at(matrices.by_displacement, rows);
+    by_velocity = rows_at(matrices.by_velocity, rows);
+    flexibility.reinit(rows.size(), rows.size());
+    for (unsigned int j = 0; j < rows.size(); ++j)
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        flexibility(i, j) = matrices.residual_flexibility(rows[i], rows[j]);
+    for (const unsigned int row : rows)
+      by_approach.push_back(stepper.approach_rows()[row]);
+  }
+
+  StepDerivative::StepDerivative(const ContactStepper &stepper, const StepOnPoints &on_points,
+                                 const DenseVector &residual_change)
+      : stepper(stepper), on_points(on_points), force_given(stepper.last_problem().force_given())
+  {
+    const ContactProblem &problem = stepper.last_problem();
+    const ContactSolution &solution = stepper.last_solution();
+    J.linearise(problem, ContactResidual(problem), solution.R, solution.y);
+    const std::vector<unsigned int> &known = on_points.points;
+    for (const unsigned int nearby : J.points())
+    {
+      const unsigned int point = stepper.nearby_points()[nearby];
+      const auto place = std::lower_bound(known.begin(), known.end(), point);
+      AssertThrow(place != known.end() && *place == point, dealii::ExcInternalError());
+      active.push_back(place - known.begin());
+    }
+    if (active.empty())
+      return;
+    DenseMatrix response;
+    problem.A->extract(J.points(), response);
+    J.assemble(response, factors);
+    if (problem.friction_law.any(&FrictionLaw::depends_on_speed))
+    {
+      take_speed_dependence(residual_change);
+      add_speed_dependence(response);
+    }
+    try
+    {
+      factors.compute_lu_factorization();
+    }
+    catch (const dealii::LACExceptions::ExcSingular &)
+    {
+      throw ConvergenceError("The contact of a step has no derivative: its Jacobian is singular.");
+    }
+  }
+
+  void StepDerivative::take_speed_dependence(const DenseVector &residual_change)
+  {
+    const ContactProblem &problem = stepper.last_problem();
+    const ContactSolution &solution = stepper.last_solution();
+    const unsigned int n_nearby = problem.n_points(), n_of_grid = residual_change.size() / 3;
+    for (unsigned int k = 0; k < active.size(); ++k)
+    {
+      const unsigned int nearby = J.points()[k], point = on_points.points[active[k]];
+      Vector2 slip;
+      for (unsigned int c = 1; c < 3; ++c)
+        slip[c - 1] = solution.y[contact_row(n_nearby, c, nearby)] -
+                      residual_change[contact_row(n_of_grid, c, point)] / stepper.matrices_of_step().step;
+      const double speed = std::hypot(slip[0], slip[1]), mu = problem.mu[nearby];
+      SpeedDependence one = {};
+      if (speed > 0 && mu > 0)
+        for (unsigned int d = 0; d < 2; ++d)
+        {
+          one.direction[d] = slip[d] / speed;
+          // the row has mu r
+          one.force_per_speed[d] = J.rows_of_points()[k].by_radius[d] / mu * solution.R[nearby] *
+                                   problem.friction_law[nearby].coefficient(speed).slope;
+        }
+      by_speed.push_back(one);
+    }
+  }
+
+  void StepDerivative::add_speed_dependence(const DenseMatrix &response)
+  {
+    const unsigned int m = active.size(), n = on_points.n_points();
+    const double h = stepper.matrices_of_step().step;
+    for (unsigned int column = 0; column < 3 * m; ++column)
+      for (unsigned int k = 0; k < m; ++k)
+      {
+        double speed = 0;
+        for (unsigned int c = 1; c < 3; ++c)
+          speed += by_speed[k].direction[c - 1] *
+                   (response(c * m + k, column) -
+                    on_points.flexibility(contact_row(n, c, active[k]),
+                                          contact_row(n, column / m, active[column % m])) /
+                        h);
+        for (unsigned int d = 0; d < 2; ++d)
+          factors((d + 1) * m + k, column) -= by_speed[k].force_per_speed[d] * speed;
+      }
+  }
+
+  void StepDerivative::advance(StateChanges &changes, const LengthChange *const change,
+                               const StepEnds *const ends) const
+  {
+    const std::vector<ModalStep> &steps = stepper.steps_of_modes();
+    const StepMatrices &matrices = stepper.matrices_of_step();
+    const DenseMatrix &amplitudes = matrices.shapes.amplitudes;
+    const unsigned int n_modes = steps.size(), n = on_points.n_points(), n_columns = changes.R.n(),
+                       n_active = active.size(), n_of_grid = matrices.contacts.n_points();
+    const double h = matrices.step;
+    for (unsigned int j = 0; j < n_columns; ++j)
+      for (unsigned int k = 0; k < n_modes; ++k)
+      {
+        const ModalStep &s = steps[k];
+        double &q = changes.q(k, j), &v = changes.v(k, j);
+        const double q0 = q, v0 = v, p0 = changes.modal_force(k, j);
+        q = s.T[0][0] * q0 + s.T[0][1] * v0 + s.g0[0] * p0;
+        v = s.T[1][0] * q0 + s.T[1][1] * v0 + s.g0[1] * p0;
+        if (!change)
+          continue;
+        const ModalStep &d = change->by_length[k];
+        const double p = ends->modal_force[k], p1 = ends->next_modal_force[k];
+        q += change->length * (d.T[0][0] * ends->q[k] + d.T[0][1] * ends->v[k] + d.g0[0] * p + d.g1[0] * p1);
+        v += change->length * (d.T[1][0] * ends->q[k] + d.T[1][1] * ends->v[k] + d.g0[1] * p + d.g1[1] * p1);
+      }
+
+    // gaps and slips without a change of the forces at the end of the step
+    DenseMatrix b = product(on_points.by_displacement, product(amplitudes, changes.q));
+    on_points.by_velocity.mmult(b, product(amplitudes, changes.v), true);
+    DenseMatrix x(3 * n_active + (force_given ? 1 : 0), n_columns);
+    for (unsigned int j = 0; j < n_columns; ++j)
+      for (unsigned int k = 0; k < n_active; ++k)
+      {
+        double moved[3], speed = 0;
+        for (unsigned int c = 0; c < 3; ++c)
+        {
+          const unsigned int row = contact_row(n, c, active[k]);
+          moved[c] = b(row, j);
+          if (c == 0)
+            continue;
+          if (!by_speed.empty())
+            speed += by_speed[k].direction[c - 1] * moved[c];
+          moved[c] -= changes.residual_displacement(row, j) / h;
+          if (force_given)
+            moved[c] += on_points.by_approach[row] * changes.approach[j];
+          if (change)
+            moved[c] -= change->length *
+                        ends->residual_change[contact_row(n_of_grid, c, on_points.points[active[k]])] /
+                        (h * h);
+        }
+        const auto row = J.apply(k, 0, 0, 0, moved[0], moved[1], moved[2]);
+        for (unsigned int c = 0; c < 3; ++c)
+          x(c * n_active + k, j) =
+              -row[c] + (c > 0 && !by_speed.empty() ? by_speed[k].force_per_speed[c - 1] * speed : 0.);
+      }
+    if (n_active > 0)
+      factors.solve(x);
+
+    changes.R = 0.;
+    changes.approach.assign(n_columns, 0.);
+    for (unsigned int j = 0; j < n_columns; ++j)
+    {
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int k = 0; k < n_active; ++k)
+          changes.R(contact_row(n, c, active[k]), j) = x(c * n_active + k, j);
+      if (force_given)
+        changes.approach[j] = x(3 * n_active, j) * J.approach_scale();
+    }
+    on_points.flexibility.mmult(changes.residual_displacement, changes.R);
+    DenseMatrix forces(matrices.shapes.rank(), n_columns);
+    on_points.basis.Tmmult(forces, changes.R);
+    amplitudes.Tmmult(changes.modal_force, forces);
+    for (unsigned int j = 0; j < n_columns; ++j)
+      for (unsigned int k = 0; k < n_modes; ++k)
+      {
+        changes.q(k, j) += steps[k].g1[0] * changes.modal_force(k, j);
+        changes.v(k, j) += steps[k].g1[1] * changes.modal_force(k, j);
+      }
+  }
+
+  std::vector<ModalStep> steps_by_length(const std::vector<ModalStep> &longer,
+                                         const std::vector<ModalStep> &shorter, const double difference)
+  {
+    std::vector<ModalStep> result(longer);
+    for (unsigned int k = 0; k < result.size(); ++k)
+      for (unsigned int i = 0; i < 2; ++i)
+      {
+        for (unsigned int j = 0; j < 2; ++j)
+          result[k].T[i][j] = (longer[k].T[i][j] - shorter[k].T[i][j]) / difference;
+        result[k].g0[i] = (longer[k].g0[i] - shorter[k].g0[i]) / difference;
+        result[k].g1[i] = (longer[k].g1[i] - shorter[k].g1[i]) / difference;
+      }
+    return result;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""limit_cycle.py PROGRAM MPIRUN PARAMETER_FILES: the limit cycle of a pad that slides on a plane, from its unstable root.
+
+A march in time with the same steps settles on the same motion. One rank and two agree. A sweep over the friction has a row per
+case, also where nothing grows; what is not taken is refused.
+"""
+import math, os, subprocess
+from scene import Check, entries, program, run, section, table
+
+check = Check()
+
+
+def scene(analyses, *sections, friction=0.7, hub="held"):
+    return "\n".join([
+        "set Bodies = pad, plane", f"set Analyses = {analyses}",
+        section("pad", "set Type = block", section("Material", entries(Young_modulus=70e9, Poisson_ratio=0.33, Density=2700)),
+                section("Block", entries(Length=0.03, Width=0.02, Height=0.04, Divisions_x=6, Divisions_y=4, Divisions_z=6, Held="top",
+                                         Contact_face="bottom")),
+                section("Modes", entries(Count=6))),
+        section("plane", "set Type = rigid"),
+        section("Contact", entries(Friction_coefficient=friction, Grid_spacing=5e-3, Half_length=15e-3, Half_width=10e-3)),
+        section("Rolling", entries(Speed=0, Sliding_velocity_x=0.1, Hub_displacement=2e-6, Hub=hub)), *sections])
+
+
+PROBES = section("Transient", section("Signals", entries(Probes="side: pad 0.015 0 0.005 along x")))
+STEPS = section("Limit cycle", entries(Time_step=1e-7))
+found, folder = run("cycle", scene("limit cycle", STEPS, PROBES))
+cycle = found["limit_cycle"]["cycles"][0]
+check.near("cycles", len(found["limit_cycle"]["cycles"]), 1, 1e-12)
+check.near("residual", cycle["residual"], 0, 1e-9, 1)
+check.near("trivial multiplier", cycle["stability"]["trivial_multiplier_error"], 0, 1e-4, 1)
+check.near("stable", cycle["stability"]["stable"], True, 1e-12)
+
+# powers over a period: what the motion of the plane brings is taken by friction and by the damping of the modes
+check.near("power", cycle["creepage_power_W"], cycle["friction_power_W"], 0.02)
+
+two = run("cycle_2", scene("limit cycle", STEPS, PROBES), 2)[0]["limit_cycle"]["cycles"][0]
+for key in ("frequency_Hz", "friction_power_W"):
+    check.near("two ranks, " + key, two[key], cycle[key], 1e-9)
+check.near("two ranks, growth", two["stability"]["multipliers"][0]["growth_1_s"], cycle["stability"]["multipliers"][0]["growth_1_s"], 1e-6)
+
+# amplitudes of the table are those of the period
+rows = table(folder, "limit_cycle_1.csv")
+harmonics = table(folder, "limit_cycle_1_harmonics.csv")
+steps = len(rows)
+check.near("steps", steps, cycle["steps_per_period"], 1e-12)
+force = [row["normal_force_N"] for row in rows]
+first = abs(sum(f * complex(math.cos(2 * math.pi * k / steps), -math.sin(2 * math.pi * k / steps)) for k, f in enumerate(force))) * 2 / steps
+check.near("first harmonic", harmonics[1]["normal_force_N"], first, 1e-10)
+
+march = section("Transient", entries(Time_step=cycle["time_step_s"], End_time=0.02, Perturbed_mode="pad:mode 2", Perturbation_velocity=0.1,
+                                     Error_estimate="false"),
+                section("Signals", entries(Probes="side: pad 0.015 0 0.005 along x", Spectrum_duration=0.01)))
+settled = run("march", scene("transient", march), may_doubt=True)[0]["transient"]
+side = next(one for one in settled["signals"] if one["name"] == "side_velocity")
+of_cycle = next(one for one in cycle["signals"] if one["name"] == "side_velocity_m_s")
+check.near("frequency of the march", side["cycle"]["frequency_Hz"], cycle["frequency_Hz"], 1e-5)
+check.near("amplitude of the march", side["cycle"]["amplitude"], of_cycle["amplitude"], 2e-3)
+
+swept = run("swept", scene("limit cycle", section("Limit cycle", entries(Time_step=1e-7, Multipliers=0),
+                                                   section("Sweep", entries(Entry="Contact/Friction coefficient", Values="0.4, 0.7"))), PROBES))
+rows = list(open(os.path.join(swept[1], "limit_cycle_sweep.csv")))
+cases = swept[0]["limit_cycle_sweep"]["cases"]
+check.near("nothing grows at 0.4", len(cases[0]["limit_cycle"]["cycles"]), 0, 1e-12)
+check.near("the same in a sweep", cases[1]["limit_cycle"]["cycles"][0]["frequency_Hz"], cycle["frequency_Hz"], 1e-9)
+
+suspended = scene("limit cycle", STEPS, hub="suspended").replace("set Hub = suspended", "set Hub = suspended\n" +
+                                                                 section("Suspension", entries(Unsprung_mass=100, Stiffness_x=1e6, Stiffness_y=1e6, Stiffness_z=1e6)))
+for name, text, said in (("suspended", suspended, "which does not take a hub with mass"),
+                         ("other_root", scene("limit cycle", section("Limit cycle", entries(Time_step=1e-7, Roots=5000))), "are at 100"),
+                         ("no_friction", scene("limit cycle", STEPS, friction=0), "Friction coefficient is 0")):
+    with open(name + ".prm", "w") as file:
+        file.write(text)
+    done = subprocess.run([program, name + ".prm", "--quiet", "--output", name], capture_output=True, text=True)
+    check.near(name + ": " + done.stderr.strip(), done.returncode == 1 and said in done.stderr, True, 1e-12)
+check.end()
