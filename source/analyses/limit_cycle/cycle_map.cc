@@ -137,6 +137,7 @@ namespace vibrocontact
     }
     const auto contact_solver = create_contact_solver(solver);
     DynamicState state = unpack(x), before;
+    DenseVector first, last;
     for (unsigned int j = 0; j < m; ++j)
     {
       before = state;
@@ -160,13 +161,20 @@ namespace vibrocontact
         end += constant_force;
         ends.push_back({before.q, before.v, begin, end, change});
       }
+      if (j == 0)
+        first = pack(state);
+      if (j + 1 == m)
+        last = pack(before);
       if (observe)
         observe(state);
     }
     const DenseVector end = pack(state);
-    rate_at_end = end;
-    rate_at_end -= pack(before);
-    rate_at_end /= h;
+    // a period later the first step follows the last one
+    mean_rate = first;
+    mean_rate -= x;
+    mean_rate += end;
+    mean_rate -= last;
+    mean_rate /= 2 * h;
     return end;
   }
 
@@ -226,9 +234,9 @@ namespace vibrocontact
 
   double CycleMap::change_along_motion() const
   {
-    DenseVector change = derivative(rate_at_end);
-    change -= rate_at_end;
-    return change.l2_norm() / rate_at_end.l2_norm();
+    DenseVector change = derivative(mean_rate);
+    change -= mean_rate;
+    return change.l2_norm() / mean_rate.l2_norm();
   }
 
   DenseMatrix CycleMap::unit_starts() const

@@ -46,8 +46,9 @@ namespace vibrocontact
     double change_along_motion() const;
     /// The derivative by the whole start, square: the monodromy matrix.
     DenseMatrix monodromy() const;
-    /// Change of the state over the last step of the last march, over its length [sqrt(J)/s]: how the motion goes on.
-    const DenseVector &rate() const { return rate_at_end; }
+    /// Mean change of the state over the first and the last step of the last march, over their length [sqrt(J)/s]: how a motion
+    /// that repeats itself goes on.
+    const DenseVector &rate() const { return mean_rate; }
     /// The derivative of one step of h [s] that starts from a state, square. @throws ConvergenceError
     DenseMatrix one_step(const DynamicState &state, double step) const;
 
@@ -87,7 +88,7 @@ namespace vibrocontact
     std::vector<StepDerivative> derivatives;
     std::vector<StepEnds> ends;
     std::vector<ModalStep> by_length;
-    DenseVector rate_at_end;
+    DenseVector mean_rate;
   };
 
   /// Points that carry load, and their neighbours up to so many columns and rows of their grid away; ascending.

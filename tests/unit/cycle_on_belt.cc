@@ -1,0 +1,239 @@
+// Limit cycles of a mass on a belt whose friction follows the slip speed, against closed forms and a published number.
+
+#include "cycle_derivatives.h"
+#include "scratch_folder.h"
+
+#include <vibrocontact/analyses/transient/transient.h>
+
+#include <boost/math/tools/roots.hpp>
+
+#include <fstream>
+#include <functional>
+
+using namespace vibrocontact;
+
+namespace
+{
+  /// Free motion of 1 kg on a spring and a damper.
+  struct FreeMotion
+  {
+    double decay, omega, a, b;
+
+    FreeMotion(const double stiffness, const double damping, const double u, const double v)
+        : decay(damping / 2), omega(std::sqrt(stiffness - decay * decay)), a(u), b((v + decay * u) / omega)
+    {
+    }
+    double u(const double t) const
+    {
+      return std::exp(-decay * t) * (a * std::cos(omega * t) + b * std::sin(omega * t));
+    }
+    double v(const double t) const
+    {
+      return std::exp(-decay * t) *
+             ((b * omega - a * decay) * std::cos(omega * t) - (a * omega + b * decay) * std::sin(omega * t));
+    }
+    double acceleration(const double t) const
+    {
+      return -2 * decay * v(t) - (omega * omega + decay * decay) * u(t);
+    }
+  };
+
+  /// The first time after `begin` when f turns from negative to positive.
+  double time_of_zero(const std::function<double(double)> &f, const double begin, const double step)
+  {
+    for (double t = begin;; t += step)
+      if (f(t) < 0 && f(t + step) >= 0)
+        return boost::math::tools::bisect(f, t, t + step, boost::math::tools::eps_tolerance<double>(50))
+            .first;
+  }
+
+  /// 1 kg on a spring and a damper rubs on a belt through a spring without mass. Friction falls linearly with the slip speed of
+  /// the mass. Its cycle is pieced together from closed forms for sliding and for sticking.
+  struct MassOnBelt
+  {
+    static constexpr double omega = 100, zeta = 5e-3, belt = 0.01, force = 10, mu = 0.4, fall = 0.4;
+    double flexibility, period = 0, largest = 0;
+
+    static double drag(const double v) { return force * (mu - fall * std::abs(belt - v)); }
+
+    explicit MassOnBelt(const double flexibility) : flexibility(flexibility)
+    {
+      const double spring = omega * omega, damper = 2 * zeta * omega, equilibrium = drag(0) / spring;
+      double u = drag(belt) / spring, v = belt;
+      for (unsigned int k = 0; k < 100; ++k)
+      {
+        // the end of the spring slides until its slip, which has the rate of its own deflection in it, is zero
+        const FreeMotion slides(spring, damper - force * fall, u - equilibrium, v);
+        const double quarter = 1.57 / slides.omega;
+        const double stop =
+            time_of_zero([&](const double t)
+                         { return slides.v(t) + flexibility * force * fall * slides.acceleration(t) - belt; },
+                         2 * quarter, 1e-4);
+        largest = equilibrium + slides.u(time_of_zero([&](const double t) { return -slides.v(t); }, 0, 1e-4));
+        u = equilibrium + slides.u(stop);
+        v = slides.v(stop);
+
+        // it sticks: the drag grows with the way of the belt until it is as large as friction
+        const double stiff = spring + 1 / flexibility, rate = belt / (flexibility * stiff), begin = u,
+                     at_begin = drag(v), mean = (at_begin + u / flexibility - damper * rate) / stiff;
+        const FreeMotion sticks(stiff, damper, u - mean, v - rate);
+        const auto place = [&](const double t) { return mean + rate * t + sticks.u(t); };
+        const double slip = time_of_zero(
+            [&](const double t)
+            { return at_begin + (belt * t - (place(t) - begin)) / flexibility - drag(rate + sticks.v(t)); },
+            1e-3, 1e-4);
+        u = place(slip);
+        v = rate + sticks.v(slip);
+        period = stop + slip;
+      }
+    }
+  };
+
+  /// 1 kg on a spring and a damper, held down by a constant force, rubs on a belt.
+  struct BeltScene
+  {
+    ContactPair pair;
+    Drive drive;
+    ContactSections contact;
+    TransientParameters transient;
+    ContactSolverParameters solver;
+    DynamicState at_rest;
+    StabilityRoot root;
+
+    /// @param friction over the slip speed, at speeds `spacing` apart from 0 on
+    BeltScene(const double omega, const double zeta, const double flexibility, const double force,
+              const double belt, const std::function<double(double)> &friction, const double spacing,
+              const unsigned int n_speeds)
+    {
+      ContactGrid &grid = pair.interface.contacts.only();
+      grid.n_x = grid.n_y = 1;
+      grid.spacing_x = grid.spacing_y = 1e-3;
+      pair.interface.gap = {0};
+      pair.trace.reinit(3, 1);
+      pair.trace(1, 0) = 1;
+      pair.participation.reinit(1, 3);
+      pair.omega = {omega};
+      pair.damping_ratio = {zeta};
+      pair.labels = {"mass:0"};
+      pair.body = {1};
+      pair.modal_load = {0};
+      // the approach is given and nothing but this yields in normal direction: the normal force is constant
+      pair.residual.reinit(3, 3);
+      for (unsigned int c = 0; c < 3; ++c)
+        pair.residual(c, c) = flexibility;
+      drive.creepage.sliding_x = belt;
+      drive.approach = force * flexibility;
+      contact.first().friction_law = "friction curve";
+      const std::string curve = scratch_folder() + "/curve.csv";
+      std::ofstream stream(curve);
+      stream.precision(17);
+      stream << "slip_speed_m_s, friction\n";
+      for (unsigned int k = 0; k < n_speeds; ++k)
+        stream << k * spacing << ", " << friction(k * spacing) << "\n";
+      stream.close();
+      contact.first().law_values.set("Friction curve", curve);
+      contact.first().read_curves("");
+      transient.integrator = "exact propagator";
+      at_rest = initial_state(transient, contact, solver, pair, drive);
+      const double slope = (friction(belt + spacing) - friction(belt - spacing)) / (2 * spacing);
+      root.growth = -force * slope / 2 - zeta * omega;
+      root.frequency = std::sqrt(omega * omega - root.growth * root.growth) / (2 * dealii::numbers::PI);
+      root.shape = {1.};
+    }
+
+    CycleMap map(const unsigned int n_steps) const
+    {
+      return {transient, contact, solver, pair, drive, drive.approach, {0}, n_steps};
+    }
+
+    LimitCycle cycle(CycleMap &map) const
+    {
+      LimitCycleParameters parameters;
+      parameters.tolerance = 1e-8;
+      return find_limit_cycle(map, pair, at_rest, root, parameters);
+    }
+  };
+
+  /// The largest value of equally spaced ones, by the parabola through three.
+  double largest_of(const std::vector<double> &values)
+  {
+    const std::size_t n = values.size(), k = std::max_element(values.begin(), values.end()) - values.begin();
+    const double before = values[(k + n - 1) % n], at = values[k], after = values[(k + 1) % n],
+                 curvature = before - 2 * at + after;
+    return at - (after - before) * (after - before) / (8 * curvature);
+  }
+} // namespace
+
+TEST(CycleOnBelt, OfFallingFrictionIsThatOfTheClosedForm)
+{
+  const MassOnBelt exact(1e-6);
+  const BeltScene scene(
+      exact.omega, exact.zeta, exact.flexibility, exact.force, exact.belt,
+      [&](const double speed) { return exact.mu - exact.fall * speed; }, 0.005, 100);
+  std::vector<double> of_period, of_largest;
+  for (const unsigned int n_steps : {2000u, 4000u})
+  {
+    CycleMap map = scene.map(n_steps);
+    const LimitCycle cycle = scene.cycle(map);
+    ASSERT_TRUE(cycle.converged) << cycle.message;
+    std::vector<double> displacements;
+    map.march(cycle.state, cycle.period, false,
+              [&](const DynamicState &now) { displacements.push_back(-now.q[0]); });
+    of_period.push_back(cycle.period / exact.period - 1);
+    of_largest.push_back(largest_of(displacements) / exact.largest - 1);
+    std::printf("%u steps: period off by %.2e, largest displacement by %.2e, trivial multiplier by %.1e, "
+                "%u iterations\n",
+                n_steps, of_period.back(), of_largest.back(), cycle.stability->trivial_error,
+                cycle.newton_iterations);
+    if (n_steps == 2000)
+    {
+      CycleMap other = scene.map(n_steps);
+      expect_derivatives_of_differences(map, other, cycle, 1e-7);
+    }
+  }
+  // the rate of the residual displacements is a backward difference: errors fall with the step
+  for (const std::vector<double> &error : {of_period, of_largest})
+  {
+    std::printf("halving the step: error times %.3f, extrapolated %.1e\n", error[1] / error[0],
+                2 * error[1] - error[0]);
+    EXPECT_NEAR(error[1] / error[0], 0.5, 0.02);
+    EXPECT_LT(std::abs(2 * error[1] - error[0]), 1.5e-6);
+  }
+}
+
+// Friction force mu N = constant + v - v^3 / 3 of the velocity v: van der Pol's oscillator with epsilon = 1 for v, which never sticks.
+TEST(CycleOnBelt, OfRayleighsOscillatorIsThePublishedOne)
+{
+  constexpr double belt = 2.6, force = 20, period = 6.66328686, amplitude = 2.00861986;
+  const BeltScene scene(
+      1, 0, 1e-6, force, belt,
+      [&](const double speed)
+      {
+        const double v = belt - speed;
+        return 0.3 + (v - v * v * v / 3) / force;
+      },
+      2e-4, 26001);
+  std::vector<double> of_period, of_amplitude;
+  for (const unsigned int n_steps : {500u, 1000u})
+  {
+    CycleMap map = scene.map(n_steps);
+    const LimitCycle cycle = scene.cycle(map);
+    ASSERT_TRUE(cycle.converged) << cycle.message;
+    std::vector<double> velocities;
+    map.march(cycle.state, cycle.period, false,
+              [&](const DynamicState &now) { velocities.push_back(-now.v[0]); });
+    of_period.push_back(cycle.period / period - 1);
+    of_amplitude.push_back(largest_of(velocities) / amplitude - 1);
+    std::printf("%u steps: period off by %.2e, amplitude by %.2e, growth of disturbances %.6f 1/s, "
+                "%u iterations\n",
+                n_steps, of_period.back(), of_amplitude.back(), cycle.stability->multipliers.front().growth,
+                cycle.newton_iterations);
+  }
+  for (const std::vector<double> &error : {of_period, of_amplitude})
+  {
+    std::printf("halving the step: error times %.3f, extrapolated %.1e\n", error[1] / error[0],
+                (4 * error[1] - error[0]) / 3);
+    EXPECT_NEAR(error[1] / error[0], 0.25, 0.02);
+    EXPECT_LT(std::abs(4 * error[1] - error[0]) / 3, 1e-6);
+  }
+}
