@@ -90,6 +90,18 @@ namespace vibrocontact
                          parameters.file);
     }
 
+    /// ReferenceCell::contains_point() of deal.II 9.4 knows no prisms: its release library says of every point that it is outside.
+    bool lies_in(const ReferenceCell &cell, const Point<3> &p)
+    {
+      constexpr double rounding = 1e-12;
+      if (cell == ReferenceCells::Tetrahedron)
+        return p[0] + p[1] + p[2] <= 1 + rounding;
+      if (cell == ReferenceCells::Wedge)
+        return p[0] + p[1] <= 1 + rounding;
+      AssertThrow(cell == ReferenceCells::Hexahedron, ExcInternalError());
+      return true;
+    }
+
     /// Points of a reference cell a quarter apart, its nodes among them.
     std::vector<Point<3>> quarters(const ReferenceCell &cell)
     {
@@ -97,7 +109,7 @@ namespace vibrocontact
       for (unsigned int i = 0; i < 125; ++i)
       {
         const Point<3> p(i % 5 / 4., i / 5 % 5 / 4., i / 25 / 4.);
-        if (cell.contains_point(p, 1e-12))
+        if (lies_in(cell, p))
           points.push_back(p);
       }
       return points;

@@ -175,7 +175,11 @@ TEST(DamagedMeshes, middle_nodes)
     return Point<3>(p[0], p[1],
                     0.2 * p[2] + 0.25 * std::sin(numbers::PI * p[0]) * (p[2] == 0 && p[1] == 0 ? 1 : 0));
   };
-  expect_in(said_of_mesh(flat.text()), {"curved cells that are inverted in places", "first-order"});
+  for (const char *type : {"C3D10", "C3D15", "C3D20"})
+  {
+    flat.type = type;
+    expect_in(said_of_mesh(flat.text()), {"curved cells that are inverted in places", "first-order"});
+  }
 }
 
 TEST(DamagedMeshes, groups_and_units)
