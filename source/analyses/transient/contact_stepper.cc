@@ -18,6 +18,13 @@ namespace vibrocontact
     /// steps after which W~ R is computed anew: the round-off of its changes grows with the steps^(3/2)
     constexpr unsigned int longest_without_search = 64;
 
+    /// to += from, which deal.II does not take of empty vectors (no modes, no points)
+    void add(const DenseVector &from, DenseVector &to)
+    {
+      if (to.size() > 0)
+        to += from;
+    }
+
     /// shapes^T forces of complex shapes, whose parts stand side by side as 2 Re, -2 Im
     std::vector<std::complex<double>> shares(const DenseMatrix &parts, const DenseVector &forces)
     {
@@ -35,11 +42,12 @@ namespace vibrocontact
 
   ContactStepper::ContactStepper(const ContactPair &pair, const CreepScheme &scheme,
                                  const ContactSections &contact, const std::vector<ModalStep> &steps,
-                                 const double h, const double speed, const StepWeights &pole_steps)
+                                 const double h, const double speed, const StepWeights &pole_steps,
+                                 const PatchShapes *const shapes)
       : pair(pair), scheme(scheme), steps(steps), pole_steps(pole_steps), h(h), speed(speed),
         damper(pair.hub.get(), steps),
-        matrices(step_matrices(scheme, pair, steps, h, speed, pair.hub.get(), pole_steps)), q(pair.n_modes()),
-        v(pair.n_modes()), z(pair.n_poles())
+        matrices(step_matrices(scheme, pair, steps, h, speed, pair.hub.get(), pole_steps, shapes)),
+        q(pair.n_modes()), v(pair.n_modes()), z(pair.n_poles())
   {
     for (const RelaxingRest &rest : pair.relaxing)
       kept.push_back(rest.relaxation / (h + rest.relaxation));
@@ -176,10 +184,9 @@ namespace vibrocontact
     std::iota(normal_rows.begin(), normal_rows.end(), 0u);
     add_kept(state, force, normal_rows, residual.begin());
     step_operator->modal_numbers(solution.R, c_n, c_t);
-    c_n += c_t;
+    add(c_t, c_n);
     multiply(matrices.displacement_gain, c_n, displacement);
-    if (matrices.shapes.rank() > 0)
-      displacement += free_displacement;
+    add(free_displacement, displacement);
     const std::vector<double> gap = gaps(state, residual, displacement, solution.approach, force);
     std::vector<unsigned int> closed;
     for (unsigned int i = 0; i < n; ++i)
@@ -334,12 +341,11 @@ namespace vibrocontact
     for (unsigned int k = 0; k < rows.size(); ++k)
       solution.y[3 * m + k] = state.residual_displacement[rows[k]] + state.residual_change[rows[k]];
     A.modal_numbers(solution.R, c_n, c_t);
-    c_n += c_t;
+    add(c_t, c_n);
     multiply(matrices.displacement_gain, c_n, displacement);
     multiply(matrices.velocity_gain, c_n, velocity);
     A.respond(displacement, velocity, solution.y);
-    if (A.n_rows() > 0) // deal.II adds no empty vectors
-      solution.y += problem.b;
+    add(problem.b, solution.y);
     problem.move(solution.y, problem.approach);
     solution.approach = problem.approach;
     // what the gradient of the residual adds to the slip is not in y, which has displacements alone, and a rest that relaxes
@@ -415,7 +421,7 @@ namespace vibrocontact
       }
 
     A.modal_numbers(solution.R, c_n, c_t);
-    c_n += c_t;
+    add(c_t, c_n);
     multiply(matrices.velocity_gain, c_n, velocity);
     if (matrices.shapes.rank() > 0)
     {

@@ -145,9 +145,15 @@ namespace vibrocontact
     }
   } // namespace
 
+  PatchShapes shapes_of_steps(const ContactPair &pair)
+  {
+    return patch_shapes(all_shapes(pair), patch_shape_tolerance);
+  }
+
   StepMatrices step_matrices(const CreepScheme &scheme, const ContactPair &body,
                              const std::vector<ModalStep> &steps, const double h, const double speed,
-                             const SuspendedHub *const hub, const StepWeights &pole_steps)
+                             const SuspendedHub *const hub, const StepWeights &pole_steps,
+                             const PatchShapes *const known)
   {
     const PlacedContacts &contacts = body.interface.contacts;
     const unsigned int n = contacts.n_points();
@@ -166,7 +172,7 @@ namespace vibrocontact
       return result;
     }
     result.residual_flexibility = result.response = rest_over_step(body, h);
-    result.shapes = patch_shapes(all_shapes(body), patch_shape_tolerance);
+    result.shapes = known ? *known : shapes_of_steps(body);
     PatchShapes &shapes = result.shapes;
     ComplexMatrix right, left;
     if (body.n_poles() > 0)

@@ -57,10 +57,10 @@ namespace vibrocontact
   {
   public:
     /// @param steps one per mode of the pair, for a step of h [s]; @param speed V [m/s], 0 without rolling
-    /// @param pole_steps what the pair's poles do in it
+    /// @param pole_steps what the pair's poles do in it @param shapes shapes_of_steps(); null: they are found
     ContactStepper(const ContactPair &pair, const CreepScheme &scheme, const ContactSections &contact,
                    const std::vector<ModalStep> &steps, double h, double speed,
-                   const StepWeights &pole_steps = {});
+                   const StepWeights &pole_steps = {}, const PatchShapes *shapes = nullptr);
 
     /// state <- state at the end of the step. @return how the contact was solved; not converged: the best
     /// found

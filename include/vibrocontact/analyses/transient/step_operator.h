@@ -42,10 +42,15 @@ namespace vibrocontact
     DenseMatrix displacement_gain, velocity_gain;
   };
 
+  /// StepMatrices::shapes of a pair but for the gradients of its poles: the same for steps of any length.
+  PatchShapes shapes_of_steps(const ContactPair &pair);
+
   /// @param steps one per mode; @param hub null: held @param pole_steps what the poles do in the step
+  /// @param shapes shapes_of_steps(); null: they are found
   StepMatrices step_matrices(const CreepScheme &scheme, const ContactPair &pair,
                              const std::vector<ModalStep> &steps, double h, double speed,
-                             const SuspendedHub *hub = nullptr, const StepWeights &pole_steps = {});
+                             const SuspendedHub *hub = nullptr, const StepWeights &pole_steps = {},
+                             const PatchShapes *shapes = nullptr);
 
   /// A of a time step on some points of the grid, from the residual displacements w = W~ R there and upstream
   /// of them and from the few modal numbers c = basis^T R:
