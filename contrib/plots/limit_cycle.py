@@ -66,6 +66,49 @@ def plot_disturbances(axis, cycle):
     axis.grid(alpha=0.3)
 
 
+def plot_branches(folder, limit_cycle):
+    """Amplitude and frequency of cycles that were followed over an entry, with onset, first stick and stability."""
+    followed = [cycle for cycle in limit_cycle["cycles"] if cycle.get("branch")]
+    if not followed:
+        return
+    figure, (loud, pitch) = plt.subplots(1, 2, figsize=(10, 3.8))
+    for cycle in followed:
+        branch = cycle["branch"]
+        points = branch["points"]
+        value = np.array([point["value"] for point in points])
+        amplitude = np.array([loudest_of(point)["amplitude"] for point in points])
+        line, = loud.plot(value, amplitude, "-", lw=1, label=cycle["root"]["label"])
+        color = line.get_color()
+        verdict = [point.get("stability", {}).get("verdict", "not judged") for point in points]
+        for kinds, marker, face in ((("stable",), "o", color), (("fold", "torus", "period doubling"), "o", "white"),
+                                    (("neutral", "not judged"), ".", color)):
+            chosen = [k for k, found in enumerate(verdict) if found in kinds]
+            loud.plot(value[chosen], amplitude[chosen], marker, ms=4, mfc=face, color=color)
+        pitch.plot(value, [point["frequency_Hz"] for point in points], ".-", lw=1, ms=4, color=color)
+        for end in (branch["begin"], branch["end"]):
+            if "onset" in end:
+                loud.plot(end["onset"], 0, "^", color=color, clip_on=False)
+        if "first_stick" in branch:
+            loud.axvline(branch["first_stick"]["value"], color=color, lw=0.5, ls=":")
+    name = loudest_of(followed[0]["branch"]["points"][0])["name"]
+    loud.set_ylabel(name.replace("_velocity_m_s", " [m/s]").replace("_N", " [N]").replace("_", " "))
+    loud.set_title("\u25cf stable   \u25cb unstable   . neutral   \u25b2 onset   : first stick", loc="left", fontsize=8)
+    loud.set_ylim(0, None)
+    pitch.set_ylabel("frequency [Hz]")
+    for axis in (loud, pitch):
+        axis.set_xlabel(followed[0]["branch"]["entry"].rpartition("/")[2])
+        axis.grid(alpha=0.3)
+    loud.legend(fontsize=8, frameon=False)
+    figure.tight_layout()
+    save(figure, folder, "limit_cycle_branches")
+
+
+def loudest_of(cycle):
+    """The loudest velocity of a cycle, or its normal force in scenes without probes."""
+    velocities = [one for one in cycle["signals"] if "level_dB" in one]
+    return max(velocities, key=lambda one: one["level_dB"]) if velocities else cycle["signals"][0]
+
+
 def plot_amplitudes(folder, sweep):
     """Amplitude of the loudest signal of each cycle over the swept entry, by the root that it began from; onset where it ends."""
     column = sweep["swept_columns"][0]

@@ -64,10 +64,31 @@ cases = swept[0]["limit_cycle_sweep"]["cases"]
 check.near("nothing grows at 0.4", len(cases[0]["limit_cycle"]["cycles"]), 0, 1e-12)
 check.near("the same in a sweep", cases[1]["limit_cycle"]["cycles"][0]["frequency_Hz"], cycle["frequency_Hz"], 1e-9)
 
+# followed over the friction: its ends are those of the range, its points are cycles of their own, the same on two ranks
+BRANCH = section("Limit cycle", entries(Time_step=1e-7), section("Branch", entries(Entry="Contact/Friction coefficient", Range="0.69, 0.71")))
+followed, folder = run("branch", scene("limit cycle", BRANCH, PROBES))
+branch = followed["limit_cycle"]["cycles"][0]["branch"]
+points = branch["points"]
+for end, value in (("begin", 0.69), ("end", 0.71)):
+    check.near(end, branch[end]["value"], value, 1e-12)
+    check.near(end + " at the range", branch[end]["kind"] == "end of the range", True, 1e-12)
+check.near("points are in turn", [point["value"] for point in points] == sorted(point["value"] for point in points), True, 1e-12)
+check.near("the first cycle is one of them", min(abs(point["frequency_Hz"] / cycle["frequency_Hz"] - 1) for point in points), 0, 1e-9, 1)
+rows = table(folder, "limit_cycle_1_branch.csv")
+check.near("rows of the table", len(rows), len(points), 1e-12)
+last = run("at_the_end", scene("limit cycle", STEPS, PROBES, friction=0.71))[0]["limit_cycle"]["cycles"][0]
+check.near("a cycle from its root", points[-1]["frequency_Hz"], last["frequency_Hz"], 1e-6)
+check.near("amplitude from its root", rows[-1]["side_velocity_m_s_amplitude"],
+           next(one for one in last["signals"] if one["name"] == "side_velocity_m_s")["amplitude"], 1e-5)
+again = run("branch_2", scene("limit cycle", BRANCH, PROBES), 2)[0]["limit_cycle"]["cycles"][0]["branch"]["points"]
+check.near("branch on two ranks", again[-1]["frequency_Hz"], points[-1]["frequency_Hz"], 1e-9)
+
 suspended = scene("limit cycle", STEPS, hub="suspended").replace("set Hub = suspended", "set Hub = suspended\n" +
                                                                  section("Suspension", entries(Unsprung_mass=100, Stiffness_x=1e6, Stiffness_y=1e6, Stiffness_z=1e6)))
 for name, text, said in (("suspended", suspended, "which does not take a hub with mass"),
                          ("other_root", scene("limit cycle", section("Limit cycle", entries(Time_step=1e-7, Roots=5000))), "are at 100"),
+                         ("outside", scene("limit cycle", BRANCH, friction=0.5), "leaves out the value"),
+                         ("one_value", scene("limit cycle", BRANCH).replace("0.69, 0.71", "0.71, 0.69"), "two values, the smaller one first"),
                          ("no_friction", scene("limit cycle", STEPS, friction=0), "Friction coefficient is 0")):
     with open(name + ".prm", "w") as file:
         file.write(text)

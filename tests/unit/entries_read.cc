@@ -74,6 +74,8 @@ namespace
   /// Values to be tried first: of texts, and of numbers that a small change does not move.
   const std::map<std::string, std::vector<std::string>> chosen_values = {
       {"Limit cycle/Multipliers", {"3"}},
+      {"Limit cycle/Branch/Range", {"0.69, 0.703"}},
+      {"Limit cycle/Branch/Most points", {"2"}},
       {"Limit cycle/Roots", {"5"}},
       {"Limit cycle/Tolerance", {"1e-3"}},
       {"Identification/Iterations", {"1"}},

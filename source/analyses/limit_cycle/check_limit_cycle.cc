@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/limit_cycle/check_limit_cycle.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/coupled_bodies/rolling_parameters.h>
 
 #include <algorithm>
 
@@ -25,6 +26,16 @@ namespace vibrocontact
     for (const BodyParameters &body : bodies)
       if (body.is_green() || body.has_complex_modes())
         throw InputError(but + "a body known by poles (" + body.name + ").");
+    const CycleBranchParameters &branch = parameters.limit_cycle.branch;
+    branch.check();
+    if (branch.any())
+    {
+      RollingCase constants = rolling_cases(parameters.rolling, parameters.contacts).front();
+      const double value = branch.value_in(constants);
+      if (value < branch.from() || value > branch.to())
+        throw InputError("Limit cycle/Branch/Range leaves out the value that " + branch.entry +
+                         " has: a branch begins there.");
+    }
     for (const BodyParameters &body : bodies)
       if (body.is_meshed() && parameters.modes.at(body.name).stiffness_damping > 0)
         throw InputError(body.name +

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vibrocontact
 {
@@ -17,9 +18,11 @@ namespace vibrocontact
   CycleMap::CycleMap(const TransientParameters &transient, const ContactSections &contact,
                      const ContactSolverParameters &solver, const ContactPair &pair, const Drive &drive,
                      const double approach, const std::vector<unsigned int> &points,
-                     const unsigned int n_steps)
+                     const unsigned int n_steps, std::shared_ptr<const PatchShapes> shapes)
       : transient(transient), contact(contact), solver(solver), pair(pair), drive(drive), approach(approach),
-        points(points), m(n_steps), frequency(pair.omega)
+        points(points),
+        shapes(shapes ? std::move(shapes) : std::make_shared<const PatchShapes>(shapes_of_steps(pair))),
+        m(n_steps), frequency(pair.omega)
   {
     for (unsigned int c = 0; c < 3; ++c)
       for (const unsigned int point : points)
@@ -103,7 +106,8 @@ namespace vibrocontact
   std::unique_ptr<ContactStepper> CycleMap::stepper_of(const double step) const
   {
     return std::make_unique<ContactStepper>(pair, find_creep_scheme(contact.first().creep_scheme), contact,
-                                            modal_steps(transient, pair, step), step, drive.creepage.speed);
+                                            modal_steps(transient, pair, step), step, drive.creepage.speed,
+                                            StepWeights(), shapes.get());
   }
 
   bool CycleMap::are_known(const DenseVector &R) const
@@ -234,9 +238,11 @@ namespace vibrocontact
 
   double CycleMap::change_along_motion() const
   {
-    DenseVector change = derivative(mean_rate);
-    change -= mean_rate;
-    return change.l2_norm() / mean_rate.l2_norm();
+    // what differences of steps have beside the direction of the motion is gone after a period
+    const DenseVector along = derivative(mean_rate);
+    DenseVector change = derivative(along);
+    change -= along;
+    return change.l2_norm() / along.l2_norm();
   }
 
   DenseMatrix CycleMap::unit_starts() const

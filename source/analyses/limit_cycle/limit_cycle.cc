@@ -1,3 +1,4 @@
+#include <vibrocontact/analyses/limit_cycle/bordered_cycle.h>
 #include <vibrocontact/analyses/limit_cycle/cycle_equations.h>
 #include <vibrocontact/analyses/limit_cycle/cycle_start.h>
 #include <vibrocontact/analyses/limit_cycle/limit_cycle.h>
@@ -24,39 +25,38 @@ namespace vibrocontact
     constexpr unsigned int periods_between[] = {0, 12, 36, 108};
     /// of a disturbance along the motion in a period
     constexpr double most_change_along = 1e-2;
-
-    /// Whether what repeats itself is a motion, and what becomes of disturbances.
-    void judge(CycleMap &map, const LimitCycleParameters &parameters, LimitCycle &cycle)
-    {
-      const auto begin = Clock::now();
-      cycle.message.clear();
-      try
-      {
-        map.march(cycle.state, cycle.period, true);
-        cycle.change_along = map.change_along_motion();
-        if (cycle.change_along > most_change_along)
-        {
-          cycle.converged = false;
-          cycle.message = "in the motion that repeats itself a disturbance along it changes by " +
-                          number_text(cycle.change_along) +
-                          " of itself in a period: take a shorter Limit cycle/Time step";
-          return;
-        }
-        if (parameters.n_multipliers > 0)
-          cycle.stability = cycle_stability(map.monodromy(), map.rate(), cycle.period);
-      }
-      catch (const ConvergenceError &error)
-      {
-        cycle.converged = false;
-        cycle.message = std::string("its stability was not found: ") + error.what();
-      }
-      cycle.stability_seconds = seconds_since(begin);
-    }
   } // namespace
 
   unsigned int steps_of_period(const StabilityRoot &root, const LimitCycleParameters &parameters)
   {
     return std::max<unsigned int>(least_steps, std::ceil(1 / (root.frequency * parameters.time_step) - 1e-9));
+  }
+
+  void judge_cycle(CycleMap &map, const LimitCycleParameters &parameters, LimitCycle &cycle)
+  {
+    const auto begin = Clock::now();
+    cycle.message.clear();
+    try
+    {
+      map.march(cycle.state, cycle.period, true);
+      cycle.change_along = map.change_along_motion();
+      if (cycle.change_along > most_change_along)
+      {
+        cycle.converged = false;
+        cycle.message = "in the motion that repeats itself a disturbance along it changes by " +
+                        number_text(cycle.change_along) +
+                        " of itself in a period: take a shorter Limit cycle/Time step";
+        return;
+      }
+      if (parameters.n_multipliers > 0)
+        cycle.stability = cycle_stability(map.monodromy(), map.rate(), cycle.period);
+    }
+    catch (const ConvergenceError &error)
+    {
+      cycle.converged = false;
+      cycle.message = std::string("its stability was not found: ") + error.what();
+    }
+    cycle.stability_seconds = seconds_since(begin);
   }
 
   LimitCycle find_limit_cycle(CycleMap &map, const ContactPair &pair, const DynamicState &equilibrium,
@@ -71,8 +71,9 @@ namespace vibrocontact
     {
       const RootMotion motion(map, pair, equilibrium, root);
       CycleStart start = start_of_cycle(map, motion, root);
-      CycleEquations equations(map, map.pack(equilibrium),
-                               map.one_step(equilibrium, cycle.period / map.n_steps()), parameters.tolerance);
+      const DenseMatrix linear =
+          linear_cycle(map.one_step(equilibrium, cycle.period / map.n_steps()), map.n_steps());
+      CycleEquations equations(map, map.pack(equilibrium), linear, parameters.tolerance);
       NewtonSettings settings;
       settings.max_iterations = parameters.max_newton_iterations;
       for (const unsigned int n_periods : periods_between)
@@ -107,7 +108,7 @@ namespace vibrocontact
     }
     cycle.seconds = seconds_since(begin);
     if (cycle.converged)
-      judge(map, parameters, cycle);
+      judge_cycle(map, parameters, cycle);
     cycle.n_products = map.n_products;
     cycle.n_marched_steps = map.n_marched_steps;
     return cycle;

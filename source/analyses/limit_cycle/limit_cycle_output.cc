@@ -1,3 +1,4 @@
+#include <vibrocontact/analyses/limit_cycle/branch_output.h>
 #include <vibrocontact/analyses/limit_cycle/limit_cycle_output.h>
 #include <vibrocontact/marching/signal_output.h>
 #include <vibrocontact/output/answer_parts.h>
@@ -192,10 +193,10 @@ namespace vibrocontact
     {
       const CycleStability &stability = *cycle.stability;
       nlohmann::ordered_json &own = json["stability"];
+      own["verdict"] = stability.verdict();
       own["stable"] = stability.is_stable();
-      if (!stability.is_stable())
-        own["instability"] = stability.instability();
       own["trivial_multiplier_error"] = stability.trivial_error;
+      own["growth_uncertainty_1_s"] = stability.uncertainty;
       own["seconds"] = cycle.stability_seconds;
       own["multipliers"] = nlohmann::ordered_json::array();
       for (std::size_t k = 0; k < std::min<std::size_t>(n_multipliers, stability.multipliers.size()); ++k)
@@ -279,15 +280,14 @@ namespace vibrocontact
         const nlohmann::ordered_json::json_pointer pointer(place);
         return one.contains(pointer) ? one.at(pointer).get<double>() : 0.;
       };
-      table.add_row({number("/root/frequency_Hz"), number("/root/growth_1_s"),
-                     one.at("root").at("label").get<std::string>(), one.at("status").get<std::string>(),
-                     !one.contains("stability")               ? "not judged"
-                     : one["stability"]["stable"].get<bool>() ? "stable"
-                                                              : "unstable",
-                     number("/frequency_Hz"), number("/steps_per_period"), number("/signals/0/amplitude"),
-                     number("/time_with_stick_share"), number("/friction_power_W"),
-                     number("/power_into_body_1_W"), number("/stability/multipliers/0/growth_1_s"),
-                     number("/residual"), number("/newton_iterations"), number("/seconds")});
+      table.add_row(
+          {number("/root/frequency_Hz"), number("/root/growth_1_s"),
+           one.at("root").at("label").get<std::string>(), one.at("status").get<std::string>(),
+           one.contains("stability") ? one["stability"]["verdict"].get<std::string>() : "not judged",
+           number("/frequency_Hz"), number("/steps_per_period"), number("/signals/0/amplitude"),
+           number("/time_with_stick_share"), number("/friction_power_W"), number("/power_into_body_1_W"),
+           number("/stability/multipliers/0/growth_1_s"), number("/residual"), number("/newton_iterations"),
+           number("/seconds")});
     }
     return table;
   }
@@ -333,10 +333,10 @@ namespace vibrocontact
           text(", normal force +-%.3g N, some points stick for %.0f %% of the time",
                number(list(one, "signals").at(0), "amplitude"), 100 * number(one, "time_with_stick_share"));
       if (one.contains("stability"))
-        line += one["stability"]["stable"].get<bool>()
-                    ? ", stable"
-                    : ", unstable (" + word(one["stability"], "instability") + ")";
+        line += ", " + word(one["stability"], "verdict");
       lines.push_back(line);
+      if (one.contains("branch"))
+        lines.push_back("  " + branch_answer(one["branch"]));
     }
     say_more(cycles.size(), "in limit_cycles.csv", lines);
     return lines;

@@ -6,10 +6,12 @@
 
 namespace vibrocontact
 {
-  std::string CycleStability::instability() const
+  std::string CycleStability::verdict() const
   {
-    if (is_stable())
-      return "";
+    if (multipliers.empty() || multipliers.front().growth < -uncertainty)
+      return "stable";
+    if (multipliers.front().growth <= uncertainty)
+      return "neutral";
     const std::complex<double> largest = multipliers.front().value;
     if (largest.imag() != 0)
       return "torus";
@@ -42,6 +44,7 @@ namespace vibrocontact
     }
     CycleStability result;
     result.trivial_error = std::abs(all.values[trivial] - 1.);
+    result.uncertainty = result.trivial_error / period;
     for (unsigned int k = 0; k < n; ++k)
     {
       const std::complex<double> mu = all.values[k];

@@ -1,8 +1,7 @@
+#include <vibrocontact/analyses/limit_cycle/branch_output.h>
 #include <vibrocontact/analyses/limit_cycle/limit_cycle_output.h>
+#include <vibrocontact/analyses/limit_cycle/run_branch.h>
 #include <vibrocontact/analyses/limit_cycle/run_limit_cycle.h>
-#include <vibrocontact/analyses/stability/stability.h>
-#include <vibrocontact/analyses/transient/transient.h>
-#include <vibrocontact/analyses/transient/transient_hub.h>
 #include <vibrocontact/analyses/transient/transient_probes.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
@@ -28,30 +27,6 @@ namespace vibrocontact
     constexpr double same_frequency = 1e-2;
     /// how far a contact may spread beyond its points at rest, columns and rows of the grid: tried one after the other, the whole grid last
     constexpr unsigned int spreads[] = {1, 4, std::numeric_limits<unsigned int>::max() / 2};
-
-    std::vector<StabilityRoot> unstable_roots(const ContactPair &pair, const ContactSections &contacts,
-                                              const DynamicState &at_rest, const Drive &drive)
-    {
-      const RollingEquilibrium equilibrium =
-          rolling_equilibrium(at_rest.contact, friction_law_of_points(contacts, pair.interface.contacts),
-                              normal_law_of_points(contacts, pair.interface.contacts), drive.creepage.speed,
-                              drive.normal_force > 0);
-      const auto n_stuck =
-          std::count(at_rest.contact.status.begin(), at_rest.contact.status.end(), ContactStatus::stick);
-      if (n_stuck > 0)
-        throw InputError(
-            std::to_string(n_stuck) +
-            " points stick in the rolling equilibrium, but limit cycles are sought from one in which "
-            "all slide: raise the creepage or the sliding velocity, or lower the friction.");
-      StabilityResult about;
-      about.roots = all_roots(pair, find_creep_scheme(contacts.first().creep_scheme), equilibrium,
-                              LinearisationOptions(), nullptr);
-      std::vector<StabilityRoot> unstable;
-      for (const StabilityRoot *const root : about.unstable())
-        if (root->frequency > 0)
-          unstable.push_back(*root);
-      return unstable;
-    }
 
     /// What a march over a period keeps for its derivative. @throws MachineError if the machine has too little
     void check_memory(const std::size_t n_loaded, const unsigned int n_steps)
@@ -123,20 +98,15 @@ namespace vibrocontact
       const auto held = std::make_shared<const ContactPair>(
           contact_pair(prepared->bodies, parameters.contacts, parameters.placed_contacts()));
       const RollingCase constants = rolling_cases(parameters.rolling, parameters.contacts).front();
-      const HubMotion hub = hub_motion(parameters.hub(), parameters.rolling, LoadOverTime(),
-                                       parameters.contacts, parameters.contact_solver, held,
-                                       drive_function(steps, constants, parameters.placed_contacts()));
-      const ContactPair &pair = *hub.pair;
+      const CycleScene scene = cycle_scene(parameters, steps, held, parameters.contacts, constants);
+      const ContactPair &pair = *scene.pair;
       place_in_pair(parameters, pair, probes);
-      const Drive drive = hub.drive(0);
-      const DynamicState at_rest =
-          initial_state(steps, parameters.contacts, parameters.contact_solver, *held, hub);
+      const DynamicState &at_rest = scene.at_rest;
       run_log().value("modes", pair.n_modes());
       run_log().value("contact points", pair.n_points());
       run_log().value("hub", hub_text(parameters.hub()));
 
-      const std::vector<StabilityRoot> roots =
-          asked_roots(unstable_roots(pair, parameters.contacts, at_rest, drive), own.roots);
+      const std::vector<StabilityRoot> roots = asked_roots(unstable_of(roots_of(scene)), own.roots);
       nlohmann::ordered_json &json = on.results.analyses["limit_cycle"];
       json["friction"] = parameters.largest_friction();
       json["loss"] = "viscous";
@@ -149,11 +119,11 @@ namespace vibrocontact
         check_memory(n_loaded, steps_of_period(roots[k], own));
         std::unique_ptr<CycleMap> map;
         LimitCycle cycle;
+        std::vector<unsigned int> points;
         for (const unsigned int spread : spreads)
         {
-          map = std::make_unique<CycleMap>(
-              steps, parameters.contacts, parameters.contact_solver, pair, drive, at_rest.contact.approach,
-              points_around(pair.interface.contacts, at_rest.R, spread), steps_of_period(roots[k], own));
+          points = points_around(pair.interface.contacts, at_rest.R, spread);
+          map = map_about(scene, steps, parameters.contact_solver, points, steps_of_period(roots[k], own));
           cycle = find_limit_cycle(*map, pair, at_rest, roots[k], own);
           if (cycle.converged || !map->left_its_points)
             break;
@@ -180,6 +150,24 @@ namespace vibrocontact
                 cycle_table(*period).write(name + ".csv");
                 harmonics_table(*period, 1 / cycle.period).write(name + "_harmonics.csv");
               });
+          if (own.branch.any())
+          {
+            nlohmann::ordered_json &branch = json["cycles"].back()["branch"];
+            branch = run_branch({parameters, steps, held, scene, constants, points, probes}, cycle);
+            for (const char *const end : {"begin", "end"})
+              if (branch[end]["kind"] == "lost")
+                refuse("limit cycle",
+                       "The branch of the cycle at " + number_text(1 / cycle.period) + " Hz over " +
+                           own.branch.entry + " was lost at " +
+                           number_text(branch[end]["value"].get<double>()) + ": " +
+                           branch[end]["reason"].get<std::string>() + ".",
+                       on.results);
+            on_first_rank(
+                [&] {
+                  branch_table(branch).write(on.folder + "/limit_cycle_" + std::to_string(k + 1) +
+                                             "_branch.csv");
+                });
+          }
         }
         else
         {
@@ -216,6 +204,9 @@ namespace vibrocontact
                      "Longitudinal creepage, Lateral creepage, Spin");
       add_sliding(entries, parameters);
       entries.add("Limit cycle", "Time step, Roots, Tolerance, Max Newton iterations, Multipliers");
+      entries.add("Limit cycle/Branch", "Entry");
+      entries.add_if(parameters.limit_cycle.branch.any(), "Limit cycle/Branch/Entry is given",
+                     "Limit cycle/Branch", "Range, Most points, Largest step");
       entries.add("Transient", "Integrator, Reaction");
       entries.add_if(parameters.transient.integrator == "theta method",
                      "Transient/Integrator is theta method", "Transient", "Theta");
@@ -239,7 +230,8 @@ namespace vibrocontact
             {{"limit_cycle",
               "limit cycle",
               limit_cycle_answer,
-              {"limit_cycles.csv", "limit_cycle_*.csv", "figures/limit_cycles.png"}}},
+              {"limit_cycles.csv", "limit_cycle_*.csv", "figures/limit_cycles.png",
+               "figures/limit_cycle_branches.png"}}},
             swept_runs(prepare_limit_cycle,
                        {{"roots", "/limit_cycle/roots"},
                         {"cycles", "/limit_cycle/cycles_found"},

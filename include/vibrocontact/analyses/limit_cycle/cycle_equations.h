@@ -12,28 +12,20 @@ namespace vibrocontact
   ///
   ///   x - Phi(x; T) = 0,      p . dx = 0
   ///
-  /// Phi: CycleMap, p: the direction in which the motion goes on, so that a step does not go along the cycle. The linear system
-  ///
-  ///   [ I - Phi_x   -Phi_T ] [dx]   [ Phi - x ]
-  ///   [ p^T            0   ] [dT] = [    0    ]
-  ///
-  /// is solved by GMRES. Its preconditioner is the same system with the derivative of one step at the equilibrium, to the power of the steps
-  /// of a period, in place of Phi_x: all points that slide go on to slide. Contact that sticks for a part of the period changes
-  /// it in few directions.
+  /// Phi: CycleMap, p: the direction in which the motion goes on, so that a step does not go along the cycle. BorderedCycle with T as the
+  /// further unknown.
   class CycleEquations : public NewtonEquations
   {
   public:
     /// @param map is referred to @param equilibrium the state of rest that sizes are measured from
-    /// @param step_at_equilibrium CycleMap::one_step()
-    CycleEquations(CycleMap &map, const DenseVector &equilibrium, const DenseMatrix &step_at_equilibrium,
+    /// @param linear linear_cycle() at the equilibrium, is referred to
+    CycleEquations(CycleMap &map, const DenseVector &equilibrium, const DenseMatrix &linear,
                    double tolerance);
 
     /// @param x state, then the period [s] @return |Phi - x| over |x - equilibrium|
     double evaluate(const std::vector<double> &x) override;
     bool keep(const std::vector<double> &x, double size) override;
     bool find_step(bool renew, std::vector<double> &step) override;
-    /// The bordered derivative, dT in the unit that makes its column one; for GMRES.
-    void vmult(DenseVector &to, const DenseVector &from) const;
 
     /// why the last march or linear system failed; empty: it did not
     std::string failure;
@@ -41,11 +33,10 @@ namespace vibrocontact
   private:
     CycleMap &map;
     const DenseVector equilibrium;
+    const DenseMatrix &linear;
     const unsigned int n;
     const double tolerance;
-    /// I less the linear dynamics over a period
-    DenseMatrix linear;
-    DenseVector start, rest, by_period, phase;
-    double period = 0, unit_of_period = 1;
+    DenseVector start, rest;
+    double period = 0;
   };
 } // namespace vibrocontact

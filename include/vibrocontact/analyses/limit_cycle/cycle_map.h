@@ -22,9 +22,11 @@ namespace vibrocontact
     /// All are referred to. @param drive constant, at a given approach or normal force
     /// @param approach at rest, from which the steps start to look for theirs if the force is given [m]
     /// @param points of the grid that may touch, ascending, see points_around()
+    /// @param shapes shapes_of_steps() of the pair; null: they are found
     CycleMap(const TransientParameters &transient, const ContactSections &contact,
              const ContactSolverParameters &solver, const ContactPair &pair, const Drive &drive,
-             double approach, const std::vector<unsigned int> &points, unsigned int n_steps);
+             double approach, const std::vector<unsigned int> &points, unsigned int n_steps,
+             std::shared_ptr<const PatchShapes> shapes = nullptr);
 
     unsigned int size() const { return 2 * pair.n_modes() + 3 * points.size(); }
     unsigned int n_steps() const { return m; }
@@ -42,7 +44,7 @@ namespace vibrocontact
     DenseVector derivative(const DenseVector &start) const;
     /// Derivative of the end by the period [sqrt(J)/s].
     DenseVector by_period() const;
-    /// |Phi_x r - r| / |r|, r: rate(). A disturbance along the motion stays what it is, if the steps are short enough.
+    /// |Phi_x r - r| / |r|, r: Phi_x times rate(). A disturbance along the motion stays what it is, if the steps are short enough.
     double change_along_motion() const;
     /// The derivative by the whole start, square: the monodromy matrix.
     DenseMatrix monodromy() const;
@@ -73,6 +75,7 @@ namespace vibrocontact
     const Drive drive;
     const double approach;
     const std::vector<unsigned int> points;
+    const std::shared_ptr<const PatchShapes> shapes;
     /// on the grid; 3 n_points, by component
     std::vector<unsigned int> rows;
     const unsigned int m;

@@ -41,6 +41,10 @@ namespace vibrocontact
   LimitCycle find_limit_cycle(CycleMap &map, const ContactPair &pair, const DynamicState &equilibrium,
                               const StabilityRoot &root, const LimitCycleParameters &parameters);
 
+  /// Whether what repeats itself is a motion (change_along), and what becomes of disturbances (stability); a cycle that is
+  /// none, or whose stability is not found, has not converged.
+  void judge_cycle(CycleMap &map, const LimitCycleParameters &parameters, LimitCycle &cycle);
+
   /// Steps of a period of a root.
   unsigned int steps_of_period(const StabilityRoot &root, const LimitCycleParameters &parameters);
 } // namespace vibrocontact

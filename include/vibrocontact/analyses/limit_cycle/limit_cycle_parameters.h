@@ -7,6 +7,31 @@
 
 namespace vibrocontact
 {
+  struct RollingCase;
+
+  /// `subsection Branch` of it: each cycle is followed over an entry.
+  struct CycleBranchParameters
+  {
+    /// "none": no cycle is followed
+    std::string entry = "none";
+    /// from one value to the other, in the unit of the entry
+    std::vector<double> range;
+    unsigned int most_points = 200;
+    /// between neighbours: root of the sum of squares of the changes of the state, the period, and the value over the range
+    double largest_step = 0.1;
+
+    bool any() const { return entry != "none"; }
+    double from() const { return range.front(); }
+    double to() const { return range.back(); }
+    /// what the entry is in every section Contact, no part of a case
+    bool is_friction() const { return entry == "Contact/Friction coefficient"; }
+    /// The value of the entry in a case; @pre any()
+    double &value_in(RollingCase &constants) const;
+    void declare_parameters(dealii::ParameterHandler &prm);
+    /// @throws InputError
+    void check() const;
+  };
+
   /// `subsection Limit cycle`
   struct LimitCycleParameters
   {
@@ -19,6 +44,7 @@ namespace vibrocontact
     unsigned int max_newton_iterations = 20;
     /// Floquet multipliers that are listed, the largest; 0: they are not computed
     unsigned int n_multipliers = 12;
+    CycleBranchParameters branch;
 
     void declare_parameters(dealii::ParameterHandler &prm);
   };

@@ -22,9 +22,12 @@ namespace vibrocontact
     std::vector<Multiplier> multipliers;
     /// |mu - 1| of the disturbance along the cycle, which is 1
     double trivial_error = 0;
-    bool is_stable() const { return multipliers.empty() || multipliers.front().growth < 0; }
-    /// What the largest multiplier beyond the circle does: "fold", "period doubling", "torus"; empty: stable
-    std::string instability() const;
+    /// growth that this is worth [1/s]: rates are known no better
+    double uncertainty = 0;
+    /// "stable"; "neutral": the largest growth is less than the uncertainty; else what the largest multiplier does: "fold",
+    /// "period doubling", "torus"
+    std::string verdict() const;
+    bool is_stable() const { return verdict() == "stable"; }
   };
 
   /// @param monodromy derivative of the state after a period @param rate of the motion there, to tell the trivial multiplier

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vibrocontact/analyses/limit_cycle/cycle_branch.h>
+#include <vibrocontact/base/table.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// The object `branch` of a cycle in results.json: its ends, folds and points.
+  /// @param points in the order of branch.points: cycle_json() with `value`
+  nlohmann::ordered_json branch_json(const std::string &entry, const CycleBranch &branch,
+                                     const std::vector<nlohmann::ordered_json> &points);
+  /// A row per point. @param branch branch_json()
+  Table branch_table(const nlohmann::ordered_json &branch);
+  /// "over Contact/Friction coefficient from 0.1 on, where points begin to stick, to 0.6: ..."
+  std::string branch_answer(const nlohmann::ordered_json &branch);
+} // namespace vibrocontact

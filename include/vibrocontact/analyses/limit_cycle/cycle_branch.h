@@ -1,0 +1,76 @@
+#pragma once
+
+#include <vibrocontact/analyses/limit_cycle/cycle_scene.h>
+#include <vibrocontact/analyses/limit_cycle/limit_cycle.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// The scene at a value of the followed entry, and the map of a period of its march, which refers to it.
+  struct CycleAt
+  {
+    CycleScene scene;
+    std::unique_ptr<CycleMap> map;
+    /// CycleMap::pack() of the state at rest
+    DenseVector equilibrium;
+  };
+  /// @throws ConvergenceError if there is no equilibrium at the value
+  using CycleFamily = std::function<std::shared_ptr<CycleAt>(double value)>;
+
+  /// A cycle of a branch.
+  struct CycleBranchPoint
+  {
+    double value = 0;
+    /// 0, 1, ... in the order in which they were found
+    unsigned int number = 0;
+    LimitCycle cycle;
+    /// whether a point sticks at some time of the period; whether one does what it does not at rest
+    bool sticks = false, changes = false;
+  };
+
+  /// One end of a branch.
+  struct CycleBranchEnd
+  {
+    enum class Kind
+    {
+      /// the value is that of the range
+      range,
+      /// the amplitude vanishes: here motions begin. Where full sliding is linear the value stays the same from the first stick on
+      vanishes,
+      /// Newton's method came no farther
+      lost
+    } kind = Kind::lost;
+    /// why it was lost
+    std::string reason;
+    /// the value at which the amplitude is zero; of vanishes
+    double onset = 0;
+  };
+
+  /// The cycles that are reached from one when an entry changes; neighbours in turn.
+  struct CycleBranch
+  {
+    std::vector<CycleBranchPoint> points;
+    /// at the first point and at the last one
+    CycleBranchEnd ends[2];
+    /// values at which the branch turns round
+    std::vector<double> folds;
+  };
+
+  /// Follows a cycle both ways by pseudo-arc-length (Keller 1977): from the last cycle along the secant of the last two, then Newton's
+  /// method on
+  ///
+  ///   x - Phi(x; T, v) = 0,    p . dx = 0,    t . (z - z0) = ds
+  ///
+  /// z: state, period and value v, each over its size; p as in CycleEquations, t the secant. Folds are passed. Steps grow where few
+  /// iterations were needed and are halved where Newton's method fails.
+  /// @param start a cycle that was found at `value` @param found hears of every point, as they are found; where it throws a
+  /// ConvergenceError the branch is lost
+  CycleBranch follow_cycle(const CycleFamily &family, const LimitCycle &start, double value,
+                           const LimitCycleParameters &parameters,
+                           const std::function<void(const CycleBranchPoint &, CycleAt &)> &found);
+} // namespace vibrocontact

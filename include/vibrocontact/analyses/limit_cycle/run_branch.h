@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vibrocontact/analyses/limit_cycle/cycle_branch.h>
+#include <vibrocontact/analyses/transient/probes.h>
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// What a branch needs beside its first cycle.
+  struct BranchRun
+  {
+    const Parameters &parameters;
+    const TransientParameters &steps;
+    /// with its hub held, and the scene of the first cycle
+    std::shared_ptr<const ContactPair> held;
+    const CycleScene &scene;
+    RollingCase constants;
+    /// that may touch, see CycleMap
+    std::vector<unsigned int> points;
+    std::vector<Probe> probes;
+  };
+
+  /// Follows a cycle over Limit cycle/Branch/Entry, says so point by point, and compares the onset with where the growth of the root
+  /// that it began from is zero. Nothing but messages is written.
+  /// @return branch_json()
+  nlohmann::ordered_json run_branch(const BranchRun &run, const LimitCycle &start);
+} // namespace vibrocontact

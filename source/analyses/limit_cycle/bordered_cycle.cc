@@ -1,0 +1,108 @@
+#include <vibrocontact/analyses/limit_cycle/bordered_cycle.h>
+#include <vibrocontact/base/dense_operations.h>
+#include <vibrocontact/base/exceptions.h>
+
+#include <deal.II/lac/solver_gmres.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// GMRES stops at this share of the residual, and gives up after so many products
+    constexpr double linear_tolerance = 1e-4;
+    constexpr unsigned int most_products = 100;
+
+    // what a preconditioner needs no more of
+    using SingleMatrix = dealii::LAPACKFullMatrix<float>;
+
+    /// matrix^exponent by squares, exponent > 0
+    SingleMatrix power(const DenseMatrix &matrix, unsigned int exponent)
+    {
+      SingleMatrix square(matrix.m(), matrix.n()), result;
+      for (unsigned int j = 0; j < matrix.n(); ++j)
+        for (unsigned int i = 0; i < matrix.m(); ++i)
+          square(i, j) = matrix(i, j);
+      for (; exponent > 0; exponent /= 2)
+      {
+        if (exponent % 2 == 1)
+          result = result.m() == 0 ? square : product(result, square);
+        if (exponent > 1)
+          square = product(square, square);
+      }
+      return result;
+    }
+
+    struct Factors
+    {
+      const DenseMatrix &lu;
+      void vmult(DenseVector &to, const DenseVector &from) const
+      {
+        to = from;
+        lu.solve(to);
+      }
+    };
+  } // namespace
+
+  DenseMatrix linear_cycle(const DenseMatrix &step, const unsigned int n_steps)
+  {
+    const SingleMatrix dynamics = power(step, n_steps);
+    DenseMatrix linear(step.m(), step.n());
+    for (unsigned int j = 0; j < linear.n(); ++j)
+      for (unsigned int i = 0; i < linear.m(); ++i)
+        linear(i, j) = (i == j ? 1. : 0.) - dynamics(i, j);
+    return linear;
+  }
+
+  DenseVector BorderedCycle::solve(const DenseMatrix &linear, const DenseVector &right) const
+  {
+    const unsigned int n = linear.m(), n_further = columns.size();
+    DenseMatrix bordered(n + n_further, n + n_further);
+    add_block(bordered, linear, 0, 0);
+    add_block(bordered, corner, n, n);
+    for (unsigned int k = 0; k < n_further; ++k)
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        bordered(i, n + k) = -columns[k][i];
+        bordered(n + k, i) = rows[k][i];
+      }
+    DenseVector x(n + n_further);
+    dealii::SolverControl control(most_products, linear_tolerance * right.l2_norm());
+    const dealii::SolverGMRES<DenseVector>::AdditionalData data(most_products + 2, true);
+    dealii::SolverGMRES<DenseVector> gmres(control, data);
+    try
+    {
+      bordered.compute_lu_factorization();
+      gmres.solve(*this, x, right, Factors{bordered});
+    }
+    catch (const dealii::LACExceptions::ExcSingular &)
+    {
+      throw ConvergenceError("the linear dynamics over a period are singular");
+    }
+    catch (const dealii::SolverControl::NoConvergence &)
+    {
+      // the line search judges what was found
+    }
+    if (!std::all_of(x.begin(), x.end(), [](const double value) { return std::isfinite(value); }))
+      throw ConvergenceError("the linear system of a period has no finite solution");
+    return x;
+  }
+
+  void BorderedCycle::vmult(DenseVector &to, const DenseVector &from) const
+  {
+    const unsigned int n_further = columns.size(), n = from.size() - n_further;
+    const DenseVector x(from.begin(), from.begin() + n), end = map.derivative(x);
+    for (unsigned int i = 0; i < n; ++i)
+      to[i] = x[i] - end[i];
+    for (unsigned int k = 0; k < n_further; ++k)
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        to[i] -= columns[k][i] * from[n + k];
+      to[n + k] = rows[k] * x;
+      for (unsigned int l = 0; l < n_further; ++l)
+        to[n + k] += corner(k, l) * from[n + l];
+    }
+  }
+} // namespace vibrocontact

@@ -1,0 +1,435 @@
+#include <vibrocontact/analyses/limit_cycle/bordered_cycle.h>
+#include <vibrocontact/analyses/limit_cycle/cycle_branch.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
+#include <vibrocontact/numerics/newton_method.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// arc lengths: the first, the shortest, and that below which the first stick is located well enough
+    constexpr double first_step = 0.02, shortest_step = 1e-4, stick_step = 0.01;
+    /// the longest where the contact stays as it is at rest: motions of any amplitude are nearly alike
+    constexpr double linear_step = 0.5;
+    /// a secant that turns by more than this [cosine] is tried with half the step
+    constexpr double least_cosine = 0.8;
+    /// of the first cycle's motion: nothing is left of a smaller one
+    constexpr double vanished = 0.02;
+    /// change of the value over the range that differences are taken over, and from which on it is more than rounding
+    constexpr double little_change = 1e-5, least_change = 1e-6;
+
+    /// A place on a branch, as Newton's method has it: the state less the equilibrium at the value, which changes with it; period, value.
+    using Place = std::vector<double>;
+
+    /// Sizes that places are measured in.
+    struct Sizes
+    {
+      double state, period, value;
+
+      double of(const std::size_t k, const std::size_t n) const
+      {
+        return k < n ? state : k == n ? period : value;
+      }
+    };
+
+    /// The equations of follow_cycle().
+    class BranchEquations : public NewtonEquations
+    {
+    public:
+      BranchEquations(const CycleFamily &family, const LimitCycle &start, const double value,
+                      const double value_size, const double tolerance)
+          : family(family), tolerance(tolerance), value_size(value_size), at(family(value)), value(value),
+            n(at->map->size())
+      {
+        linear =
+            linear_cycle(at->map->one_step(at->scene.at_rest, start.period / start.n_steps), start.n_steps);
+      }
+
+      /// The last condition: steps are normal to the direction, which is in the sizes.
+      void go_along(const Place &direction, const Sizes &in)
+      {
+        tangent = direction;
+        sizes = in;
+      }
+
+      double evaluate(const std::vector<double> &z) override
+      {
+        failure.clear();
+        try
+        {
+          if (z[n + 1] != value)
+          {
+            at = family(z[n + 1]);
+            value = z[n + 1];
+          }
+          from_rest = DenseVector(z.begin(), z.begin() + n);
+          start = at->equilibrium;
+          start += from_rest;
+          period = z[n];
+          if (!(period > 0))
+            throw ConvergenceError("a step leads to a period below zero");
+          rest = at->map->march(start, period, false);
+        }
+        catch (const ConvergenceError &error)
+        {
+          failure = error.what();
+          return std::numeric_limits<double>::max();
+        }
+        rest -= start;
+        return rest.l2_norm() / motion();
+      }
+
+      bool keep(const std::vector<double> &, const double size) override { return size <= tolerance; }
+
+      bool find_step(bool, std::vector<double> &step) override
+      {
+        try
+        {
+          CycleMap &map = *at->map;
+          map.march(start, period, true);
+          BorderedCycle system{
+              map, {map.by_period(), by_value()}, {map.rate(), DenseVector(n)}, DenseMatrix(2, 2)};
+          double units[2];
+          for (unsigned int k = 0; k < 2; ++k)
+          {
+            units[k] = 1 / system.columns[k].l2_norm();
+            if (!std::isfinite(units[k]))
+              throw ConvergenceError("the motion does not depend on the value");
+            system.columns[k] *= units[k];
+          }
+          system.rows[0] /= system.rows[0].l2_norm();
+          for (unsigned int i = 0; i < n; ++i)
+            system.rows[1][i] = tangent[i];
+          // the condition in units of the state
+          for (unsigned int k = 0; k < 2; ++k)
+            system.corner(1, k) = tangent[n + k] * units[k] * sizes.state / sizes.of(n + k, n);
+          DenseVector right(n + 2);
+          std::copy(rest.begin(), rest.end(), right.begin());
+          const DenseVector x = system.solve(linear, right);
+          step.assign(x.begin(), x.end());
+          for (unsigned int k = 0; k < 2; ++k)
+            step[n + k] *= units[k];
+        }
+        catch (const ConvergenceError &error)
+        {
+          failure = error.what();
+          return false;
+        }
+        return true;
+      }
+
+      /// Of the place that was evaluated last: its state, and the size of its motion [sqrt(J)].
+      const DenseVector &state() const { return start; }
+      double motion() const { return from_rest.l2_norm(); }
+
+      CycleAt &last() { return *at; }
+
+      /// why the last march or linear system failed; empty: it did not
+      std::string failure;
+
+    private:
+      DenseVector by_value() const
+      {
+        const double change = little_change * value_size;
+        const std::shared_ptr<CycleAt> other = family(value + change);
+        DenseVector begin = other->equilibrium;
+        begin += from_rest;
+        DenseVector end = other->map->march(begin, period, false);
+        end -= begin;
+        end -= rest;
+        end /= change;
+        return end;
+      }
+
+      const CycleFamily &family;
+      const double tolerance, value_size;
+      std::shared_ptr<CycleAt> at;
+      double value;
+      const unsigned int n;
+      DenseMatrix linear;
+      Place tangent;
+      Sizes sizes = {};
+      DenseVector from_rest, start, rest;
+      double period = 0;
+    };
+
+    /// Goes once more through a cycle to see what its contact does.
+    void look_at(CycleAt &at, CycleBranchPoint &point)
+    {
+      const std::vector<ContactStatus> &at_rest = at.scene.at_rest.contact.status;
+      at.map->march(point.cycle.state, point.cycle.period, false,
+                    [&](const DynamicState &state)
+                    {
+                      const std::vector<ContactStatus> &status = state.contact.status;
+                      point.sticks =
+                          point.sticks || std::count(status.begin(), status.end(), ContactStatus::stick) > 0;
+                      point.changes = point.changes || status != at_rest;
+                    });
+    }
+
+    double norm(const Place &z, const unsigned int n)
+    {
+      return DenseVector(z.begin(), z.begin() + n).l2_norm();
+    }
+
+    /// One way along a branch.
+    class OneWay
+    {
+    public:
+      OneWay(BranchEquations &equations, const LimitCycleParameters &parameters,
+             const CycleBranchPoint &start, const Place &place)
+          : equations(equations), parameters(parameters), start(start), last(place),
+            n(start.cycle.state.size()), first_motion(norm(place, n)), last_motion(first_motion)
+      {
+      }
+
+      /// Adds its points, the start is none of them, and values at which it turns round. @param direction of the value, 1 or -1
+      CycleBranchEnd follow(const int direction,
+                            const std::function<void(CycleBranchPoint &, CycleAt &)> &found,
+                            std::vector<CycleBranchPoint> &points, std::vector<double> &folds)
+      {
+        const CycleBranchParameters &branch = parameters.branch;
+        // by the value alone, until two points give a secant
+        way.assign(n + 2, 0.);
+        way[n + 1] = direction;
+        if (last[n + 1] == (direction > 0 ? branch.to() : branch.from()))
+          return {CycleBranchEnd::Kind::range, "", 0};
+        double step = std::min(first_step, branch.largest_step);
+        bool did_stick = start.sticks;
+        std::string reason = "more than Limit cycle/Branch/Most points are needed";
+        while (points.size() < branch.most_points)
+        {
+          CycleBranchPoint point;
+          Place place;
+          bool at_limit = false;
+          unsigned int iterations = 0;
+          const bool is_found = correct(step, point, place, at_limit, iterations, reason);
+          const bool stops_sticking = is_found && did_stick && !point.sticks;
+          if (!is_found || turns(place, step) || (stops_sticking && step > stick_step))
+          {
+            step /= 2;
+            if (step >= shortest_step)
+              continue;
+            return {CycleBranchEnd::Kind::lost, reason, 0};
+          }
+          judge_cycle(*equations.last().map, parameters, point.cycle);
+          if (!point.cycle.converged)
+            return {CycleBranchEnd::Kind::lost, point.cycle.message, 0};
+          const double motion = equations.motion(), motion_before = last_motion;
+          const double value_before = last[n + 1];
+          try
+          {
+            found(point, equations.last());
+          }
+          catch (const ConvergenceError &error)
+          {
+            return {CycleBranchEnd::Kind::lost, error.what(), 0};
+          }
+          note_fold(place, folds);
+          advance_to(place, motion);
+          points.push_back(point);
+          did_stick = point.sticks;
+          if (motion < vanished * first_motion)
+          {
+            // the square of the amplitude grows with the value beyond the onset
+            const double square = motion * motion, before = motion_before * motion_before;
+            return {CycleBranchEnd::Kind::vanishes, "",
+                    point.value - (value_before - point.value) * square / (before - square)};
+          }
+          if (at_limit)
+            return {CycleBranchEnd::Kind::range, "", 0};
+          if (iterations <= 2)
+            step = std::min(1.5 * step,
+                            point.changes ? branch.largest_step : std::max(branch.largest_step, linear_step));
+          else if (iterations > 4)
+            step *= 0.7;
+        }
+        return {CycleBranchEnd::Kind::lost, reason, 0};
+      }
+
+    private:
+      Sizes sizes() const
+      {
+        return {last_motion, last[n], parameters.branch.to() - parameters.branch.from()};
+      }
+
+      /// A cycle a step ahead.
+      bool correct(const double step, CycleBranchPoint &point, Place &z, bool &at_limit,
+                   unsigned int &iterations, std::string &reason)
+      {
+        const auto begin = std::chrono::steady_clock::now();
+        const Sizes in = sizes();
+        z = last;
+        const Place secant = in_sizes(way);
+        Place tangent = secant;
+        double length = step;
+        const double ahead = last[n + 1] + step * secant[n + 1] * in.value,
+                     limit = secant[n + 1] > 0 ? parameters.branch.to() : parameters.branch.from();
+        at_limit = secant[n + 1] > 0 ? ahead >= limit : secant[n + 1] < 0 && ahead <= limit;
+        if (at_limit)
+        {
+          length = (limit - last[n + 1]) / (secant[n + 1] * in.value);
+          tangent.assign(n + 2, 0.);
+          tangent[n + 1] = 1;
+        }
+        for (unsigned int k = 0; k < n + 2; ++k)
+          z[k] += length * secant[k] * in.of(k, n);
+        if (at_limit)
+          z[n + 1] = limit;
+        equations.go_along(tangent, in);
+        NewtonSettings settings;
+        settings.max_iterations = 8;
+        settings.shortest_length = 1. / 8;
+        const NewtonResult result = solve_by_newton(equations, settings, z);
+        iterations = result.iterations;
+        if (!result.converged)
+        {
+          reason = "Newton's method ended at a change over a period of " + number_text(result.size) +
+                   " of the motion" + (equations.failure.empty() ? "" : ": " + equations.failure);
+          return false;
+        }
+        LimitCycle &cycle = point.cycle;
+        cycle.root = start.cycle.root;
+        cycle.converged = true;
+        cycle.n_steps = start.cycle.n_steps;
+        cycle.state = equations.state();
+        cycle.period = z[n];
+        cycle.residual = result.size;
+        cycle.newton_iterations = result.iterations;
+        point.value = z[n + 1];
+        look_at(equations.last(), point);
+        cycle.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        return true;
+      }
+
+      Place way_to(const Place &z) const
+      {
+        Place result(n + 2);
+        for (unsigned int k = 0; k < n + 2; ++k)
+          result[k] = z[k] - last[k];
+        return result;
+      }
+
+      /// A direction in the sizes, of unit length.
+      Place in_sizes(const Place &direction) const
+      {
+        const Sizes in = sizes();
+        Place result(n + 2);
+        double square = 0;
+        for (unsigned int k = 0; k < n + 2; ++k)
+        {
+          result[k] = direction[k] / in.of(k, n);
+          square += result[k] * result[k];
+        }
+        for (double &part : result)
+          part /= std::sqrt(square);
+        return result;
+      }
+
+      bool turns(const Place &z, const double step) const
+      {
+        if (!has_secant || step <= 10 * shortest_step)
+          return false;
+        const Place before = in_sizes(way), next = in_sizes(way_to(z));
+        double cosine = 0;
+        for (unsigned int k = 0; k < n + 2; ++k)
+          cosine += next[k] * before[k];
+        return cosine < least_cosine;
+      }
+
+      /// The value at which the branch turned round, by the parabola through the last three places.
+      void note_fold(const Place &z, std::vector<double> &folds) const
+      {
+        const Place next = way_to(z);
+        const double before = way[n + 1], after = next[n + 1], range = sizes().value;
+        if (!has_secant || before * after >= 0 ||
+            std::min(std::abs(before), std::abs(after)) < least_change * range)
+          return;
+        const auto length = [&](const Place &direction)
+        {
+          const Sizes in = sizes();
+          double square = 0;
+          for (unsigned int k = 0; k < n + 2; ++k)
+            square += std::pow(direction[k] / in.of(k, n), 2);
+          return std::sqrt(square);
+        };
+        const double a = length(way), b = length(next), slope = (before / a * b + after / b * a) / (a + b),
+                     curvature = 2 * (after / b - before / a) / (a + b);
+        folds.push_back(last[n + 1] - slope * slope / (2 * curvature));
+      }
+
+      void advance_to(const Place &z, const double motion)
+      {
+        way = way_to(z);
+        // on the cycle itself every place of it is as good: the branch does not go along it
+        const DenseVector &along = equations.last().map->rate();
+        double share = 0;
+        for (unsigned int k = 0; k < n; ++k)
+          share += way[k] * along[k];
+        share /= along.norm_sqr();
+        for (unsigned int k = 0; k < n; ++k)
+          way[k] -= share * along[k];
+        has_secant = true;
+        last = z;
+        last_motion = motion;
+      }
+
+      BranchEquations &equations;
+      const LimitCycleParameters &parameters;
+      const CycleBranchPoint &start;
+      Place last;
+      const unsigned int n;
+      const double first_motion;
+      double last_motion;
+      /// from the place before it, or the first direction
+      Place way;
+      bool has_secant = false;
+    };
+  } // namespace
+
+  CycleBranch follow_cycle(const CycleFamily &family, const LimitCycle &start, const double value,
+                           const LimitCycleParameters &parameters,
+                           const std::function<void(const CycleBranchPoint &, CycleAt &)> &found)
+  {
+    const double range = parameters.branch.to() - parameters.branch.from();
+    BranchEquations equations(family, start, value, range, parameters.tolerance);
+    CycleBranchPoint first;
+    first.value = value;
+    first.cycle = start;
+    look_at(equations.last(), first);
+    DenseVector from_rest = start.state;
+    from_rest -= equations.last().equilibrium;
+    Place place(from_rest.begin(), from_rest.end());
+    place.push_back(start.period);
+    place.push_back(value);
+    CycleBranch branch;
+    unsigned int n_found = 0;
+    const auto count = [&](CycleBranchPoint &point, CycleAt &at)
+    {
+      point.number = n_found;
+      found(point, at);
+      ++n_found;
+    };
+    count(first, equations.last());
+    for (const int direction : {-1, 1})
+    {
+      std::vector<CycleBranchPoint> points;
+      branch.ends[direction > 0] =
+          OneWay(equations, parameters, first, place).follow(direction, count, points, branch.folds);
+      if (direction < 0)
+      {
+        branch.points.assign(points.rbegin(), points.rend());
+        branch.points.push_back(first);
+      }
+      else
+        branch.points.insert(branch.points.end(), points.begin(), points.end());
+    }
+    return branch;
+  }
+} // namespace vibrocontact

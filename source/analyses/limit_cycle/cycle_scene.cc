@@ -1,0 +1,64 @@
+#include <vibrocontact/analyses/limit_cycle/cycle_scene.h>
+#include <vibrocontact/analyses/stability/stability.h>
+#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/analyses/transient/transient_hub.h>
+#include <vibrocontact/base/exceptions.h>
+
+#include <algorithm>
+
+namespace vibrocontact
+{
+  CycleScene cycle_scene(const Parameters &parameters, const TransientParameters &steps,
+                         const std::shared_ptr<const ContactPair> &held, const ContactSections &contacts,
+                         const RollingCase &constants, const CycleScene *const like)
+  {
+    CycleScene scene;
+    scene.contacts = contacts;
+    const HubMotion hub = hub_motion(parameters.hub(), parameters.rolling, LoadOverTime(), scene.contacts,
+                                     parameters.contact_solver, held,
+                                     drive_function(steps, constants, parameters.placed_contacts()));
+    scene.pair = hub.pair;
+    scene.shapes = like && like->pair == scene.pair
+                       ? like->shapes
+                       : std::make_shared<const PatchShapes>(shapes_of_steps(*scene.pair));
+    scene.drive = hub.drive(0);
+    scene.at_rest = initial_state(steps, scene.contacts, parameters.contact_solver, *held, hub);
+    return scene;
+  }
+
+  std::unique_ptr<CycleMap> map_about(const CycleScene &scene, const TransientParameters &steps,
+                                      const ContactSolverParameters &solver,
+                                      const std::vector<unsigned int> &points, const unsigned int n_steps)
+  {
+    return std::make_unique<CycleMap>(steps, scene.contacts, solver, *scene.pair, scene.drive,
+                                      scene.at_rest.contact.approach, points, n_steps, scene.shapes);
+  }
+
+  std::vector<StabilityRoot> roots_of(const CycleScene &scene)
+  {
+    const ContactSolution &contact = scene.at_rest.contact;
+    const PlacedContacts &contacts = scene.pair->interface.contacts;
+    const auto n_stuck = std::count(contact.status.begin(), contact.status.end(), ContactStatus::stick);
+    if (n_stuck > 0)
+      throw InputError(
+          std::to_string(n_stuck) +
+          " points stick in the rolling equilibrium, but limit cycles are sought from one in which "
+          "all slide: raise the creepage or the sliding velocity, or lower the friction.");
+    return all_roots(*scene.pair, find_creep_scheme(scene.contacts.first().creep_scheme),
+                     rolling_equilibrium(contact, friction_law_of_points(scene.contacts, contacts),
+                                         normal_law_of_points(scene.contacts, contacts),
+                                         scene.drive.creepage.speed, scene.drive.normal_force > 0),
+                     LinearisationOptions(), nullptr);
+  }
+
+  std::vector<StabilityRoot> unstable_of(const std::vector<StabilityRoot> &roots)
+  {
+    StabilityResult about;
+    about.roots = roots;
+    std::vector<StabilityRoot> unstable;
+    for (const StabilityRoot *const root : about.unstable())
+      if (root->frequency > 0)
+        unstable.push_back(*root);
+    return unstable;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,130 @@
+#include <vibrocontact/analyses/limit_cycle/branch_output.h>
+#include <vibrocontact/analyses/limit_cycle/limit_cycle_output.h>
+#include <vibrocontact/analyses/limit_cycle/run_branch.h>
+#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vibrocontact
+{
+  namespace
+  {
+    /// over the range of a branch: where the growth of the root is looked at beside the onset, how far off its zero may be, and how
+    /// well it is found
+    constexpr double first_secant = 2e-3, near_onset = 0.05, root_tolerance = 1e-7;
+    constexpr unsigned int most_secants = 20;
+
+    /// The scene with the entry at a value.
+    std::shared_ptr<CycleAt> cycle_at(const BranchRun &run, const unsigned int n_steps, const double value)
+    {
+      const Parameters &parameters = run.parameters;
+      const CycleBranchParameters &branch = parameters.limit_cycle.branch;
+      RollingCase constants = run.constants;
+      branch.value_in(constants) = value;
+      const auto at = std::make_shared<CycleAt>();
+      try
+      {
+        at->scene =
+            cycle_scene(parameters, run.steps, run.held,
+                        branch.is_friction() ? parameters.contacts.with_friction(value) : parameters.contacts,
+                        constants, &run.scene);
+      }
+      catch (const InputError &error)
+      {
+        throw ConvergenceError(error.what());
+      }
+      at->map = map_about(at->scene, run.steps, parameters.contact_solver, run.points, n_steps);
+      at->equilibrium = at->map->pack(at->scene.at_rest);
+      return at;
+    }
+
+    /// Growth of the root that goes on from a free mode, the nearest to a frequency if there are several.
+    double growth_of(const CycleScene &scene, const std::string &label, const double frequency)
+    {
+      const StabilityRoot *nearest = nullptr;
+      const std::vector<StabilityRoot> roots = roots_of(scene);
+      for (const StabilityRoot &root : roots)
+        if (root.label == label &&
+            (!nearest || std::abs(root.frequency - frequency) < std::abs(nearest->frequency - frequency)))
+          nearest = &root;
+      if (!nearest)
+        throw ConvergenceError("no root belongs to " + label);
+      return nearest->growth;
+    }
+
+    /// How the root grows at an onset, and, if it is close, where its growth is zero, by the secant method.
+    /// @param range of the branch, from the onset inwards
+    void compare_with_root(const CycleFamily &family, const LimitCycle &cycle, const double range,
+                           nlohmann::ordered_json &end)
+    {
+      const double onset = end["onset"];
+      double before = onset, value = onset + first_secant * range,
+             growth_before = growth_of(family(onset)->scene, cycle.root.label, 1 / cycle.period);
+      end["root_growth_1_s"] = growth_before;
+      for (unsigned int k = 0; k < most_secants && std::abs(value - onset) < near_onset * std::abs(range);
+           ++k)
+      {
+        const double growth = growth_of(family(value)->scene, cycle.root.label, 1 / cycle.period),
+                     next = value - growth * (value - before) / (growth - growth_before);
+        if (std::abs(next - value) < root_tolerance * std::abs(range))
+        {
+          end["onset_of_root"] = next;
+          return;
+        }
+        before = value;
+        growth_before = growth;
+        value = next;
+      }
+    }
+  } // namespace
+
+  nlohmann::ordered_json run_branch(const BranchRun &run, const LimitCycle &start)
+  {
+    const LimitCycleParameters &own = run.parameters.limit_cycle;
+    RollingCase constants = run.constants;
+    const double value = own.branch.value_in(constants), range = own.branch.to() - own.branch.from();
+    const CycleFamily family = [&](const double at) { return cycle_at(run, start.n_steps, at); };
+    Log &log = run_log();
+    log.line("  followed over " + own.branch.entry + " from " + number_text(value) + " both ways:");
+    std::vector<nlohmann::ordered_json> heard;
+    const auto hear = [&](const CycleBranchPoint &point, CycleAt &at)
+    {
+      try
+      {
+        const CyclePeriod period =
+            listen_to_cycle(*at.map, point.cycle, *at.scene.pair, at.scene.contacts, run.probes);
+        heard.push_back(cycle_json(point.cycle, &period, own.n_multipliers));
+        heard.back()["value"] = point.value;
+      }
+      catch (const InputError &error)
+      {
+        throw ConvergenceError(error.what());
+      }
+      log.line("    " + number_text(point.value) + ": " + number_text(1 / point.cycle.period) + " Hz" +
+               (point.sticks ? "" : ", nothing sticks") + ", " +
+               std::to_string(point.cycle.newton_iterations) + " Newton iterations, " +
+               number_text(point.cycle.seconds + point.cycle.stability_seconds) + " s");
+    };
+    const CycleBranch branch = follow_cycle(family, start, value, own, hear);
+    std::vector<nlohmann::ordered_json> points;
+    for (const CycleBranchPoint &point : branch.points)
+      points.push_back(heard.at(point.number));
+    nlohmann::ordered_json json = branch_json(own.branch.entry, branch, points);
+    for (const unsigned int k : {0u, 1u})
+      if (branch.ends[k].kind == CycleBranchEnd::Kind::vanishes)
+        try
+        {
+          const bool first = k == 0;
+          compare_with_root(family, (first ? branch.points.front() : branch.points.back()).cycle,
+                            first ? range : -range, json[first ? "begin" : "end"]);
+        }
+        catch (const std::runtime_error &error)
+        {
+          log.line(std::string("    the root at the onset was not found: ") + error.what());
+        }
+    return json;
+  }
+} // namespace vibrocontact
