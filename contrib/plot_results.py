@@ -107,7 +107,7 @@ def main():
     plot_curves(folder, cases)
     if analyses.get("quasi_static_loading", {}).get("steps") and os.path.exists(os.path.join(folder, "loading.csv")):
         plot_loading(folder, analyses["quasi_static_loading"])
-    if analyses.get("limit_cycle", {}).get("cycles"):
+    if analyses.get("limit_cycle"):
         plot_limit_cycles(folder, analyses["limit_cycle"])
         plot_branches(folder, analyses["limit_cycle"])
     if analyses.get("limit_cycle_sweep", {}).get("cases"):

@@ -1,5 +1,4 @@
 """Limit cycles: a period of each, its harmonics, and what its Floquet multipliers say of small disturbances."""
-import glob
 import os
 
 import numpy as np
@@ -8,8 +7,7 @@ from plots.common import LIMIT, LINE, OPEN, plt, read_table, save, STICK, UNSTAB
 
 
 def plot_limit_cycles(folder, limit_cycle):
-    found = [(k + 1, cycle) for k, cycle in enumerate(limit_cycle["cycles"])
-             if os.path.exists(os.path.join(glob.escape(folder), f"limit_cycle_{k + 1}.csv")) and cycle["status"] == "converged"]
+    found = [(cycle["number"], cycle) for cycle in limit_cycle if os.path.exists(os.path.join(folder, f"limit_cycle_{cycle['number']}.csv"))]
     if not found:
         return
     figure, axes = plt.subplots(len(found), 3, figsize=(11, 2.5 * len(found) + 0.4), squeeze=False)
@@ -55,20 +53,20 @@ def plot_harmonics(axis, table):
 
 
 def plot_disturbances(axis, cycle):
-    multipliers = cycle.get("stability", {}).get("multipliers", [])
+    multipliers = cycle.get("multipliers", [])
     growth = np.array([one["growth_1_s"] for one in multipliers])
     frequency = np.array([one["frequency_Hz"] for one in multipliers])
     axis.axhline(0, color=LIMIT, lw=1)
     axis.plot(frequency[growth < 0], growth[growth < 0], "o", color=STICK, ms=4)
     axis.plot(frequency[growth >= 0], growth[growth >= 0], "o", color=UNSTABLE, ms=4)
     axis.set_ylabel("growth [1/s]")
-    axis.set_title("stable" if len(growth) and growth.max() < 0 else "unstable" if len(growth) else "", loc="left")
+    axis.set_title(cycle.get("stability", {}).get("verdict", ""), loc="left")
     axis.grid(alpha=0.3)
 
 
 def plot_branches(folder, limit_cycle):
     """Amplitude and frequency of cycles that were followed over an entry, with onset, first stick and stability."""
-    followed = [cycle for cycle in limit_cycle["cycles"] if cycle.get("branch")]
+    followed = [cycle for cycle in limit_cycle if cycle.get("branch")]
     if not followed:
         return
     figure, (loud, pitch) = plt.subplots(1, 2, figsize=(10, 3.8))
@@ -76,13 +74,12 @@ def plot_branches(folder, limit_cycle):
         branch = cycle["branch"]
         points = branch["points"]
         value = np.array([point["value"] for point in points])
-        amplitude = np.array([loudest_of(point)["amplitude"] for point in points])
+        heard = loudest_of(points[0])["name"]
+        amplitude = np.array([next(one for one in point["signals"] if one["name"] == heard)["amplitude"] for point in points])
         line, = loud.plot(value, amplitude, "-", lw=1, label=cycle["root"]["label"])
         color = line.get_color()
-        verdict = [point.get("stability", {}).get("verdict", "not judged") for point in points]
-        for kinds, marker, face in ((("stable",), "o", color), (("fold", "torus", "period doubling"), "o", "white"),
-                                    (("neutral", "not judged"), ".", color)):
-            chosen = [k for k, found in enumerate(verdict) if found in kinds]
+        for one, marker, face in (("stable", "o", color), ("unstable", "o", "white"), ("neutral", ".", color)):
+            chosen = [k for k, point in enumerate(points) if stability_of(point) == one]
             loud.plot(value[chosen], amplitude[chosen], marker, ms=4, mfc=face, color=color)
         pitch.plot(value, [point["frequency_Hz"] for point in points], ".-", lw=1, ms=4, color=color)
         for end in (branch["begin"], branch["end"]):
@@ -92,8 +89,8 @@ def plot_branches(folder, limit_cycle):
             loud.axvline(branch["first_stick"]["value"], color=color, lw=0.5, ls=":")
     name = loudest_of(followed[0]["branch"]["points"][0])["name"]
     loud.set_ylabel(name.replace("_velocity_m_s", " [m/s]").replace("_N", " [N]").replace("_", " "))
-    loud.set_title("\u25cf stable   \u25cb unstable   . neutral   \u25b2 onset   : first stick", loc="left", fontsize=8)
-    loud.set_ylim(0, None)
+    loud.set_title("\u25cf stable   \u25cb unstable   . neutral or not judged   \u25b2 onset   : first stick", loc="left", fontsize=8)
+    loud.set_ylim(0, 1.05 * loud.get_ylim()[1])
     pitch.set_ylabel("frequency [Hz]")
     for axis in (loud, pitch):
         axis.set_xlabel(followed[0]["branch"]["entry"].rpartition("/")[2])
@@ -101,6 +98,12 @@ def plot_branches(folder, limit_cycle):
     loud.legend(fontsize=8, frameon=False)
     figure.tight_layout()
     save(figure, folder, "limit_cycle_branches")
+
+
+def stability_of(cycle):
+    """stable, unstable, or neutral, which also stands for cycles that were not judged."""
+    verdict = cycle.get("stability", {}).get("verdict", "neutral")
+    return verdict if verdict in ("stable", "neutral") else "unstable"
 
 
 def loudest_of(cycle):
@@ -116,20 +119,20 @@ def plot_amplitudes(folder, sweep):
         return
     curves = {}
     for case in sweep["cases"]:
-        for cycle in case.get("limit_cycle", {}).get("cycles", []):
+        for cycle in case.get("limit_cycle", []):
             velocities = [one for one in cycle.get("signals", []) if "level_dB" in one]
             if velocities:
                 loudest = max(velocities, key=lambda one: one["level_dB"])
                 curves.setdefault(cycle["root"]["label"], []).append(
-                    (case["swept"][column], loudest["amplitude"], cycle["frequency_Hz"], cycle.get("stability", {}).get("stable")))
+                    (case["swept"][column], loudest["amplitude"], cycle["frequency_Hz"], stability_of(cycle)))
     if not curves:
         return
     figure, (loud, pitch) = plt.subplots(1, 2, figsize=(10, 3.8))
     for label, points in sorted(curves.items()):
         value, amplitude, frequency, stable = zip(*points)
         line, = loud.plot(value, amplitude, "-", lw=1, label=label)
-        for one, marker, face in ((True, "o", line.get_color()), (False, "o", "white"), (None, ".", line.get_color())):
-            chosen = [k for k, found in enumerate(stable) if found is one]
+        for one, marker, face in (("stable", "o", line.get_color()), ("unstable", "o", "white"), ("neutral", ".", line.get_color())):
+            chosen = [k for k, found in enumerate(stable) if found == one]
             loud.plot([value[k] for k in chosen], [amplitude[k] for k in chosen], marker, ms=4, mfc=face, color=line.get_color())
         pitch.plot(value, frequency, ".-", color=line.get_color())
     loud.set_ylabel("velocity of the loudest probe [m/s]")

@@ -27,15 +27,18 @@ namespace vibrocontact
       if (body.is_green() || body.has_complex_modes())
         throw InputError(but + "a body known by poles (" + body.name + ").");
     const CycleBranchParameters &branch = parameters.limit_cycle.branch;
-    branch.check();
-    if (branch.any())
-    {
-      RollingCase constants = rolling_cases(parameters.rolling, parameters.contacts).front();
-      const double value = branch.value_in(constants);
-      if (value < branch.from() || value > branch.to())
-        throw InputError("Limit cycle/Branch/Range leaves out the value that " + branch.entry +
-                         " has: a branch begins there.");
-    }
+    branch.check(rolling_cases(parameters.rolling, parameters.contacts).front());
+    if (branch.any() && branch.is_friction())
+      for (const ContactParameters &contact : parameters.contacts.all)
+      {
+        if (!contact.takes_coefficient())
+          throw InputError("Limit cycle/Branch/Entry is " + branch.entry + ", but the friction law of " +
+                           contact.section + " is not scaled by it: follow another entry.");
+        if (contact.friction != parameters.contact().friction)
+          throw InputError("Limit cycle/Branch/Entry is " + branch.entry + ", but " + contact.section +
+                           " has another one than " + parameters.contact().section +
+                           ": give both the same, or follow another entry.");
+      }
     for (const BodyParameters &body : bodies)
       if (body.is_meshed() && parameters.modes.at(body.name).stiffness_damping > 0)
         throw InputError(body.name +

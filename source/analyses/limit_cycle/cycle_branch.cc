@@ -17,6 +17,8 @@ namespace vibrocontact
     constexpr double first_step = 0.02, shortest_step = 1e-4, stick_step = 0.01;
     /// the longest where the contact stays as it is at rest: motions of any amplitude are nearly alike
     constexpr double linear_step = 0.5;
+    /// products of a linear system from which on its preconditioner is renewed
+    constexpr unsigned int many_products = 25;
     /// a secant that turns by more than this [cosine] is tried with half the step
     constexpr double least_cosine = 0.8;
     /// of the first cycle's motion: nothing is left of a smaller one
@@ -47,8 +49,8 @@ namespace vibrocontact
           : family(family), tolerance(tolerance), value_size(value_size), at(family(value)), value(value),
             n(at->map->size())
       {
-        linear =
-            linear_cycle(at->map->one_step(at->scene.at_rest, start.period / start.n_steps), start.n_steps);
+        period = start.period;
+        renew_preconditioner();
       }
 
       /// The last condition: steps are normal to the direction, which is in the sizes.
@@ -100,7 +102,8 @@ namespace vibrocontact
           {
             units[k] = 1 / system.columns[k].l2_norm();
             if (!std::isfinite(units[k]))
-              throw ConvergenceError("the motion does not depend on the value");
+              throw ConvergenceError(k == 0 ? "the state after a period does not depend on its length"
+                                            : "the motion does not depend on the value");
             system.columns[k] *= units[k];
           }
           system.rows[0] /= system.rows[0].l2_norm();
@@ -111,7 +114,10 @@ namespace vibrocontact
             system.corner(1, k) = tangent[n + k] * units[k] * sizes.state / sizes.of(n + k, n);
           DenseVector right(n + 2);
           std::copy(rest.begin(), rest.end(), right.begin());
+          const unsigned long products = map.n_products;
           const DenseVector x = system.solve(linear, right);
+          if (map.n_products - products > many_products)
+            renew_preconditioner();
           step.assign(x.begin(), x.end());
           for (unsigned int k = 0; k < 2; ++k)
             step[n + k] *= units[k];
@@ -134,6 +140,13 @@ namespace vibrocontact
       std::string failure;
 
     private:
+      /// To that of the value that was evaluated last.
+      void renew_preconditioner()
+      {
+        const unsigned int n_steps = at->map->n_steps();
+        linear = linear_cycle(at->map->one_step(at->scene.at_rest, period / n_steps), n_steps);
+      }
+
       DenseVector by_value() const
       {
         const double change = little_change * value_size;
@@ -202,27 +215,35 @@ namespace vibrocontact
           return {CycleBranchEnd::Kind::range, "", 0};
         double step = std::min(first_step, branch.largest_step);
         bool did_stick = start.sticks;
-        std::string reason = "more than Limit cycle/Branch/Most points are needed";
+        std::string reason;
         while (points.size() < branch.most_points)
         {
           CycleBranchPoint point;
           Place place;
           bool at_limit = false;
           unsigned int iterations = 0;
-          const bool is_found = correct(step, point, place, at_limit, iterations, reason);
+          bool is_found = correct(step, point, place, at_limit, iterations, reason);
+          if (is_found && (point.value < branch.from() || point.value > branch.to()))
+          {
+            is_found = false;
+            reason = "the next cycle lies beyond the range";
+          }
           const bool stops_sticking = is_found && did_stick && !point.sticks;
           if (!is_found || turns(place, step) || (stops_sticking && step > stick_step))
           {
             step /= 2;
             if (step >= shortest_step)
               continue;
-            return {CycleBranchEnd::Kind::lost, reason, 0};
+            return {CycleBranchEnd::Kind::lost,
+                    reason.empty() ? "the branch turns more sharply than the shortest steps follow" : reason,
+                    0};
           }
+          reason.clear();
           judge_cycle(*equations.last().map, parameters, point.cycle);
           if (!point.cycle.converged)
             return {CycleBranchEnd::Kind::lost, point.cycle.message, 0};
-          const double motion = equations.motion(), motion_before = last_motion;
-          const double value_before = last[n + 1];
+          const double motion = equations.motion();
+          point.size = motion;
           try
           {
             found(point, equations.last());
@@ -236,24 +257,40 @@ namespace vibrocontact
           points.push_back(point);
           did_stick = point.sticks;
           if (motion < vanished * first_motion)
-          {
-            // the square of the amplitude grows with the value beyond the onset
-            const double square = motion * motion, before = motion_before * motion_before;
-            return {CycleBranchEnd::Kind::vanishes, "",
-                    point.value - (value_before - point.value) * square / (before - square)};
-          }
+            return {CycleBranchEnd::Kind::vanishes, "", onset_of(points)};
           if (at_limit)
             return {CycleBranchEnd::Kind::range, "", 0};
-          if (iterations <= 2)
-            step = std::min(1.5 * step,
-                            point.changes ? branch.largest_step : std::max(branch.largest_step, linear_step));
-          else if (iterations > 4)
-            step *= 0.7;
+          step *= iterations <= 2 ? 1.5 : iterations > 4 ? 0.7 : 1.;
+          step = std::min(step,
+                          point.changes ? branch.largest_step : std::max(branch.largest_step, linear_step));
         }
-        return {CycleBranchEnd::Kind::lost, reason, 0};
+        return {CycleBranchEnd::Kind::most_points, "Limit cycle/Branch/Most points are found: allow more", 0};
       }
 
     private:
+      /// The value at which the amplitude is zero, from the last three points: beyond an onset amplitudes grow with the root of the
+      /// value, where the equilibrium is about to stick with the value itself. The law that fits better counts.
+      static double onset_of(const std::vector<CycleBranchPoint> &points)
+      {
+        const CycleBranchPoint &last = points[points.size() - 1];
+        if (points.size() < 3)
+          return last.value;
+        const CycleBranchPoint &second = points[points.size() - 2], &third = points[points.size() - 3];
+        double onset = last.value, smallest = std::numeric_limits<double>::max();
+        for (const int exponent : {1, 2})
+        {
+          const auto power = [&](const CycleBranchPoint &point) { return std::pow(point.size, exponent); };
+          const double slope = (second.value - last.value) / (power(second) - power(last)),
+                       error = std::abs(last.value + slope * (power(third) - power(last)) - third.value);
+          if (error < smallest)
+          {
+            smallest = error;
+            onset = last.value - slope * power(last);
+          }
+        }
+        return onset;
+      }
+
       Sizes sizes() const
       {
         return {last_motion, last[n], parameters.branch.to() - parameters.branch.from()};
@@ -290,8 +327,10 @@ namespace vibrocontact
         iterations = result.iterations;
         if (!result.converged)
         {
-          reason = "Newton's method ended at a change over a period of " + number_text(result.size) +
-                   " of the motion" + (equations.failure.empty() ? "" : ": " + equations.failure);
+          reason = equations.failure.empty()
+                       ? "Newton's method ended at a change over a period of " + number_text(result.size) +
+                             " of the motion: a shorter Limit cycle/Time step may help"
+                       : equations.failure;
           return false;
         }
         LimitCycle &cycle = point.cycle;
@@ -422,6 +461,7 @@ namespace vibrocontact
       std::vector<CycleBranchPoint> points;
       branch.ends[direction > 0] =
           OneWay(equations, parameters, first, place).follow(direction, count, points, branch.folds);
+      branch.ends[direction > 0].left_its_points = equations.last().map->left_its_points;
       if (direction < 0)
       {
         branch.points.assign(points.rbegin(), points.rend());

@@ -9,12 +9,6 @@
 
 namespace vibrocontact
 {
-  namespace
-  {
-    /// of the contact of a step: what a period adds up to has to be below the tolerance of a cycle
-    constexpr double contact_tolerance = 1e-11;
-  } // namespace
-
   CycleMap::CycleMap(const TransientParameters &transient, const ContactSections &contact,
                      const ContactSolverParameters &solver, const ContactPair &pair, const Drive &drive,
                      const double approach, const std::vector<unsigned int> &points,
@@ -31,7 +25,7 @@ namespace vibrocontact
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
       for (unsigned int i = 0; i < rows.size(); ++i)
         trace(i, k) = pair.trace(rows[i], k);
-    this->solver.tolerance = std::min(solver.tolerance, contact_tolerance);
+    this->solver.tolerance = std::min(solver.tolerance, cycle_contact_tolerance);
     AssertThrow(pair.n_modes() > 0 && !points.empty(), dealii::ExcInternalError());
     constant_force.reinit(pair.n_modes());
     for (unsigned int k = 0; k < pair.n_modes(); ++k)

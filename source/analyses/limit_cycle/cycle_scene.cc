@@ -14,15 +14,17 @@ namespace vibrocontact
   {
     CycleScene scene;
     scene.contacts = contacts;
-    const HubMotion hub = hub_motion(parameters.hub(), parameters.rolling, LoadOverTime(), scene.contacts,
-                                     parameters.contact_solver, held,
-                                     drive_function(steps, constants, parameters.placed_contacts()));
+    ContactSolverParameters solver = parameters.contact_solver;
+    solver.tolerance = std::min(solver.tolerance, cycle_contact_tolerance);
+    const HubMotion hub =
+        hub_motion(parameters.hub(), parameters.rolling, LoadOverTime(), scene.contacts, solver, held,
+                   drive_function(steps, constants, parameters.placed_contacts()));
     scene.pair = hub.pair;
     scene.shapes = like && like->pair == scene.pair
                        ? like->shapes
                        : std::make_shared<const PatchShapes>(shapes_of_steps(*scene.pair));
     scene.drive = hub.drive(0);
-    scene.at_rest = initial_state(steps, scene.contacts, parameters.contact_solver, *held, hub);
+    scene.at_rest = initial_state(steps, scene.contacts, solver, *held, hub);
     return scene;
   }
 

@@ -53,6 +53,21 @@ namespace vibrocontact
               {"rms", signal.rms()},
               {"first_harmonic", harmonics_of(signal).at(1)}};
     }
+    nlohmann::ordered_json root_json(const StabilityRoot &root)
+    {
+      return {{"frequency_Hz", root.frequency}, {"growth_1_s", root.growth}, {"label", root.label}};
+    }
+
+    /// The axial velocity of a wheel's rim, else that of the first probe; null: there are none.
+    const CycleSignal *main_velocity(const CyclePeriod &period)
+    {
+      const std::string axial = "rim_axial_velocity_m_s";
+      for (const CycleSignal &probe : period.probes)
+        if (probe.name.size() >= axial.size() &&
+            probe.name.compare(probe.name.size() - axial.size(), axial.size(), axial) == 0)
+          return &probe;
+      return period.probes.empty() ? nullptr : &period.probes.front();
+    }
   } // namespace
 
   double CycleSignal::mean() const
@@ -167,67 +182,73 @@ namespace vibrocontact
     return table;
   }
 
-  nlohmann::ordered_json cycle_json(const LimitCycle &cycle, const CyclePeriod *const period,
+  nlohmann::ordered_json failed_json(const LimitCycle &cycle)
+  {
+    return {{"start", cycle.root.label},
+            {"root", root_json(cycle.root)},
+            {"message", cycle.message},
+            {"steps_per_period", cycle.n_steps},
+            {"newton_iterations", cycle.newton_iterations},
+            {"seconds", cycle.seconds}};
+  }
+
+  nlohmann::ordered_json cycle_json(const LimitCycle &cycle, const CyclePeriod &period,
                                     const unsigned int n_multipliers)
   {
     nlohmann::ordered_json json;
-    json["root"] = {{"frequency_Hz", cycle.root.frequency},
-                    {"growth_1_s", cycle.root.growth},
-                    {"label", cycle.root.label}};
-    json["status"] = cycle.converged ? "converged" : "not converged";
-    if (!cycle.message.empty())
-      json["message"] = cycle.message;
-    json["steps_per_period"] = cycle.n_steps;
-    json["newton_iterations"] = cycle.newton_iterations;
-    json["products"] = cycle.n_products;
-    json["marched_steps"] = cycle.n_marched_steps;
-    json["seconds"] = cycle.seconds;
-    if (!cycle.converged)
-      return json;
+    json["start"] = cycle.root.label;
     json["frequency_Hz"] = 1 / cycle.period;
-    json["period_s"] = cycle.period;
-    json["time_step_s"] = cycle.period / cycle.n_steps;
-    json["residual"] = cycle.residual;
-    json["change_along_motion"] = cycle.change_along;
+    if (const CycleSignal *const rim = main_velocity(period))
+      json["amplitude_m_s"] = rim->amplitude();
     if (cycle.stability)
     {
       const CycleStability &stability = *cycle.stability;
-      nlohmann::ordered_json &own = json["stability"];
-      own["verdict"] = stability.verdict();
-      own["stable"] = stability.is_stable();
-      own["trivial_multiplier_error"] = stability.trivial_error;
-      own["growth_uncertainty_1_s"] = stability.uncertainty;
-      own["seconds"] = cycle.stability_seconds;
-      own["multipliers"] = nlohmann::ordered_json::array();
+      json["stable"] = stability.is_stable();
+      json["multipliers"] = nlohmann::ordered_json::array();
       for (std::size_t k = 0; k < std::min<std::size_t>(n_multipliers, stability.multipliers.size()); ++k)
       {
         const Multiplier &one = stability.multipliers[k];
-        own["multipliers"].push_back({{"real", one.value.real()},
-                                      {"imaginary", one.value.imag()},
-                                      {"growth_1_s", one.growth},
-                                      {"frequency_Hz", one.frequency}});
+        json["multipliers"].push_back({{"abs", std::abs(one.value)},
+                                       {"argument_rad", std::arg(one.value)},
+                                       {"growth_1_s", one.growth},
+                                       {"frequency_Hz", one.frequency}});
       }
+      json["stability"] = {{"verdict", stability.verdict()},
+                           {"trivial_multiplier_error", stability.trivial_error},
+                           {"growth_uncertainty_1_s", stability.uncertainty},
+                           {"seconds", cycle.stability_seconds}};
     }
-    if (!period)
-      return json;
+    json["residual"] = cycle.residual;
+    json["seconds"] = cycle.seconds;
+    json["root"] = root_json(cycle.root);
+    json["period_s"] = cycle.period;
+    json["steps_per_period"] = cycle.n_steps;
+    json["time_step_s"] = cycle.period / cycle.n_steps;
+    json["newton_iterations"] = cycle.newton_iterations;
+    if (cycle.n_marched_steps > 0) // not of points of a branch
+    {
+      json["products"] = cycle.n_products;
+      json["marched_steps"] = cycle.n_marched_steps;
+    }
+    json["change_along_motion"] = cycle.change_along;
     double stick = 0, closed = 0;
     unsigned int with_stick = 0;
-    for (std::size_t j = 0; j < period->time.size(); ++j)
+    for (std::size_t j = 0; j < period.time.size(); ++j)
     {
-      stick += period->stick_points.values[j];
-      closed += period->contact_points.values[j];
-      with_stick += period->stick_points.values[j] > 0;
+      stick += period.stick_points.values[j];
+      closed += period.contact_points.values[j];
+      with_stick += period.stick_points.values[j] > 0;
     }
     json["stick_share"] = closed > 0 ? stick / closed : 0.;
-    json["time_with_stick_share"] = double(with_stick) / period->time.size();
-    json["friction_power_W"] = period->friction_power.mean();
-    json["creepage_power_W"] = period->creepage_power.mean();
-    json["power_into_body_1_W"] = period->power_into_body_1.mean();
+    json["time_with_stick_share"] = double(with_stick) / period.time.size();
+    json["friction_power_W"] = period.friction_power.mean();
+    json["creepage_power_W"] = period.creepage_power.mean();
+    json["power_into_body_1_W"] = period.power_into_body_1.mean();
     json["signals"] = nlohmann::ordered_json::array();
-    for (const CycleSignal *const signal : signals_of(*period))
+    for (const CycleSignal *const signal : signals_of(period))
     {
       nlohmann::ordered_json one = signal_json(*signal);
-      const bool is_velocity = std::any_of(period->probes.begin(), period->probes.end(),
+      const bool is_velocity = std::any_of(period.probes.begin(), period.probes.end(),
                                            [&](const CycleSignal &probe) { return &probe == signal; });
       if (is_velocity && signal->rms() > 0)
       {
@@ -239,13 +260,10 @@ namespace vibrocontact
     return json;
   }
 
-  void add_sums(nlohmann::ordered_json &limit_cycle)
+  void add_sums(const nlohmann::ordered_json &cycles, nlohmann::ordered_json &search)
   {
-    unsigned int n_found = 0;
     nlohmann::ordered_json loudest;
-    for (const nlohmann::ordered_json &cycle : limit_cycle.at("cycles"))
-    {
-      n_found += cycle.contains("frequency_Hz");
+    for (const nlohmann::ordered_json &cycle : cycles)
       for (const nlohmann::ordered_json &signal : answer_parts::list(cycle, "signals"))
       {
         if (!signal.contains("level_dB") || (!loudest.is_null() && signal["level_dB"] <= loudest["level_dB"]))
@@ -255,72 +273,69 @@ namespace vibrocontact
                    {"amplitude_m_s", signal["amplitude"]},
                    {"level_dB", signal["level_dB"]},
                    {"power_into_body_1_W", cycle["power_into_body_1_W"]}};
-        if (cycle.contains("/stability/multipliers/0"_json_pointer))
-          loudest["largest_growth_1_s"] = cycle["stability"]["multipliers"][0]["growth_1_s"];
+        if (!answer_parts::list(cycle, "multipliers").empty())
+          loudest["largest_growth_1_s"] = cycle["multipliers"][0]["growth_1_s"];
       }
-    }
-    limit_cycle["roots"] = limit_cycle.at("cycles").size();
-    limit_cycle["cycles_found"] = n_found;
+    search["roots"] = cycles.size() + search.at("not_found").size();
+    search["cycles_found"] = cycles.size();
     if (!loudest.is_null())
-      limit_cycle["loudest"] = loudest;
+      search["loudest"] = loudest;
   }
 
-  Table cycles_table(const nlohmann::ordered_json &cycles)
+  Table cycles_table(const nlohmann::ordered_json &cycles, const nlohmann::ordered_json &not_found)
   {
     Table table({"root_frequency_Hz", "root_growth_1_s", "root_label", "status", "stability", "frequency_Hz",
-                 "steps_per_period", "normal_force_amplitude_N", "time_with_stick_share", "friction_power_W",
-                 "power_into_body_1_W", "largest_growth_1_s", "residual", "newton_iterations", "seconds"},
-                {"Limit cycles by the unstable roots they begin from; zeros in rows that did not converge",
-                 "largest growth: of a small disturbance, by the Floquet multipliers; 0 where stability is "
-                 "not judged"});
-    for (const nlohmann::ordered_json &one : cycles)
-    {
-      const auto number = [&](const std::string &place)
+                 "amplitude_m_s", "steps_per_period", "normal_force_amplitude_N", "time_with_stick_share",
+                 "friction_power_W", "power_into_body_1_W", "largest_growth_1_s", "residual",
+                 "newton_iterations", "seconds"},
+                {"Limit cycles by the unstable roots they begin from, then roots from which none was found",
+                 "amplitude: axial velocity of the wheel's rim or of the first probe; largest growth: of a "
+                 "small disturbance, by the Floquet multipliers; empty: not known"});
+    for (const nlohmann::ordered_json *const list : {&cycles, &not_found})
+      for (const nlohmann::ordered_json &one : *list)
       {
-        const nlohmann::ordered_json::json_pointer pointer(place);
-        return one.contains(pointer) ? one.at(pointer).get<double>() : 0.;
-      };
-      table.add_row(
-          {number("/root/frequency_Hz"), number("/root/growth_1_s"),
-           one.at("root").at("label").get<std::string>(), one.at("status").get<std::string>(),
-           one.contains("stability") ? one["stability"]["verdict"].get<std::string>() : "not judged",
-           number("/frequency_Hz"), number("/steps_per_period"), number("/signals/0/amplitude"),
-           number("/time_with_stick_share"), number("/friction_power_W"), number("/power_into_body_1_W"),
-           number("/stability/multipliers/0/growth_1_s"), number("/residual"), number("/newton_iterations"),
-           number("/seconds")});
-    }
+        const auto number = [&](const std::string &place) -> Table::Cell
+        {
+          const nlohmann::ordered_json::json_pointer pointer(place);
+          if (one.contains(pointer))
+            return one.at(pointer).get<double>();
+          return std::string();
+        };
+        table.add_row(
+            {number("/root/frequency_Hz"), number("/root/growth_1_s"), one.at("start").get<std::string>(),
+             std::string(list == &cycles ? "converged" : "not converged"),
+             one.contains("stability") ? one["stability"]["verdict"].get<std::string>()
+                                       : std::string("not judged"),
+             number("/frequency_Hz"), number("/amplitude_m_s"), number("/steps_per_period"),
+             number("/signals/0/amplitude"), number("/time_with_stick_share"), number("/friction_power_W"),
+             number("/power_into_body_1_W"), number("/multipliers/0/growth_1_s"), number("/residual"),
+             number("/newton_iterations"), number("/seconds")});
+      }
     return table;
   }
 
-  std::vector<std::string> limit_cycle_answer(const nlohmann::ordered_json &limit_cycle)
+  std::vector<std::string> limit_cycle_search_answer(const nlohmann::ordered_json &search)
+  {
+    using namespace answer_parts;
+    if (number(search, "roots") == 0)
+      return {"no root of the equilibrium grows: no cycle begins there"};
+    Lines lines = {text("%.0f of %.0f unstable roots lead to a limit cycle", number(search, "cycles_found"),
+                        number(search, "roots"))};
+    const Json &not_found = list(search, "not_found");
+    for (std::size_t k = 0; k < std::min(not_found.size(), most_said); ++k)
+      lines.push_back(text("root at %.2f Hz: ", number(not_found[k]["root"], "frequency_Hz")) +
+                      word(not_found[k], "message"));
+    say_more(not_found.size(), "in limit_cycles.csv", lines);
+    return lines;
+  }
+
+  std::vector<std::string> limit_cycle_answer(const nlohmann::ordered_json &cycles)
   {
     using namespace answer_parts;
     Lines lines;
-    const Json &cycles = list(limit_cycle, "cycles");
-    if (cycles.empty())
-    {
-      lines.push_back("no root of the equilibrium grows: no cycle begins there");
-      return lines;
-    }
-    std::size_t n_found = 0, n_stable = 0;
-    for (const Json &one : cycles)
-    {
-      n_found += is_given(one, "frequency_Hz");
-      n_stable += one.contains("stability") && one["stability"]["stable"].get<bool>();
-    }
-    const bool judged =
-        std::any_of(cycles.begin(), cycles.end(), [](const Json &one) { return one.contains("stability"); });
-    lines.push_back(text("%zu of %zu unstable roots lead to a limit cycle", n_found, cycles.size()) +
-                    (judged ? text(", %zu of them stable", n_stable) : ""));
     for (std::size_t k = 0; k < std::min(cycles.size(), most_said); ++k)
     {
       const Json &one = cycles[k];
-      if (!is_given(one, "frequency_Hz"))
-      {
-        lines.push_back(text("root at %.2f Hz: ", number(one["root"], "frequency_Hz")) +
-                        word(one, "message"));
-        continue;
-      }
       std::string line = text("%.3f Hz", number(one, "frequency_Hz"));
       for (const Json &signal : list(one, "signals"))
         if (is_given(signal, "level_dB"))

@@ -6,6 +6,12 @@
 
 namespace vibrocontact
 {
+  namespace
+  {
+    /// between the motion and the eigenvector of the trivial multiplier; less: it has none of its own
+    constexpr double least_cosine = 0.9;
+  } // namespace
+
   std::string CycleStability::verdict() const
   {
     if (multipliers.empty() || multipliers.front().growth < -uncertainty)
@@ -20,22 +26,27 @@ namespace vibrocontact
 
   CycleStability cycle_stability(const DenseMatrix &monodromy, const DenseVector &rate, const double period)
   {
-    const Eigenvalues all = eigenvalues(monodromy);
-    const unsigned int n = all.values.size();
-    // the disturbance along the motion has the direction of its rate
+    const unsigned int n = monodromy.m();
+    DenseVector along(n), next(n);
+    // what the rate has beside the direction of the motion is gone after a period
+    monodromy.vmult(along, rate);
+    along /= along.l2_norm();
+    monodromy.vmult(next, along);
+    Eigenvalues all = eigenvalues(monodromy);
+    // the disturbance along the motion has this direction
     unsigned int trivial = 0;
-    double nearest = -1;
+    double nearest = 0;
     for (unsigned int k = 0; k < n; ++k)
     {
       if (all.values[k].imag() != 0)
         continue;
-      double along = 0, square = 0;
+      double share = 0, square = 0;
       for (unsigned int i = 0; i < n; ++i)
       {
-        along += rate[i] * all.vectors(i, k);
+        share += along[i] * all.vectors(i, k);
         square += all.vectors(i, k) * all.vectors(i, k);
       }
-      const double cosine = std::abs(along) / std::sqrt(square) / rate.l2_norm();
+      const double cosine = std::abs(share) / std::sqrt(square);
       if (cosine > nearest)
       {
         nearest = cosine;
@@ -43,7 +54,24 @@ namespace vibrocontact
       }
     }
     CycleStability result;
-    result.trivial_error = std::abs(all.values[trivial] - 1.);
+    if (nearest >= least_cosine)
+      result.trivial_error = std::abs(all.values[trivial] - 1.);
+    else
+    {
+      // at a fold two multipliers meet at 1 and may part as a pair: the direction of the motion is taken out
+      DenseMatrix rest = monodromy;
+      DenseVector shares(n);
+      monodromy.Tvmult(shares, along);
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+          rest(i, j) -= along[i] * shares[j];
+      all = eigenvalues(rest);
+      trivial = std::min_element(all.values.begin(), all.values.end(),
+                                 [](const auto &a, const auto &b) { return std::abs(a) < std::abs(b); }) -
+                all.values.begin();
+      next -= along;
+      result.trivial_error = next.l2_norm();
+    }
     result.uncertainty = result.trivial_error / period;
     for (unsigned int k = 0; k < n; ++k)
     {

@@ -5,8 +5,8 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
 
-#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace vibrocontact
 {
@@ -17,8 +17,9 @@ namespace vibrocontact
     constexpr double first_secant = 2e-3, near_onset = 0.05, root_tolerance = 1e-7;
     constexpr unsigned int most_secants = 20;
 
-    /// The scene with the entry at a value.
-    std::shared_ptr<CycleAt> cycle_at(const BranchRun &run, const unsigned int n_steps, const double value)
+    /// The scene with the entry at a value. @param points that may touch
+    std::shared_ptr<CycleAt> cycle_at(const BranchRun &run, const std::vector<unsigned int> &points,
+                                      const unsigned int n_steps, const double value)
     {
       const Parameters &parameters = run.parameters;
       const CycleBranchParameters &branch = parameters.limit_cycle.branch;
@@ -36,7 +37,8 @@ namespace vibrocontact
       {
         throw ConvergenceError(error.what());
       }
-      at->map = map_about(at->scene, run.steps, parameters.contact_solver, run.points, n_steps);
+      at->map = map_about(at->scene, run.steps, parameters.contact_solver, points, n_steps);
+      at->map->left_its_points = !at->map->are_known(at->scene.at_rest.R);
       at->equilibrium = at->map->pack(at->scene.at_rest);
       return at;
     }
@@ -86,7 +88,6 @@ namespace vibrocontact
     const LimitCycleParameters &own = run.parameters.limit_cycle;
     RollingCase constants = run.constants;
     const double value = own.branch.value_in(constants), range = own.branch.to() - own.branch.from();
-    const CycleFamily family = [&](const double at) { return cycle_at(run, start.n_steps, at); };
     Log &log = run_log();
     log.line("  followed over " + own.branch.entry + " from " + number_text(value) + " both ways:");
     std::vector<nlohmann::ordered_json> heard;
@@ -96,7 +97,7 @@ namespace vibrocontact
       {
         const CyclePeriod period =
             listen_to_cycle(*at.map, point.cycle, *at.scene.pair, at.scene.contacts, run.probes);
-        heard.push_back(cycle_json(point.cycle, &period, own.n_multipliers));
+        heard.push_back(cycle_json(point.cycle, period, own.n_multipliers));
         heard.back()["value"] = point.value;
       }
       catch (const InputError &error)
@@ -108,7 +109,25 @@ namespace vibrocontact
                std::to_string(point.cycle.newton_iterations) + " Newton iterations, " +
                number_text(point.cycle.seconds + point.cycle.stability_seconds) + " s");
     };
-    const CycleBranch branch = follow_cycle(family, start, value, own, hear);
+    const auto points_of = [&](const unsigned int k)
+    { return points_around(run.scene.pair->interface.contacts, run.scene.at_rest.R, spreads_of_contact[k]); };
+    const auto map_of = [&](const std::vector<unsigned int> &points)
+    { return map_about(run.scene, run.steps, run.parameters.contact_solver, points, start.n_steps); };
+    std::vector<unsigned int> grid_points = points_of(run.spread);
+    const CycleFamily family = [&](const double at) { return cycle_at(run, grid_points, start.n_steps, at); };
+    LimitCycle first = start;
+    CycleBranch branch = follow_cycle(family, first, value, own, hear);
+    for (unsigned int k = run.spread + 1; k < std::size(spreads_of_contact); ++k)
+    {
+      if (!branch.ends[0].left_its_points && !branch.ends[1].left_its_points)
+        break;
+      log.line("    the contact reaches farther than at rest: once more with more points");
+      const DynamicState state = map_of(grid_points)->unpack(first.state);
+      grid_points = points_of(k);
+      first.state = map_of(grid_points)->pack(state);
+      heard.clear();
+      branch = follow_cycle(family, first, value, own, hear);
+    }
     std::vector<nlohmann::ordered_json> points;
     for (const CycleBranchPoint &point : branch.points)
       points.push_back(heard.at(point.number));

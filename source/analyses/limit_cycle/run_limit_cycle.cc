@@ -25,9 +25,6 @@ namespace vibrocontact
   {
     /// of the frequencies in Limit cycle/Roots
     constexpr double same_frequency = 1e-2;
-    /// how far a contact may spread beyond its points at rest, columns and rows of the grid: tried one after the other, the whole grid last
-    constexpr unsigned int spreads[] = {1, 4, std::numeric_limits<unsigned int>::max() / 2};
-
     /// What a march over a period keeps for its derivative. @throws MachineError if the machine has too little
     void check_memory(const std::size_t n_loaded, const unsigned int n_steps)
     {
@@ -64,9 +61,18 @@ namespace vibrocontact
                                          : "the roots of the equilibrium that grow are at " + list + " Hz") +
                            ": leave the entry empty for all.");
         }
+        for (const StabilityRoot &root : result)
+          if (root.frequency == nearest->frequency)
+            throw InputError("Limit cycle/Roots names the root at " + number_text(root.frequency) +
+                             " Hz twice: leave one of them out.");
         result.push_back(*nearest);
       }
       return result;
+    }
+
+    std::string without_period(const std::string &sentence)
+    {
+      return sentence.empty() || sentence.back() != '.' ? sentence : sentence.substr(0, sentence.size() - 1);
     }
 
     void print(const LimitCycle &cycle)
@@ -107,11 +113,13 @@ namespace vibrocontact
       run_log().value("hub", hub_text(parameters.hub()));
 
       const std::vector<StabilityRoot> roots = asked_roots(unstable_of(roots_of(scene)), own.roots);
-      nlohmann::ordered_json &json = on.results.analyses["limit_cycle"];
-      json["friction"] = parameters.largest_friction();
-      json["loss"] = "viscous";
-      json["hub"] = parameters.hub();
-      json["cycles"] = nlohmann::ordered_json::array();
+      on.results.analyses["limit_cycle"] = nlohmann::ordered_json::array();
+      on.results.analyses["limit_cycle_search"] = {{"friction", parameters.largest_friction()},
+                                                   {"loss", "viscous"},
+                                                   {"hub", parameters.hub()},
+                                                   {"not_found", nlohmann::ordered_json::array()}};
+      nlohmann::ordered_json &cycles = on.results.analyses["limit_cycle"],
+                             &search = on.results.analyses["limit_cycle_search"];
       Progress progress("limit cycles", std::max<std::size_t>(1, roots.size()));
       const std::size_t n_loaded = loaded_points(at_rest.R, pair.n_points()).size();
       for (std::size_t k = 0; k < roots.size(); ++k)
@@ -119,10 +127,11 @@ namespace vibrocontact
         check_memory(n_loaded, steps_of_period(roots[k], own));
         std::unique_ptr<CycleMap> map;
         LimitCycle cycle;
-        std::vector<unsigned int> points;
-        for (const unsigned int spread : spreads)
+        unsigned int n_tried = 0;
+        for (const unsigned int spread : spreads_of_contact)
         {
-          points = points_around(pair.interface.contacts, at_rest.R, spread);
+          ++n_tried;
+          const std::vector<unsigned int> points = points_around(pair.interface.contacts, at_rest.R, spread);
           map = map_about(scene, steps, parameters.contact_solver, points, steps_of_period(roots[k], own));
           cycle = find_limit_cycle(*map, pair, at_rest, roots[k], own);
           if (cycle.converged || !map->left_its_points)
@@ -142,7 +151,8 @@ namespace vibrocontact
         print(cycle);
         if (period)
         {
-          json["cycles"].push_back(cycle_json(cycle, &*period, own.n_multipliers));
+          cycles.push_back(cycle_json(cycle, *period, own.n_multipliers));
+          cycles.back()["number"] = k + 1;
           on_first_rank(
               [&]
               {
@@ -152,36 +162,45 @@ namespace vibrocontact
               });
           if (own.branch.any())
           {
-            nlohmann::ordered_json &branch = json["cycles"].back()["branch"];
-            branch = run_branch({parameters, steps, held, scene, constants, points, probes}, cycle);
-            for (const char *const end : {"begin", "end"})
-              if (branch[end]["kind"] == "lost")
-                refuse("limit cycle",
-                       "The branch of the cycle at " + number_text(1 / cycle.period) + " Hz over " +
-                           own.branch.entry + " was lost at " +
-                           number_text(branch[end]["value"].get<double>()) + ": " +
-                           branch[end]["reason"].get<std::string>() + ".",
-                       on.results);
-            on_first_rank(
-                [&] {
-                  branch_table(branch).write(on.folder + "/limit_cycle_" + std::to_string(k + 1) +
-                                             "_branch.csv");
-                });
+            map.reset(); // its derivatives have the size of those of the branch
+            const auto was_lost = [&](const std::string &where, const std::string &why)
+            {
+              refuse("limit cycle",
+                     "The branch of the cycle at " + number_text(1 / cycle.period) + " Hz over " +
+                         own.branch.entry + " " + where + ": " + without_period(why) + ".",
+                     on.results);
+            };
+            try
+            {
+              const nlohmann::ordered_json branch =
+                  run_branch({parameters, steps, held, scene, constants, n_tried - 1, probes}, cycle);
+              cycles.back()["branch"] = branch;
+              for (const char *const end : {"begin", "end"})
+                if (branch[end].contains("reason"))
+                  was_lost("ended at " + number_text(branch[end]["value"].get<double>()),
+                           branch[end]["reason"].get<std::string>());
+              on_first_rank([&] { branch_table(cycles).write(on.folder + "/limit_cycle_branch.csv"); });
+            }
+            catch (const ConvergenceError &error)
+            {
+              was_lost("was not begun", error.what());
+            }
           }
         }
         else
         {
-          json["cycles"].push_back(cycle_json(cycle, nullptr, 0));
+          search["not_found"].push_back(failed_json(cycle));
           refuse("limit cycle",
                  "No limit cycle was found from the root at " + number_text(cycle.root.frequency) +
-                     " Hz: " + cycle.message + ".",
+                     " Hz: " + without_period(cycle.message) + ".",
                  on.results);
         }
         on.save_sometimes();
         progress.advance();
       }
-      add_sums(json);
-      on_first_rank([&] { cycles_table(json["cycles"]).write(on.folder + "/limit_cycles.csv"); });
+      add_sums(cycles, search);
+      on_first_rank([&]
+                    { cycles_table(cycles, search["not_found"]).write(on.folder + "/limit_cycles.csv"); });
     }
 
     /// Bodies with their modes, and shapes where probes are, are made by all ranks.
@@ -227,18 +246,19 @@ namespace vibrocontact
             limit_cycle_read,
             run_limit_cycle,
             false,
-            {{"limit_cycle",
-              "limit cycle",
+            {{"limit_cycle_search", "limit cycle", limit_cycle_search_answer, {}},
+             {"limit_cycle",
+              "the limit cycles",
               limit_cycle_answer,
               {"limit_cycles.csv", "limit_cycle_*.csv", "figures/limit_cycles.png",
                "figures/limit_cycle_branches.png"}}},
             swept_runs(prepare_limit_cycle,
-                       {{"roots", "/limit_cycle/roots"},
-                        {"cycles", "/limit_cycle/cycles_found"},
-                        {"loudest_frequency_Hz", "/limit_cycle/loudest/frequency_Hz"},
-                        {"loudest_amplitude_m_s", "/limit_cycle/loudest/amplitude_m_s"},
-                        {"loudest_level_dB", "/limit_cycle/loudest/level_dB"},
-                        {"loudest_power_into_body_1_W", "/limit_cycle/loudest/power_into_body_1_W"},
-                        {"loudest_largest_growth_1_s", "/limit_cycle/loudest/largest_growth_1_s"}})};
+                       {{"roots", "/limit_cycle_search/roots"},
+                        {"cycles", "/limit_cycle_search/cycles_found"},
+                        {"loudest_frequency_Hz", "/limit_cycle_search/loudest/frequency_Hz"},
+                        {"loudest_amplitude_m_s", "/limit_cycle_search/loudest/amplitude_m_s"},
+                        {"loudest_level_dB", "/limit_cycle_search/loudest/level_dB"},
+                        {"loudest_power_into_body_1_W", "/limit_cycle_search/loudest/power_into_body_1_W"},
+                        {"loudest_largest_growth_1_s", "/limit_cycle_search/loudest/largest_growth_1_s"}})};
   }
 } // namespace vibrocontact

@@ -14,8 +14,8 @@ namespace vibrocontact
   /// @param points in the order of branch.points: cycle_json() with `value`
   nlohmann::ordered_json branch_json(const std::string &entry, const CycleBranch &branch,
                                      const std::vector<nlohmann::ordered_json> &points);
-  /// A row per point. @param branch branch_json()
-  Table branch_table(const nlohmann::ordered_json &branch);
+  /// A row per point of every branch. @param cycles list of cycle_json(), at least one with `branch`
+  Table branch_table(const nlohmann::ordered_json &cycles);
   /// "over Contact/Friction coefficient from 0.1 on, where points begin to stick, to 0.6: ..."
   std::string branch_answer(const nlohmann::ordered_json &branch);
 } // namespace vibrocontact

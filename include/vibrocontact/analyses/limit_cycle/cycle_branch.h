@@ -5,7 +5,6 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +13,10 @@ namespace vibrocontact
   /// The scene at a value of the followed entry, and the map of a period of its march, which refers to it.
   struct CycleAt
   {
+    CycleAt() = default;
+    CycleAt(const CycleAt &) = delete;
+    CycleAt &operator=(const CycleAt &) = delete;
+
     CycleScene scene;
     std::unique_ptr<CycleMap> map;
     /// CycleMap::pack() of the state at rest
@@ -31,6 +34,8 @@ namespace vibrocontact
     LimitCycle cycle;
     /// whether a point sticks at some time of the period; whether one does what it does not at rest
     bool sticks = false, changes = false;
+    /// of the motion about the equilibrium, see CycleMap [sqrt(J)]
+    double size = 0;
   };
 
   /// One end of a branch.
@@ -40,8 +45,10 @@ namespace vibrocontact
     {
       /// the value is that of the range
       range,
-      /// the amplitude vanishes: here motions begin. Where full sliding is linear the value stays the same from the first stick on
+      /// the amplitude vanishes: here motions begin. Where sliding is linear, the amplitude rises there at one value, to the first stick
       vanishes,
+      /// Limit cycle/Branch/Most points were found
+      most_points,
       /// Newton's method came no farther
       lost
     } kind = Kind::lost;
@@ -49,6 +56,8 @@ namespace vibrocontact
     std::string reason;
     /// the value at which the amplitude is zero; of vanishes
     double onset = 0;
+    /// whether the contact reached points that the map does not know, so that it may come farther with more
+    bool left_its_points = false;
   };
 
   /// The cycles that are reached from one when an entry changes; neighbours in turn.

@@ -4,11 +4,15 @@
 #include <vibrocontact/analyses/transient/transient_parameters.h>
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
 namespace vibrocontact
 {
+  /// of the contact of a step, and at rest: what a period adds up to has to be below the tolerance of a cycle
+  constexpr double cycle_contact_tolerance = 1e-11;
+
   /// The march of the transient over one period T in m equal steps, as a map of the state that it starts from, and its derivative.
   ///
   /// The state is all that the next step depends on, in units of the root of an energy [sqrt(J)]: w q and v of every mode, then
@@ -34,11 +38,13 @@ namespace vibrocontact
     double speed() const { return drive.creepage.speed; }
     DenseVector pack(const DynamicState &state) const;
     DynamicState unpack(const DenseVector &x) const;
+    /// Whether only the points are loaded. @param R 3 n of the whole grid
+    bool are_known(const DenseVector &R) const;
 
     /// The state after a period. @param keep_derivatives for derivative() @throws ConvergenceError where a step does not converge
     DenseVector march(const DenseVector &x, double period, bool keep_derivatives,
                       const Observer &observe = {});
-    // of the last march that kept its derivatives:
+    // of the last march, rate() of any and the others of one that kept its derivatives:
     /// What changes of the start, one per column, make of the end.
     DenseMatrix derivative(const DenseMatrix &starts) const;
     DenseVector derivative(const DenseVector &start) const;
@@ -61,8 +67,6 @@ namespace vibrocontact
     mutable unsigned long n_products = 0;
 
   private:
-    /// Whether only the points are loaded.
-    bool are_known(const DenseVector &R) const;
     StateChanges changes_of(const DenseMatrix &x) const;
     DenseMatrix packed(const StateChanges &changes) const;
     DenseMatrix unit_starts() const;
@@ -93,6 +97,9 @@ namespace vibrocontact
     std::vector<ModalStep> by_length;
     DenseVector mean_rate;
   };
+
+  /// How far a contact may spread beyond its points at rest, columns and rows of the grid: tried one after the other, the whole grid last.
+  constexpr unsigned int spreads_of_contact[] = {1, 4, std::numeric_limits<unsigned int>::max() / 2};
 
   /// Points that carry load, and their neighbours up to so many columns and rows of their grid away; ascending.
   std::vector<unsigned int> points_around(const PlacedContacts &contacts, const DenseVector &R,

@@ -49,13 +49,17 @@ namespace vibrocontact
   Table cycle_table(const CyclePeriod &period);
   Table harmonics_table(const CyclePeriod &period, double frequency);
 
-  /// The object of a cycle in results.json. @param period null: it was not found
-  nlohmann::ordered_json cycle_json(const LimitCycle &cycle, const CyclePeriod *period,
+  /// The object of a cycle in results.json.
+  nlohmann::ordered_json cycle_json(const LimitCycle &cycle, const CyclePeriod &period,
                                     unsigned int n_multipliers);
-  /// How many there are, and of that with the loudest probe `loudest`; none without probes. @param limit_cycle with `cycles`
-  void add_sums(nlohmann::ordered_json &limit_cycle);
-  /// A row per cycle. @param cycles list of cycle_json()
-  Table cycles_table(const nlohmann::ordered_json &cycles);
+  /// Of a root from which none was found.
+  nlohmann::ordered_json failed_json(const LimitCycle &cycle);
+  /// How many there are, and of that with the loudest probe `loudest`; none without probes.
+  /// @param cycles list of cycle_json() @param search with the list `not_found` of failed_json()
+  void add_sums(const nlohmann::ordered_json &cycles, nlohmann::ordered_json &search);
+  /// A row for each of both.
+  Table cycles_table(const nlohmann::ordered_json &cycles, const nlohmann::ordered_json &not_found);
 
-  std::vector<std::string> limit_cycle_answer(const nlohmann::ordered_json &limit_cycle);
+  std::vector<std::string> limit_cycle_search_answer(const nlohmann::ordered_json &search);
+  std::vector<std::string> limit_cycle_answer(const nlohmann::ordered_json &cycles);
 } // namespace vibrocontact

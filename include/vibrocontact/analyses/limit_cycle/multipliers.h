@@ -30,7 +30,8 @@ namespace vibrocontact
     bool is_stable() const { return verdict() == "stable"; }
   };
 
-  /// @param monodromy derivative of the state after a period @param rate of the motion there, to tell the trivial multiplier
+  /// @param monodromy derivative of the state after a period @param rate of the motion there, to tell the trivial multiplier. Where
+  /// another one has met it, the direction of the motion is taken out of the matrix.
   /// @throws ConvergenceError if LAPACK finds no eigenvalues
   CycleStability cycle_stability(const DenseMatrix &monodromy, const DenseVector &rate, double period);
 } // namespace vibrocontact

@@ -19,8 +19,8 @@ namespace vibrocontact
     std::shared_ptr<const ContactPair> held;
     const CycleScene &scene;
     RollingCase constants;
-    /// that may touch, see CycleMap
-    std::vector<unsigned int> points;
+    /// which of spreads_of_contact the first cycle was found with
+    unsigned int spread;
     std::vector<Probe> probes;
   };
 
