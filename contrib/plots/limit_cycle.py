@@ -82,7 +82,7 @@ def plot_branches(folder, limit_cycle):
             chosen = [k for k, point in enumerate(points) if stability_of(point) == one]
             loud.plot(value[chosen], amplitude[chosen], marker, ms=4, mfc=face, color=color)
         pitch.plot(value, [point["frequency_Hz"] for point in points], ".-", lw=1, ms=4, color=color)
-        for end in (branch["begin"], branch["end"]):
+        for end in (branch.get("begin", {}), branch.get("end", {})):
             if "onset" in end:
                 loud.plot(end["onset"], 0, "^", color=color, clip_on=False)
         if "first_stick" in branch:

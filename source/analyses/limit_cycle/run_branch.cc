@@ -108,6 +108,7 @@ namespace vibrocontact
                (point.sticks ? "" : ", nothing sticks") + ", " +
                std::to_string(point.cycle.newton_iterations) + " Newton iterations, " +
                number_text(point.cycle.seconds + point.cycle.stability_seconds) + " s");
+      run.keep(heard);
     };
     const auto points_of = [&](const unsigned int k)
     { return points_around(run.scene.pair->interface.contacts, run.scene.at_rest.R, spreads_of_contact[k]); };

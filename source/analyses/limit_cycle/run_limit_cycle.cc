@@ -172,8 +172,13 @@ namespace vibrocontact
             };
             try
             {
+              const auto keep = [&](const std::vector<nlohmann::ordered_json> &points)
+              {
+                cycles.back()["branch"] = {{"entry", own.branch.entry}, {"points", points}};
+                on.save_sometimes();
+              };
               const nlohmann::ordered_json branch =
-                  run_branch({parameters, steps, held, scene, constants, n_tried - 1, probes}, cycle);
+                  run_branch({parameters, steps, held, scene, constants, n_tried - 1, probes, keep}, cycle);
               cycles.back()["branch"] = branch;
               for (const char *const end : {"begin", "end"})
                 if (branch[end].contains("reason"))
@@ -183,6 +188,7 @@ namespace vibrocontact
             }
             catch (const ConvergenceError &error)
             {
+              cycles.back().erase("branch");
               was_lost("was not begun", error.what());
             }
           }

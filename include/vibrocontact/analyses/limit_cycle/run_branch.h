@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -22,6 +23,8 @@ namespace vibrocontact
     /// which of spreads_of_contact the first cycle was found with
     unsigned int spread;
     std::vector<Probe> probes;
+    /// hears of the points found so far, in the order in which they were found, so that a killed run keeps them
+    std::function<void(const std::vector<nlohmann::ordered_json> &)> keep;
   };
 
   /// Follows a cycle over Limit cycle/Branch/Entry, says so point by point, and compares the onset with where the growth of the root
