@@ -221,6 +221,15 @@ namespace vibrocontact
                    "Stiffness x, Stiffness y, Stiffness z, Damping x, Damping y, Damping z");
   }
 
+  void add_motion_in_contact(EntriesRead &entries, const Parameters &parameters)
+  {
+    add_partners(entries, parameters, moving_in_contact());
+    add_contacts(entries, parameters);
+    for (const ContactParameters &contact : parameters.contacts.all)
+      add_friction_coefficient(entries, contact);
+    add_hub(entries, parameters);
+  }
+
   void add_partners(EntriesRead &entries, const Parameters &parameters, const BodyUse &use)
   {
     BodyUse own = use;

@@ -88,6 +88,13 @@ for one, other in zip(again, points):
     check.near("value on two ranks", one["value"], other["value"], 1e-9)
     check.near("frequency on two ranks", one["frequency_Hz"], other["frequency_Hz"], 1e-9)
 
+# fewer points than the range needs: said as such, with exit code 2
+few = scene("limit cycle", BRANCH.replace("0.69, 0.71", "0.4, 0.9").replace("set Entry", "set Most points = 2\nset Entry"), PROBES)
+with open("few.prm", "w") as file:
+    file.write(few)
+done = subprocess.run([program, "few.prm", "--output", "few"], capture_output=True, text=True)
+check.near("most points", done.returncode == 2 and "Most points were found" in done.stdout, True, 1e-12)
+
 suspended = scene("limit cycle", STEPS, hub="suspended").replace("set Hub = suspended", "set Hub = suspended\n" +
                                                                  section("Suspension", entries(Unsprung_mass=100, Stiffness_x=1e6, Stiffness_y=1e6, Stiffness_z=1e6)))
 for name, text, said in (("suspended", suspended, "which does not take a hub with mass"),

@@ -44,6 +44,8 @@ namespace vibrocontact
   double largest_friction_of_cases(const Parameters &parameters);
   /// What becomes of the hub of body 1 once the load has found its place.
   void add_hub(EntriesRead &entries, const Parameters &parameters);
+  /// Of marches and what repeats itself in time: bodies, contacts with their friction, and the hub.
+  void add_motion_in_contact(EntriesRead &entries, const Parameters &parameters);
   /// The history of section Loading.
   void add_load_history(EntriesRead &entries, const Parameters &parameters);
 } // namespace vibrocontact

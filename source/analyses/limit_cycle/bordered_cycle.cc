@@ -56,9 +56,19 @@ namespace vibrocontact
     return linear;
   }
 
-  DenseVector BorderedCycle::solve(const DenseMatrix &linear, const DenseVector &right) const
+  DenseVector BorderedCycle::solve(const DenseMatrix &linear, const DenseVector &right)
   {
     const unsigned int n = linear.m(), n_further = columns.size();
+    std::vector<double> units;
+    for (unsigned int k = 0; k < n_further; ++k)
+    {
+      units.push_back(1 / columns[k].l2_norm());
+      if (!std::isfinite(units[k]))
+        throw ConvergenceError("an unknown beside the state does not change the motion");
+      columns[k] *= units[k];
+      for (unsigned int l = 0; l < n_further; ++l)
+        corner(l, k) *= units[k];
+    }
     DenseMatrix bordered(n + n_further, n + n_further);
     add_block(bordered, linear, 0, 0);
     add_block(bordered, corner, n, n);
@@ -87,6 +97,8 @@ namespace vibrocontact
     }
     if (!std::all_of(x.begin(), x.end(), [](const double value) { return std::isfinite(value); }))
       throw ConvergenceError("the linear system of a period has no finite solution");
+    for (unsigned int k = 0; k < n_further; ++k)
+      x[n + k] *= units[k];
     return x;
   }
 

@@ -17,9 +17,12 @@ namespace vibrocontact
         return "end of the range";
       case CycleBranchEnd::Kind::vanishes:
         return "vanishes";
-      default:
+      case CycleBranchEnd::Kind::most_points:
+        return "most points";
+      case CycleBranchEnd::Kind::lost:
         return "lost";
       }
+      return "";
     }
 
     Json end_json(const CycleBranchEnd &end, const CycleBranchPoint &at)
@@ -30,15 +33,6 @@ namespace vibrocontact
       if (!end.reason.empty())
         json["reason"] = end.reason;
       return json;
-    }
-
-    /// first the velocities of probes, or the normal force of scenes without
-    const Json &main_signal(const Json &point)
-    {
-      const Json &signals = answer_parts::list(point, "signals");
-      const auto heard = std::find_if(signals.begin(), signals.end(),
-                                      [](const Json &signal) { return signal.contains("level_dB"); });
-      return heard == signals.end() ? signals.at(0) : *heard;
     }
 
     std::string stability_of(const Json &point)
@@ -63,6 +57,10 @@ namespace vibrocontact
                                {"sticks_above", branch.points[last].value > branch.points[other].value}};
         break;
       }
+    json["unstable_points"] =
+        std::count_if(branch.points.begin(), branch.points.end(),
+                      [](const CycleBranchPoint &point)
+                      { return point.cycle.stability && point.cycle.stability->is_unstable(); });
     json["points"] = points;
     return json;
   }
@@ -117,58 +115,5 @@ namespace vibrocontact
           table.add_row(row);
         }
     return table;
-  }
-
-  std::string branch_answer(const Json &branch)
-  {
-    using namespace answer_parts;
-    const Json &points = list(branch, "points");
-    const auto said_of = [](const Json &point)
-    {
-      const Json &signal = main_signal(point);
-      return text(" (%.2f Hz, ", number(point, "frequency_Hz")) + word(signal, "name") +
-             text(" %.3g)", number(signal, "amplitude"));
-    };
-    const auto say_end = [&](const Json &end, const Json &point)
-    {
-      std::string said = text("%.6g", number(end, "value")), why = word(end, "kind");
-      if (why == "vanishes" && is_given(end, "onset_of_root"))
-        said = text("its onset at %.6g", number(end, "onset"));
-      else if (why == "vanishes")
-        said = text("%.6g, where its amplitude vanishes", number(end, "onset"));
-      else if (why == "lost")
-        said += ", where it was lost";
-      else if (why == "most points")
-        said += ", where Limit cycle/Branch/Most points were found";
-      if (is_given(end, "onset_of_root"))
-        said += text(" (by its root %.6g)", number(end, "onset_of_root"));
-      else if (is_given(end, "root_growth_1_s"))
-        said += text(" (its root grows by %.3g 1/s there)", number(end, "root_growth_1_s"));
-      return said + said_of(point);
-    };
-    std::string line = "over " + word(branch, "entry") + " from " +
-                       say_end(branch.at("begin"), points.at(0)) + "; to " +
-                       say_end(branch.at("end"), points.at(points.size() - 1));
-    if (branch.contains("first_stick"))
-    {
-      const Json &stick = branch["first_stick"];
-      line += text(stick["sticks_above"].get<bool>() ? "; sticks from %.6g on" : "; sticks up to %.6g",
-                   number(stick, "value")) +
-              said_of(points.at(stick["point"].get<std::size_t>()));
-    }
-    const Json &folds = list(branch, "folds");
-    for (std::size_t k = 0; k < folds.size(); ++k)
-      line += text(k == 0 ? "; turns round at %.6g" : ", %.6g", folds[k].get<double>());
-    const std::size_t n_unstable =
-        std::count_if(points.begin(), points.end(),
-                      [](const Json &point)
-                      {
-                        const std::string verdict = stability_of(point);
-                        return verdict != "stable" && verdict != "neutral" && verdict != "not judged";
-                      });
-    line += text("; %zu points", points.size());
-    if (n_unstable > 0)
-      line += text(", %zu of them unstable", n_unstable);
-    return line;
   }
 } // namespace vibrocontact

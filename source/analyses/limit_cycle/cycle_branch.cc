@@ -97,21 +97,12 @@ namespace vibrocontact
           map.march(start, period, true);
           BorderedCycle system{
               map, {map.by_period(), by_value()}, {map.rate(), DenseVector(n)}, DenseMatrix(2, 2)};
-          double units[2];
-          for (unsigned int k = 0; k < 2; ++k)
-          {
-            units[k] = 1 / system.columns[k].l2_norm();
-            if (!std::isfinite(units[k]))
-              throw ConvergenceError(k == 0 ? "the state after a period does not depend on its length"
-                                            : "the motion does not depend on the value");
-            system.columns[k] *= units[k];
-          }
           system.rows[0] /= system.rows[0].l2_norm();
           for (unsigned int i = 0; i < n; ++i)
             system.rows[1][i] = tangent[i];
           // the condition in units of the state
           for (unsigned int k = 0; k < 2; ++k)
-            system.corner(1, k) = tangent[n + k] * units[k] * sizes.state / sizes.of(n + k, n);
+            system.corner(1, k) = tangent[n + k] * sizes.state / sizes.of(n + k, n);
           DenseVector right(n + 2);
           std::copy(rest.begin(), rest.end(), right.begin());
           const unsigned long products = map.n_products;
@@ -119,8 +110,6 @@ namespace vibrocontact
           if (map.n_products - products > many_products)
             renew_preconditioner();
           step.assign(x.begin(), x.end());
-          for (unsigned int k = 0; k < 2; ++k)
-            step[n + k] *= units[k];
         }
         catch (const ConvergenceError &error)
         {

@@ -9,13 +9,46 @@ namespace vibrocontact
 {
   namespace
   {
+    using Condition = const char *(*)(const RollingCase &);
+
     /// An entry that changes the equilibrium, and neither bodies nor places.
     struct FollowedEntry
     {
       double &(*value)(RollingCase &);
       /// that it may have
       double least, most;
+      /// why it changes nothing in a scene, and what to do; null: it does
+      Condition without_effect;
     };
+
+    const char *never(const RollingCase &)
+    {
+      return nullptr;
+    }
+
+    const char *without_speed(const RollingCase &one)
+    {
+      return one.creepage.speed > 0
+                 ? nullptr
+                 : "Rolling/Speed is 0, so that it changes nothing: follow a sliding velocity";
+    }
+
+    const char *without_rolling(const RollingCase &one)
+    {
+      return one.creepage.speed > 0
+                 ? nullptr
+                 : "Rolling/Speed is 0, where nothing rolls: give the speed that the branch begins at";
+    }
+
+    const char *under_displacement(const RollingCase &one)
+    {
+      return one.normal_force > 0 ? nullptr : "the load is Rolling/Hub displacement: follow that";
+    }
+
+    const char *under_force(const RollingCase &one)
+    {
+      return one.normal_force > 0 ? "the load is Rolling/Normal force: follow that" : nullptr;
+    }
 
     const std::map<std::string, FollowedEntry> &followed_entries()
     {
@@ -23,21 +56,23 @@ namespace vibrocontact
       constexpr double tiny = 1e-12, most = 1e12;
       static const std::map<std::string, FollowedEntry> entries = {
           {"Contact/Friction coefficient",
-           {[](RollingCase &one) -> double & { return one.friction; }, 0, 10}},
+           {[](RollingCase &one) -> double & { return one.friction; }, 0, 10, never}},
           {"Rolling/Hub displacement",
-           {[](RollingCase &one) -> double & { return one.hub_displacement; }, tiny, most}},
+           {[](RollingCase &one) -> double & { return one.hub_displacement; }, tiny, most, under_force}},
           {"Rolling/Normal force",
-           {[](RollingCase &one) -> double & { return one.normal_force; }, tiny, most}},
-          {"Rolling/Speed", {[](RollingCase &one) -> double & { return one.creepage.speed; }, tiny, most}},
+           {[](RollingCase &one) -> double & { return one.normal_force; }, tiny, most, under_displacement}},
+          {"Rolling/Speed",
+           {[](RollingCase &one) -> double & { return one.creepage.speed; }, tiny, most, without_rolling}},
           {"Rolling/Longitudinal creepage",
-           {[](RollingCase &one) -> double & { return one.creepage.longitudinal; }, -1, 1}},
+           {[](RollingCase &one) -> double & { return one.creepage.longitudinal; }, -1, 1, without_speed}},
           {"Rolling/Lateral creepage",
-           {[](RollingCase &one) -> double & { return one.creepage.lateral; }, -1, 1}},
-          {"Rolling/Spin", {[](RollingCase &one) -> double & { return one.creepage.spin; }, -1e3, 1e3}},
+           {[](RollingCase &one) -> double & { return one.creepage.lateral; }, -1, 1, without_speed}},
+          {"Rolling/Spin",
+           {[](RollingCase &one) -> double & { return one.creepage.spin; }, -1e3, 1e3, without_speed}},
           {"Rolling/Sliding velocity x",
-           {[](RollingCase &one) -> double & { return one.creepage.sliding_x; }, -most, most}},
+           {[](RollingCase &one) -> double & { return one.creepage.sliding_x; }, -most, most, never}},
           {"Rolling/Sliding velocity y",
-           {[](RollingCase &one) -> double & { return one.creepage.sliding_y; }, -most, most}}};
+           {[](RollingCase &one) -> double & { return one.creepage.sliding_y; }, -most, most, never}}};
       return entries;
     }
   } // namespace
@@ -85,19 +120,8 @@ namespace vibrocontact
     if (from() < followed.least || to() > followed.most)
       throw InputError(asked + " has to lie between " + number_text(followed.least) + " and " +
                        number_text(followed.most) + " for " + entry + ".");
-    const std::string follows = "Limit cycle/Branch/Entry is " + entry + ", but ";
-    const bool is_creepage = entry == "Rolling/Longitudinal creepage" ||
-                             entry == "Rolling/Lateral creepage" || entry == "Rolling/Spin";
-    if (is_creepage && !(constants.creepage.speed > 0))
-      throw InputError(follows +
-                       "Rolling/Speed is 0, so that it changes nothing: follow a sliding velocity.");
-    if (entry == "Rolling/Speed" && !(constants.creepage.speed > 0))
-      throw InputError(follows +
-                       "Rolling/Speed is 0, where nothing rolls: give the speed that the branch begins at.");
-    if (entry == "Rolling/Normal force" && !(constants.normal_force > 0))
-      throw InputError(follows + "the load is Rolling/Hub displacement: follow that.");
-    if (entry == "Rolling/Hub displacement" && constants.normal_force > 0)
-      throw InputError(follows + "the load is Rolling/Normal force: follow that.");
+    if (const char *const why = followed.without_effect(constants))
+      throw InputError("Limit cycle/Branch/Entry is " + entry + ", but " + why + ".");
     const double value = value_in(constants);
     if (value < from() || value > to())
       throw InputError(asked + " leaves out " + number_text(value) + ", the value that " + entry +

@@ -46,14 +46,11 @@ namespace vibrocontact
     {
       map.march(start, period, true);
       BorderedCycle system{map, {map.by_period()}, {map.rate()}, DenseMatrix(1, 1)};
-      const double unit_of_period = 1 / system.columns[0].l2_norm();
-      system.columns[0] *= unit_of_period;
       system.rows[0] /= system.rows[0].l2_norm();
       DenseVector right(n + 1);
       std::copy(rest.begin(), rest.end(), right.begin());
       const DenseVector x = system.solve(linear, right);
       step.assign(x.begin(), x.end());
-      step[n] *= unit_of_period;
     }
     catch (const ConvergenceError &error)
     {

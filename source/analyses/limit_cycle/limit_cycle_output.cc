@@ -1,4 +1,3 @@
-#include <vibrocontact/analyses/limit_cycle/branch_output.h>
 #include <vibrocontact/analyses/limit_cycle/limit_cycle_output.h>
 #include <vibrocontact/marching/signal_output.h>
 #include <vibrocontact/output/answer_parts.h>
@@ -69,73 +68,6 @@ namespace vibrocontact
       return period.probes.empty() ? nullptr : &period.probes.front();
     }
   } // namespace
-
-  double CycleSignal::mean() const
-  {
-    double sum = 0;
-    for (const double value : values)
-      sum += value;
-    return sum / values.size();
-  }
-
-  double CycleSignal::amplitude() const
-  {
-    const auto [least, largest] = std::minmax_element(values.begin(), values.end());
-    return (*largest - *least) / 2;
-  }
-
-  double CycleSignal::rms() const
-  {
-    const double about = mean();
-    double sum = 0;
-    for (const double value : values)
-      sum += (value - about) * (value - about);
-    return std::sqrt(sum / values.size());
-  }
-
-  CyclePeriod listen_to_cycle(CycleMap &map, const LimitCycle &cycle, const ContactPair &pair,
-                              const ContactSections &sections, const std::vector<Probe> &probes)
-  {
-    CyclePeriod period;
-    const PlacedContacts &contacts = pair.interface.contacts;
-    for (const PlacedContact &one : contacts.all)
-      for (const char *const name : {"normal_force_N", "tangential_force_x_N", "tangential_force_y_N"})
-        period.forces.push_back({(one.name.empty() ? "" : one.name + "_") + name, {}});
-    period.stick_points.name = "stick_points";
-    period.contact_points.name = "contact_points";
-    period.friction_power.name = "friction_power_W";
-    period.creepage_power.name = "creepage_power_W";
-    period.power_into_body_1.name = "power_into_body_1_W";
-    for (const Probe &probe : probes)
-      period.probes.push_back({probe.name + "_velocity_m_s", {}});
-    const auto listen = [&](const DynamicState &state)
-    {
-      period.time.push_back((period.time.size() + 1) * cycle.period / cycle.n_steps);
-      const unsigned int n = pair.n_points();
-      check_contact_in_grid(contacts, sections, map.speed(), state.contact.status);
-      unsigned int stick = 0, closed = 0;
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        closed += state.R[i] > 0;
-        stick += state.R[i] > 0 && state.contact.status[i] == ContactStatus::stick;
-      }
-      const std::vector<std::array<double, 3>> sums = contacts.resultants(state.R);
-      for (unsigned int k = 0; k < period.forces.size(); ++k)
-        period.forces[k].values.push_back(sums[k / 3][k % 3]);
-      period.stick_points.values.push_back(stick);
-      period.contact_points.values.push_back(closed);
-      period.friction_power.values.push_back(state.friction_power);
-      period.creepage_power.values.push_back(state.creepage_power);
-      double power = 0;
-      for (unsigned int k = 0; k < pair.n_modes(); ++k)
-        power += pair.body[k] == 1 ? state.modal_force[k] * state.v[k] : 0.;
-      period.power_into_body_1.values.push_back(power);
-      for (unsigned int p = 0; p < probes.size(); ++p)
-        period.probes[p].values.push_back(probes[p].velocity(state));
-    };
-    map.march(cycle.state, cycle.period, false, listen);
-    return period;
-  }
 
   Table cycle_table(const CyclePeriod &period)
   {
@@ -312,48 +244,5 @@ namespace vibrocontact
              number("/newton_iterations"), number("/seconds")});
       }
     return table;
-  }
-
-  std::vector<std::string> limit_cycle_search_answer(const nlohmann::ordered_json &search)
-  {
-    using namespace answer_parts;
-    if (number(search, "roots") == 0)
-      return {"no root of the equilibrium grows: no cycle begins there"};
-    Lines lines = {text("%.0f of %.0f unstable roots lead to a limit cycle", number(search, "cycles_found"),
-                        number(search, "roots"))};
-    const Json &not_found = list(search, "not_found");
-    for (std::size_t k = 0; k < std::min(not_found.size(), most_said); ++k)
-      lines.push_back(text("root at %.2f Hz: ", number(not_found[k]["root"], "frequency_Hz")) +
-                      word(not_found[k], "message"));
-    say_more(not_found.size(), "in limit_cycles.csv", lines);
-    return lines;
-  }
-
-  std::vector<std::string> limit_cycle_answer(const nlohmann::ordered_json &cycles)
-  {
-    using namespace answer_parts;
-    Lines lines;
-    for (std::size_t k = 0; k < std::min(cycles.size(), most_said); ++k)
-    {
-      const Json &one = cycles[k];
-      std::string line = text("%.3f Hz", number(one, "frequency_Hz"));
-      for (const Json &signal : list(one, "signals"))
-        if (is_given(signal, "level_dB"))
-        {
-          line += ", " + word(signal, "name") +
-                  text(" amplitude %.3g (%.1f dB)", number(signal, "amplitude"), number(signal, "level_dB"));
-          break;
-        }
-      line +=
-          text(", normal force +-%.3g N, some points stick for %.0f %% of the time",
-               number(list(one, "signals").at(0), "amplitude"), 100 * number(one, "time_with_stick_share"));
-      if (one.contains("stability"))
-        line += ", " + word(one["stability"], "verdict");
-      lines.push_back(line);
-      if (one.contains("branch"))
-        lines.push_back("  " + branch_answer(one["branch"]));
-    }
-    say_more(cycles.size(), "in limit_cycles.csv", lines);
-    return lines;
   }
 } // namespace vibrocontact

@@ -12,11 +12,16 @@ namespace vibrocontact
     constexpr double least_cosine = 0.9;
   } // namespace
 
+  bool CycleStability::is_unstable() const
+  {
+    return !multipliers.empty() && multipliers.front().growth > uncertainty;
+  }
+
   std::string CycleStability::verdict() const
   {
     if (multipliers.empty() || multipliers.front().growth < -uncertainty)
       return "stable";
-    if (multipliers.front().growth <= uncertainty)
+    if (!is_unstable())
       return "neutral";
     const std::complex<double> largest = multipliers.front().value;
     if (largest.imag() != 0)

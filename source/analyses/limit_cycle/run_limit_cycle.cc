@@ -1,4 +1,5 @@
 #include <vibrocontact/analyses/limit_cycle/branch_output.h>
+#include <vibrocontact/analyses/limit_cycle/limit_cycle_answer.h>
 #include <vibrocontact/analyses/limit_cycle/limit_cycle_output.h>
 #include <vibrocontact/analyses/limit_cycle/run_branch.h>
 #include <vibrocontact/analyses/limit_cycle/run_limit_cycle.h>
@@ -219,11 +220,7 @@ namespace vibrocontact
 
     void limit_cycle_read(EntriesRead &entries, const Parameters &parameters)
     {
-      add_partners(entries, parameters, moving_in_contact());
-      add_contacts(entries, parameters);
-      for (const ContactParameters &contact : parameters.contacts.all)
-        add_friction_coefficient(entries, contact);
-      add_hub(entries, parameters);
+      add_motion_in_contact(entries, parameters);
       entries.add("Rolling", "Speed, Normal force, Hub displacement");
       entries.add_if(parameters.rolling.creepage.speed > 0, "Rolling/Speed is above 0", "Rolling",
                      "Longitudinal creepage, Lateral creepage, Spin");

@@ -306,11 +306,7 @@ namespace vibrocontact
 
     void transient_read(EntriesRead &entries, const Parameters &parameters)
     {
-      add_partners(entries, parameters, moving_in_contact());
-      add_contacts(entries, parameters);
-      for (const ContactParameters &contact : parameters.contacts.all)
-        add_friction_coefficient(entries, contact);
-      add_hub(entries, parameters);
+      add_motion_in_contact(entries, parameters);
 
       const TransientParameters &own = parameters.transient;
       const std::vector<std::string> driven = driven_entries(own);

@@ -21,9 +21,10 @@ namespace vibrocontact
     /// D
     DenseMatrix corner;
 
-    /// @param linear linear_cycle(), for the preconditioner @return the best that was found, the line search judges it
-    /// @throws ConvergenceError if the preconditioner is singular or nothing finite was found
-    DenseVector solve(const DenseMatrix &linear, const DenseVector &right) const;
+    /// In units of u that make the columns one, which columns and corner are left in.
+    /// @param linear linear_cycle(), for the preconditioner @return dx, then du; the best that was found, the line search judges it
+    /// @throws ConvergenceError if a column or the preconditioner is singular or nothing finite was found
+    DenseVector solve(const DenseMatrix &linear, const DenseVector &right);
     /// for GMRES
     void vmult(DenseVector &to, const DenseVector &from) const;
   };

@@ -16,6 +16,4 @@ namespace vibrocontact
                                      const std::vector<nlohmann::ordered_json> &points);
   /// A row per point of every branch. @param cycles list of cycle_json(), at least one with `branch`
   Table branch_table(const nlohmann::ordered_json &cycles);
-  /// "over Contact/Friction coefficient from 0.1 on, where points begin to stick, to 0.6: ..."
-  std::string branch_answer(const nlohmann::ordered_json &branch);
 } // namespace vibrocontact

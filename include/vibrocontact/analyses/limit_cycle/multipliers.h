@@ -28,6 +28,8 @@ namespace vibrocontact
     /// "period doubling", "torus"
     std::string verdict() const;
     bool is_stable() const { return verdict() == "stable"; }
+    /// neither stable nor neutral
+    bool is_unstable() const;
   };
 
   /// @param monodromy derivative of the state after a period @param rate of the motion there, to tell the trivial multiplier. Where

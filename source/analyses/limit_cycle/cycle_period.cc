@@ -1,0 +1,75 @@
+#include <vibrocontact/analyses/limit_cycle/cycle_period.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vibrocontact
+{
+  double CycleSignal::mean() const
+  {
+    double sum = 0;
+    for (const double value : values)
+      sum += value;
+    return sum / values.size();
+  }
+
+  double CycleSignal::amplitude() const
+  {
+    const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+    return (*largest - *least) / 2;
+  }
+
+  double CycleSignal::rms() const
+  {
+    const double about = mean();
+    double sum = 0;
+    for (const double value : values)
+      sum += (value - about) * (value - about);
+    return std::sqrt(sum / values.size());
+  }
+
+  CyclePeriod listen_to_cycle(CycleMap &map, const LimitCycle &cycle, const ContactPair &pair,
+                              const ContactSections &sections, const std::vector<Probe> &probes)
+  {
+    CyclePeriod period;
+    const PlacedContacts &contacts = pair.interface.contacts;
+    for (const PlacedContact &one : contacts.all)
+      for (const char *const name : {"normal_force_N", "tangential_force_x_N", "tangential_force_y_N"})
+        period.forces.push_back({(one.name.empty() ? "" : one.name + "_") + name, {}});
+    period.stick_points.name = "stick_points";
+    period.contact_points.name = "contact_points";
+    period.friction_power.name = "friction_power_W";
+    period.creepage_power.name = "creepage_power_W";
+    period.power_into_body_1.name = "power_into_body_1_W";
+    for (const Probe &probe : probes)
+      period.probes.push_back({probe.name + "_velocity_m_s", {}});
+    const auto listen = [&](const DynamicState &state)
+    {
+      period.time.push_back((period.time.size() + 1) * cycle.period / cycle.n_steps);
+      const unsigned int n = pair.n_points();
+      check_contact_in_grid(contacts, sections, map.speed(), state.contact.status);
+      unsigned int stick = 0, closed = 0;
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        closed += state.R[i] > 0;
+        stick += state.R[i] > 0 && state.contact.status[i] == ContactStatus::stick;
+      }
+      const std::vector<std::array<double, 3>> sums = contacts.resultants(state.R);
+      for (unsigned int k = 0; k < period.forces.size(); ++k)
+        period.forces[k].values.push_back(sums[k / 3][k % 3]);
+      period.stick_points.values.push_back(stick);
+      period.contact_points.values.push_back(closed);
+      period.friction_power.values.push_back(state.friction_power);
+      period.creepage_power.values.push_back(state.creepage_power);
+      double power = 0;
+      for (unsigned int k = 0; k < pair.n_modes(); ++k)
+        power += pair.body[k] == 1 ? state.modal_force[k] * state.v[k] : 0.;
+      period.power_into_body_1.values.push_back(power);
+      for (unsigned int p = 0; p < probes.size(); ++p)
+        period.probes[p].values.push_back(probes[p].velocity(state));
+    };
+    map.march(cycle.state, cycle.period, false, listen);
+    return period;
+  }
+} // namespace vibrocontact

@@ -1,0 +1,104 @@
+#include <vibrocontact/analyses/limit_cycle/limit_cycle_answer.h>
+#include <vibrocontact/output/answer_parts.h>
+
+#include <algorithm>
+
+namespace vibrocontact
+{
+  using namespace answer_parts;
+
+  namespace
+  {
+    /// Of the signals of a cycle the first velocity of a probe, or the normal force of scenes without.
+    const Json &main_signal(const Json &cycle)
+    {
+      const Json &signals = list(cycle, "signals");
+      const auto heard = std::find_if(signals.begin(), signals.end(),
+                                      [](const Json &signal) { return signal.contains("level_dB"); });
+      return heard == signals.end() ? signals.at(0) : *heard;
+    }
+
+    /// "over Contact/Friction coefficient from 0.1, where its amplitude vanishes, to 0.6: ..."
+    std::string branch_answer(const Json &branch)
+    {
+      const Json &points = list(branch, "points");
+      const auto said_of = [](const Json &point)
+      {
+        const Json &signal = main_signal(point);
+        return text(" (%.2f Hz, ", number(point, "frequency_Hz")) + word(signal, "name") +
+               text(" %.3g)", number(signal, "amplitude"));
+      };
+      const auto say_end = [&](const Json &end, const Json &point)
+      {
+        std::string said = text("%.6g", number(end, "value")), why = word(end, "kind");
+        if (why == "vanishes" && is_given(end, "onset_of_root"))
+          said = text("its onset at %.6g", number(end, "onset"));
+        else if (why == "vanishes")
+          said = text("%.6g, where its amplitude vanishes", number(end, "onset"));
+        else if (why == "lost")
+          said += ", where it was lost";
+        else if (why == "most points")
+          said += ", where Limit cycle/Branch/Most points were found";
+        if (is_given(end, "onset_of_root"))
+          said += text(" (by its root %.6g)", number(end, "onset_of_root"));
+        else if (is_given(end, "root_growth_1_s"))
+          said += text(" (its root grows by %.3g 1/s there)", number(end, "root_growth_1_s"));
+        return said + said_of(point);
+      };
+      std::string line = "over " + word(branch, "entry") + " from " +
+                         say_end(branch.at("begin"), points.at(0)) + "; to " +
+                         say_end(branch.at("end"), points.at(points.size() - 1));
+      if (branch.contains("first_stick"))
+      {
+        const Json &stick = branch["first_stick"];
+        line += text(stick["sticks_above"].get<bool>() ? "; sticks from %.6g on" : "; sticks up to %.6g",
+                     number(stick, "value")) +
+                said_of(points.at(stick["point"].get<std::size_t>()));
+      }
+      const Json &folds = list(branch, "folds");
+      for (std::size_t k = 0; k < folds.size(); ++k)
+        line += text(k == 0 ? "; turns round at %.6g" : ", %.6g", folds[k].get<double>());
+      line += text("; %zu points", points.size());
+      if (const double n_unstable = number(branch, "unstable_points"); n_unstable > 0)
+        line += text(", %.0f of them unstable", n_unstable);
+      return line;
+    }
+  } // namespace
+
+  std::vector<std::string> limit_cycle_search_answer(const Json &search)
+  {
+    if (number(search, "roots") == 0)
+      return {"no root of the equilibrium grows: no cycle begins there"};
+    Lines lines = {text("%.0f of %.0f unstable roots lead to a limit cycle", number(search, "cycles_found"),
+                        number(search, "roots"))};
+    const Json &not_found = list(search, "not_found");
+    for (std::size_t k = 0; k < std::min(not_found.size(), most_said); ++k)
+      lines.push_back(text("root at %.2f Hz: ", number(not_found[k]["root"], "frequency_Hz")) +
+                      word(not_found[k], "message"));
+    say_more(not_found.size(), "in limit_cycles.csv", lines);
+    return lines;
+  }
+
+  std::vector<std::string> limit_cycle_answer(const Json &cycles)
+  {
+    Lines lines;
+    for (std::size_t k = 0; k < std::min(cycles.size(), most_said); ++k)
+    {
+      const Json &one = cycles[k];
+      std::string line = text("%.3f Hz", number(one, "frequency_Hz"));
+      if (const Json &signal = main_signal(one); is_given(signal, "level_dB"))
+        line += ", " + word(signal, "name") +
+                text(" amplitude %.3g (%.1f dB)", number(signal, "amplitude"), number(signal, "level_dB"));
+      line +=
+          text(", normal force +-%.3g N, some points stick for %.0f %% of the time",
+               number(list(one, "signals").at(0), "amplitude"), 100 * number(one, "time_with_stick_share"));
+      if (one.contains("stability"))
+        line += ", " + word(one["stability"], "verdict");
+      lines.push_back(line);
+      if (one.contains("branch"))
+        lines.push_back("  " + branch_answer(one["branch"]));
+    }
+    say_more(cycles.size(), "in limit_cycles.csv", lines);
+    return lines;
+  }
+} // namespace vibrocontact
