@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 using namespace vibrocontact;
 
 namespace
@@ -18,6 +20,35 @@ namespace
     parameters.branch.range = {from, to};
     return parameters;
   }
+
+  /// Cycles of a scene that a value changes; keeps the scenes, which maps refer to.
+  class BeltFamily
+  {
+  public:
+    BeltFamily(const BeltScene &first, const unsigned int n_steps,
+               const std::function<void(BeltScene &, double)> &set)
+        : first(first), n_steps(n_steps), set(set)
+    {
+    }
+
+    std::shared_ptr<CycleAt> operator()(const double value)
+    {
+      scenes.push_back(std::make_unique<BeltScene>(first));
+      BeltScene &scene = *scenes.back();
+      set(scene, value);
+      const auto at = std::make_shared<CycleAt>();
+      at->scene.at_rest = scene.at_rest;
+      at->map = std::make_unique<CycleMap>(scene.map(n_steps));
+      at->equilibrium = at->map->pack(scene.at_rest);
+      return at;
+    }
+
+  private:
+    const BeltScene &first;
+    const unsigned int n_steps;
+    const std::function<void(BeltScene &, double)> set;
+    std::vector<std::unique_ptr<BeltScene>> scenes;
+  };
 
   void print(const CycleBranch &branch)
   {
@@ -40,19 +71,8 @@ TEST(CycleBranch, BeginsAndEndsWhereFrictionStopsFalling)
   };
   constexpr unsigned int n_steps = 400;
   const BeltScene first(1, 0, 1e-6, force, belt, friction, 1e-3, 7000);
-  // maps refer to their scenes
-  std::vector<std::unique_ptr<BeltScene>> scenes;
-  const CycleFamily family = [&](const double speed)
-  {
-    scenes.push_back(std::make_unique<BeltScene>(first));
-    BeltScene &scene = *scenes.back();
-    scene.run_at(speed, 0);
-    const auto at = std::make_shared<CycleAt>();
-    at->scene.at_rest = scene.at_rest;
-    at->map = std::make_unique<CycleMap>(scene.map(n_steps));
-    at->equilibrium = at->map->pack(scene.at_rest);
-    return at;
-  };
+  BeltFamily scenes(first, n_steps, [](BeltScene &scene, const double speed) { scene.run_at(speed, 0); });
+  const CycleFamily family = std::ref(scenes);
   CycleMap map = first.map(n_steps);
   const LimitCycle start = first.cycle(map);
   ASSERT_TRUE(start.converged) << start.message;
@@ -92,19 +112,13 @@ TEST(CycleBranch, TurnsRoundAtAFold)
   constexpr unsigned int n_steps = 200;
   const double begin = 1.3;
   const BeltScene first(1, zeta, flexibility, begin, belt, friction, 1e-3, 3200);
-  std::vector<std::unique_ptr<BeltScene>> scenes;
-  const CycleFamily family = [&](const double force)
-  {
-    scenes.push_back(std::make_unique<BeltScene>(first));
-    BeltScene &scene = *scenes.back();
-    scene.drive.approach = force * flexibility;
-    scene.run_at(belt, 0);
-    const auto at = std::make_shared<CycleAt>();
-    at->scene.at_rest = scene.at_rest;
-    at->map = std::make_unique<CycleMap>(scene.map(n_steps));
-    at->equilibrium = at->map->pack(scene.at_rest);
-    return at;
-  };
+  BeltFamily scenes(first, n_steps,
+                    [](BeltScene &scene, const double force)
+                    {
+                      scene.drive.approach = force * flexibility;
+                      scene.run_at(belt, 0);
+                    });
+  const CycleFamily family = std::ref(scenes);
   CycleMap map = first.map(n_steps);
   const LimitCycle start = first.cycle(map);
   ASSERT_TRUE(start.converged) << start.message;
@@ -133,7 +147,6 @@ TEST(CycleBranch, TurnsRoundAtAFold)
   // no more points than are asked for, which is said
   LimitCycleParameters few = parameters;
   few.branch.most_points = 3;
-  scenes.clear();
   const CycleBranch part =
       follow_cycle(family, start, begin, few, [](const CycleBranchPoint &, CycleAt &) {});
   EXPECT_EQ(part.ends[0].kind, CycleBranchEnd::Kind::most_points);
