@@ -19,16 +19,11 @@ namespace vibrocontact
   Tables standard_tables()
   {
     Tables tables;
-    tables.analyses = {modes_analysis(),
-                       frequency_response_analysis(),
-                       identification_analysis(),
-                       rolling_analysis(),
-                       loading_analysis(),
-                       periodic_analysis(),
-                       stability_analysis(),
-                       transient_analysis(),
-                       limit_cycle_analysis(),
-                       modal_convolution_analysis(),
+    tables.analyses = {modes_analysis(),          frequency_response_analysis(),
+                       identification_analysis(), rolling_analysis(),
+                       loading_analysis(),        periodic_analysis(),
+                       stability_analysis(),      transient_analysis(),
+                       limit_cycle_analysis(),    modal_convolution_analysis(),
                        export_analysis()};
     return tables;
   }

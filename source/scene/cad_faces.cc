@@ -204,8 +204,7 @@ namespace vibrocontact
       const std::string rest = trimmed(rule.text.substr(word.size()));
       const auto kind =
           std::find_if(kinds.begin(), kinds.end(), [&](const Kind &one) { return one.word == word; });
-      const std::size_t of =
-          kind != kinds.end() && kind->takes_solid ? rest.find(" of ") : std::string::npos;
+      const std::size_t of = kind != kinds.end() && kind->takes_solid ? rest.find(" of ") : std::string::npos;
       const std::string solid = of == std::string::npos ? "" : trimmed(rest.substr(of + 4));
       Words words(rest.substr(0, of), item, entry);
       if (rule.group.empty() || kind == kinds.end())

@@ -139,6 +139,11 @@ namespace vibrocontact
                                                                                                    : &*first;
     }
 
+    bool bounds(const CadFace &face, const CadSolid &solid)
+    {
+      return std::count(solid.faces.begin(), solid.faces.end(), int(face.number)) > 0;
+    }
+
     void take_names(CadPart &part, const std::vector<StepName> &names)
     {
       const double near = 1e-6 * part.size();
@@ -160,10 +165,8 @@ namespace vibrocontact
         const auto bounds_it = [&](const CadFace &face)
         {
           return std::any_of(part.solids.begin(), part.solids.end(),
-                             [&](const CadSolid &solid)
-                             {
-                               return std::count(solid.faces.begin(), solid.faces.end(), int(face.number)) >
-                                          0 &&
+                             [&](const CadSolid &solid) {
+                               return bounds(face, solid) &&
                                       solid.centre.distance(one.centre_of_solid) < near;
                              });
         };
@@ -193,7 +196,7 @@ namespace vibrocontact
           while (!taken.insert(solid.name = "solid" + std::to_string(n)).second)
             ++n;
         for (CadFace &face : part.faces)
-          if (std::count(solid.faces.begin(), solid.faces.end(), int(face.number)) > 0)
+          if (bounds(face, solid))
             face.solids.push_back(solid.name);
       }
     }
