@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -15,6 +16,8 @@ namespace vibrocontact
     constexpr unsigned int always_nearby = 16;
     /// points are nearby below this share of the median gap, until they are beyond twice that
     constexpr double nearby_share = 0.1;
+    /// of the points that are nearby, those that a search finds again; fewer: the others are let go
+    constexpr double worn_share = 0.75;
     /// steps after which W~ R is computed anew: the round-off of its changes grows with the steps^(3/2)
     constexpr unsigned int longest_without_search = 64;
 
@@ -117,16 +120,29 @@ namespace vibrocontact
     std::vector<bool> was_nearby(n, false);
     for (const unsigned int i : state.nearby)
       was_nearby[i] = true;
-    state.nearby.clear();
+    const auto is_nearby = [&](const unsigned int i)
+    {
+      return n <= always_nearby || state.R[i] != 0 || state.force_change[i] != 0 ||
+             gap[i] <= (was_nearby[i] ? 2 * threshold - least : threshold);
+    };
+    std::vector<unsigned int> found;
     for (unsigned int i = 0; i < n; ++i)
     {
       state.contact.y[i] = gap[i];
-      if (n <= always_nearby || state.R[i] != 0 || state.force_change[i] != 0 ||
-          gap[i] <= (was_nearby[i] ? 2 * threshold - least : threshold))
-        state.nearby.push_back(i);
+      if (is_nearby(i))
+        found.push_back(i);
+    }
+    // a few points more cost less than another matrix
+    std::vector<unsigned int> with_known;
+    std::set_union(state.nearby.begin(), state.nearby.end(), found.begin(), found.end(),
+                   std::back_inserter(with_known));
+    state.nearby = found.size() < worn_share * with_known.size() ? found : with_known;
+    auto next = state.nearby.begin();
+    for (unsigned int i = 0; i < n; ++i)
+      if (next != state.nearby.end() && *next == i)
+        ++next;
       else
         state.contact.y[n + i] = state.contact.y[2 * n + i] = 0;
-    }
     state.moved_since_search = 0;
     state.steps_since_search = 0;
   }

@@ -10,6 +10,9 @@ namespace vibrocontact
 {
   namespace
   {
+    /// fewer than the n-th part of the points: by their columns alone
+    constexpr unsigned int few_sources = 8;
+
     // amplitudes diag(g1) amplitudes^T - amplitudes damper_gain B diag(g1_v) amplitudes^T
     DenseMatrix gain(const DenseMatrix &amplitudes, const std::vector<ModalStep> &steps,
                      const unsigned int component, const HubDamper &damper)
@@ -275,6 +278,13 @@ namespace vibrocontact
       for (const unsigned int point : wet)
         rows.push_back(contact_row(n, c, point));
     residual.reinit(rows.size());
+    if (!matrices.half_spaces)
+    {
+      gather_columns();
+      for (unsigned int c = 0; c < 3; ++c)
+        for (const unsigned int point : nearby)
+          diagonals.push_back(matrices.response(contact_row(n, c, point), contact_row(n, c, point)));
+    }
     // of the whole grid: rho does not move with the points that are nearby
     for (unsigned int c = 0; c < 3; ++c)
     {
@@ -304,38 +314,39 @@ namespace vibrocontact
       residual[i] = displacement_of_all[rows[i]];
   }
 
-  void StepOperator::respond_by_columns(const DenseVector &R, const std::vector<unsigned int> &sources) const
+  void StepOperator::gather_columns()
   {
-    const unsigned int m = n_points(), n = matrices.contacts.n_points(), n_sources = sources.size();
-    if (sources != sources_before)
-    {
-      residual_columns.reinit(rows.size(), 3 * n_sources);
-      for (unsigned int c = 0; c < 3; ++c)
-        for (unsigned int j = 0; j < n_sources; ++j)
-        {
-          const double *const from = &matrices.residual_flexibility(0, contact_row(n, c, nearby[sources[j]]));
-          double *const to = &residual_columns(0, contact_row(n_sources, c, j));
-          for (unsigned int i = 0; i < rows.size(); ++i)
-            to[i] = from[rows[i]];
-        }
-      if (has_gradient())
-      {
-        gradient_columns.reinit(3 * m, 3 * n_sources);
-        for (unsigned int c = 0; c < 3; ++c)
-          for (unsigned int j = 0; j < n_sources; ++j)
-            for (unsigned int d = 0; d < 3; ++d)
-              for (unsigned int i = 0; i < m; ++i)
-                gradient_columns(contact_row(m, d, i), contact_row(n_sources, c, j)) =
-                    matrices.speed * matrices.residual_gradient(contact_row(n, d, nearby[i]),
-                                                                contact_row(n, c, nearby[sources[j]]));
-      }
-      forces.reinit(3 * n_sources);
-      sources_before = sources;
-    }
+    const unsigned int m = n_points(), n = matrices.contacts.n_points();
+    residual_columns.reinit(rows.size(), 3 * m);
+    gradient_columns.reinit(has_gradient() ? 3 * m : 0, has_gradient() ? 3 * m : 0);
     for (unsigned int c = 0; c < 3; ++c)
-      for (unsigned int j = 0; j < n_sources; ++j)
-        forces[contact_row(n_sources, c, j)] = R[contact_row(m, c, sources[j])];
-    residual_columns.vmult(residual, forces);
+      for (unsigned int j = 0; j < m; ++j)
+      {
+        const unsigned int here = contact_row(m, c, j), there = contact_row(n, c, nearby[j]);
+        const double *const from = &matrices.residual_flexibility(0, there);
+        for (unsigned int i = 0; i < rows.size(); ++i)
+          residual_columns(i, here) = from[rows[i]];
+        for (unsigned int d = 0; d < 3 && has_gradient(); ++d)
+          for (unsigned int i = 0; i < m; ++i)
+            gradient_columns(contact_row(m, d, i), here) =
+                matrices.speed * matrices.residual_gradient(contact_row(n, d, nearby[i]), there);
+      }
+  }
+
+  void StepOperator::multiply_columns(const DenseMatrix &columns, const DenseVector &R,
+                                      const std::vector<unsigned int> &sources, DenseVector &y) const
+  {
+    const unsigned int m = n_points();
+    if (sources.size() * few_sources > m)
+      return columns.vmult(y, R);
+    y = 0;
+    for (unsigned int c = 0; c < 3; ++c)
+      for (const unsigned int source : sources)
+      {
+        const unsigned int column = contact_row(m, c, source);
+        for (unsigned int i = 0; i < y.size(); ++i)
+          y[i] += columns(i, column) * R[column];
+      }
   }
 
   void StepOperator::vmult(DenseVector &y, const DenseVector &R,
@@ -348,7 +359,7 @@ namespace vibrocontact
     if (matrices.half_spaces)
       respond_by_kernels(R, sources);
     else
-      respond_by_columns(R, sources);
+      multiply_columns(residual_columns, R, sources, residual);
     std::copy(residual.begin(), residual.end(), y.begin() + 3 * m);
 
     modal_numbers(R, c_normal, c_tangential);
@@ -359,7 +370,7 @@ namespace vibrocontact
     if (!has_gradient())
       return;
     along_path.reinit(3 * m);
-    gradient_columns.vmult(along_path, forces);
+    multiply_columns(gradient_columns, R, sources, along_path);
     for (unsigned int i = 0; i < 3 * m; ++i)
       y[i] += along_path[i];
   }

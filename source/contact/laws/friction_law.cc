@@ -4,9 +4,19 @@
 
 namespace vibrocontact
 {
+  namespace
+  {
+    /// std::hypot(), whose care the usual numbers do not need
+    double length(const Vector2 &v)
+    {
+      const double square = v[0] * v[0] + v[1] * v[1];
+      return square > 1e-200 && square < 1e200 ? std::sqrt(square) : std::hypot(v[0], v[1]);
+    }
+  } // namespace
+
   DiscProjection project_on_disc(const Vector2 &trial, const double radius)
   {
-    const double norm = std::hypot(trial[0], trial[1]);
+    const double norm = length(trial);
     if (norm <= radius && radius > 0)
       return {trial, {{{{1., 0.}}, {{0., 1.}}}}, {{0., 0.}}, true};
     if (norm == 0)

@@ -71,10 +71,7 @@ namespace vibrocontact
     double mean_diagonal(unsigned int component) const override { return mean[component]; }
     double diagonal(const unsigned int component, const unsigned int point) const override
     {
-      if (matrices.half_spaces)
-        return mean[component];
-      const unsigned int row = contact_row(matrices.contacts.n_points(), component, nearby[point]);
-      return matrices.response(row, row);
+      return diagonals.empty() ? mean[component] : diagonals[contact_row(n_points(), component, point)];
     }
     bool fast_product() const override { return matrices.half_spaces != nullptr; }
 
@@ -102,17 +99,21 @@ namespace vibrocontact
     /// V d/dx + 1/h at each nearby point: places among the wet points and their factors [1/s]
     std::vector<std::vector<std::pair<unsigned int, double>>> transport;
     double mean[3];
+    /// entries of A on its diagonal, 3 n_points; empty of half-spaces alone
+    std::vector<double> diagonals;
     /// of the nearby points: basis, and StepMatrices::by_displacement and by_velocity side by side; 3
     /// n_points x rank, twice the rank
     DenseMatrix basis, by_motion;
     /// The same points of the grid.
     std::vector<unsigned int> on_grid(const std::vector<unsigned int> &points) const;
-    /// Residual displacements of the rows behind y: of half-spaces alone, and by columns of W~.
+    void gather_columns();
+    /// y = columns R, with few sources by their columns alone
+    void multiply_columns(const DenseMatrix &columns, const DenseVector &R,
+                          const std::vector<unsigned int> &sources, DenseVector &y) const;
+    /// Residual displacements of the rows behind y, of half-spaces alone.
     void respond_by_kernels(const DenseVector &R, const std::vector<unsigned int> &sources) const;
-    void respond_by_columns(const DenseVector &R, const std::vector<unsigned int> &sources) const;
-    /// columns of W~ of the sources of the last product, and their forces
-    mutable std::vector<unsigned int> sources_before;
-    mutable DenseMatrix residual_columns, gradient_columns;
-    mutable DenseVector forces, residual, along_path, c_normal, c_tangential, displacement, velocity, motion;
+    /// W~ from the points to the rows behind y, and what d/dx of it is beyond differences times V; empty of half-spaces alone
+    DenseMatrix residual_columns, gradient_columns;
+    mutable DenseVector residual, along_path, c_normal, c_tangential, displacement, velocity, motion;
   };
 } // namespace vibrocontact
