@@ -50,6 +50,7 @@ namespace vibrocontact
       check_finite(of);
       residual.emplace(of, tangential_factor);
       judge.emplace(of);
+      kept.begin_problem();
       std::swap(s, state);
       try
       {
@@ -192,8 +193,7 @@ namespace vibrocontact
 
     bool solve_directly()
     {
-      // what is kept has to reduce the residual by ten at a stroke
-      if (!kept.prepare(*problem, J, s.status, last_gain >= 0.1, s.factorisations))
+      if (!kept.prepare(*problem, J, s.status, last_gain >= kept.largest_gain(), s.factorisations))
         return false;
       kept.solve(rhs);
       return all_finite(rhs);
@@ -221,6 +221,8 @@ namespace vibrocontact
       }
       if (!std::isfinite(trial))
         return false;
+      if (step == 1)
+        kept.took_direction();
       last_gain = trial / current;
       current = trial;
       s.R = trial_R;

@@ -7,7 +7,10 @@ namespace vibrocontact
   namespace
   {
     /// more changed points than this are factorised
-    constexpr unsigned int max_changed = 12;
+    constexpr unsigned int max_changed = 24;
+    /// of the residual that a step leaves: factors of this problem have to reduce it by ten at a stroke, those of an earlier one
+    /// are mended by secants
+    constexpr double largest_gain_alone = 0.1, largest_gain_in_march = 0.9;
 
     bool factorise_lu(DenseMatrix &matrix)
     {
@@ -22,6 +25,24 @@ namespace vibrocontact
       return true;
     }
   } // namespace
+
+  void NewtonFactorisation::forget()
+  {
+    A.reset();
+    pairs.clear();
+    last_direction.reinit(0);
+  }
+
+  void NewtonFactorisation::begin_problem()
+  {
+    ++n_problems;
+    last_direction.reinit(0);
+  }
+
+  double NewtonFactorisation::largest_gain() const
+  {
+    return n_problems > 0 ? largest_gain_in_march : largest_gain_alone;
+  }
 
   bool NewtonFactorisation::prepare(const ContactProblem &problem, const NewtonJacobian &J,
                                     const std::vector<ContactStatus> &now, const bool anew,
@@ -43,6 +64,7 @@ namespace vibrocontact
   bool NewtonFactorisation::factorise(const ContactProblem &problem, const NewtonJacobian &J,
                                       const std::vector<ContactStatus> &now)
   {
+    const bool same_points = response_of.lock() == problem.A && points == J.points();
     forget();
     points = J.points();
     status.clear();
@@ -50,11 +72,14 @@ namespace vibrocontact
       status.push_back(now[i]);
     rows = J.rows_of_points();
     changed.clear();
-    problem.A->extract(points, response);
+    if (!same_points)
+      problem.A->extract(points, response);
+    response_of = problem.A;
     J.assemble(response, lu);
     if (!factorise_lu(lu))
       return false;
     A = problem.A;
+    n_problems = 0;
     force_given = problem.force_given();
     return true;
   }
@@ -85,6 +110,8 @@ namespace vibrocontact
     }
     columns = Z;
     changed = flipped;
+    pairs.clear();
+    last_direction.reinit(0);
     if (n_flipped == 0)
       return true;
     small.reinit(t * n_flipped);
@@ -95,6 +122,23 @@ namespace vibrocontact
   }
 
   void NewtonFactorisation::solve(DenseVector &x)
+  {
+    if (n_problems == 0)
+      return solve_by_factors(x);
+    if (last_direction.size() == x.size() && direction_taken)
+    {
+      last_residual -= x;
+      pairs.add(last_residual, last_direction);
+    }
+    last_residual = x;
+    const DenseVector known = pairs.take_known_part(x);
+    solve_by_factors(x);
+    x += known;
+    last_direction = x;
+    direction_taken = false;
+  }
+
+  void NewtonFactorisation::solve_by_factors(DenseVector &x)
   {
     lu.solve(x);
     if (changed.empty())

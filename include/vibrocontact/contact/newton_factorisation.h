@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/contact/newton_jacobian.h>
+#include <vibrocontact/contact/secant_pairs.h>
 
 namespace vibrocontact
 {
@@ -13,10 +14,16 @@ namespace vibrocontact
   ///
   ///   (J + E D)^-1 r = x - Z (I + D Z)^-1 D x,   x = J^-1 r,   Z = J^-1 E    (Sherman, Morrison & Woodbury)
   ///
-  /// at two solves per changed point, once.
+  /// at two solves per changed point, once. In time steps, whose problems follow each other with one operator, the rows of sliding
+  /// points turn little by little besides: what steps have shown of that mends directions (SecantPairs) as long as no point
+  /// changes its status, so that factors serve longer.
   class NewtonFactorisation
   {
   public:
+    /// Another problem begins.
+    void begin_problem();
+    /// What a step may leave of the residual for the factors to serve on.
+    double largest_gain() const;
     /// Makes the matrix that `solve` solves with suit J, at the least cost.
     /// @param status of all points of the problem; @param anew factorise in any case
     /// @param factorisations counts them; @return false if the matrix is singular
@@ -24,12 +31,15 @@ namespace vibrocontact
                  const std::vector<ContactStatus> &status, bool anew, unsigned int &factorisations);
     /// x <- J^-1 x
     void solve(DenseVector &x);
-    void forget() { A.reset(); }
+    /// The last direction was taken in full.
+    void took_direction() { direction_taken = true; }
+    void forget();
 
   private:
     bool factorise(const ContactProblem &problem, const NewtonJacobian &J,
                    const std::vector<ContactStatus> &now);
     bool update(const NewtonJacobian &J);
+    void solve_by_factors(DenseVector &x);
 
     /// operator and kind of load that lu belongs to; null: nothing is kept
     std::shared_ptr<const ContactOperator> A;
@@ -38,12 +48,19 @@ namespace vibrocontact
     std::vector<unsigned int> points;
     std::vector<ContactStatus> status;
     NewtonJacobian::Rows rows;
-    /// A among the points
+    /// A among the points, and the operator that it is of
     DenseMatrix response;
+    std::weak_ptr<const ContactOperator> response_of;
     DenseMatrix lu;
     /// points (among the active ones) with another status than when lu was made, and now
     std::vector<unsigned int> changed, flipped;
     /// Z, size x t changed; D, t changed x size; I + D Z, factorised
     DenseMatrix columns, differences, small;
+    /// problems that have begun since lu was made
+    unsigned int n_problems = 0;
+    SecantPairs pairs;
+    /// of the last solve; none: of another problem or another matrix
+    DenseVector last_residual, last_direction;
+    bool direction_taken = false;
   };
 } // namespace vibrocontact
