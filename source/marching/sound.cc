@@ -11,6 +11,14 @@
 
 namespace vibrocontact
 {
+  std::string text_of_full_scale(const double full_scale, const double begin)
+  {
+    std::ostringstream text;
+    text.precision(17);
+    text << "full scale (1.0) = " << full_scale << " m/s; first sample at " << begin << " s\n";
+    return text.str();
+  }
+
   double write_sound(const Signal &velocity, const std::string &file_name)
   {
     Signal sound = resampled(velocity, sound_rate, 2e-3);
@@ -23,9 +31,7 @@ namespace vibrocontact
     for (double &value : sound.values)
       value /= full_scale;
 
-    std::ostringstream text;
-    text.precision(17);
-    text << "full scale (1.0) = " << full_scale << " m/s; first sample at " << sound.begin << " s\n";
+    const std::string text = text_of_full_scale(full_scale, sound.begin);
     const std::string part = unique_part(file_name);
     SF_INFO info = {};
     info.samplerate = sound_rate;
@@ -35,7 +41,7 @@ namespace vibrocontact
     bool good = file != nullptr;
     if (file)
     {
-      sf_set_string(file, SF_STR_COMMENT, text.str().c_str());
+      sf_set_string(file, SF_STR_COMMENT, text.c_str());
       good =
           sf_write_double(file, sound.values.data(), sound.size()) == static_cast<sf_count_t>(sound.size());
       good = sf_close(file) == 0 && good;
@@ -49,7 +55,7 @@ namespace vibrocontact
       throw OutputError("Cannot write the file '" + file_name +
                         "': check the folder and its rights, and the space on the disk.");
     }
-    write_file(file_name + ".txt", text.str());
+    write_file(file_name + ".txt", text);
     return full_scale;
   }
 } // namespace vibrocontact

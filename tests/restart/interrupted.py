@@ -3,7 +3,7 @@
 
 A bar against its stop and two half-spaces that roll into creepage are stopped by SIGTERM and SIGINT, killed by SIGKILL
 at random moments (also before the first checkpoint and while one is written: they write all the time), resumed, and
-compared: histories bit for bit on the same number of ranks, to 1e-9 from one rank to two. Further: a later end time, and
+compared: histories and sounds bit for bit on the same number of ranks, to 1e-9 from one rank to two. Further: a later end time, and
 what --resume refuses. VIBROCONTACT_KILLS=20 in the environment: so many kills per scene instead of 2.
 
 interrupted.py PROGRAM MPIRUN PARAMETER_FILES SCENE SETTING...: kills and ranks of another example, e.g. curve_squeal.
@@ -76,6 +76,9 @@ class Scene:
         for column, values in histories(self.folder(case)).items():
             if values.tobytes() != self.whole[column].tobytes():
                 fail(f"{self.folder(case)}: {column} differs")
+        for sound in glob.glob(self.folder("whole") + "/*.wav"):
+            if open(sound, "rb").read() != open(f"{self.folder(case)}/{os.path.basename(sound)}", "rb").read():
+                fail(f"{self.folder(case)}: {os.path.basename(sound)} differs")
         now, before = results(self.folder(case)), results(self.folder("whole"))
         if not now["complete"] or now["status"] != "converged":
             fail(f"{self.folder(case)}: not complete")
@@ -125,7 +128,10 @@ if len(sys.argv) > 4:
     scene.more_ranks()
     sys.exit()
 
-bar = Scene("bouncing_bar", "Transient/End time=8", "Transient/Signals/Probes=top: bar 0 0 10 along z")
+bar = Scene("bouncing_bar", "Transient/End time=8", "Transient/Signals/Probes=top: bar 0 0 10 along z",
+            "Transient/Signals/Sound full scale=1")
+if not glob.glob(bar.folder("whole") + "/top_velocity.wav") or glob.glob(bar.folder("whole") + "/*.part"):
+    fail("the sound is not there, or only in part")
 bar.stop(signal.SIGTERM)
 bar.stop(signal.SIGINT)
 bar.kill()

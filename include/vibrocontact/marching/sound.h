@@ -11,6 +11,9 @@ namespace vibrocontact
   /// Shorter runs have no sound [s].
   constexpr double least_sound = 5e-3;
 
+  /// What the comment of a sound says, and the file `<file_name>.txt` beside it. @param full_scale [m/s] @param begin [s]
+  std::string text_of_full_scale(double full_scale, double begin);
+
   /// Writes a velocity [m/s] as WAV (one channel, 48 kHz, 24 bits; libsndfile): resampled without folding
   /// (resampled()), faded over 2 ms at both ends, its largest value at 0.9 of full scale. Beside it
   /// `<file_name>.txt` says what full scale is. By the calling rank.

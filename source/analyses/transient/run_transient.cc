@@ -6,6 +6,7 @@
 #include <vibrocontact/analyses/transient/patch_recorder.h>
 #include <vibrocontact/analyses/transient/run_transient.h>
 #include <vibrocontact/analyses/transient/signal_recorder.h>
+#include <vibrocontact/analyses/transient/sound_recorder.h>
 #include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/analyses/transient/transient_hub.h>
 #include <vibrocontact/analyses/transient/transient_output.h>
@@ -75,8 +76,9 @@ namespace vibrocontact
     struct RunRecorders
     {
       std::vector<std::unique_ptr<StateRecorder>> all;
-      /// the one that knows when sticking changed, and the one of the modes, null: there is none
+      /// the one that knows when sticking changed, those of sounds and modes, null: there is none
       const SignalRecorder *signals = nullptr;
+      const SoundRecorder *sounds = nullptr;
       const ModeRecorder *modes = nullptr;
     };
 
@@ -91,6 +93,13 @@ namespace vibrocontact
       auto first = std::make_unique<SignalRecorder>(probes, folder);
       result.signals = first.get();
       recorders.push_back(std::move(first));
+      if (signals.streams_sound())
+      {
+        auto sounds = std::make_unique<SoundRecorder>(probes, folder, parameters.transient.time_step,
+                                                      signals.sound_full_scale);
+        result.sounds = sounds.get();
+        recorders.push_back(std::move(sounds));
+      }
       if (auto modes = mode_recorder(parameters, held, hub, folder))
       {
         result.modes = modes.get();
@@ -114,7 +123,10 @@ namespace vibrocontact
     {
       const double end_of_growth = recorders.signals->change_of_sticking();
       const std::vector<NamedSignal> recorded = recorded_signals(probes, folder);
-      json.update(signals_json(recorded, parameters.windows, end_of_growth, parameters.sound ? folder : ""));
+      json.update(signals_json(recorded, parameters.windows, end_of_growth,
+                               parameters.sound && !recorders.sounds ? folder : ""));
+      if (recorders.sounds)
+        recorders.sounds->add_to(json["signals"]);
       for (const NamedSignal &signal : recorded)
         if (signal.name == "normal_force")
         {
@@ -360,11 +372,15 @@ namespace vibrocontact
       const bool has_wheel = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
                                          [](const BodyParameters &body)
                                          { return body.description->is_wheel() && !body.rolls(); });
-      entries.add_if(!signals.probes.empty() && (trimmed(signals.probes) != "rim" || has_wheel) &&
-                         own.end_time > least_sound,
+      const bool can_sound = !signals.probes.empty() && (trimmed(signals.probes) != "rim" || has_wheel) &&
+                             own.end_time > least_sound;
+      entries.add_if(can_sound,
                      "there are Transient/Signals/Probes (a rim is that of a wheel that does not roll) for "
                      "more than 5 ms",
                      section + "/Signals", "Sound");
+      entries.add_if(can_sound && signals.sound,
+                     "Transient/Signals/Sound is true and there are Probes for more than 5 ms",
+                     section + "/Signals", "Sound full scale");
     }
 
     /// Bodies with their modes, and shapes where probes are, are made by all ranks.

@@ -36,6 +36,11 @@ namespace vibrocontact
                       "0: none. Units: none.",
                       Integer(0, 1000));
     prm.add_parameter("Sound", sound, "Write the velocity of each probe as WAV file. Units: none.", Bool());
+    prm.add_parameter(
+        "Sound full scale", sound_full_scale,
+        "Velocity that is 1.0 in the WAV files, which then grow while time runs; 0: they are written "
+        "at the end, with the largest velocity at 0.9. Units: m/s.",
+        Double(0, 1e6));
   }
 
   namespace
@@ -69,6 +74,10 @@ namespace vibrocontact
                                const TransientParameters &transient) const
   {
     check_frames(*this, transient);
+    if (sound_full_scale > 0 && transient.error_tolerance > 0)
+      throw InputError(
+          "Transient/Signals/Sound full scale lets sounds grow with the run, which needs steps of one "
+          "length, but Transient/Error tolerance makes them differ: leave one of both out.");
     windows.check("Transient", transient.end_time);
     for (const ProbeRequest &probe : parse_probes(probes))
       if (!probe.name.empty() && std::find(bodies.begin(), bodies.end(), probe.body) == bodies.end())

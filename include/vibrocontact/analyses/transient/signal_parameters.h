@@ -28,6 +28,9 @@ namespace vibrocontact
     unsigned int n_modes = 6;
     /// a WAV per probe velocity
     bool sound = true;
+    /// 1.0 in it [m/s], which lets it grow with the run; 0: written at the end
+    double sound_full_scale = 0;
+    bool streams_sound() const { return sound && sound_full_scale > 0; }
 
     void declare_parameters(dealii::ParameterHandler &prm);
     /// @param bodies names of the bodies that have modes
