@@ -128,9 +128,10 @@ namespace vibrocontact
     std::vector<double> tau(n);
     with_work("dgeqrf", [&](double *work, const int &n_work, int &info)
               { dealii::geqrf(&m, &n, &A(0, 0), &m, tau.data(), work, &n_work, &info); });
+    // of fewer rows than columns the last rows are zero
     DenseMatrix R(n, n);
     for (int j = 0; j < n; ++j)
-      for (int i = 0; i <= j; ++i)
+      for (int i = 0; i < std::min(j + 1, m); ++i)
         R(i, j) = A(i, j);
     return R;
   }

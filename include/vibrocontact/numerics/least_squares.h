@@ -16,7 +16,7 @@ namespace vibrocontact
   DenseMatrix least_squares(const DenseMatrix &A, const DenseMatrix &B, const DenseMatrix &C,
                             const DenseMatrix &D);
 
-  /// R of A = Q R (dgeqrf), upper triangular, as many rows as A has columns; A has at least as many rows.
+  /// R of A = Q R (dgeqrf), upper triangular, as many rows as A has columns; where A has fewer, the last are zero.
   DenseMatrix triangular_factor(DenseMatrix A);
 
   /// Eigenvalues of a real matrix (dgeev). @throws ConvergenceError
