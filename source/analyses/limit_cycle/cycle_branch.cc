@@ -1,4 +1,4 @@
-#include <vibrocontact/analyses/limit_cycle/bordered_cycle.h>
+#include <vibrocontact/analyses/limit_cycle/branch_equations.h>
 #include <vibrocontact/analyses/limit_cycle/cycle_branch.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
@@ -17,149 +17,12 @@ namespace vibrocontact
     constexpr double first_step = 0.02, shortest_step = 1e-4, stick_step = 0.01;
     /// the longest where the contact stays as it is at rest: motions of any amplitude are nearly alike
     constexpr double linear_step = 0.5;
-    /// products of a linear system from which on its preconditioner is renewed
-    constexpr unsigned int many_products = 25;
     /// a secant that turns by more than this [cosine] is tried with half the step
     constexpr double least_cosine = 0.8;
     /// of the first cycle's motion: nothing is left of a smaller one
     constexpr double vanished = 0.02;
-    /// change of the value over the range that differences are taken over, and from which on it is more than rounding
-    constexpr double little_change = 1e-5, least_change = 1e-6;
-
-    /// A place on a branch, as Newton's method has it: the state less the equilibrium at the value, which changes with it; period, value.
-    using Place = std::vector<double>;
-
-    /// Sizes that places are measured in.
-    struct Sizes
-    {
-      double state, period, value;
-
-      double of(const std::size_t k, const std::size_t n) const
-      {
-        return k < n ? state : k == n ? period : value;
-      }
-    };
-
-    /// The equations of follow_cycle().
-    class BranchEquations : public NewtonEquations
-    {
-    public:
-      BranchEquations(const CycleFamily &family, const LimitCycle &start, const double value,
-                      const double value_size, const double tolerance)
-          : family(family), tolerance(tolerance), value_size(value_size), at(family(value)), value(value),
-            n(at->map->size())
-      {
-        period = start.period;
-        renew_preconditioner();
-      }
-
-      /// The last condition: steps are normal to the direction, which is in the sizes.
-      void go_along(const Place &direction, const Sizes &in)
-      {
-        tangent = direction;
-        sizes = in;
-      }
-
-      double evaluate(const std::vector<double> &z) override
-      {
-        failure.clear();
-        try
-        {
-          if (z[n + 1] != value)
-          {
-            at = family(z[n + 1]);
-            value = z[n + 1];
-          }
-          from_rest = DenseVector(z.begin(), z.begin() + n);
-          start = at->equilibrium;
-          start += from_rest;
-          period = z[n];
-          if (!(period > 0))
-            throw ConvergenceError("a step leads to a period below zero");
-          rest = at->map->march(start, period, false);
-        }
-        catch (const ConvergenceError &error)
-        {
-          failure = error.what();
-          return std::numeric_limits<double>::max();
-        }
-        rest -= start;
-        return rest.l2_norm() / motion();
-      }
-
-      bool keep(const std::vector<double> &, const double size) override { return size <= tolerance; }
-
-      bool find_step(bool, std::vector<double> &step) override
-      {
-        try
-        {
-          CycleMap &map = *at->map;
-          map.march(start, period, true);
-          BorderedCycle system{
-              map, {map.by_period(), by_value()}, {map.rate(), DenseVector(n)}, DenseMatrix(2, 2)};
-          system.rows[0] /= system.rows[0].l2_norm();
-          for (unsigned int i = 0; i < n; ++i)
-            system.rows[1][i] = tangent[i];
-          // the condition in units of the state
-          for (unsigned int k = 0; k < 2; ++k)
-            system.corner(1, k) = tangent[n + k] * sizes.state / sizes.of(n + k, n);
-          DenseVector right(n + 2);
-          std::copy(rest.begin(), rest.end(), right.begin());
-          const unsigned long products = map.n_products;
-          const DenseVector x = system.solve(linear, right);
-          if (map.n_products - products > many_products)
-            renew_preconditioner();
-          step.assign(x.begin(), x.end());
-        }
-        catch (const ConvergenceError &error)
-        {
-          failure = error.what();
-          return false;
-        }
-        return true;
-      }
-
-      /// Of the place that was evaluated last: its state, and the size of its motion [sqrt(J)].
-      const DenseVector &state() const { return start; }
-      double motion() const { return from_rest.l2_norm(); }
-
-      CycleAt &last() { return *at; }
-
-      /// why the last march or linear system failed; empty: it did not
-      std::string failure;
-
-    private:
-      /// To that of the value that was evaluated last.
-      void renew_preconditioner()
-      {
-        const unsigned int n_steps = at->map->n_steps();
-        linear = linear_cycle(at->map->one_step(at->scene.at_rest, period / n_steps), n_steps);
-      }
-
-      DenseVector by_value() const
-      {
-        const double change = little_change * value_size;
-        const std::shared_ptr<CycleAt> other = family(value + change);
-        DenseVector begin = other->equilibrium;
-        begin += from_rest;
-        DenseVector end = other->map->march(begin, period, false);
-        end -= begin;
-        end -= rest;
-        end /= change;
-        return end;
-      }
-
-      const CycleFamily &family;
-      const double tolerance, value_size;
-      std::shared_ptr<CycleAt> at;
-      double value;
-      const unsigned int n;
-      DenseMatrix linear;
-      Place tangent;
-      Sizes sizes = {};
-      DenseVector from_rest, start, rest;
-      double period = 0;
-    };
+    /// change of the value over the range from which on it is more than rounding
+    constexpr double least_change = 1e-6;
 
     /// Goes once more through a cycle to see what its contact does.
     void look_at(CycleAt &at, CycleBranchPoint &point)
@@ -175,7 +38,7 @@ namespace vibrocontact
                     });
     }
 
-    double norm(const Place &z, const unsigned int n)
+    double norm(const BranchPlace &z, const unsigned int n)
     {
       return DenseVector(z.begin(), z.begin() + n).l2_norm();
     }
@@ -185,7 +48,7 @@ namespace vibrocontact
     {
     public:
       OneWay(BranchEquations &equations, const LimitCycleParameters &parameters,
-             const CycleBranchPoint &start, const Place &place)
+             const CycleBranchPoint &start, const BranchPlace &place)
           : equations(equations), parameters(parameters), start(start), last(place),
             n(start.cycle.state.size()), first_motion(norm(place, n)), last_motion(first_motion)
       {
@@ -208,7 +71,7 @@ namespace vibrocontact
         while (points.size() < branch.most_points)
         {
           CycleBranchPoint point;
-          Place place;
+          BranchPlace place;
           bool at_limit = false;
           unsigned int iterations = 0;
           bool is_found = correct(step, point, place, at_limit, iterations, reason);
@@ -280,20 +143,20 @@ namespace vibrocontact
         return onset;
       }
 
-      Sizes sizes() const
+      PlaceSizes sizes() const
       {
         return {last_motion, last[n], parameters.branch.to() - parameters.branch.from()};
       }
 
       /// A cycle a step ahead.
-      bool correct(const double step, CycleBranchPoint &point, Place &z, bool &at_limit,
+      bool correct(const double step, CycleBranchPoint &point, BranchPlace &z, bool &at_limit,
                    unsigned int &iterations, std::string &reason)
       {
         const auto begin = std::chrono::steady_clock::now();
-        const Sizes in = sizes();
+        const PlaceSizes in = sizes();
         z = last;
-        const Place secant = in_sizes(way);
-        Place tangent = secant;
+        const BranchPlace secant = in_sizes(way);
+        BranchPlace tangent = secant;
         double length = step;
         const double ahead = last[n + 1] + step * secant[n + 1] * in.value,
                      limit = secant[n + 1] > 0 ? parameters.branch.to() : parameters.branch.from();
@@ -336,19 +199,19 @@ namespace vibrocontact
         return true;
       }
 
-      Place way_to(const Place &z) const
+      BranchPlace way_to(const BranchPlace &z) const
       {
-        Place result(n + 2);
+        BranchPlace result(n + 2);
         for (unsigned int k = 0; k < n + 2; ++k)
           result[k] = z[k] - last[k];
         return result;
       }
 
       /// A direction in the sizes, of unit length.
-      Place in_sizes(const Place &direction) const
+      BranchPlace in_sizes(const BranchPlace &direction) const
       {
-        const Sizes in = sizes();
-        Place result(n + 2);
+        const PlaceSizes in = sizes();
+        BranchPlace result(n + 2);
         double square = 0;
         for (unsigned int k = 0; k < n + 2; ++k)
         {
@@ -360,11 +223,11 @@ namespace vibrocontact
         return result;
       }
 
-      bool turns(const Place &z, const double step) const
+      bool turns(const BranchPlace &z, const double step) const
       {
         if (!has_secant || step <= 10 * shortest_step)
           return false;
-        const Place before = in_sizes(way), next = in_sizes(way_to(z));
+        const BranchPlace before = in_sizes(way), next = in_sizes(way_to(z));
         double cosine = 0;
         for (unsigned int k = 0; k < n + 2; ++k)
           cosine += next[k] * before[k];
@@ -372,16 +235,16 @@ namespace vibrocontact
       }
 
       /// The value at which the branch turned round, by the parabola through the last three places.
-      void note_fold(const Place &z, std::vector<double> &folds) const
+      void note_fold(const BranchPlace &z, std::vector<double> &folds) const
       {
-        const Place next = way_to(z);
+        const BranchPlace next = way_to(z);
         const double before = way[n + 1], after = next[n + 1], range = sizes().value;
         if (!has_secant || before * after >= 0 ||
             std::min(std::abs(before), std::abs(after)) < least_change * range)
           return;
-        const auto length = [&](const Place &direction)
+        const auto length = [&](const BranchPlace &direction)
         {
-          const Sizes in = sizes();
+          const PlaceSizes in = sizes();
           double square = 0;
           for (unsigned int k = 0; k < n + 2; ++k)
             square += std::pow(direction[k] / in.of(k, n), 2);
@@ -392,7 +255,7 @@ namespace vibrocontact
         folds.push_back(last[n + 1] - slope * slope / (2 * curvature));
       }
 
-      void advance_to(const Place &z, const double motion)
+      void advance_to(const BranchPlace &z, const double motion)
       {
         way = way_to(z);
         // on the cycle itself every place of it is as good: the branch does not go along it
@@ -411,12 +274,12 @@ namespace vibrocontact
       BranchEquations &equations;
       const LimitCycleParameters &parameters;
       const CycleBranchPoint &start;
-      Place last;
+      BranchPlace last;
       const unsigned int n;
       const double first_motion;
       double last_motion;
       /// from the place before it, or the first direction
-      Place way;
+      BranchPlace way;
       bool has_secant = false;
     };
   } // namespace
@@ -433,7 +296,7 @@ namespace vibrocontact
     look_at(equations.last(), first);
     DenseVector from_rest = start.state;
     from_rest -= equations.last().equilibrium;
-    Place place(from_rest.begin(), from_rest.end());
+    BranchPlace place(from_rest.begin(), from_rest.end());
     place.push_back(start.period);
     place.push_back(value);
     CycleBranch branch;

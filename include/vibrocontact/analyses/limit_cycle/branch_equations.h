@@ -1,0 +1,68 @@
+#pragma once
+
+#include <vibrocontact/analyses/limit_cycle/cycle_family.h>
+#include <vibrocontact/analyses/limit_cycle/limit_cycle.h>
+#include <vibrocontact/numerics/newton_method.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vibrocontact
+{
+  /// A place on a branch, as Newton's method has it: the state less the equilibrium at the value, which changes with it; period, value.
+  using BranchPlace = std::vector<double>;
+
+  /// Sizes that places are measured in.
+  struct PlaceSizes
+  {
+    double state, period, value;
+
+    double of(const std::size_t k, const std::size_t n) const
+    {
+      return k < n ? state : k == n ? period : value;
+    }
+  };
+
+  /// The equations of follow_cycle(): unknown are the state less the equilibrium, the period and the value. BorderedCycle with both as
+  /// the further unknowns.
+  class BranchEquations : public NewtonEquations
+  {
+  public:
+    /// @param family is referred to @param start a cycle at `value` @param value_size range of the values
+    BranchEquations(const CycleFamily &family, const LimitCycle &start, double value, double value_size,
+                    double tolerance);
+
+    /// The last condition: steps are normal to the direction, which is in the sizes.
+    void go_along(const BranchPlace &direction, const PlaceSizes &in);
+
+    double evaluate(const std::vector<double> &z) override;
+    bool keep(const std::vector<double> &z, double size) override;
+    bool find_step(bool renew, std::vector<double> &step) override;
+
+    /// Of the place that was evaluated last: its state, and the size of its motion [sqrt(J)].
+    const DenseVector &state() const { return start; }
+    double motion() const { return from_rest.l2_norm(); }
+    CycleAt &last() { return *at; }
+
+    /// why the last march or linear system failed; empty: it did not
+    std::string failure;
+
+  private:
+    /// To that of the value that was evaluated last.
+    void renew_preconditioner();
+    /// of x - Phi, by a difference
+    DenseVector by_value() const;
+
+    const CycleFamily &family;
+    const double tolerance, value_size;
+    std::shared_ptr<CycleAt> at;
+    double value;
+    const unsigned int n;
+    DenseMatrix linear;
+    BranchPlace tangent;
+    PlaceSizes sizes = {};
+    DenseVector from_rest, start, rest;
+    double period = 0;
+  };
+} // namespace vibrocontact
