@@ -29,7 +29,7 @@ namespace vibrocontact
       return false;
     }
 
-    /// Whatever `read` stumbles over in the checkpoint of this name becomes one sentence; RowsLost says its own.
+    /// Whatever `read` stumbles over in the checkpoint of this name becomes one sentence; RowsLost and OutputError say their own.
     template <typename Read>
     void read_whole(const std::string &name, const Read &read)
     {
@@ -38,6 +38,10 @@ namespace vibrocontact
         read();
       }
       catch (const RowsLost &)
+      {
+        throw;
+      }
+      catch (const OutputError &)
       {
         throw;
       }

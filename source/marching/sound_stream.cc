@@ -1,5 +1,6 @@
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/row_file.h>
 #include <vibrocontact/marching/sound.h>
 #include <vibrocontact/marching/sound_stream.h>
 
@@ -106,6 +107,8 @@ namespace vibrocontact
     if (n_written == 0)
       return write_file(name + ".txt", text);
     take_earlier_samples(fs::exists(part) ? part : name);
+    // killed before more comes, it holds what the checkpoint counts
+    bring_to_disk();
     std::error_code error;
     fs::rename(now, part, error);
     if (error)
@@ -130,9 +133,14 @@ namespace vibrocontact
       left -= n;
     }
     if (left > 0)
-      throw InputError("The checkpoint counts " + std::to_string(n_written) + " samples of the sound in \"" +
-                       earlier +
-                       "\", which is gone, shorter or another file: run the file without --resume.");
+      throw RowsLost("The checkpoint counts " + std::to_string(n_written) + " samples of the sound in \"" +
+                     earlier + "\", which is gone, shorter or another file: run the file without --resume.");
+  }
+
+  void SoundStream::bring_to_disk()
+  {
+    sf_command(file.get(), SFC_UPDATE_HEADER_NOW, nullptr, 0);
+    sf_write_sync(file.get());
   }
 
   void SoundStream::write(const std::size_t n_kept)
@@ -150,8 +158,7 @@ namespace vibrocontact
     }
     if (sf_write_double(file.get(), samples.data(), n) != static_cast<sf_count_t>(n))
       throw OutputError("Cannot write the file '" + name + ".part': check the space on the disk.");
-    sf_command(file.get(), SFC_UPDATE_HEADER_NOW, nullptr, 0);
-    sf_write_sync(file.get());
+    bring_to_disk();
     waiting.erase(waiting.begin(), waiting.begin() + n);
     n_written += n;
   }

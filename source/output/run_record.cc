@@ -76,6 +76,25 @@ namespace vibrocontact
         fs::remove(folder / place, ignored);
     }
 
+    /// Sounds that grow: of a run that has not ended, or was killed.
+    std::vector<std::string> growing_sounds(const fs::path &folder)
+    {
+      std::vector<std::string> names;
+      std::error_code ignored;
+      for (const auto &entry : fs::directory_iterator(folder, ignored))
+      {
+        const std::string name = entry.path().filename().string();
+        for (const std::string ending : {".wav.part", ".wav.part.resumed"})
+          if (name.size() > ending.size() &&
+              name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
+          {
+            names.push_back(name);
+            names.push_back(name.substr(0, name.size() - ending.size()) + ".wav.txt");
+          }
+      }
+      return names;
+    }
+
     void remove_earlier_results(const fs::path &folder, const bool keeps_input)
     {
       const std::vector<std::string> names = listed_files(folder);
@@ -92,6 +111,8 @@ namespace vibrocontact
       for (const std::string &name : checkpoint_files)
         fs::remove(folder / name, ignored);
       fs::remove_all(folder / sweep_folder, ignored);
+      for (const std::string &name : growing_sounds(folder))
+        fs::remove(folder / name, ignored);
       remove_parts(folder);
     }
   } // namespace
@@ -149,6 +170,8 @@ namespace vibrocontact
       if (fs::path(name).extension() == ".wav")
         names.push_back(name + ".txt");
     std::vector<std::string> own = hdf5_files();
+    for (const std::string &name : growing_sounds(folder))
+      own.push_back(name);
     own.insert(own.end(), {"input.prm", "used.prm", "log.txt", "results.json"});
     for (const std::string &name : row_files)
       own.push_back(name + ".rows");

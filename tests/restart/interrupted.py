@@ -96,6 +96,10 @@ class Scene:
             fail(f"exit code {code} after signal {with_signal}")
         if not results(self.folder(case)).get("interrupted") or results(self.folder(case))["complete"]:
             fail("results.json does not say that the run was interrupted")
+        for signal_of_run in results(self.folder(case))["analyses"].get("transient", {}).get("signals", []):
+            sound = signal_of_run.get("sound")
+            if sound and not os.path.exists(f"{self.folder(case)}/{sound['file']}"):
+                fail(f"there is no {sound['file']}")
         n = len(histories(self.folder(case))["histories/time_s"])
         if not 0 < n < len(self.whole["histories/time_s"]):
             fail(f"{n} lines in the histories of an interrupted run")
@@ -164,6 +168,12 @@ for force, resumed, code in ((1e5, False, 0), (2e5, True, 1), (1e5, True, 0)):
                       *(["--resume"] if resumed else []), code=code)
     if code == 1 and "Contact/Spring curve names a file that has changed" not in message.splitlines()[-1]:
         fail(f"another curve is refused with: {message}")
+sound = bar.folder("later") + "/top_velocity.wav"
+os.rename(sound, "moved.wav")
+message = bar.run("later", "--resume", code=1)
+if "samples of the sound" not in message.splitlines()[-1]:
+    fail(f"a sound that is gone is refused with: {message}")
+os.rename("moved.wav", sound)
 checkpoint = bar.folder("later") + "/checkpoint.h5"
 content = open(checkpoint, "rb").read()
 open(checkpoint, "wb").write(content[:len(content) // 2])

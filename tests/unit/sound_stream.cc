@@ -133,6 +133,8 @@ TEST(SoundStream, GoesOnFromACheckpoint)
     Hdf5Reader reader(file);
     CheckpointFile checkpoint(reader);
     resumed.exchange("sound", checkpoint);
+    // killed now, it can be resumed again
+    EXPECT_GT(samples_of(two + ".part").size(), 2400u);
     for (unsigned int i = 7777; i < n_steps; ++i)
       resumed.add(velocity(i));
     resumed.finish(true);

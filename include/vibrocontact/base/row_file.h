@@ -12,7 +12,7 @@
 
 namespace vibrocontact
 {
-  /// Rows that a checkpoint counts are not there as they were written.
+  /// Rows, or samples of a sound, that a checkpoint counts are not there as they were written.
   class RowsLost : public InputError
   {
   public:

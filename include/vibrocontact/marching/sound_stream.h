@@ -15,7 +15,7 @@ namespace vibrocontact
   ///
   /// The sound is the band-limited signal through the samples (Shannon), with a Kaiser window of 100 dB in place of an endless
   /// sinc: from 0.92 to 1 times half the lower rate it falls to nothing, so that nothing above folds back. It is silent before and
-  /// after, faded over 2 ms at both ends. Memory holds the samples of the window, a few ms.
+  /// after, faded over 2 ms at both ends. Memory holds the samples of the window, a few ms, and up to a second of sound.
   ///
   /// On one rank.
   class SoundStream
@@ -28,7 +28,7 @@ namespace vibrocontact
 
     /// @throws OutputError
     void add(double velocity);
-    /// Under a name in a checkpoint: what is known goes to the file; or goes on there. @throws OutputError, InputError if the
+    /// Under a name in a checkpoint: what is known goes to the file; or goes on there. @throws OutputError, RowsLost if the
     /// file is gone or shorter than the checkpoint says
     void exchange(const std::string &name, CheckpointFile &checkpoint);
     /// @param at_the_end false: the run may be resumed, the file keeps its `.part` @throws OutputError
@@ -40,9 +40,12 @@ namespace vibrocontact
     /// Samples of the sound up to this time since the first sample [s].
     void make_until(double time);
     double sound_at(double time) const;
+    /// All that wait but the last so many.
     void write(std::size_t n_kept);
+    /// With a header that counts it.
+    void bring_to_disk();
     void open();
-    /// Those that the checkpoint counts. @throws OutputError, InputError
+    /// Those that the checkpoint counts. @throws OutputError, RowsLost
     void take_earlier_samples(const std::string &earlier);
 
     const std::string name;

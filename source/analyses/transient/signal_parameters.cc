@@ -74,7 +74,7 @@ namespace vibrocontact
                                const TransientParameters &transient) const
   {
     check_frames(*this, transient);
-    if (sound_full_scale > 0 && transient.error_tolerance > 0)
+    if (streams_sound() && transient.error_tolerance > 0)
       throw InputError(
           "Transient/Signals/Sound full scale lets sounds grow with the run, which needs steps of one "
           "length, but Transient/Error tolerance makes them differ: leave one of both out.");

@@ -32,6 +32,7 @@ namespace vibrocontact
 
   void SoundRecorder::finish(const bool at_the_end)
   {
+    is_whole = at_the_end;
     for (SoundStream &stream : streams)
       stream.finish(at_the_end);
   }
@@ -41,7 +42,7 @@ namespace vibrocontact
     for (nlohmann::ordered_json &signal : signals)
       for (std::size_t k = 0; k < probes.size(); ++k)
         if (signal["name"] == signal_of(probes[k]))
-          signal["sound"] = {{"file", signal_of(probes[k]) + ".wav"},
+          signal["sound"] = {{"file", signal_of(probes[k]) + (is_whole ? ".wav" : ".wav.part")},
                              {"full_scale_m_s", full_scale},
                              {"largest_m_s", streams[k].largest()}};
   }

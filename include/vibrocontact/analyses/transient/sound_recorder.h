@@ -28,5 +28,6 @@ namespace vibrocontact
     const std::vector<Probe> &probes;
     const double full_scale;
     std::vector<SoundStream> streams;
+    bool is_whole = false;
   };
 } // namespace vibrocontact
