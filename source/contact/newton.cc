@@ -174,6 +174,7 @@ namespace vibrocontact
 
     bool solve_iteratively()
     {
+      kept.leave_direction();
       dealii::SolverControl control(400, std::clamp(0.1 * current, 1e-4, 3e-2) * rhs.l2_norm());
       dealii::SolverGMRES<DenseVector>::AdditionalData data(102);
       dealii::SolverGMRES<DenseVector> gmres(control, data);

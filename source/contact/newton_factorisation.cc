@@ -11,6 +11,8 @@ namespace vibrocontact
     /// of the residual that a step leaves: factors of this problem have to reduce it by ten at a stroke, those of an earlier one
     /// are mended by secants
     constexpr double largest_gain_alone = 0.1, largest_gain_in_march = 0.9;
+    /// with factors of an earlier problem; from then on they count as its own
+    constexpr unsigned int most_solves = 15;
 
     bool factorise_lu(DenseMatrix &matrix)
     {
@@ -36,12 +38,13 @@ namespace vibrocontact
   void NewtonFactorisation::begin_problem()
   {
     ++n_problems;
+    n_solves = 0;
     last_direction.reinit(0);
   }
 
   double NewtonFactorisation::largest_gain() const
   {
-    return n_problems > 0 ? largest_gain_in_march : largest_gain_alone;
+    return n_problems > 0 && n_solves < most_solves ? largest_gain_in_march : largest_gain_alone;
   }
 
   bool NewtonFactorisation::prepare(const ContactProblem &problem, const NewtonJacobian &J,
@@ -123,6 +126,7 @@ namespace vibrocontact
 
   void NewtonFactorisation::solve(DenseVector &x)
   {
+    ++n_solves;
     if (n_problems == 0)
       return solve_by_factors(x);
     if (last_direction.size() == x.size() && direction_taken)

@@ -55,7 +55,7 @@ namespace
 
 TEST(SecantPairs, FindWhatTheApproximateMatrixLacks)
 {
-  // four directions are unknown: after five steps nothing is left but rounding
+  // four directions are unknown: after six steps nothing is left but rounding
   EXPECT_LT(residual_after(6, true), 1e-11);
   EXPECT_GT(residual_after(6, false), 1.);
 }

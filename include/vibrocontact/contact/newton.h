@@ -10,7 +10,7 @@ namespace vibrocontact
   ///
   /// Only points whose projected normal force is positive enter the linear system: their forces, one unknown more if
   /// the normal force is given. Its matrix is factorised by LAPACK and kept while the active points stay
-  /// and the residual falls fast (NewtonFactorisation); with a fast product and many points the system is
+  /// and the residual falls fast, or, from one problem of a march to the next, falls at all (NewtonFactorisation); with a fast product and many points the system is
   /// solved by GMRES instead.
   ///
   /// Declared fallback: a step that does not lower the residual below the largest of the last four is halved;

@@ -31,8 +31,9 @@ namespace vibrocontact
                  const std::vector<ContactStatus> &status, bool anew, unsigned int &factorisations);
     /// x <- J^-1 x
     void solve(DenseVector &x);
-    /// The last direction was taken in full.
+    /// The last direction was taken in full, or there is another one that these factors did not give.
     void took_direction() { direction_taken = true; }
+    void leave_direction() { last_direction.reinit(0); }
     void forget();
 
   private:
@@ -56,8 +57,8 @@ namespace vibrocontact
     std::vector<unsigned int> changed, flipped;
     /// Z, size x t changed; D, t changed x size; I + D Z, factorised
     DenseMatrix columns, differences, small;
-    /// problems that have begun since lu was made
-    unsigned int n_problems = 0;
+    /// problems that have begun since lu was made, and solves of the last of them
+    unsigned int n_problems = 0, n_solves = 0;
     SecantPairs pairs;
     /// of the last solve; none: of another problem or another matrix
     DenseVector last_residual, last_direction;
