@@ -52,6 +52,18 @@ def rim_growth(analyses):
     return {"growth": growth["growth_1_s"], "frequency": growth["frequency_Hz"]}
 
 
+def cycle(analyses):
+    """Frequency [Hz] and rms of the rim's axial velocity [m/s] in the first limit cycle."""
+    found = analyses["limit_cycle"][0]
+    rms = next(one["rms"] for one in found["signals"] if one["name"] == "wheel_rim_axial_velocity_m_s")
+    return {"frequency": found["frequency_Hz"], "velocity": rms}
+
+
+def friction_energy(analyses):
+    """Energy that friction takes in a transient [J]."""
+    return {"energy": analyses["transient"]["energy"]["friction_J"]}
+
+
 def lowest_growth(analyses):
     """Growth rate and frequency of the unstable root of the lowest frequency [1/s, Hz]."""
     root = min(analyses["stability"]["unstable"], key=lambda root: root["frequency_Hz"])
@@ -181,6 +193,10 @@ SCENES = [
     Scene("carter", "force over mu N, closed form 0.64", forces,
           [one("grid, m", "Contact/Grid spacing", 0.0005, 2e-3, 1e-3, 5e-4, 2.5e-4, 1.25e-4)],
           {}, {"case 0 x": -0.64 * 0.3, "case 0 y": 0.}, "largest"),
+    Scene("lap_joint", "energy that friction takes", friction_energy,
+          [one("step, s", "Transient/Time step", 2e-06, 8e-6, 4e-6, 2e-6, 1e-6),
+           one("modes of each bar", "upper/Modes/Count", 20, 5, 10, 20, 30, more=lambda count: {"lower/Modes/Count": count})],
+          {}, {}, "each", True),
     Scene("creep_curves", "creep forces of all cases over mu N", forces,
           [one("grid, m", "Contact/Grid spacing", 0.0015, 2e-3, 1.5e-3, 1e-3, 5e-4)], {}, {}, "largest"),
     Scene("half_space_rolling", "creep force over mu N", forces,
@@ -252,6 +268,10 @@ SCENES = [
           [one("step, s", "Transient/Time step", 2e-06, 8e-6, 4e-6, 2e-6, 1e-6)],
           {"Transient/End time": 0.05, "Transient/History interval": 2.4e-5, "Transient/Error estimate": "false",
            "Transient/Signals/Patch begin": 0, "Transient/Signals/Patch interval": 0}, {}, "each", True),
+    Scene("squeal_cycles", "frequency and rms velocity of the rim in the cycle at 917 Hz", cycle,
+          [one("step, s", "Limit cycle/Time step", 5e-06, 2e-5, 1e-5, 5e-6, 2.5e-6),
+           one("modes to, Hz", "wheel/Modes/Upper frequency", 8000, 4000, 6000, 8000, 12000), one("grid, m", "Contact/Grid spacing", 0.001, 2e-3, 1e-3)],
+          {"Analyses": "limit cycle", "Limit cycle/Roots": 917, "Limit cycle/Multipliers": 0, "wheel/Wheel/Model": "harmonics"}, {}, "each", True),
     Scene("squeal_map", "growth of the unstable roots at one place", growths,
           [one("modes to, Hz", "wheel/Modes/Upper frequency", 5000, 3000, 5000, 8000), one("rail's modes to, Hz", "rail/Modes/Upper frequency", 5000, 3000, 5000, 10000),
            one("grid, m", "Contact/Grid spacing", 0.002, 2e-3, 1e-3, more=lambda h: {"wheel/Wheel/Contact cell size": 2 * h})],
