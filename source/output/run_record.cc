@@ -62,8 +62,9 @@ namespace vibrocontact
         if (entry.path().extension() == ".part" && file.rfind("results.json.", 0) == 0)
           fs::remove(entry.path(), ignored);
       }
+      // sounds that grow go on
       for (const auto &entry : fs::recursive_directory_iterator(folder / sweep_folder, ignored))
-        if (entry.path().extension() == ".part")
+        if (entry.path().extension() == ".part" && entry.path().stem().extension() != ".wav")
           fs::remove(entry.path(), ignored);
     }
 

@@ -2,7 +2,7 @@
 """sweeps.py PROGRAM MPIRUN PARAMETER_FILES: an interrupted sweep equals an uninterrupted one.
 
 A sweep of transients and one of stability are stopped by SIGTERM, or killed, at random moments, resumed on one rank and on
-two, and compared: tables digit for digit. Cases that were done are not computed again, one that was stopped goes on from
+two, and compared: tables digit for digit, sounds that grow bit for bit. Cases that were done are not computed again, one that was stopped goes on from
 its checkpoint. A later end time goes on with all of them.
 """
 import csv, os, random, signal, subprocess, sys, time
@@ -34,6 +34,9 @@ def tables(folder):
             if name.endswith(".csv"):
                 path = os.path.join(place, name)
                 found[os.path.relpath(path, folder)] = open(path).read()
+            if name.endswith(".wav"):
+                path = os.path.join(place, name)
+                found[os.path.relpath(path, folder)] = open(path, "rb").read()
     return found
 
 
@@ -75,7 +78,8 @@ def check(label, file, settings, end=0):
 
 bar = f"{files}/examples/bouncing_bar.prm"
 sweep = ["Transient/Sweep/Entry=Transient/Initial velocity", "Transient/Sweep/Range=-10, -4, 1",
-         "Transient/Checkpoint interval=1e-9", "Transient/Signals/Table=true"]
+         "Transient/Checkpoint interval=1e-9", "Transient/Signals/Table=true",
+         "Transient/Signals/Probes=top: bar 0 0 10 along z", "Transient/Signals/Sound full scale=20"]
 check("bar", bar, sweep + ["Transient/End time=0.8"])
 # the last cases are not in full sliding
 check("slider", slider, ["Analyses=stability", "Stability/Sweep/Entry=Rolling/Lateral creepage",

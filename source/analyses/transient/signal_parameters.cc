@@ -45,6 +45,8 @@ namespace vibrocontact
 
   namespace
   {
+    /// of a sound in single precision [m/s]
+    constexpr double least_full_scale = 1e-20;
     /// of the contact patch; more are a mistake in a unit
     constexpr unsigned int most_frames = 5000;
 
@@ -74,6 +76,10 @@ namespace vibrocontact
                                const TransientParameters &transient) const
   {
     check_frames(*this, transient);
+    if (sound_full_scale > 0 && sound_full_scale < least_full_scale)
+      throw InputError(
+          "Transient/Signals/Sound full scale is below 1e-20 m/s, over which velocities are no numbers of "
+          "a sound: make it larger.");
     if (streams_sound() && transient.error_tolerance > 0)
       throw InputError(
           "Transient/Signals/Sound full scale lets sounds grow with the run, which needs steps of one "
