@@ -36,7 +36,7 @@ namespace vibrocontact
         else if (why == "vanishes")
           said = text("%.6g, where its amplitude vanishes", number(end, "onset"));
         else if (why == "lost")
-          said += ", where it was lost";
+          said += ", where it was lost" + (end.contains("reason") ? " (" + word(end, "reason") + ")" : "");
         else if (why == "most points")
           said += ", where Limit cycle/Branch/Most points were found";
         if (is_given(end, "onset_of_root"))
