@@ -30,7 +30,7 @@ namespace vibrocontact
 
   void NewtonFactorisation::forget()
   {
-    A.reset();
+    is_factorised = false;
     pairs.clear();
     last_direction.reinit(0);
   }
@@ -51,7 +51,8 @@ namespace vibrocontact
                                     const std::vector<ContactStatus> &now, const bool anew,
                                     unsigned int &factorisations)
   {
-    if (!anew && A == problem.A && force_given == problem.force_given() && points == J.points())
+    if (!anew && is_factorised && A.lock() == problem.A && force_given == problem.force_given() &&
+        points == J.points())
     {
       flipped.clear();
       for (unsigned int k = 0; k < points.size(); ++k)
@@ -67,7 +68,7 @@ namespace vibrocontact
   bool NewtonFactorisation::factorise(const ContactProblem &problem, const NewtonJacobian &J,
                                       const std::vector<ContactStatus> &now)
   {
-    const bool same_points = response_of.lock() == problem.A && points == J.points();
+    const bool same_points = A.lock() == problem.A && points == J.points();
     forget();
     points = J.points();
     status.clear();
@@ -77,11 +78,11 @@ namespace vibrocontact
     changed.clear();
     if (!same_points)
       problem.A->extract(points, response);
-    response_of = problem.A;
+    A = problem.A;
     J.assemble(response, lu);
     if (!factorise_lu(lu))
       return false;
-    A = problem.A;
+    is_factorised = true;
     n_problems = 0;
     force_given = problem.force_given();
     return true;

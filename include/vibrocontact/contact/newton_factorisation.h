@@ -42,16 +42,16 @@ namespace vibrocontact
     bool update(const NewtonJacobian &J);
     void solve_by_factors(DenseVector &x);
 
-    /// operator and kind of load that lu belongs to; null: nothing is kept
-    std::shared_ptr<const ContactOperator> A;
+    /// whether lu is kept, the operator of lu and response, and the kind of load of lu
+    bool is_factorised = false;
+    std::weak_ptr<const ContactOperator> A;
     bool force_given = false;
     /// active points, their status and rows when lu was made
     std::vector<unsigned int> points;
     std::vector<ContactStatus> status;
     NewtonJacobian::Rows rows;
-    /// A among the points, and the operator that it is of
+    /// A among the points
     DenseMatrix response;
-    std::weak_ptr<const ContactOperator> response_of;
     DenseMatrix lu;
     /// points (among the active ones) with another status than when lu was made, and now
     std::vector<unsigned int> changed, flipped;

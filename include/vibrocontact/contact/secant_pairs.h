@@ -16,7 +16,6 @@ namespace vibrocontact
   {
   public:
     void clear();
-    bool empty() const { return differences.empty(); }
     /// @param difference r_k - r_k+1 [N] @param step d_k
     void add(const DenseVector &difference, const DenseVector &step);
     /// residual <- r - Q c. @return X c
