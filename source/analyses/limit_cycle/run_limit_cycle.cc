@@ -230,8 +230,8 @@ namespace vibrocontact
       entries.add_if(parameters.limit_cycle.branch.any(), "Limit cycle/Branch/Entry is given",
                      "Limit cycle/Branch", "Range, Most points, Largest step");
       entries.add("Transient", "Integrator, Reaction");
-      entries.add_if(parameters.transient.integrator == "theta method",
-                     "Transient/Integrator is theta method", "Transient", "Theta");
+      entries.add_if(!parameters.transient.propagates_exactly(), "Transient/Integrator is theta method",
+                     "Transient", "Theta");
       entries.add("Transient/Signals", "Probes");
     }
   } // namespace

@@ -187,14 +187,14 @@ namespace vibrocontact
       const TransientParameters &parameters = all.transient;
       const bool massive = contact_points_have_mass(all);
       if (massive && parameters.starts_undeformed() &&
-          (parameters.integrator == "exact propagator" || parameters.theta < 0.55))
+          (parameters.propagates_exactly() || parameters.theta < 0.55))
         doubt("The contact points have mass: after an impact "
               "velocities and forces there ring from step to step; the theta method with Theta = "
               "1 damps that, and every mode with it.",
               results);
       if (massive)
         return;
-      if (parameters.integrator != "exact propagator" || pair.half_spaces)
+      if (!parameters.propagates_exactly() || pair.half_spaces)
         return;
       const double critical = critical_time_step(yielding(all, pair));
       if (parameters.time_step <= critical)
@@ -351,8 +351,7 @@ namespace vibrocontact
                   "History interval, Checkpoint interval");
       entries.add_if(own.error_tolerance > 0, "Transient/Error tolerance is above 0", section,
                      "Shortest time step");
-      entries.add_if(own.integrator == "theta method", "Transient/Integrator is theta method", section,
-                     "Theta");
+      entries.add_if(!own.propagates_exactly(), "Transient/Integrator is theta method", section, "Theta");
       entries.add_if(own.starts_undeformed(), "Transient/Initial state is undeformed", section,
                      "Initial gap, Initial velocity");
       entries.add_if(!own.perturbed_mode.empty(), "there is a Transient/Perturbed mode", section,

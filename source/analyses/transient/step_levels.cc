@@ -22,9 +22,8 @@ namespace vibrocontact
     {
       const ForceInterpolation interpolation =
           parameters.reaction == "end of step" ? ForceInterpolation::constant : ForceInterpolation::linear;
-      return parameters.integrator == "exact propagator"
-                 ? step_weights(pair, h, interpolation)
-                 : theta_weights(pair, h, interpolation, parameters.theta);
+      return parameters.propagates_exactly() ? step_weights(pair, h, interpolation)
+                                             : theta_weights(pair, h, interpolation, parameters.theta);
     }
   } // namespace
 
@@ -36,7 +35,7 @@ namespace vibrocontact
                                             : ReactionWeighting::as_other_forces;
     std::vector<ModalStep> steps;
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
-      steps.push_back(parameters.integrator == "exact propagator"
+      steps.push_back(parameters.propagates_exactly()
                           ? exact_step(pair.omega[k], pair.damping_ratio[k], h, weighting)
                           : theta_step(pair.omega[k], pair.damping_ratio[k], parameters.theta, h, weighting));
     return steps;
@@ -120,7 +119,7 @@ namespace vibrocontact
   double step_error(const TransientParameters &parameters, const ContactPair &pair,
                     const DynamicState &before, const DynamicState &after)
   {
-    const bool exact = parameters.integrator == "exact propagator";
+    const bool exact = parameters.propagates_exactly();
     const double h = after.time - before.time;
     double error = 0, size = 0;
     const auto dampers = [&](const DynamicState &state)

@@ -266,8 +266,7 @@ namespace vibrocontact
     bool is_second_order(const TransientParameters &parameters, const ContactSections &contact,
                          const ContactPair &pair)
     {
-      return pair.relaxing.empty() &&
-             (parameters.integrator == "exact propagator" || parameters.theta == 0.5) &&
+      return pair.relaxing.empty() && (parameters.propagates_exactly() || parameters.theta == 0.5) &&
              parameters.reaction == "as other forces" &&
              std::all_of(contact.all.begin(), contact.all.end(),
                          [](const ContactParameters &one) { return one.friction == 0; });

@@ -24,6 +24,7 @@ namespace vibrocontact
     bool error_estimate = true;
     /// "theta method" or "exact propagator"; theta
     std::string integrator = "theta method";
+    bool propagates_exactly() const { return integrator == "exact propagator"; }
     double theta = 0.5;
     /// "as other forces" or "end of step", see ReactionWeighting
     std::string reaction = "as other forces";
