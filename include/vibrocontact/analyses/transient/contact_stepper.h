@@ -50,9 +50,10 @@ namespace vibrocontact
   /// r0) / h + r1 = W R1, so that W~ above is rest_over_step() and b has what they keep, the sum of beta W s0 / (h + beta).
   ///
   /// What a step costs follows from what can matter in it: modes and contact meet in few shapes (PatchShapes),
-  /// and only nearby points enter the contact problem (StepOperator): those loaded or with a small gap. The
-  /// gaps of all are searched again when any of the others could have closed, for which open nearby points
-  /// show how far gaps have changed, taken twice; a step that closes one is solved again with it.
+  /// and only nearby points enter the contact problem (StepOperator): those loaded or with a small gap, and what
+  /// earlier searches found so as long as these are few. The gaps of all are searched again when any of the
+  /// others could have closed, for which open nearby points show how far gaps have changed, taken twice; a
+  /// step that closes one is solved again with it.
   class ContactStepper
   {
   public:
