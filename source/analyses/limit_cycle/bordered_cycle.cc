@@ -64,7 +64,8 @@ namespace vibrocontact
     {
       units.push_back(1 / columns[k].l2_norm());
       if (!std::isfinite(units[k]))
-        throw ConvergenceError("an unknown beside the state does not change the motion");
+        throw ConvergenceError(k == 0 ? "the state after a period does not depend on its length"
+                                      : "the motion does not depend on the value");
       columns[k] *= units[k];
       for (unsigned int l = 0; l < n_further; ++l)
         corner(l, k) *= units[k];
