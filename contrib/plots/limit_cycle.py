@@ -22,6 +22,27 @@ def plot_limit_cycles(folder, limit_cycle):
     save(figure, folder, "limit_cycles")
 
 
+def plot_harmonic_balance(folder, limit_cycle):
+    """How far harmonic balance is from the steps over the number of harmonics, and what it costs."""
+    balanced = [(cycle, sorted((one for one in cycle["harmonic_balance"] if one["converged"]), key=lambda one: one["harmonics"])) for cycle in limit_cycle if cycle.get("harmonic_balance")]
+    balanced = [(cycle, rows) for cycle, rows in balanced if rows]
+    if not balanced:
+        return
+    figure, axes = plt.subplots(1, 3, figsize=(11, 3.4))
+    for cycle, rows in balanced:
+        harmonics = [one["harmonics"] for one in rows]
+        for axis, name in zip(axes, ("frequency_difference", "first_harmonic_difference")):
+            axis.loglog(harmonics, [abs(one.get(name, float("nan"))) for one in rows], "o-", ms=4, lw=1, label=f"{cycle['frequency_Hz']:.1f} Hz")
+        axes[2].loglog(harmonics, [one["seconds"] for one in rows], "o-", ms=4, lw=1)
+    for axis, label in zip(axes, ("frequency, difference from the steps", "first harmonic of the signal, difference", "time [s]")):
+        axis.set_xlabel("harmonics")
+        axis.set_ylabel(label)
+        axis.grid(alpha=0.3)
+    axes[0].legend(fontsize=8, frameon=False)
+    figure.tight_layout()
+    save(figure, folder, "limit_cycle_harmonic_balance")
+
+
 def main_signal(table):
     """The first velocity, or the normal force of bodies without probes."""
     velocities = [name for name in table if name.endswith("_velocity_m_s")]

@@ -1,5 +1,6 @@
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/matrix_parts.h>
 #include <vibrocontact/coupled_bodies/linearised_contact.h>
 #include <vibrocontact/coupled_bodies/pair_motion.h>
 #include <vibrocontact/coupled_bodies/sliding_frame.h>
@@ -17,16 +18,6 @@ namespace vibrocontact
     /// real, or complex with hysteretic loss
     template <typename Number>
     using Matrix = dealii::LAPACKFullMatrix<Number>;
-
-    template <typename Number>
-    Matrix<Number> rows(const Matrix<Number> &matrix, const std::vector<unsigned int> &points)
-    {
-      Matrix<Number> result(points.size(), matrix.n());
-      for (unsigned int j = 0; j < matrix.n(); ++j)
-        for (unsigned int k = 0; k < points.size(); ++k)
-          result(k, j) = matrix(points[k], j);
-      return result;
-    }
 
     template <typename Number>
     Matrix<Number> solve(const Matrix<Number> &a, const Matrix<Number> &b, const std::string &what)
@@ -153,7 +144,7 @@ namespace vibrocontact
                                    const std::vector<RelaxingRest> &rests,
                                    const std::vector<unsigned int> &points, const bool force_given)
     {
-      ClosedGaps<Number> gaps{entries_as<Number>(rows(motion.displacement, points)), rows(W, points),
+      ClosedGaps<Number> gaps{entries_as<Number>(rows_at(motion.displacement, points)), rows_at(W, points),
                               compliance_of_points(pair, W)};
       unsigned int n_by_rate = 0;
       for (unsigned int k = 0; k < points.size() && motion.rest_rate.m() > 0; ++k)
@@ -187,16 +178,6 @@ namespace vibrocontact
       std::vector<ContactDirection> result;
       for (const unsigned int k : places)
         result.push_back(all[k]);
-      return result;
-    }
-
-    template <typename Number>
-    Matrix<Number> columns(const Matrix<Number> &matrix, const std::vector<unsigned int> &places)
-    {
-      Matrix<Number> result(matrix.m(), places.size());
-      for (unsigned int j = 0; j < places.size(); ++j)
-        for (unsigned int i = 0; i < matrix.m(); ++i)
-          result(i, j) = matrix(i, places[j]);
       return result;
     }
 
@@ -246,15 +227,16 @@ namespace vibrocontact
       for (const unsigned int k : kept)
         result.mobility.push_back(all.mobility[k]);
       const auto [by_x, by_s] = all.slip(slip_by_x, slip_by_R, n);
-      const DenseMatrix own = columns(rows(by_s, dropped), dropped), shapes = columns(all.by_s, dropped);
+      const DenseMatrix own = columns_at(rows_at(by_s, dropped), dropped),
+                        shapes = columns_at(all.by_s, dropped);
       const auto eliminated = [&](const DenseMatrix &R, const DenseMatrix &slip)
       {
         return difference(
-            R, product(shapes, solve(own, rows(slip, dropped), "rate of the tangential flexibility")));
+            R, product(shapes, solve(own, rows_at(slip, dropped), "rate of the tangential flexibility")));
       };
       result.by_x = eliminated(all.by_x, by_x);
       result.by_s = kept.empty() ? DenseMatrix(all.by_s.m(), 0)
-                                 : eliminated(columns(all.by_s, kept), columns(by_s, kept));
+                                 : eliminated(columns_at(all.by_s, kept), columns_at(by_s, kept));
       return result;
     }
 

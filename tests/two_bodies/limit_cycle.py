@@ -24,6 +24,7 @@ def scene(analyses, *sections, friction=0.7, hub="held"):
 
 PROBES = section("Transient", section("Signals", entries(Probes="side: pad 0.015 0 0.005 along x")))
 STEPS = section("Limit cycle", entries(Time_step=1e-7))
+BALANCED = section("Limit cycle", entries(Time_step=1e-7, Multipliers=0, Harmonics="1, 5, 20"))
 found, folder = run("cycle", scene("limit cycle", STEPS, PROBES))
 cycle = found["limit_cycle"][0]
 check.near("cycles", len(found["limit_cycle"]), 1, 1e-12)
@@ -40,6 +41,19 @@ two = run("cycle_2", scene("limit cycle", STEPS, PROBES), 2)[0]["limit_cycle"][0
 for key in ("frequency_Hz", "friction_power_W"):
     check.near("two ranks, " + key, two[key], cycle[key], 1e-9)
 check.near("two ranks, growth", two["multipliers"][0]["growth_1_s"], cycle["multipliers"][0]["growth_1_s"], 1e-6)
+
+# harmonic balance, a second way to the same motion: the more harmonics the nearer, the same on two ranks
+by_balance, folder_of_balance = run("balanced", scene("limit cycle", BALANCED, PROBES))
+by_balance = by_balance["limit_cycle"][0]["harmonic_balance"]
+check.near("numbers of harmonics", [one["harmonics"] for one in by_balance] == [1, 5, 20], True, 1e-12)
+for one, of_frequency, of_first in zip(by_balance, (2e-2, 1e-3, 1e-4), (0.3, 3e-2, 1e-2)):
+    check.near(f"frequency by {one['harmonics']} harmonics", one["frequency_Hz"], cycle["frequency_Hz"], of_frequency)
+    check.near(f"first harmonic by {one['harmonics']}", one["first_harmonic"],
+               next(signal for signal in cycle["signals"] if signal["name"] == one["signal"])["first_harmonic"], of_first)
+check.near("rows of the table", len(table(folder_of_balance, "limit_cycle_harmonic_balance.csv")), 3, 1e-12)
+on_two = run("balanced_2", scene("limit cycle", BALANCED, PROBES), 2)[0]["limit_cycle"][0]["harmonic_balance"]
+for one, other in zip(on_two, by_balance):
+    check.near("balanced on two ranks", one["frequency_Hz"], other["frequency_Hz"], 1e-9)
 
 # amplitudes of the table are those of the period
 rows = table(folder, "limit_cycle_1.csv")

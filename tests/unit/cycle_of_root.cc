@@ -4,6 +4,8 @@
 #include "cycle_derivatives.h"
 #include "flutter.h"
 
+#include <vibrocontact/analyses/limit_cycle/balanced_cycle.h>
+#include <vibrocontact/analyses/limit_cycle/cycle_balance.h>
 #include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/numerics/signal.h>
 
@@ -155,4 +157,48 @@ TEST(CycleOfRoot, MultipliersAreThoseOfSmallDisturbances)
                of_multiplier = stability.multipliers.front().growth;
   std::printf("disturbances grow by %.4f 1/s, by the multiplier %.4f\n", growth, of_multiplier);
   EXPECT_NEAR(growth / of_multiplier, 1, 1e-2);
+}
+
+TEST(CycleBalance, DerivativesAreThoseOfDifferences)
+{
+  const SlidingMass scene({50, -30});
+  CycleMap map = scene.map(200);
+  const LimitCycle cycle = scene.cycle(map);
+  ASSERT_TRUE(cycle.converged) << cycle.message;
+  // the neighbours of the mass are open, its own point sticks and slides
+  const std::vector<unsigned int> points = {1, Flutter::middle, 3};
+  const CycleForces by_steps = forces_of_cycle(map, cycle, points);
+  const PatchShapes shapes = shapes_of_steps(scene.pair);
+  CycleBalance balance(scene.pair, scene.contact, scene.drive, scene.at_rest, shapes, points, 3, 1e-8);
+  const std::vector<double> x = balance.unknowns(by_steps.forces, by_steps.approaches, cycle.period);
+  const double force = *std::max_element(x.begin(), x.end() - 1);
+  for (const bool of_frequency : {false, true})
+  {
+    balance.evaluate(x);
+    const double unit = balance.linearise();
+    DenseVector direction(x.size()), by_derivative(x.size());
+    for (unsigned int k = 0; k + 1 < direction.size() && !of_frequency; ++k)
+      direction[k] = force * std::sin(1. + 5 * k);
+    direction[direction.size() - 1] = of_frequency ? x.back() / unit : 0;
+    balance.vmult(by_derivative, direction);
+    const double length = 1e-7;
+    const auto defect_at = [&](const double along)
+    {
+      std::vector<double> moved = x;
+      for (unsigned int k = 0; k < moved.size(); ++k)
+        moved[k] += along * direction[k] * (k + 1 == moved.size() ? unit : 1.);
+      balance.evaluate(moved);
+      return balance.defect();
+    };
+    DenseVector difference = defect_at(length);
+    difference -= defect_at(-length);
+    difference /= 2 * length;
+    // the phase condition has no defect
+    by_derivative[by_derivative.size() - 1] = 0;
+    const double size = difference.l2_norm();
+    difference -= by_derivative;
+    std::printf("derivative by the %s off by %.1e\n", of_frequency ? "frequency" : "forces",
+                difference.l2_norm() / size);
+    EXPECT_LT(difference.l2_norm(), 1e-5 * size);
+  }
 }

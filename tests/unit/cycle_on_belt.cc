@@ -3,6 +3,8 @@
 #include "belt_scene.h"
 #include "cycle_derivatives.h"
 
+#include <vibrocontact/analyses/limit_cycle/balanced_cycle.h>
+
 #include <boost/math/tools/roots.hpp>
 
 #include <functional>
@@ -95,6 +97,24 @@ namespace
     return at - (after - before) * (after - before) / (8 * curvature);
   }
 
+  /// A cycle by harmonic balance; its probe hears the velocity of the mass.
+  std::vector<BalancedCycle> balanced(const BeltScene &scene, CycleMap &map, const LimitCycle &cycle,
+                                      const std::vector<unsigned int> &harmonics)
+  {
+    CycleScene about;
+    about.contacts = scene.contact;
+    about.pair = std::make_shared<const ContactPair>(scene.pair);
+    about.shapes = std::make_shared<const PatchShapes>(shapes_of_steps(scene.pair));
+    about.drive = scene.drive;
+    about.at_rest = scene.at_rest;
+    LimitCycleParameters parameters;
+    parameters.harmonics = harmonics;
+    Probe mass;
+    mass.name = "mass";
+    mass.shape = {-1};
+    return balance_cycle(about, cycle, forces_of_cycle(map, cycle, {0}), parameters, {mass});
+  }
+
   /// What a halved step makes of errors: times 2^-order; the extrapolation of two steps is off by less than a bound.
   void expect_order(const unsigned int order, const std::vector<double> &error, const double bound)
   {
@@ -137,18 +157,31 @@ TEST(CycleOnBelt, OfFallingFrictionIsThatOfTheClosedForm)
     expect_order(1, error, 1.5e-6);
 }
 
-// Friction force mu N = constant + v - v^3 / 3 of the velocity v: van der Pol's oscillator with epsilon = 1 for v, which never sticks.
+namespace
+{
+  /// Friction force of the velocity v: v - v^3 / 3, van der Pol's oscillator with epsilon = 1 for v.
+  constexpr double rayleigh_belt = 2.6, rayleigh_force = 20, rayleigh_period = 6.66328686,
+                   rayleigh_amplitude = 2.00861986;
+  BeltScene rayleigh_scene()
+  {
+    return {1,
+            0,
+            1e-6,
+            rayleigh_force,
+            rayleigh_belt,
+            [](const double speed)
+            {
+              const double v = rayleigh_belt - speed;
+              return 0.3 + (v - v * v * v / 3) / rayleigh_force;
+            },
+            2e-4,
+            26001};
+  }
+} // namespace
+
 TEST(CycleOnBelt, OfRayleighsOscillatorIsThePublishedOne)
 {
-  constexpr double belt = 2.6, force = 20, period = 6.66328686, amplitude = 2.00861986;
-  const BeltScene scene(
-      1, 0, 1e-6, force, belt,
-      [&](const double speed)
-      {
-        const double v = belt - speed;
-        return 0.3 + (v - v * v * v / 3) / force;
-      },
-      2e-4, 26001);
+  const BeltScene scene = rayleigh_scene();
   std::vector<double> of_period, of_amplitude;
   for (const unsigned int n_steps : {500u, 1000u})
   {
@@ -158,8 +191,8 @@ TEST(CycleOnBelt, OfRayleighsOscillatorIsThePublishedOne)
     std::vector<double> velocities;
     map.march(cycle.state, cycle.period, false,
               [&](const DynamicState &now) { velocities.push_back(-now.v[0]); });
-    of_period.push_back(cycle.period / period - 1);
-    of_amplitude.push_back(largest_of(velocities) / amplitude - 1);
+    of_period.push_back(cycle.period / rayleigh_period - 1);
+    of_amplitude.push_back(largest_of(velocities) / rayleigh_amplitude - 1);
     std::printf("%u steps: period off by %.2e, amplitude by %.2e, growth of disturbances %.6f 1/s, "
                 "%u iterations\n",
                 n_steps, of_period.back(), of_amplitude.back(), cycle.stability->multipliers.front().growth,
@@ -167,4 +200,72 @@ TEST(CycleOnBelt, OfRayleighsOscillatorIsThePublishedOne)
   }
   for (const std::vector<double> &error : {of_period, of_amplitude})
     expect_order(2, error, 1e-6);
+}
+
+TEST(CycleOnBelt, ByHarmonicBalanceIsThePublishedOne)
+{
+  const BeltScene scene = rayleigh_scene();
+  CycleMap map = scene.map(500);
+  const LimitCycle cycle = scene.cycle(map);
+  ASSERT_TRUE(cycle.converged) << cycle.message;
+  double before = 1;
+  for (const BalancedCycle &one : balanced(scene, map, cycle, {3, 7, 15, 31}))
+  {
+    ASSERT_TRUE(one.converged) << one.message;
+    const double of_period = std::abs(one.period / rayleigh_period - 1),
+                 of_amplitude = std::abs(largest_of(one.motion->probes[0].values) / rayleigh_amplitude - 1);
+    std::printf("%u harmonics: period off by %.2e, amplitude by %.2e, %u iterations, %lu products\n",
+                one.n_harmonics, of_period, of_amplitude, one.newton_iterations, one.n_products);
+    EXPECT_LT(of_amplitude, 0.1 * before);
+    before = of_amplitude;
+    EXPECT_LT(one.newton_iterations, 8u);
+    if (one.n_harmonics == 31)
+    {
+      EXPECT_LT(of_period, 1e-6);
+      EXPECT_LT(of_amplitude, 1e-6);
+    }
+  }
+}
+
+TEST(CycleOnBelt, ByHarmonicBalanceIsTheSameUnderAGivenNormalForce)
+{
+  BeltScene scene = rayleigh_scene();
+  CycleMap map = scene.map(500);
+  const LimitCycle cycle = scene.cycle(map);
+  ASSERT_TRUE(cycle.converged) << cycle.message;
+  const BalancedCycle held = balanced(scene, map, cycle, {15}).at(0);
+  scene.drive.normal_force = rayleigh_force;
+  scene.run_at(rayleigh_belt, -1 / rayleigh_force);
+  CycleMap under_force = scene.map(500);
+  const LimitCycle same = scene.cycle(under_force);
+  ASSERT_TRUE(same.converged) << same.message;
+  const BalancedCycle given = balanced(scene, under_force, same, {15}).at(0);
+  ASSERT_TRUE(held.converged && given.converged) << held.message << given.message;
+  std::printf("period under a given force %.2e off, %u iterations\n", given.period / held.period - 1,
+              given.newton_iterations);
+  EXPECT_NEAR(given.period / held.period, 1, 1e-8);
+  for (const double normal_force : given.motion->forces[0].values)
+    EXPECT_NEAR(normal_force / rayleigh_force, 1, 1e-9);
+}
+
+TEST(CycleOnBelt, ByHarmonicBalanceComesToTheClosedFormOfStickAndSlip)
+{
+  const MassOnBelt exact(1e-6);
+  const BeltScene scene(
+      exact.omega, exact.zeta, exact.flexibility, exact.force, exact.belt,
+      [&](const double speed) { return exact.mu - exact.fall * speed; }, 0.005, 100);
+  CycleMap map = scene.map(500);
+  const LimitCycle cycle = scene.cycle(map);
+  ASSERT_TRUE(cycle.converged) << cycle.message;
+  double before = 1;
+  for (const BalancedCycle &one : balanced(scene, map, cycle, {5, 20, 80}))
+  {
+    ASSERT_TRUE(one.converged) << one.message;
+    const double of_period = std::abs(one.period / exact.period - 1);
+    std::printf("%u harmonics: period off by %.2e, %u iterations, %lu products\n", one.n_harmonics, of_period,
+                one.newton_iterations, one.n_products);
+    EXPECT_LT(of_period, 0.5 * before);
+    before = of_period;
+  }
+  EXPECT_LT(before, 1e-4);
 }

@@ -1,4 +1,4 @@
-"""Limit cycles by Newton's method on a period of steps, beside the march that settles on them."""
+"""Limit cycles by Newton's method on a period of steps and by harmonic balance, beside the march that settles on them."""
 import program
 from study import Point, Study
 
@@ -15,6 +15,15 @@ def limit_cycle(bench, entries, step, repetitions=None):
     cycles = [run["analyses"]["limit_cycle"][0] for run in runs.results]
     rms = next(signal["rms"] for signal in cycles[-1]["signals"] if signal["name"] == SIGNAL + "_m_s")
     return (cycles[-1]["frequency_Hz"], rms), [cycle["seconds"] for cycle in cycles]
+
+
+def harmonic_balance(bench, entries, step, harmonics):
+    """The same by harmonics, which begin at the cycle by steps: the time of both. A list with one item per number of harmonics."""
+    runs = bench.run(PAD, {**entries, "Limit cycle/Time step": step, "Limit cycle/Multipliers": 0,
+                           "Limit cycle/Harmonics": ", ".join(str(one) for one in harmonics)}, cached=True)
+    cycles = [run["analyses"]["limit_cycle"][0] for run in runs.results]
+    return [((one["frequency_Hz"], one["rms"]), [cycle["seconds"] + cycle["harmonic_balance"][k]["seconds"] for cycle in cycles])
+            for k, one in enumerate(cycles[-1]["harmonic_balance"])]
 
 
 def march(bench, entries, step):
@@ -44,6 +53,11 @@ def pad(bench):
                 points.append(Point(f"{name}, {integrator}, step {step:g} s", f"{name}, {integrator}", seconds, abs(found[0] / limit - 1),
                                     name == "limit cycle" and integrator == "theta method" and step == MARKED_STEP, entries,
                                     {"rms velocity": abs(found[1] / rms - 1)}))
+    harmonics, step = (5, 20) if bench.quick else (2, 5, 10, 20, 40), 8e-7
+    entries = {INTEGRATOR: "exact propagator"}
+    for number, (found, seconds) in zip(harmonics, harmonic_balance(bench, entries, step, harmonics)):
+        points.append(Point(f"harmonic balance, {number} harmonics", "harmonic balance", seconds, abs(found[0] / limit - 1), False, entries,
+                            {"rms velocity": abs(found[1] / rms - 1)}))
     return points
 
 

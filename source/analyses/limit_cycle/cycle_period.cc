@@ -29,11 +29,9 @@ namespace vibrocontact
     return std::sqrt(sum / values.size());
   }
 
-  CyclePeriod listen_to_cycle(CycleMap &map, const LimitCycle &cycle, const ContactPair &pair,
-                              const ContactSections &sections, const std::vector<Probe> &probes)
+  CyclePeriod silent_period(const PlacedContacts &contacts, const std::vector<Probe> &probes)
   {
     CyclePeriod period;
-    const PlacedContacts &contacts = pair.interface.contacts;
     for (const PlacedContact &one : contacts.all)
       for (const char *const name : {"normal_force_N", "tangential_force_x_N", "tangential_force_y_N"})
         period.forces.push_back({(one.name.empty() ? "" : one.name + "_") + name, {}});
@@ -44,32 +42,42 @@ namespace vibrocontact
     period.power_into_body_1.name = "power_into_body_1_W";
     for (const Probe &probe : probes)
       period.probes.push_back({probe.name + "_velocity_m_s", {}});
-    const auto listen = [&](const DynamicState &state)
-    {
-      period.time.push_back((period.time.size() + 1) * cycle.period / cycle.n_steps);
-      const unsigned int n = pair.n_points();
-      check_contact_in_grid(contacts, sections, map.speed(), state.contact.status);
-      unsigned int stick = 0, closed = 0;
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        closed += state.R[i] > 0;
-        stick += state.R[i] > 0 && state.contact.status[i] == ContactStatus::stick;
-      }
-      const std::vector<std::array<double, 3>> sums = contacts.resultants(state.R);
-      for (unsigned int k = 0; k < period.forces.size(); ++k)
-        period.forces[k].values.push_back(sums[k / 3][k % 3]);
-      period.stick_points.values.push_back(stick);
-      period.contact_points.values.push_back(closed);
-      period.friction_power.values.push_back(state.friction_power);
-      period.creepage_power.values.push_back(state.creepage_power);
-      double power = 0;
-      for (unsigned int k = 0; k < pair.n_modes(); ++k)
-        power += pair.body[k] == 1 ? state.modal_force[k] * state.v[k] : 0.;
-      period.power_into_body_1.values.push_back(power);
-      for (unsigned int p = 0; p < probes.size(); ++p)
-        period.probes[p].values.push_back(probes[p].velocity(state));
-    };
-    map.march(cycle.state, cycle.period, false, listen);
+    return period;
+  }
+
+  void hear(const DynamicState &state, const double time, const ContactPair &pair,
+            const std::vector<Probe> &probes, CyclePeriod &period)
+  {
+    period.time.push_back(time);
+    const std::vector<ContactStatus> &status = state.contact.status;
+    const auto n_stick = std::count(status.begin(), status.end(), ContactStatus::stick),
+               n_open = std::count(status.begin(), status.end(), ContactStatus::open);
+    const std::vector<std::array<double, 3>> sums = pair.interface.contacts.resultants(state.R);
+    for (unsigned int k = 0; k < period.forces.size(); ++k)
+      period.forces[k].values.push_back(sums[k / 3][k % 3]);
+    period.stick_points.values.push_back(n_stick);
+    period.contact_points.values.push_back(status.size() - n_open);
+    period.friction_power.values.push_back(state.friction_power);
+    period.creepage_power.values.push_back(state.creepage_power);
+    double power = 0;
+    for (unsigned int k = 0; k < pair.n_modes(); ++k)
+      power += pair.body[k] == 1 ? state.modal_force[k] * state.v[k] : 0.;
+    period.power_into_body_1.values.push_back(power);
+    for (unsigned int p = 0; p < probes.size(); ++p)
+      period.probes[p].values.push_back(probes[p].velocity(state));
+  }
+
+  CyclePeriod listen_to_cycle(CycleMap &map, const LimitCycle &cycle, const ContactPair &pair,
+                              const ContactSections &sections, const std::vector<Probe> &probes)
+  {
+    const PlacedContacts &contacts = pair.interface.contacts;
+    CyclePeriod period = silent_period(contacts, probes);
+    map.march(cycle.state, cycle.period, false,
+              [&](const DynamicState &state)
+              {
+                check_contact_in_grid(contacts, sections, map.speed(), state.contact.status);
+                hear(state, (period.time.size() + 1) * cycle.period / cycle.n_steps, pair, probes, period);
+              });
     return period;
   }
 } // namespace vibrocontact

@@ -63,6 +63,20 @@ namespace vibrocontact
         line += text(", %.0f of them unstable", n_unstable);
       return line;
     }
+    /// "harmonic balance with 20 harmonics: 917.221 Hz (+1.9e-05), ..."
+    std::string balance_answer(const Json &balanced)
+    {
+      std::string line = text("harmonic balance with %.0f harmonics: ", number(balanced, "harmonics"));
+      if (!balanced["converged"].get<bool>())
+        return line + "not found";
+      return line +
+             text("%.3f Hz (%+.1e), ", number(balanced, "frequency_Hz"),
+                  number(balanced, "frequency_difference")) +
+             word(balanced, "signal") + text(" amplitude %.3g", number(balanced, "amplitude")) +
+             (is_given(balanced, "amplitude_difference")
+                  ? text(" (%+.1e)", number(balanced, "amplitude_difference"))
+                  : "");
+    }
   } // namespace
 
   std::vector<std::string> limit_cycle_search_answer(const Json &search)
@@ -95,6 +109,11 @@ namespace vibrocontact
       if (one.contains("stability"))
         line += ", " + word(one["stability"], "verdict");
       lines.push_back(line);
+      if (const Json &balanced = list(one, "harmonic_balance"); !balanced.empty())
+        lines.push_back("  " + balance_answer(*std::max_element(balanced.begin(), balanced.end(),
+                                                                [](const Json &a, const Json &b) {
+                                                                  return a["harmonics"] < b["harmonics"];
+                                                                })));
       if (one.contains("branch"))
         lines.push_back("  " + branch_answer(one["branch"]));
     }

@@ -16,6 +16,8 @@ namespace vibrocontact
   {
     /// harmonics that are listed
     constexpr unsigned int most_harmonics = 40;
+    /// a signal that changes by less than this share of its size does not change
+    constexpr double rounding = 1e-9;
 
     /// Amplitudes of the harmonics 0, 1, ... of a periodic signal.
     std::vector<double> harmonics_of(const CycleSignal &signal)
@@ -55,6 +57,13 @@ namespace vibrocontact
     nlohmann::ordered_json root_json(const StabilityRoot &root)
     {
       return {{"frequency_Hz", root.frequency}, {"growth_1_s", root.growth}, {"label", root.label}};
+    }
+
+    /// Share of the points in contact that stick, in the mean of a period.
+    double stick_share(const CyclePeriod &period)
+    {
+      const double closed = period.contact_points.mean();
+      return closed > 0 ? period.stick_points.mean() / closed : 0.;
     }
 
     /// The axial velocity of a wheel's rim, else that of the first probe; null: there are none.
@@ -163,15 +172,9 @@ namespace vibrocontact
       json["marched_steps"] = cycle.n_marched_steps;
     }
     json["change_along_motion"] = cycle.change_along;
-    double stick = 0, closed = 0;
-    unsigned int with_stick = 0;
-    for (std::size_t j = 0; j < period.time.size(); ++j)
-    {
-      stick += period.stick_points.values[j];
-      closed += period.contact_points.values[j];
-      with_stick += period.stick_points.values[j] > 0;
-    }
-    json["stick_share"] = closed > 0 ? stick / closed : 0.;
+    const std::vector<double> &stick = period.stick_points.values;
+    const auto with_stick = std::count_if(stick.begin(), stick.end(), [](const double n) { return n > 0; });
+    json["stick_share"] = stick_share(period);
     json["time_with_stick_share"] = double(with_stick) / period.time.size();
     json["friction_power_W"] = period.friction_power.mean();
     json["creepage_power_W"] = period.creepage_power.mean();
@@ -190,6 +193,83 @@ namespace vibrocontact
       json["signals"].push_back(one);
     }
     return json;
+  }
+
+  nlohmann::ordered_json balance_json(const std::vector<BalancedCycle> &balanced, const CyclePeriod &period,
+                                      const double period_length)
+  {
+    // of scenes without probes the force that changes most
+    std::size_t force = 0;
+    for (std::size_t k = 1; k < period.forces.size(); ++k)
+      if (period.forces[k].amplitude() > period.forces[force].amplitude())
+        force = k;
+    const auto heard_in = [&](const CyclePeriod &of) -> const CycleSignal &
+    {
+      const CycleSignal *const velocity = main_velocity(of);
+      return velocity ? *velocity : of.forces[force];
+    };
+    const nlohmann::ordered_json by_steps = signal_json(heard_in(period));
+    const double size = std::abs(by_steps["mean"].get<double>()) + by_steps["rms"].get<double>();
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const BalancedCycle &one : balanced)
+    {
+      nlohmann::ordered_json json = {{"harmonics", one.n_harmonics}, {"converged", one.converged}};
+      if (one.converged)
+      {
+        const nlohmann::ordered_json signal = signal_json(heard_in(*one.motion));
+        json["frequency_Hz"] = 1 / one.period;
+        json["signal"] = signal["name"];
+        json["amplitude"] = signal["amplitude"];
+        json["rms"] = signal["rms"];
+        json["first_harmonic"] = signal["first_harmonic"];
+        json["frequency_difference"] = period_length / one.period - 1;
+        for (const std::string name : {"amplitude", "first_harmonic"})
+          if (by_steps[name].get<double>() > rounding * size)
+            json[name + "_difference"] = signal[name].get<double>() / by_steps[name].get<double>() - 1;
+        json["stick_share"] = stick_share(*one.motion);
+        json["friction_power_W"] = one.motion->friction_power.mean();
+        json["power_into_body_1_W"] = one.motion->power_into_body_1.mean();
+      }
+      else
+        json["message"] = one.message;
+      if (one.residual)
+        json["residual"] = *one.residual;
+      json["unknowns"] = one.n_unknowns;
+      json["newton_iterations"] = one.newton_iterations;
+      json["products"] = one.n_products;
+      json["seconds"] = one.seconds;
+      list.push_back(json);
+    }
+    return list;
+  }
+
+  Table balance_table(const nlohmann::ordered_json &cycles)
+  {
+    Table table({"cycle", "harmonics", "status", "message", "frequency_Hz", "signal", "amplitude",
+                 "first_harmonic", "frequency_difference", "amplitude_difference",
+                 "first_harmonic_difference", "residual", "unknowns", "newton_iterations", "products",
+                 "seconds"},
+                {"Limit cycles by harmonic balance; differences: from the same cycle by steps, over it",
+                 "amplitude and first harmonic: of the signal, in the unit that its name ends with"});
+    for (const nlohmann::ordered_json &cycle : cycles)
+      for (const nlohmann::ordered_json &one : answer_parts::list(cycle, "harmonic_balance"))
+      {
+        const auto number = [&](const char *const name) -> Table::Cell
+        {
+          if (one.contains(name))
+            return one.at(name).get<double>();
+          return std::string();
+        };
+        const auto word = [&](const char *const name) { return one.value(name, std::string()); };
+        table.add_row({cycle.at("number").get<double>(), number("harmonics"),
+                       std::string(one.at("converged").get<bool>() ? "converged" : "not converged"),
+                       word("message"), number("frequency_Hz"), word("signal"), number("amplitude"),
+                       number("first_harmonic"), number("frequency_difference"),
+                       number("amplitude_difference"), number("first_harmonic_difference"),
+                       number("residual"), number("unknowns"), number("newton_iterations"),
+                       number("products"), number("seconds")});
+      }
+    return table;
   }
 
   void add_sums(const nlohmann::ordered_json &cycles, nlohmann::ordered_json &search)

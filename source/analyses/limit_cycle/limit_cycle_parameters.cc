@@ -18,12 +18,18 @@ namespace vibrocontact
                       "the root of an energy. Units: none.",
                       Double(1e-14, 1e-2));
     prm.add_parameter("Max Newton iterations", max_newton_iterations,
-                      "Of each start for a cycle, of which there are up to four. Units: none.",
+                      "Of each start for a cycle, of which there are up to four, and of each number of "
+                      "harmonics. Units: none.",
                       Integer(1, 1000));
     prm.add_parameter("Multipliers", n_multipliers,
                       "How many of the Floquet multipliers are listed, the largest; 0: stability is not "
                       "looked at. Units: none.",
                       Integer(0, 1000000));
+    prm.add_parameter(
+        "Harmonics", harmonics,
+        "Numbers of harmonics with which each cycle that was found is found by harmonic balance "
+        "as well, for instance 1, 3, 5, 10, 20; empty: it is not. Units: none.",
+        List(Integer(1, 1000), 0, 100, ","));
     prm.enter_subsection("Branch");
     branch.declare_parameters(prm);
     prm.leave_subsection();

@@ -1,3 +1,4 @@
+#include <vibrocontact/analyses/limit_cycle/balanced_cycle.h>
 #include <vibrocontact/analyses/limit_cycle/branch_output.h>
 #include <vibrocontact/analyses/limit_cycle/limit_cycle_answer.h>
 #include <vibrocontact/analyses/limit_cycle/limit_cycle_output.h>
@@ -90,6 +91,14 @@ namespace vibrocontact
                  ", " + number_text(cycle.stability_seconds) + " s");
     }
 
+    void print(const BalancedCycle &cycle)
+    {
+      run_log().line("  harmonic balance, " + std::to_string(cycle.n_harmonics) + " harmonics: " +
+                     (cycle.converged ? number_text(1 / cycle.period) + " Hz" : cycle.message) + ", " +
+                     std::to_string(cycle.newton_iterations) + " Newton iterations, " +
+                     std::to_string(cycle.n_products) + " products, " + number_text(cycle.seconds) + " s");
+    }
+
     void run_limit_cycle(const AnalysisRun &on)
     {
       const Parameters &parameters = on.parameters;
@@ -127,12 +136,13 @@ namespace vibrocontact
       {
         check_memory(n_loaded, steps_of_period(roots[k], own));
         std::unique_ptr<CycleMap> map;
+        std::vector<unsigned int> points;
         LimitCycle cycle;
         unsigned int n_tried = 0;
         for (const unsigned int spread : spreads_of_contact)
         {
           ++n_tried;
-          const std::vector<unsigned int> points = points_around(pair.interface.contacts, at_rest.R, spread);
+          points = points_around(pair.interface.contacts, at_rest.R, spread);
           map = map_about(scene, steps, parameters.contact_solver, points, steps_of_period(roots[k], own));
           cycle = find_limit_cycle(*map, pair, at_rest, roots[k], own);
           if (cycle.converged || !map->left_its_points)
@@ -161,6 +171,25 @@ namespace vibrocontact
                 cycle_table(*period).write(name + ".csv");
                 harmonics_table(*period, 1 / cycle.period).write(name + "_harmonics.csv");
               });
+          if (!own.harmonics.empty())
+          {
+            const CycleForces by_steps = forces_of_cycle(*map, cycle, points);
+            map.reset(); // the derivatives of its steps take much memory
+            const std::vector<BalancedCycle> balanced = balance_cycle(scene, cycle, by_steps, own, probes);
+            cycles.back()["harmonic_balance"] = balance_json(balanced, *period, cycle.period);
+            for (const BalancedCycle &one : balanced)
+            {
+              print(one);
+              if (!one.converged)
+                refuse("limit cycle",
+                       "The cycle at " + number_text(1 / cycle.period) +
+                           " Hz was not found by harmonic balance with " + std::to_string(one.n_harmonics) +
+                           " harmonics: " + without_period(one.message) + ".",
+                       on.results);
+            }
+            on_first_rank([&]
+                          { balance_table(cycles).write(on.folder + "/limit_cycle_harmonic_balance.csv"); });
+          }
           if (own.branch.any())
           {
             map.reset(); // its derivatives have the size of those of the branch
@@ -225,7 +254,8 @@ namespace vibrocontact
       entries.add_if(parameters.rolling.creepage.speed > 0, "Rolling/Speed is above 0", "Rolling",
                      "Longitudinal creepage, Lateral creepage, Spin");
       add_sliding(entries, parameters);
-      entries.add("Limit cycle", "Time step, Roots, Tolerance, Max Newton iterations, Multipliers");
+      entries.add("Limit cycle",
+                  "Time step, Roots, Tolerance, Max Newton iterations, Multipliers, Harmonics");
       entries.add("Limit cycle/Branch", "Entry");
       entries.add_if(parameters.limit_cycle.branch.any(), "Limit cycle/Branch/Entry is given",
                      "Limit cycle/Branch", "Range, Most points, Largest step");
@@ -254,7 +284,7 @@ namespace vibrocontact
               "the limit cycles",
               limit_cycle_answer,
               {"limit_cycles.csv", "limit_cycle_*.csv", "figures/limit_cycles.png",
-               "figures/limit_cycle_branches.png"}}},
+               "figures/limit_cycle_harmonic_balance.png", "figures/limit_cycle_branches.png"}}},
             swept_runs(prepare_limit_cycle,
                        {{"roots", "/limit_cycle_search/roots"},
                         {"cycles", "/limit_cycle_search/cycles_found"},

@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/limit_cycle/step_derivative.h>
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/matrix_parts.h>
 
 #include <deal.II/lac/exceptions.h>
 
@@ -9,18 +10,6 @@
 
 namespace vibrocontact
 {
-  namespace
-  {
-    DenseMatrix rows_at(const DenseMatrix &matrix, const std::vector<unsigned int> &rows)
-    {
-      DenseMatrix result(rows.size(), matrix.n());
-      for (unsigned int j = 0; j < matrix.n(); ++j)
-        for (unsigned int i = 0; i < rows.size(); ++i)
-          result(i, j) = matrix(rows[i], j);
-      return result;
-    }
-  } // namespace
-
   StepOnPoints::StepOnPoints(const ContactStepper &stepper, const std::vector<unsigned int> &points)
       : points(points)
   {

@@ -36,6 +36,12 @@ namespace vibrocontact
     std::vector<CycleSignal> probes;
   };
 
+  /// The signals of a scene, without values yet.
+  CyclePeriod silent_period(const PlacedContacts &contacts, const std::vector<Probe> &probes);
+  /// Adds a state at a time after the begin of the period [s].
+  void hear(const DynamicState &state, double time, const ContactPair &pair, const std::vector<Probe> &probes,
+            CyclePeriod &period);
+
   /// Goes once more through a cycle that was found.
   /// @throws ConvergenceError, InputError if the contact reaches the end of its grid
   CyclePeriod listen_to_cycle(CycleMap &map, const LimitCycle &cycle, const ContactPair &pair,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/analyses/limit_cycle/balanced_cycle.h>
 #include <vibrocontact/analyses/limit_cycle/cycle_period.h>
 #include <vibrocontact/base/table.h>
 
@@ -17,6 +18,11 @@ namespace vibrocontact
   /// The object of a cycle in results.json.
   nlohmann::ordered_json cycle_json(const LimitCycle &cycle, const CyclePeriod &period,
                                     unsigned int n_multipliers);
+  /// The list of its `harmonic_balance`: by harmonic balance, and how far off that is. @param period by steps
+  nlohmann::ordered_json balance_json(const std::vector<BalancedCycle> &balanced, const CyclePeriod &period,
+                                      double period_length);
+  /// A row for each cycle and number of harmonics. @param cycles list of cycle_json()
+  Table balance_table(const nlohmann::ordered_json &cycles);
   /// Of a root from which none was found.
   nlohmann::ordered_json failed_json(const LimitCycle &cycle);
   /// How many there are, and of that with the loudest probe `loudest`; none without probes.

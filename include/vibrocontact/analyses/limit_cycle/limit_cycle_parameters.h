@@ -20,6 +20,8 @@ namespace vibrocontact
     unsigned int max_newton_iterations = 20;
     /// Floquet multipliers that are listed, the largest; 0: they are not computed
     unsigned int n_multipliers = 12;
+    /// numbers of harmonics with which each cycle is found by harmonic balance as well; empty: it is not
+    std::vector<unsigned int> harmonics;
     CycleBranchParameters branch;
 
     void declare_parameters(dealii::ParameterHandler &prm);

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vibrocontact/base/dense.h>
+
+#include <vector>
+
+namespace vibrocontact
+{
+  /// Some rows of a matrix.
+  template <typename Number>
+  dealii::LAPACKFullMatrix<Number> rows_at(const dealii::LAPACKFullMatrix<Number> &matrix,
+                                           const std::vector<unsigned int> &rows)
+  {
+    dealii::LAPACKFullMatrix<Number> result(rows.size(), matrix.n());
+    for (unsigned int j = 0; j < matrix.n(); ++j)
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        result(i, j) = matrix(rows[i], j);
+    return result;
+  }
+
+  /// Some columns of a matrix.
+  template <typename Number>
+  dealii::LAPACKFullMatrix<Number> columns_at(const dealii::LAPACKFullMatrix<Number> &matrix,
+                                              const std::vector<unsigned int> &columns)
+  {
+    dealii::LAPACKFullMatrix<Number> result(matrix.m(), columns.size());
+    for (unsigned int j = 0; j < columns.size(); ++j)
+      for (unsigned int i = 0; i < matrix.m(); ++i)
+        result(i, j) = matrix(i, columns[j]);
+    return result;
+  }
+} // namespace vibrocontact
