@@ -43,9 +43,10 @@ namespace
                                [](const auto &a, const auto &b) { return a.growth < b.growth; });
     }
 
-    CycleMap map(const unsigned int n_steps) const
+    CycleMap map(const unsigned int n_steps,
+                 const std::vector<unsigned int> &points = {Flutter::middle}) const
     {
-      return {transient, contact, solver, pair, drive, at_rest.contact.approach, {Flutter::middle}, n_steps};
+      return {transient, contact, solver, pair, drive, at_rest.contact.approach, points, n_steps};
     }
 
     LimitCycle cycle(CycleMap &map) const
@@ -162,14 +163,12 @@ TEST(CycleOfRoot, MultipliersAreThoseOfSmallDisturbances)
 TEST(CycleBalance, DerivativesAreThoseOfDifferences)
 {
   const SlidingMass scene({50, -30});
-  CycleMap map = scene.map(200);
+  // the neighbours of the mass are open, its own point sticks and slides
+  CycleMap map = scene.map(200, {1, Flutter::middle, 3});
   const LimitCycle cycle = scene.cycle(map);
   ASSERT_TRUE(cycle.converged) << cycle.message;
-  // the neighbours of the mass are open, its own point sticks and slides
-  const std::vector<unsigned int> points = {1, Flutter::middle, 3};
-  const CycleForces by_steps = forces_of_cycle(map, cycle, points);
-  const PatchShapes shapes = shapes_of_steps(scene.pair);
-  CycleBalance balance(scene.pair, scene.contact, scene.drive, scene.at_rest, shapes, points, 3, 1e-8);
+  const CycleForces by_steps = forces_of_period(map, cycle.state, cycle.period);
+  CycleBalance balance = map.balance(scene.at_rest, 3, 1e-8);
   const std::vector<double> x = balance.unknowns(by_steps.forces, by_steps.approaches, cycle.period);
   const double force = *std::max_element(x.begin(), x.end() - 1);
   for (const bool of_frequency : {false, true})

@@ -112,7 +112,7 @@ namespace
     Probe mass;
     mass.name = "mass";
     mass.shape = {-1};
-    return balance_cycle(about, cycle, forces_of_cycle(map, cycle, {0}), parameters, {mass});
+    return balance_cycle(about, cycle, forces_of_period(map, cycle.state, cycle.period), parameters, {mass});
   }
 
   /// What a halved step makes of errors: times 2^-order; the extrapolation of two steps is off by less than a bound.

@@ -54,24 +54,6 @@ namespace vibrocontact
     }
   } // namespace
 
-  CycleForces forces_of_cycle(CycleMap &map, const LimitCycle &cycle, const std::vector<unsigned int> &points)
-  {
-    CycleForces result;
-    result.points = points;
-    const unsigned int n = points.size();
-    map.march(cycle.state, cycle.period, false,
-              [&](const DynamicState &state)
-              {
-                DenseVector own(3 * n);
-                for (unsigned int c = 0; c < 3; ++c)
-                  for (unsigned int i = 0; i < n; ++i)
-                    own[contact_row(n, c, i)] = state.R[contact_row(state.R.size() / 3, c, points[i])];
-                result.forces.push_back(own);
-                result.approaches.push_back(state.contact.approach);
-              });
-    return result;
-  }
-
   std::vector<BalancedCycle> balance_cycle(const CycleScene &scene, const LimitCycle &cycle,
                                            const CycleForces &by_steps,
                                            const LimitCycleParameters &parameters,

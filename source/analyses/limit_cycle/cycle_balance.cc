@@ -105,6 +105,17 @@ namespace vibrocontact
     return x;
   }
 
+  std::vector<double> CycleBalance::extended(const std::vector<double> &x, const CycleBalance &fewer) const
+  {
+    std::vector<double> result(n_unknowns(), 0.);
+    const unsigned int n_forces = 3 * n * fewer.n_functions;
+    std::copy_n(x.begin(), n_forces, result.begin());
+    if (force_given)
+      std::copy_n(x.begin() + n_forces, fewer.n_functions, result.begin() + 3 * n * n_functions);
+    result.back() = x.back();
+    return result;
+  }
+
   DenseMatrix CycleBalance::forces_of(const DenseVector &x) const
   {
     DenseMatrix forces(3 * n, n_functions);

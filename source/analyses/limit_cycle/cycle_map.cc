@@ -239,6 +239,12 @@ namespace vibrocontact
     return change.l2_norm() / along.l2_norm();
   }
 
+  CycleBalance CycleMap::balance(const DynamicState &at_rest, const unsigned int n_harmonics,
+                                 const double tolerance) const
+  {
+    return {pair, contact, drive, at_rest, *shapes, points, n_harmonics, tolerance};
+  }
+
   DenseMatrix CycleMap::unit_starts() const
   {
     DenseMatrix starts(size(), size());
@@ -264,6 +270,25 @@ namespace vibrocontact
     change -= from.residual_displacement;
     StepDerivative(*one, on, change).advance(changes);
     return packed(changes);
+  }
+
+  CycleForces forces_of_period(CycleMap &map, const DenseVector &begin, const double period)
+  {
+    CycleForces result;
+    const std::vector<unsigned int> &points = map.points_that_may_touch();
+    result.points = points;
+    const unsigned int n = points.size();
+    map.march(begin, period, false,
+              [&](const DynamicState &state)
+              {
+                DenseVector own(3 * n);
+                for (unsigned int c = 0; c < 3; ++c)
+                  for (unsigned int i = 0; i < n; ++i)
+                    own[contact_row(n, c, i)] = state.R[contact_row(state.R.size() / 3, c, points[i])];
+                result.forces.push_back(own);
+                result.approaches.push_back(state.contact.approach);
+              });
+    return result;
   }
 
   std::vector<unsigned int> points_around(const PlacedContacts &contacts, const DenseVector &R,

@@ -20,6 +20,12 @@ namespace vibrocontact
     /// Newton's method begins where this share of the root's growth is left. Where nothing sticks all of it is left: from there it
     /// would go back to rest. A motion that decays has stuck; there a small change over a period is enough.
     constexpr double little_growth = 0.3, little_change = 2e-3;
+    /// Of starts by harmonics: how many, one first, whose basin is the largest; to what the laws have to be met, in so many iterations;
+    /// velocities that are tried, and the factor between them. A motion of another size or period than tried belongs to another root, or is rest.
+    constexpr unsigned int iterations_of_start = 12, trials_by_harmonics = 4;
+    constexpr unsigned int harmonics_of_start[] = {1, 5};
+    constexpr double tolerance_of_start = 1e-4, next_by_harmonics = 1.6, largest_change_of_velocity = 3,
+                     largest_change_of_period = 0.02;
   } // namespace
 
   RootMotion::RootMotion(const CycleMap &map, const ContactPair &pair, const DynamicState &at_rest,
@@ -115,6 +121,59 @@ namespace vibrocontact
     const double time = n_periods * start.period;
     start.growth = std::log(motion.velocity_in(start.state) / start.velocity) / time;
     start.period = time / (n_periods + phases / turn);
+  }
+
+  namespace
+  {
+    /// The motion of few harmonics that a period leads to; nothing: Newton's method does not converge.
+    std::optional<CycleStart> balanced_from(CycleMap &map, const RootMotion &motion,
+                                            const DynamicState &at_rest, const CycleStart &now)
+    {
+      const CycleForces forces = forces_of_period(map, now.state, now.period);
+      NewtonSettings settings;
+      settings.max_iterations = iterations_of_start;
+      std::vector<double> x;
+      std::unique_ptr<CycleBalance> balance;
+      for (const unsigned int n_harmonics : harmonics_of_start)
+      {
+        auto finer = std::make_unique<CycleBalance>(map.balance(at_rest, n_harmonics, tolerance_of_start));
+        x = balance ? finer->extended(x, *balance)
+                    : finer->unknowns(forces.forces, forces.approaches, now.period);
+        balance = std::move(finer);
+        if (!solve_by_newton(*balance, settings, x).converged)
+          return {};
+      }
+      CycleStart found;
+      found.state = map.pack(balance->motion(x, map.n_steps()).back());
+      found.period = balance->period(x);
+      found.velocity = motion.velocity_in(found.state);
+      return found;
+    }
+  } // namespace
+
+  std::optional<CycleStart> start_by_harmonics(CycleMap &map, const RootMotion &motion,
+                                               const StabilityRoot &root, const DynamicState &at_rest)
+  {
+    double velocity = first_velocity * motion.least_slip;
+    CycleStart now;
+    now.state = motion.state(velocity);
+    for (unsigned int trial = 0; trial < trials_by_harmonics; ++trial, velocity *= next_by_harmonics)
+      try
+      {
+        now.period = 1 / root.frequency;
+        motion.scale(now.state, velocity);
+        let_go_on(map, motion, settling, now);
+        const std::optional<CycleStart> found = balanced_from(map, motion, at_rest, now);
+        if (found && found->velocity > velocity / largest_change_of_velocity &&
+            found->velocity < velocity * largest_change_of_velocity &&
+            std::abs(found->period * root.frequency - 1) < largest_change_of_period)
+          return found;
+      }
+      catch (const ConvergenceError &)
+      {
+        return {}; // a larger motion would fare no better: start_of_cycle() says why
+      }
+    return {};
   }
 
   CycleStart start_of_cycle(CycleMap &map, const RootMotion &motion, const StabilityRoot &root)

@@ -70,18 +70,23 @@ namespace vibrocontact
     try
     {
       const RootMotion motion(map, pair, equilibrium, root);
-      CycleStart start = start_of_cycle(map, motion, root);
       const DenseMatrix linear =
           linear_cycle(map.one_step(equilibrium, cycle.period / map.n_steps()), map.n_steps());
       CycleEquations equations(map, map.pack(equilibrium), linear, parameters.tolerance);
       NewtonSettings settings;
       settings.max_iterations = parameters.max_newton_iterations;
-      for (const unsigned int n_periods : periods_between)
+      // by harmonics first, then by motions that go on for a while
+      std::optional<CycleStart> start = start_by_harmonics(map, motion, root, equilibrium);
+      for (unsigned int trial = 0; trial < std::size(periods_between) + 1; ++trial)
       {
-        if (n_periods > 0)
-          let_go_on(map, motion, n_periods, start);
-        std::vector<double> x(start.state.begin(), start.state.end());
-        x.push_back(start.period);
+        if (trial == 0 && !start)
+          continue;
+        if (trial == 1)
+          start = start_of_cycle(map, motion, root);
+        if (trial > 1)
+          let_go_on(map, motion, periods_between[trial - 1], *start);
+        std::vector<double> x(start->state.begin(), start->state.end());
+        x.push_back(start->period);
         const NewtonResult result = solve_by_newton(equations, settings, x);
         cycle.converged = result.converged;
         cycle.newton_iterations += result.iterations;
@@ -89,7 +94,7 @@ namespace vibrocontact
         cycle.state = DenseVector(x.begin(), x.end() - 1);
         cycle.period = x.back();
         // rest repeats itself as well; what is left there is rounding
-        if (cycle.converged && motion.velocity_in(cycle.state) < 1e-3 * start.velocity)
+        if (cycle.converged && motion.velocity_in(cycle.state) < 1e-3 * start->velocity)
         {
           cycle.converged = false;
           cycle.message = "Newton's method led to the equilibrium";

@@ -136,13 +136,12 @@ namespace vibrocontact
       {
         check_memory(n_loaded, steps_of_period(roots[k], own));
         std::unique_ptr<CycleMap> map;
-        std::vector<unsigned int> points;
         LimitCycle cycle;
         unsigned int n_tried = 0;
         for (const unsigned int spread : spreads_of_contact)
         {
           ++n_tried;
-          points = points_around(pair.interface.contacts, at_rest.R, spread);
+          const std::vector<unsigned int> points = points_around(pair.interface.contacts, at_rest.R, spread);
           map = map_about(scene, steps, parameters.contact_solver, points, steps_of_period(roots[k], own));
           cycle = find_limit_cycle(*map, pair, at_rest, roots[k], own);
           if (cycle.converged || !map->left_its_points)
@@ -173,7 +172,7 @@ namespace vibrocontact
               });
           if (!own.harmonics.empty())
           {
-            const CycleForces by_steps = forces_of_cycle(*map, cycle, points);
+            const CycleForces by_steps = forces_of_period(*map, cycle.state, cycle.period);
             map.reset(); // the derivatives of its steps take much memory
             const std::vector<BalancedCycle> balanced = balance_cycle(scene, cycle, by_steps, own, probes);
             cycles.back()["harmonic_balance"] = balance_json(balanced, *period, cycle.period);

@@ -27,16 +27,6 @@ namespace vibrocontact
     std::optional<CyclePeriod> motion;
   };
 
-  /// Forces of the points that may touch, 3 n_points each, and approaches at the ends of the steps of a cycle.
-  struct CycleForces
-  {
-    std::vector<unsigned int> points;
-    std::vector<DenseVector> forces;
-    std::vector<double> approaches;
-  };
-  CycleForces forces_of_cycle(CycleMap &map, const LimitCycle &cycle,
-                              const std::vector<unsigned int> &points);
-
   /// Cycles by harmonic balance with several numbers of harmonics, each from the motion of the cycle by steps.
   std::vector<BalancedCycle> balance_cycle(const CycleScene &scene, const LimitCycle &cycle,
                                            const CycleForces &by_steps,

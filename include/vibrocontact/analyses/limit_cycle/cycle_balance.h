@@ -34,6 +34,8 @@ namespace vibrocontact
     /// @param forces 3 n_points of the points each @param approaches [m]
     std::vector<double> unknowns(const std::vector<DenseVector> &forces,
                                  const std::vector<double> &approaches, double period) const;
+    /// Unknowns of a motion that a balance with fewer harmonics has, those between zero.
+    std::vector<double> extended(const std::vector<double> &x, const CycleBalance &fewer) const;
     double period(const std::vector<double> &x) const { return 2 * dealii::numbers::PI / x.back(); }
     unsigned int n_unknowns() const { return (3 * n + (force_given ? 1 : 0)) * n_functions + 1; }
 

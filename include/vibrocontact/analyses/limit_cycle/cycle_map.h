@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/analyses/limit_cycle/cycle_balance.h>
 #include <vibrocontact/analyses/limit_cycle/step_derivative.h>
 #include <vibrocontact/analyses/transient/transient_parameters.h>
 
@@ -32,6 +33,7 @@ namespace vibrocontact
              double approach, const std::vector<unsigned int> &points, unsigned int n_steps,
              std::shared_ptr<const PatchShapes> shapes = nullptr);
 
+    const std::vector<unsigned int> &points_that_may_touch() const { return points; }
     unsigned int size() const { return 2 * pair.n_modes() + 3 * points.size(); }
     unsigned int n_steps() const { return m; }
     /// V [m/s]
@@ -59,6 +61,9 @@ namespace vibrocontact
     const DenseVector &rate() const { return mean_rate; }
     /// The derivative of one step of h [s] that starts from a state, square. @throws ConvergenceError
     DenseMatrix one_step(const DynamicState &state, double step) const;
+
+    /// The same motion by harmonics of the contact forces. @param at_rest is referred to, as the map itself
+    CycleBalance balance(const DynamicState &at_rest, unsigned int n_harmonics, double tolerance) const;
 
     /// whether a contact was found outside of the points
     bool left_its_points = false;
@@ -97,6 +102,15 @@ namespace vibrocontact
     std::vector<ModalStep> by_length;
     DenseVector mean_rate;
   };
+
+  /// Forces of the points that may touch, 3 n_points each, and approaches at the ends of the steps of a period.
+  struct CycleForces
+  {
+    std::vector<unsigned int> points;
+    std::vector<DenseVector> forces;
+    std::vector<double> approaches;
+  };
+  CycleForces forces_of_period(CycleMap &map, const DenseVector &state, double period);
 
   /// How far a contact may spread beyond its points at rest, columns and rows of the grid: tried one after the other, the whole grid last.
   constexpr unsigned int spreads_of_contact[] = {1, 4, std::numeric_limits<unsigned int>::max() / 2};

@@ -3,6 +3,7 @@
 #include <vibrocontact/analyses/limit_cycle/cycle_map.h>
 #include <vibrocontact/coupled_bodies/stability_roots.h>
 
+#include <optional>
 #include <utility>
 
 namespace vibrocontact
@@ -44,6 +45,12 @@ namespace vibrocontact
   };
   /// @throws ConvergenceError if no velocity is found at which growth ends, or a step does not converge
   CycleStart start_of_cycle(CycleMap &map, const RootMotion &motion, const StabilityRoot &root);
+
+  /// The same by few harmonics (CycleBalance), which are tried from motions of several velocities that have gone on for a few periods: much
+  /// cheaper than to wait for growth to end. Nothing: none of them leads to a motion of its size.
+  /// @param at_rest the equilibrium
+  std::optional<CycleStart> start_by_harmonics(CycleMap &map, const RootMotion &motion,
+                                               const StabilityRoot &root, const DynamicState &at_rest);
 
   /// Lets a motion go on for so many of its periods. @throws ConvergenceError
   void let_go_on(CycleMap &map, const RootMotion &motion, unsigned int n_periods, CycleStart &start);
