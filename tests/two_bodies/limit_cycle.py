@@ -50,7 +50,8 @@ for one, of_frequency, of_first in zip(by_balance, (2e-2, 1e-3, 1e-4), (0.3, 3e-
     check.near(f"frequency by {one['harmonics']} harmonics", one["frequency_Hz"], cycle["frequency_Hz"], of_frequency)
     check.near(f"first harmonic by {one['harmonics']}", one["first_harmonic"],
                next(signal for signal in cycle["signals"] if signal["name"] == one["signal"])["first_harmonic"], of_first)
-check.near("rows of the table", len(table(folder_of_balance, "limit_cycle_harmonic_balance.csv")), 3, 1e-12)
+rows = [line for line in open(os.path.join(folder_of_balance, "limit_cycle_harmonic_balance.csv")) if line.startswith("1,")]
+check.near("rows of the table", [row.split(",")[1:3] for row in rows] == [["1", "converged"], ["5", "converged"], ["20", "converged"]], True, 1e-12)
 on_two = run("balanced_2", scene("limit cycle", BALANCED, PROBES), 2)[0]["limit_cycle"][0]["harmonic_balance"]
 for one, other in zip(on_two, by_balance):
     check.near("balanced on two ranks", one["frequency_Hz"], other["frequency_Hz"], 1e-9)
