@@ -25,7 +25,7 @@ namespace vibrocontact
     constexpr unsigned int iterations_of_start = 12, trials_by_harmonics = 4;
     constexpr unsigned int harmonics_of_start[] = {1, 5};
     constexpr double tolerance_of_start = 1e-4, next_by_harmonics = 1.6, largest_change_of_velocity = 3,
-                     largest_change_of_period = 0.02;
+                     largest_change_of_period = 0.2;
   } // namespace
 
   RootMotion::RootMotion(const CycleMap &map, const ContactPair &pair, const DynamicState &at_rest,
