@@ -14,6 +14,22 @@ namespace vibrocontact
     return speed;
   }
 
+  SpeedDependence speed_dependence(const NewtonJacobian::Row &row, const double mu, const double normal_force,
+                                   const FrictionLaw &law, const Vector2 &slip)
+  {
+    const double speed = std::hypot(slip[0], slip[1]);
+    SpeedDependence result = {};
+    if (!(speed > 0 && mu > 0))
+      return result;
+    const double slope = law.coefficient(speed).slope;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      result.direction[d] = slip[d] / speed;
+      result.force[d] = row.by_radius[d] / mu * normal_force * slope;
+    }
+    return result;
+  }
+
   void solve_with_friction_of_speed(ContactProblem &problem, ContactSolver &solver, ContactSolution &solution,
                                     const std::function<std::vector<double>(const ContactSolution &)> &speed)
   {

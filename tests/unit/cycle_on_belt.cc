@@ -257,7 +257,10 @@ TEST(CycleOnBelt, ByHarmonicBalanceComesToTheClosedFormOfStickAndSlip)
   CycleMap map = scene.map(500);
   const LimitCycle cycle = scene.cycle(map);
   ASSERT_TRUE(cycle.converged) << cycle.message;
-  double before = 1;
+  double before = 1, sticks = 0, sticks_by_balance = 0;
+  map.march(cycle.state, cycle.period, false,
+            [&](const DynamicState &now)
+            { sticks += (now.contact.status[0] == ContactStatus::stick) / double(map.n_steps()); });
   for (const BalancedCycle &one : balanced(scene, map, cycle, {5, 20, 80}))
   {
     ASSERT_TRUE(one.converged) << one.message;
@@ -266,6 +269,10 @@ TEST(CycleOnBelt, ByHarmonicBalanceComesToTheClosedFormOfStickAndSlip)
                 one.newton_iterations, one.n_products);
     EXPECT_LT(of_period, 0.5 * before);
     before = of_period;
+    sticks_by_balance = one.motion->stick_points.mean();
   }
   EXPECT_LT(before, 1e-4);
+  std::printf("sticks for %.3f of a period, by steps %.3f\n", sticks_by_balance, sticks);
+  EXPECT_GT(sticks, 0.05);
+  EXPECT_NEAR(sticks_by_balance, sticks, 0.01);
 }

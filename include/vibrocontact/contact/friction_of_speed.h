@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/contact/contact_solver.h>
+#include <vibrocontact/contact/newton_jacobian.h>
 
 #include <functional>
 #include <vector>
@@ -9,6 +10,16 @@ namespace vibrocontact
 {
   /// |slip| of each point from the rows of y = (gap, slip_x, slip_y); n [m/s]
   std::vector<double> slip_speed(const ContactSolution &solution);
+
+  /// What a change of the slip speed makes of the tangential forces of a point that projections hold: r P dmu/ds [Ns/m], and the
+  /// direction of its slip. Zero where it does not slip.
+  struct SpeedDependence
+  {
+    Vector2 force, direction;
+  };
+  /// @param row derivatives of the projections at the point, which have mu r @param normal_force P [N] @param slip that friction sees [m/s]
+  SpeedDependence speed_dependence(const NewtonJacobian::Row &row, double mu, double normal_force,
+                                   const FrictionLaw &law, const Vector2 &slip);
 
   /// Solves a contact problem whose friction may depend on the slip speed: with problem.mu alone if it does not.
   ///

@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/limit_cycle/cycle_balance.h>
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/point_rows.h>
 #include <vibrocontact/numerics/time_basis.h>
 
 #include <deal.II/lac/solver_gmres.h>
@@ -21,17 +22,6 @@ namespace vibrocontact
     /// GMRES stops at this share of the residual, and gives up after so many products
     constexpr double linear_balance_tolerance = 1e-3;
     constexpr unsigned int most_balance_products = 300;
-
-    DenseVector on_points(const DenseVector &all, const unsigned int n_all,
-                          const std::vector<unsigned int> &points)
-    {
-      const unsigned int n = points.size();
-      DenseVector result(3 * n);
-      for (unsigned int c = 0; c < 3; ++c)
-        for (unsigned int i = 0; i < n; ++i)
-          result[contact_row(n, c, i)] = all[contact_row(n_all, c, points[i])];
-      return result;
-    }
 
     /// Values of 1, 2 cos, -2 sin, ... at equal times after the begin of a period, the last one at its end.
     DenseMatrix fourier_values(const unsigned int n_functions, const unsigned int n_times)
@@ -65,8 +55,7 @@ namespace vibrocontact
         force_given(drive.normal_force > 0), tolerance(tolerance),
         response(pair, find_creep_scheme(contact.first().creep_scheme), drive.creepage.speed, shapes, points,
                  n_harmonics),
-        rest_forces(on_points(at_rest.R, pair.n_points(), points)),
-        rest_response(on_points(at_rest.contact.y, pair.n_points(), points)),
+        rest_forces(on_points(at_rest.R, points)), rest_response(on_points(at_rest.contact.y, points)),
         values(fourier_values(n_functions, std::max(fewest_samples, samples_per_function * n_functions))),
         weights(fourier_weights(values)), samples(values.m())
   {
@@ -84,7 +73,7 @@ namespace vibrocontact
     if (whole.to_force.size() > 0)
       std::copy_n(whole.to_force.begin(), pair.n_points(), to_force_of_all.begin());
     if (whole.to_force.size() > 0)
-      problem.by_approach = problem.to_force = on_points(whole.to_force, pair.n_points(), points);
+      problem.by_approach = problem.to_force = on_points(whole.to_force, points);
   }
 
   std::vector<double> CycleBalance::unknowns(const std::vector<DenseVector> &forces,
@@ -123,21 +112,47 @@ namespace vibrocontact
     return forces;
   }
 
-  DenseMatrix CycleBalance::approach_columns(const DenseVector &x) const
+  DenseMatrix CycleBalance::response_to(const DenseVector &x, const DenseMatrix &forces) const
   {
-    DenseMatrix columns(3 * n, n_functions);
+    DenseMatrix y = response.response(forces);
     for (unsigned int k = 0; k < n_functions && force_given; ++k)
       for (unsigned int i = 0; i < n; ++i)
       {
         const std::array<double, 3> a = problem.approach_of(i);
         for (unsigned int c = 0; c < 3; ++c)
-          columns(contact_row(n, c, i), k) = a[c] * x[3 * n * n_functions + k];
+          y(contact_row(n, c, i), k) -= a[c] * x[3 * n * n_functions + k];
       }
-    return columns;
+    return y;
+  }
+
+  DenseMatrix CycleBalance::seen_slips(const DenseMatrix &y, const DenseMatrix &forces) const
+  {
+    DenseMatrix seen;
+    if (sees_speed())
+    {
+      seen = y;
+      seen.add(-1., response.rate_of_rest(forces));
+    }
+    return seen;
+  }
+
+  DenseVector CycleBalance::resultants(const DenseMatrix &forces) const
+  {
+    DenseVector sums(force_given ? n_functions : 0);
+    for (unsigned int k = 0; k < sums.size(); ++k)
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        const std::array<double, 3> l = problem.share_of(i);
+        for (unsigned int c = 0; c < 3; ++c)
+          sums[k] += l[c] * forces(contact_row(n, c, i), k);
+      }
+    return sums;
   }
 
   DenseMatrix CycleBalance::sampled(const DenseMatrix &columns) const
   {
+    if (columns.m() == 0)
+      return columns;
     DenseMatrix result(columns.m(), values.m());
     columns.mTmult(result, values);
     return result;
@@ -180,17 +195,11 @@ namespace vibrocontact
     change = forces_of(x);
     for (unsigned int i = 0; i < 3 * n; ++i)
       change(i, 0) -= rest_forces[i];
-    DenseMatrix y = response.response(change);
-    y.add(-1., approach_columns(x));
+    DenseMatrix y = response_to(x, change);
     for (unsigned int i = 0; i < 3 * n; ++i)
       y(i, 0) += rest_response[i];
-    DenseMatrix forces = sampled(forces_of(x)), seen;
-    if (sees_speed())
-    {
-      DenseMatrix slips = y;
-      slips.add(-1., response.rate_of_rest(change));
-      seen = sampled(slips);
-    }
+    DenseMatrix forces = sampled(forces_of(x));
+    const DenseMatrix seen = sampled(seen_slips(y, change));
     y = sampled(y);
 
     failure.clear();
@@ -206,20 +215,19 @@ namespace vibrocontact
       residual.evaluate(R, of_sample, projected, status);
       samples[t].jacobian.linearise(problem, residual, R, of_sample);
       samples[t].by_speed.clear();
-      if (sees_speed())
-        take_speed_dependence(samples[t], projected, &seen(0, t));
+      const std::vector<unsigned int> &active = samples[t].jacobian.points();
+      for (unsigned int k = 0; k < active.size() && sees_speed(); ++k)
+      {
+        const unsigned int i = active[k];
+        const Vector2 slip = {{seen(contact_row(n, 1, i), t), seen(contact_row(n, 2, i), t)}};
+        samples[t].by_speed.push_back(speed_dependence(samples[t].jacobian.rows_of_points()[k], problem.mu[i],
+                                                       projected[i], problem.friction_law[i], slip));
+      }
       for (unsigned int i = 0; i < 3 * n; ++i)
         forces(i, t) -= projected[i];
     }
     left_over = harmonics(forces);
-    left_of_resultant.reinit(force_given ? n_functions : 0);
-    for (unsigned int k = 0; k < left_of_resultant.size(); ++k)
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        const std::array<double, 3> l = problem.share_of(i);
-        for (unsigned int c = 0; c < 3; ++c)
-          left_of_resultant[k] += l[c] * change(contact_row(n, c, i), k);
-      }
+    left_of_resultant = resultants(change);
     const double size = std::sqrt((squares(left_over) + left_of_resultant.norm_sqr()) / squares(change));
     return std::isfinite(size) ? size : std::numeric_limits<double>::max();
   }
@@ -231,27 +239,6 @@ namespace vibrocontact
           problem.friction_law[i]
               .coefficient(std::hypot(seen_slip[contact_row(n, 1, i)], seen_slip[contact_row(n, 2, i)]))
               .value;
-  }
-
-  void CycleBalance::take_speed_dependence(Sample &sample, const DenseVector &projected,
-                                           const double *const seen_slip) const
-  {
-    for (unsigned int k = 0; k < sample.jacobian.points().size(); ++k)
-    {
-      const unsigned int i = sample.jacobian.points()[k];
-      const Vector2 slip = {{seen_slip[contact_row(n, 1, i)], seen_slip[contact_row(n, 2, i)]}};
-      const double speed = std::hypot(slip[0], slip[1]), mu = problem.mu[i];
-      SpeedDependence one = {};
-      if (speed > 0 && mu > 0)
-        for (unsigned int d = 0; d < 2; ++d)
-        {
-          one.direction[d] = slip[d] / speed;
-          // the row has mu r
-          one.force[d] = sample.jacobian.rows_of_points()[k].by_radius[d] / mu * projected[i] *
-                         problem.friction_law[i].coefficient(speed).slope;
-        }
-      sample.by_speed.push_back(one);
-    }
   }
 
   bool CycleBalance::keep(const std::vector<double> &, const double size)
@@ -318,26 +305,13 @@ namespace vibrocontact
   void CycleBalance::vmult(DenseVector &to, const DenseVector &from) const
   {
     ++n_products;
-    const DenseMatrix forces = forces_of(from);
-    DenseMatrix y = response.response(forces), seen;
-    y.add(-1., approach_columns(from));
-    if (sees_speed())
-    {
-      DenseMatrix slips = y;
-      slips.add(-1., response.rate_of_rest(forces));
-      seen = sampled(slips);
-    }
-    DenseMatrix left = linearised(sampled(forces), sampled(y), seen);
+    const DenseMatrix forces = forces_of(from), y = response_to(from, forces),
+                      left = linearised(sampled(forces), sampled(y), sampled(seen_slips(y, forces)));
     to.reinit(from.size());
     std::copy_n(&left(0, 0), 3 * n * n_functions, to.begin());
     to.add(from[from.size() - 1], by_frequency);
-    for (unsigned int k = 0; k < n_functions && force_given; ++k)
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        const std::array<double, 3> l = problem.share_of(i);
-        for (unsigned int c = 0; c < 3; ++c)
-          to[3 * n * n_functions + k] += l[c] * forces(contact_row(n, c, i), k);
-      }
+    const DenseVector sums = resultants(forces);
+    std::copy(sums.begin(), sums.end(), to.begin() + 3 * n * n_functions);
     to[to.size() - 1] = along * from;
   }
 
@@ -438,12 +412,12 @@ namespace vibrocontact
       columns.mTmult(result, at_times);
       return result;
     };
-    DenseMatrix amplitudes = response.modal_amplitudes(change), y = response.response(change);
-    y.add(-1., approach_columns(x));
-    const DenseMatrix q = over_time(amplitudes), R = over_time(change), response_now = over_time(y);
-    DenseMatrix seen = y, approach(1, n_functions);
-    seen.add(-1., response.rate_of_rest(change));
-    seen = over_time(seen);
+    DenseMatrix amplitudes = response.modal_amplitudes(change), y = response_to(x, change);
+    for (unsigned int i = 0; i < 3 * n; ++i)
+      y(i, 0) += rest_response[i];
+    DenseMatrix approach(1, n_functions);
+    const DenseMatrix q = over_time(amplitudes), R = over_time(change), response_now = over_time(y),
+                      seen = sees_speed() ? over_time(seen_slips(y, change)) : DenseMatrix();
     for (unsigned int k = 0; k < n_functions && force_given; ++k)
       approach(0, k) = x[3 * n * n_functions + k];
     approach = over_time(approach);
@@ -467,7 +441,7 @@ namespace vibrocontact
       for (unsigned int i = 0; i < 3 * n; ++i)
       {
         forces[i] = rest_forces[i] + R(i, t);
-        gap_and_slip[i] = rest_response[i] + response_now(i, t);
+        gap_and_slip[i] = response_now(i, t);
       }
       if (sees_speed())
         set_friction(&seen(0, t));

@@ -1,7 +1,9 @@
 #include <vibrocontact/analyses/limit_cycle/cycle_map.h>
 #include <vibrocontact/analyses/transient/step_levels.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/matrix_parts.h>
 #include <vibrocontact/contact/contact_solvers.h>
+#include <vibrocontact/contact/point_rows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,15 +18,9 @@ namespace vibrocontact
       : transient(transient), contact(contact), solver(solver), pair(pair), drive(drive), approach(approach),
         points(points),
         shapes(shapes ? std::move(shapes) : std::make_shared<const PatchShapes>(shapes_of_steps(pair))),
-        m(n_steps), frequency(pair.omega)
+        rows(rows_of_points(pair.n_points(), points)), m(n_steps), frequency(pair.omega)
   {
-    for (unsigned int c = 0; c < 3; ++c)
-      for (const unsigned int point : points)
-        rows.push_back(contact_row(pair.n_points(), c, point));
-    trace.reinit(rows.size(), pair.n_modes());
-    for (unsigned int k = 0; k < pair.n_modes(); ++k)
-      for (unsigned int i = 0; i < rows.size(); ++i)
-        trace(i, k) = pair.trace(rows[i], k);
+    trace = rows_at(pair.trace, rows);
     this->solver.tolerance = std::min(solver.tolerance, cycle_contact_tolerance);
     AssertThrow(pair.n_modes() > 0 && !points.empty(), dealii::ExcInternalError());
     constant_force.reinit(pair.n_modes());
@@ -277,15 +273,10 @@ namespace vibrocontact
     CycleForces result;
     const std::vector<unsigned int> &points = map.points_that_may_touch();
     result.points = points;
-    const unsigned int n = points.size();
     map.march(begin, period, false,
               [&](const DynamicState &state)
               {
-                DenseVector own(3 * n);
-                for (unsigned int c = 0; c < 3; ++c)
-                  for (unsigned int i = 0; i < n; ++i)
-                    own[contact_row(n, c, i)] = state.R[contact_row(state.R.size() / 3, c, points[i])];
-                result.forces.push_back(own);
+                result.forces.push_back(on_points(state.R, points));
                 result.approaches.push_back(state.contact.approach);
               });
     return result;

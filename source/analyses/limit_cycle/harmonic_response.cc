@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/limit_cycle/harmonic_response.h>
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/matrix_parts.h>
+#include <vibrocontact/contact/point_rows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,11 +60,7 @@ namespace vibrocontact
   {
     AssertThrow(std::all_of(pair.omega.begin(), pair.omega.end(), [](const double w) { return w > 0; }),
                 dealii::ExcInternalError());
-    const unsigned int n = pair.n_points();
-    std::vector<unsigned int> rows;
-    for (unsigned int c = 0; c < 3; ++c)
-      for (const unsigned int point : points)
-        rows.push_back(contact_row(n, c, point));
+    const std::vector<unsigned int> rows = rows_of_points(pair.n_points(), points);
     basis = by_velocity = rows_at(shapes.basis, rows);
     rest = tangential_rest = columns_at(rows_at(pair.residual, rows), rows);
     const auto without_normal_rows = [&](DenseMatrix &matrix)

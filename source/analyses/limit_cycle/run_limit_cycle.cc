@@ -99,6 +99,26 @@ namespace vibrocontact
                      std::to_string(cycle.n_products) + " products, " + number_text(cycle.seconds) + " s");
     }
 
+    /// The cycle by harmonic balance as well, said number by number; those that are not found are refused.
+    std::vector<BalancedCycle> balanced_cycles(const AnalysisRun &on, const CycleScene &scene,
+                                               const LimitCycle &cycle, const CycleForces &by_steps,
+                                               const std::vector<Probe> &probes)
+    {
+      const std::vector<BalancedCycle> balanced =
+          balance_cycle(scene, cycle, by_steps, on.parameters.limit_cycle, probes);
+      for (const BalancedCycle &one : balanced)
+      {
+        print(one);
+        if (!one.converged)
+          refuse("limit cycle",
+                 "The cycle at " + number_text(1 / cycle.period) +
+                     " Hz was not found by harmonic balance with " + std::to_string(one.n_harmonics) +
+                     " harmonics: " + without_period(one.message) + ".",
+                 on.results);
+      }
+      return balanced;
+    }
+
     void run_limit_cycle(const AnalysisRun &on)
     {
       const Parameters &parameters = on.parameters;
@@ -170,28 +190,19 @@ namespace vibrocontact
                 cycle_table(*period).write(name + ".csv");
                 harmonics_table(*period, 1 / cycle.period).write(name + "_harmonics.csv");
               });
+          CycleForces by_steps;
+          if (!own.harmonics.empty())
+            by_steps = forces_of_period(*map, cycle.state, cycle.period);
+          map.reset(); // the derivatives of its steps take as much memory as what follows
           if (!own.harmonics.empty())
           {
-            const CycleForces by_steps = forces_of_period(*map, cycle.state, cycle.period);
-            map.reset(); // the derivatives of its steps take much memory
-            const std::vector<BalancedCycle> balanced = balance_cycle(scene, cycle, by_steps, own, probes);
-            cycles.back()["harmonic_balance"] = balance_json(balanced, *period, cycle.period);
-            for (const BalancedCycle &one : balanced)
-            {
-              print(one);
-              if (!one.converged)
-                refuse("limit cycle",
-                       "The cycle at " + number_text(1 / cycle.period) +
-                           " Hz was not found by harmonic balance with " + std::to_string(one.n_harmonics) +
-                           " harmonics: " + without_period(one.message) + ".",
-                       on.results);
-            }
+            cycles.back()["harmonic_balance"] =
+                balance_json(balanced_cycles(on, scene, cycle, by_steps, probes), *period, cycle.period);
             on_first_rank([&]
                           { balance_table(cycles).write(on.folder + "/limit_cycle_harmonic_balance.csv"); });
           }
           if (own.branch.any())
           {
-            map.reset(); // its derivatives have the size of those of the branch
             const auto was_lost = [&](const std::string &where, const std::string &why)
             {
               refuse("limit cycle",

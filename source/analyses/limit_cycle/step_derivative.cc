@@ -2,6 +2,7 @@
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/matrix_parts.h>
+#include <vibrocontact/contact/point_rows.h>
 
 #include <deal.II/lac/exceptions.h>
 
@@ -14,18 +15,11 @@ namespace vibrocontact
       : points(points)
   {
     const StepMatrices &matrices = stepper.matrices_of_step();
-    const unsigned int n = matrices.contacts.n_points();
-    std::vector<unsigned int> rows;
-    for (unsigned int c = 0; c < 3; ++c)
-      for (const unsigned int point : points)
-        rows.push_back(contact_row(n, c, point));
+    const std::vector<unsigned int> rows = rows_of_points(matrices.contacts.n_points(), points);
     basis = rows_at(matrices.shapes.basis, rows);
     by_displacement = rows_at(matrices.by_displacement, rows);
     by_velocity = rows_at(matrices.by_velocity, rows);
-    flexibility.reinit(rows.size(), rows.size());
-    for (unsigned int j = 0; j < rows.size(); ++j)
-      for (unsigned int i = 0; i < rows.size(); ++i)
-        flexibility(i, j) = matrices.residual_flexibility(rows[i], rows[j]);
+    flexibility = columns_at(rows_at(matrices.residual_flexibility, rows), rows);
     for (const unsigned int row : rows)
       by_approach.push_back(stepper.approach_rows()[row]);
   }
@@ -77,17 +71,8 @@ namespace vibrocontact
       for (unsigned int c = 1; c < 3; ++c)
         slip[c - 1] = solution.y[contact_row(n_nearby, c, nearby)] -
                       residual_change[contact_row(n_of_grid, c, point)] / stepper.matrices_of_step().step;
-      const double speed = std::hypot(slip[0], slip[1]), mu = problem.mu[nearby];
-      SpeedDependence one = {};
-      if (speed > 0 && mu > 0)
-        for (unsigned int d = 0; d < 2; ++d)
-        {
-          one.direction[d] = slip[d] / speed;
-          // the row has mu r
-          one.force_per_speed[d] = J.rows_of_points()[k].by_radius[d] / mu * solution.R[nearby] *
-                                   problem.friction_law[nearby].coefficient(speed).slope;
-        }
-      by_speed.push_back(one);
+      by_speed.push_back(speed_dependence(J.rows_of_points()[k], problem.mu[nearby], solution.R[nearby],
+                                          problem.friction_law[nearby], slip));
     }
   }
 
@@ -106,7 +91,7 @@ namespace vibrocontact
                                           contact_row(n, column / m, active[column % m])) /
                         h);
         for (unsigned int d = 0; d < 2; ++d)
-          factors((d + 1) * m + k, column) -= by_speed[k].force_per_speed[d] * speed;
+          factors((d + 1) * m + k, column) -= by_speed[k].force[d] * speed;
       }
   }
 
@@ -162,7 +147,7 @@ namespace vibrocontact
         const auto row = J.apply(k, 0, 0, 0, moved[0], moved[1], moved[2]);
         for (unsigned int c = 0; c < 3; ++c)
           x(c * n_active + k, j) =
-              -row[c] + (c > 0 && !by_speed.empty() ? by_speed[k].force_per_speed[c - 1] * speed : 0.);
+              -row[c] + (c > 0 && !by_speed.empty() ? by_speed[k].force[c - 1] * speed : 0.);
       }
     if (n_active > 0)
       factors.solve(x);

@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/transient/contact_stepper.h>
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/contact/friction_of_speed.h>
+#include <vibrocontact/contact/point_rows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -158,15 +159,8 @@ namespace vibrocontact
       problem.mu.push_back(friction[i]);
     problem.normal_law = normal_laws.at(points);
     problem.friction_law = friction_laws.at(points);
-    const unsigned int n = pair.n_points(), m = points.size();
-    problem.by_approach.reinit(3 * m);
-    problem.to_force.reinit(3 * m);
-    for (unsigned int c = 0; c < 3; ++c)
-      for (unsigned int i = 0; i < m; ++i)
-      {
-        problem.by_approach[contact_row(m, c, i)] = by_approach[contact_row(n, c, points[i])];
-        problem.to_force[contact_row(m, c, i)] = to_force[contact_row(n, c, points[i])];
-      }
+    problem.by_approach = on_points(by_approach, points);
+    problem.to_force = on_points(to_force, points);
     problem.b.reinit(step_operator->n_rows());
   }
 

@@ -1,5 +1,7 @@
 #include <vibrocontact/analyses/transient/step_operator.h>
 #include <vibrocontact/base/dense_operations.h>
+#include <vibrocontact/base/matrix_parts.h>
+#include <vibrocontact/contact/point_rows.h>
 
 #include <deal.II/lac/lapack_templates.h>
 
@@ -135,17 +137,6 @@ namespace vibrocontact
         return;
       product(left, middle).mTmult(into, right, true);
     }
-
-    DenseMatrix rows_of_points(const DenseMatrix &matrix, const std::vector<unsigned int> &points)
-    {
-      const unsigned int n = matrix.m() / 3, m = points.size();
-      DenseMatrix result(3 * m, matrix.n());
-      for (unsigned int k = 0; k < matrix.n(); ++k)
-        for (unsigned int c = 0; c < 3; ++c)
-          for (unsigned int i = 0; i < m; ++i)
-            result(contact_row(m, c, i), k) = matrix(contact_row(n, c, points[i]), k);
-      return result;
-    }
   } // namespace
 
   PatchShapes shapes_of_steps(const ContactPair &pair)
@@ -231,14 +222,15 @@ namespace vibrocontact
   }
 
   StepOperator::StepOperator(const StepMatrices &matrices, std::vector<unsigned int> points)
-      : matrices(matrices), nearby(std::move(points)), basis(rows_of_points(matrices.shapes.basis, nearby)),
+      : matrices(matrices), nearby(std::move(points)),
+        basis(rows_at(matrices.shapes.basis, rows_of_points(matrices.contacts.n_points(), nearby))),
         by_motion(3 * nearby.size(), 2 * basis.n()), c_normal(basis.n()), c_tangential(basis.n()),
         displacement(basis.n()), velocity(basis.n())
   {
     for (unsigned int part = 0; part < 2; ++part)
     {
-      const DenseMatrix rows =
-          rows_of_points(part == 0 ? matrices.by_displacement : matrices.by_velocity, nearby);
+      const DenseMatrix rows = rows_at(part == 0 ? matrices.by_displacement : matrices.by_velocity,
+                                       rows_of_points(matrices.contacts.n_points(), nearby));
       for (unsigned int k = 0; k < basis.n(); ++k)
         std::copy_n(&rows(0, k), rows.m(), &by_motion(0, part * basis.n() + k));
     }

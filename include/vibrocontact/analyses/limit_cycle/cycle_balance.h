@@ -3,6 +3,7 @@
 #include <vibrocontact/analyses/limit_cycle/balance_preconditioner.h>
 #include <vibrocontact/analyses/limit_cycle/harmonic_response.h>
 #include <vibrocontact/analyses/transient/contact_stepper.h>
+#include <vibrocontact/contact/friction_of_speed.h>
 #include <vibrocontact/contact/newton_jacobian.h>
 #include <vibrocontact/numerics/newton_method.h>
 
@@ -59,11 +60,6 @@ namespace vibrocontact
     mutable unsigned long n_products = 0;
 
   private:
-    /// What a change of the slip speed makes of the friction at an active point [Ns/m], and the direction of the slip.
-    struct SpeedDependence
-    {
-      Vector2 force, direction;
-    };
     /// A sample of the projections and its derivatives.
     struct Sample
     {
@@ -73,11 +69,14 @@ namespace vibrocontact
     };
 
     DenseMatrix forces_of(const DenseVector &x) const;
-    /// of gaps and slips; zero if the approach is given [m]
-    DenseMatrix approach_columns(const DenseVector &x) const;
+    /// Gaps and slips by changes of the forces and by the approach among the unknowns.
+    DenseMatrix response_to(const DenseVector &x, const DenseMatrix &forces) const;
+    /// y less the rate of the residual displacements; empty if friction does not follow the slip speed
+    DenseMatrix seen_slips(const DenseMatrix &y, const DenseMatrix &forces) const;
+    /// l . R of each column; none if the approach is given
+    DenseVector resultants(const DenseMatrix &forces) const;
     DenseMatrix sampled(const DenseMatrix &columns) const;
     DenseMatrix harmonics(const DenseMatrix &samples) const;
-    void take_speed_dependence(Sample &sample, const DenseVector &projected, const double *seen_slip) const;
     /// Harmonics of what the linearised projections leave of changes, by samples of forces, responses and seen slips.
     DenseMatrix linearised(DenseMatrix forces, const DenseMatrix &response, const DenseMatrix &seen) const;
     std::vector<MeanLaw> mean_law() const;

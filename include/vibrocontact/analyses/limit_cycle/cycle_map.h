@@ -86,7 +86,7 @@ namespace vibrocontact
     const std::vector<unsigned int> points;
     const std::shared_ptr<const PatchShapes> shapes;
     /// on the grid; 3 n_points, by component
-    std::vector<unsigned int> rows;
+    const std::vector<unsigned int> rows;
     const unsigned int m;
     /// of amplitudes [1/s] and of forces [sqrt(m/N)]
     std::vector<double> frequency, root_of_flexibility;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/transient/contact_stepper.h>
+#include <vibrocontact/contact/friction_of_speed.h>
 #include <vibrocontact/contact/newton_jacobian.h>
 
 #include <vector>
@@ -74,12 +75,6 @@ namespace vibrocontact
                  const StepEnds *ends = nullptr) const;
 
   private:
-    /// What a change of the slip speed makes of the tangential forces of an active point: r N dmu/ds [Ns/m], and the direction of
-    /// its slip.
-    struct SpeedDependence
-    {
-      Vector2 force_per_speed, direction;
-    };
     void take_speed_dependence(const DenseVector &residual_change);
     /// Of force columns among the active points, into the tangential rows of the Jacobian.
     void add_speed_dependence(const DenseMatrix &response);
