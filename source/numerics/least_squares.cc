@@ -26,8 +26,7 @@ namespace vibrocontact
       std::vector<double> work(std::max(1, n_work));
       call(work.data(), n_work, info);
       if (info != 0)
-        throw ConvergenceError(std::string("LAPACK's ") + name +
-                               " failed in an identification: " + std::to_string(info) + ".");
+        throw ConvergenceError(std::string("LAPACK's ") + name + " failed: " + std::to_string(info) + ".");
     }
 
     /// Scales the columns to length one. @return by what x has to be multiplied then

@@ -18,6 +18,15 @@ namespace vibrocontact
     return result;
   }
 
+  /// Some entries of a vector.
+  inline DenseVector entries_at(const DenseVector &vector, const std::vector<unsigned int> &rows)
+  {
+    DenseVector result(rows.size());
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      result[i] = vector[rows[i]];
+    return result;
+  }
+
   /// Some columns of a matrix.
   template <typename Number>
   dealii::LAPACKFullMatrix<Number> columns_at(const dealii::LAPACKFullMatrix<Number> &matrix,

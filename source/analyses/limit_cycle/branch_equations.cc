@@ -28,6 +28,7 @@ namespace vibrocontact
   {
     tangent = direction;
     sizes = in;
+    by_value.reinit(0);
   }
 
   double BranchEquations::evaluate(const std::vector<double> &z)
@@ -46,7 +47,7 @@ namespace vibrocontact
       period = z[n];
       if (!(period > 0))
         throw ConvergenceError("a step leads to a period below zero");
-      rest = at->map->march(start, period, false);
+      rest = at->map->march(start, period, true);
     }
     catch (const ConvergenceError &error)
     {
@@ -67,9 +68,9 @@ namespace vibrocontact
     try
     {
       CycleMap &map = *at->map;
-      map.march(start, period, true);
-      BorderedCycle system{
-          map, {map.by_period(), by_value()}, {map.rate(), DenseVector(n)}, DenseMatrix(2, 2)};
+      if (by_value.size() == 0)
+        by_value = difference_by_value();
+      BorderedCycle system{map, {map.by_period(), by_value}, {map.rate(), DenseVector(n)}, DenseMatrix(2, 2)};
       system.rows[0] /= system.rows[0].l2_norm();
       for (unsigned int i = 0; i < n; ++i)
         system.rows[1][i] = tangent[i];
@@ -98,7 +99,7 @@ namespace vibrocontact
     linear = linear_cycle(at->map->one_step(at->scene.at_rest, period / n_steps), n_steps);
   }
 
-  DenseVector BranchEquations::by_value() const
+  DenseVector BranchEquations::difference_by_value() const
   {
     const double change = little_change * value_size;
     const std::shared_ptr<CycleAt> other = family(value + change);

@@ -24,18 +24,16 @@ namespace vibrocontact
     /// change of the value over the range from which on it is more than rounding
     constexpr double least_change = 1e-6;
 
-    /// Goes once more through a cycle to see what its contact does.
+    /// What the contact of a cycle does.
     void look_at(CycleAt &at, CycleBranchPoint &point)
     {
       const std::vector<ContactStatus> &at_rest = at.scene.at_rest.contact.status;
-      at.map->march(point.cycle.state, point.cycle.period, false,
-                    [&](const DynamicState &state)
-                    {
-                      const std::vector<ContactStatus> &status = state.contact.status;
-                      point.sticks =
-                          point.sticks || std::count(status.begin(), status.end(), ContactStatus::stick) > 0;
-                      point.changes = point.changes || status != at_rest;
-                    });
+      at.map->march(point.cycle.state, point.cycle.period, true);
+      for (const std::vector<ContactStatus> &status : at.map->statuses())
+      {
+        point.sticks = point.sticks || std::count(status.begin(), status.end(), ContactStatus::stick) > 0;
+        point.changes = point.changes || status != at_rest;
+      }
     }
 
     double norm(const BranchPlace &z, const unsigned int n)
@@ -112,7 +110,7 @@ namespace vibrocontact
             return {CycleBranchEnd::Kind::vanishes, "", onset_of(points)};
           if (at_limit)
             return {CycleBranchEnd::Kind::range, "", 0};
-          step *= iterations <= 2 ? 1.5 : iterations > 4 ? 0.7 : 1.;
+          step *= iterations <= 2 ? 2. : iterations == 3 ? 1.4 : iterations > 4 ? 0.7 : 1.;
           step = std::min(step,
                           point.changes ? branch.largest_step : std::max(branch.largest_step, linear_step));
         }

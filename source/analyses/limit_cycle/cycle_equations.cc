@@ -22,7 +22,7 @@ namespace vibrocontact
     {
       if (!(period > 0))
         throw ConvergenceError("a step leads to a period below zero");
-      rest = map.march(start, period, false);
+      rest = map.march(start, period, true);
     }
     catch (const ConvergenceError &error)
     {
@@ -44,7 +44,6 @@ namespace vibrocontact
   {
     try
     {
-      map.march(start, period, true);
       BorderedCycle system{map, {map.by_period()}, {map.rate()}, DenseMatrix(1, 1)};
       system.rows[0] /= system.rows[0].l2_norm();
       DenseVector right(n + 1);

@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/limit_cycle/cycle_map.h>
 #include <vibrocontact/analyses/transient/step_levels.h>
+#include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/matrix_parts.h>
 #include <vibrocontact/contact/contact_solvers.h>
@@ -7,10 +8,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <set>
 #include <utility>
 
 namespace vibrocontact
 {
+  namespace
+  {
+    /// of what a step is multiplied with at once: they stay in the cache
+    constexpr unsigned int columns_of_block = 128;
+
+    DenseVector only_column(const DenseMatrix &matrix)
+    {
+      return DenseVector(&matrix(0, 0), &matrix(0, 0) + matrix.m());
+    }
+  } // namespace
+
   CycleMap::CycleMap(const TransientParameters &transient, const ContactSections &contact,
                      const ContactSolverParameters &solver, const ContactPair &pair, const Drive &drive,
                      const double approach, const std::vector<unsigned int> &points,
@@ -43,10 +57,22 @@ namespace vibrocontact
       root = std::max(root, 1e-3 * most);
   }
 
-  DenseMatrix CycleMap::packed(const StateChanges &changes) const
+  std::vector<unsigned int> CycleMap::force_rows(const std::vector<unsigned int> &some) const
   {
-    const unsigned int n_modes = pair.n_modes(), n_rows = rows.size();
-    DenseMatrix x(size(), changes.R.n());
+    std::vector<unsigned int> places;
+    for (const unsigned int point : some)
+      places.push_back(std::lower_bound(points.begin(), points.end(), point) - points.begin());
+    std::vector<unsigned int> result = rows_of_points(points.size(), places);
+    for (unsigned int &row : result)
+      row += 2 * pair.n_modes();
+    return result;
+  }
+
+  DenseMatrix CycleMap::packed(const StateChanges &changes, const StepOnPoints &on) const
+  {
+    const unsigned int n_modes = pair.n_modes();
+    const std::vector<unsigned int> of_forces = force_rows(on.points);
+    DenseMatrix x(size(), changes.n_columns());
     for (unsigned int j = 0; j < x.n(); ++j)
     {
       for (unsigned int k = 0; k < n_modes; ++k)
@@ -54,8 +80,8 @@ namespace vibrocontact
         x(k, j) = frequency[k] * changes.q(k, j);
         x(n_modes + k, j) = changes.v(k, j);
       }
-      for (unsigned int i = 0; i < n_rows; ++i)
-        x(2 * n_modes + i, j) = root_of_flexibility[i] * changes.R(i, j);
+      for (unsigned int i = 0; i < of_forces.size(); ++i)
+        x(of_forces[i], j) = root_of_flexibility[of_forces[i] - 2 * n_modes] * changes.R(i, j);
     }
     return x;
   }
@@ -111,24 +137,23 @@ namespace vibrocontact
   DenseVector CycleMap::march(const DenseVector &x, const double period, const bool keep_derivatives,
                               const Observer &observe)
   {
-    const double h = period / m;
-    if (!stepper || period != marched_period)
+    if (!observe && marched.period == period && marched.start == x &&
+        (marched.has_derivatives || !keep_derivatives))
+      return marched.end;
+    if (!stepper || h != period / m)
     {
-      derivatives.clear();
+      h = period / m;
       stepper = stepper_of(h);
-      on_points = std::make_unique<StepOnPoints>(*stepper, points);
       // central differences: off by 1e-8 of what they are
       const double little = 1e-4 * h;
       by_length = steps_by_length(modal_steps(transient, pair, h + little),
                                   modal_steps(transient, pair, h - little), 2 * little);
     }
-    marched_period = period;
-    if (keep_derivatives)
-    {
-      derivatives.clear();
-      ends.clear();
-      derivatives.reserve(m);
-    }
+    marched = {};
+    derivatives.clear();
+    ends.clear();
+    derivatives.reserve(keep_derivatives ? m : 0);
+    std::vector<std::vector<ContactStatus>> statuses;
     const auto contact_solver = create_contact_solver(solver);
     DynamicState state = unpack(x), before;
     DenseVector first, last;
@@ -149,12 +174,13 @@ namespace vibrocontact
       {
         DenseVector change = state.residual_displacement;
         change -= before.residual_displacement;
-        derivatives.emplace_back(*stepper, *on_points, change);
+        derivatives.emplace_back(*stepper, change);
         DenseVector begin = before.modal_force, end = state.modal_force;
         begin += constant_force;
         end += constant_force;
         ends.push_back({before.q, before.v, begin, end, change});
       }
+      statuses.push_back(state.contact.status);
       if (j == 0)
         first = pack(state);
       if (j + 1 == m)
@@ -169,17 +195,33 @@ namespace vibrocontact
     mean_rate += end;
     mean_rate -= last;
     mean_rate /= 2 * h;
+    if (keep_derivatives)
+      stand_on_loaded_points();
+    marched = {period, x, end, keep_derivatives, std::move(statuses)};
     return end;
   }
 
-  StateChanges CycleMap::changes_of(const DenseMatrix &x) const
+  void CycleMap::stand_on_loaded_points()
   {
-    const unsigned int n_modes = pair.n_modes(), n_rows = rows.size(), n_columns = x.n();
+    std::set<unsigned int> in_contact;
+    for (const StepDerivative &step : derivatives)
+      in_contact.insert(step.points_in_contact().begin(), step.points_in_contact().end());
+    if (in_contact.empty())
+      throw ConvergenceError("nothing is in contact during the period");
+    loaded = std::make_unique<StepOnPoints>(*stepper,
+                                            std::vector<unsigned int>(in_contact.begin(), in_contact.end()));
+    for (StepDerivative &step : derivatives)
+      step.stand_on(*loaded);
+  }
+
+  StateChanges CycleMap::changes_of(const DenseMatrix &x, const StepOnPoints &on) const
+  {
+    const unsigned int n_modes = pair.n_modes(), n_rows = rows.size(), n_columns = x.n(),
+                       n_grid = pair.n_points();
     StateChanges changes;
     for (DenseMatrix *const modal : {&changes.q, &changes.v, &changes.modal_force})
       modal->reinit(n_modes, n_columns);
-    for (DenseMatrix *const of_rows : {&changes.R, &changes.residual_displacement})
-      of_rows->reinit(n_rows, n_columns);
+    DenseMatrix R(n_rows, n_columns);
     changes.approach.assign(n_columns, 0.);
     for (unsigned int j = 0; j < n_columns; ++j)
     {
@@ -189,41 +231,54 @@ namespace vibrocontact
         changes.v(k, j) = x(n_modes + k, j);
       }
       for (unsigned int i = 0; i < n_rows; ++i)
-        changes.R(i, j) = x(2 * n_modes + i, j) / root_of_flexibility[i];
+        R(i, j) = x(2 * n_modes + i, j) / root_of_flexibility[i];
     }
-    trace.Tmmult(changes.modal_force, changes.R);
-    for (unsigned int j = 0; j < n_columns; ++j)
-      for (unsigned int i = 0; i < n_rows; ++i)
-        for (unsigned int k = 0; k < n_rows && changes.R(i, j) != 0; ++k)
-          changes.residual_displacement(k, j) += pair.residual(rows[k], rows[i]) * changes.R(i, j);
+    trace.Tmmult(changes.modal_force, R);
+    const std::vector<unsigned int> on_grid = rows_of_points(n_grid, on.points),
+                                    along(on_grid.begin() + on.n_points(), on_grid.end());
+    changes.slip_displacement = product(columns_at(rows_at(pair.residual, along), rows), R);
     return changes;
   }
 
   DenseMatrix CycleMap::derivative(const DenseMatrix &starts) const
   {
     n_products += starts.n();
-    StateChanges changes = changes_of(starts);
-    for (const StepDerivative &step : derivatives)
-      step.advance(changes);
-    return packed(changes);
+    std::vector<StateChanges> blocks;
+    for (unsigned int begin = 0; begin < starts.n(); begin += columns_of_block)
+    {
+      std::vector<unsigned int> columns(std::min(columns_of_block, starts.n() - begin));
+      std::iota(columns.begin(), columns.end(), begin);
+      blocks.push_back(changes_of(columns_at(starts, columns), *loaded));
+    }
+    for (unsigned int j = 0; j + 1 < m; ++j)
+      derivatives[j].advance_many(blocks);
+    DenseMatrix result(size(), starts.n());
+    for (unsigned int k = 0; k < blocks.size(); ++k)
+    {
+      derivatives.back().advance(blocks[k]);
+      add_block(result, packed(blocks[k], *loaded), 0, k * columns_of_block);
+    }
+    return result;
   }
 
   DenseVector CycleMap::derivative(const DenseVector &start) const
   {
+    ++n_products;
     DenseMatrix column(size(), 1);
     std::copy(start.begin(), start.end(), &column(0, 0));
-    const DenseMatrix end = derivative(column);
-    return DenseVector(&end(0, 0), &end(0, 0) + size());
+    StateChanges changes = changes_of(column, *loaded);
+    for (const StepDerivative &step : derivatives)
+      step.advance(changes);
+    return only_column(packed(changes, *loaded));
   }
 
   DenseVector CycleMap::by_period() const
   {
-    StateChanges changes = changes_of(DenseMatrix(size(), 1));
+    StateChanges changes = changes_of(DenseMatrix(size(), 1), *loaded);
     const LengthChange longer = {by_length, 1. / m};
     for (unsigned int j = 0; j < m; ++j)
       derivatives[j].advance(changes, &longer, &ends[j]);
-    const DenseMatrix end = packed(changes);
-    return DenseVector(&end(0, 0), &end(0, 0) + size());
+    return only_column(packed(changes, *loaded));
   }
 
   double CycleMap::change_along_motion() const
@@ -241,17 +296,27 @@ namespace vibrocontact
     return {pair, contact, drive, at_rest, *shapes, points, n_harmonics, tolerance};
   }
 
-  DenseMatrix CycleMap::unit_starts() const
+  DenseMatrix CycleMap::unit_starts(const std::vector<unsigned int> &of_rows) const
   {
-    DenseMatrix starts(size(), size());
-    for (unsigned int i = 0; i < size(); ++i)
-      starts(i, i) = 1;
+    DenseMatrix starts(size(), of_rows.size());
+    for (unsigned int j = 0; j < of_rows.size(); ++j)
+      starts(of_rows[j], j) = 1;
     return starts;
+  }
+
+  std::vector<unsigned int> CycleMap::lasting_rows() const
+  {
+    std::vector<unsigned int> result(2 * pair.n_modes());
+    std::iota(result.begin(), result.end(), 0);
+    const std::vector<unsigned int> of_forces = force_rows(derivatives.back().points_in_contact());
+    result.insert(result.end(), of_forces.begin(), of_forces.end());
+    return result;
   }
 
   DenseMatrix CycleMap::monodromy() const
   {
-    return derivative(unit_starts());
+    const std::vector<unsigned int> lasting = lasting_rows();
+    return rows_at(derivative(unit_starts(lasting)), lasting);
   }
 
   DenseMatrix CycleMap::one_step(const DynamicState &from, const double step) const
@@ -260,12 +325,16 @@ namespace vibrocontact
     DynamicState state = from;
     if (!one->advance(state, drive, *create_contact_solver(solver)).converged)
       throw ConvergenceError("the contact of a step from the equilibrium did not converge");
-    StateChanges changes = changes_of(unit_starts());
-    const StepOnPoints on(*one, points);
     DenseVector change = state.residual_displacement;
     change -= from.residual_displacement;
-    StepDerivative(*one, on, change).advance(changes);
-    return packed(changes);
+    StepDerivative derivative(*one, change);
+    const StepOnPoints on(*one, derivative.points_in_contact());
+    derivative.stand_on(on);
+    std::vector<unsigned int> all(size());
+    std::iota(all.begin(), all.end(), 0);
+    StateChanges changes = changes_of(unit_starts(all), on);
+    derivative.advance(changes);
+    return packed(changes, on);
   }
 
   CycleForces forces_of_period(CycleMap &map, const DenseVector &begin, const double period)

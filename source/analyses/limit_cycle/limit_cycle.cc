@@ -3,6 +3,7 @@
 #include <vibrocontact/analyses/limit_cycle/cycle_start.h>
 #include <vibrocontact/analyses/limit_cycle/limit_cycle.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/matrix_parts.h>
 #include <vibrocontact/base/number_text.h>
 
 #include <chrono>
@@ -49,7 +50,8 @@ namespace vibrocontact
         return;
       }
       if (parameters.n_multipliers > 0)
-        cycle.stability = cycle_stability(map.monodromy(), map.rate(), cycle.period);
+        cycle.stability =
+            cycle_stability(map.monodromy(), entries_at(map.rate(), map.lasting_rows()), cycle.period);
     }
     catch (const ConvergenceError &error)
     {

@@ -19,27 +19,21 @@ namespace vibrocontact
     basis = rows_at(matrices.shapes.basis, rows);
     by_displacement = rows_at(matrices.by_displacement, rows);
     by_velocity = rows_at(matrices.by_velocity, rows);
-    flexibility = columns_at(rows_at(matrices.residual_flexibility, rows), rows);
+    const std::vector<unsigned int> along(rows.begin() + points.size(), rows.end());
+    slip_flexibility = columns_at(rows_at(matrices.residual_flexibility, along), rows);
     for (const unsigned int row : rows)
       by_approach.push_back(stepper.approach_rows()[row]);
   }
 
-  StepDerivative::StepDerivative(const ContactStepper &stepper, const StepOnPoints &on_points,
-                                 const DenseVector &residual_change)
-      : stepper(stepper), on_points(on_points), force_given(stepper.last_problem().force_given())
+  StepDerivative::StepDerivative(const ContactStepper &stepper, const DenseVector &residual_change)
+      : stepper(stepper), force_given(stepper.last_problem().force_given())
   {
     const ContactProblem &problem = stepper.last_problem();
     const ContactSolution &solution = stepper.last_solution();
     J.linearise(problem, ContactResidual(problem), solution.R, solution.y);
-    const std::vector<unsigned int> &known = on_points.points;
     for (const unsigned int nearby : J.points())
-    {
-      const unsigned int point = stepper.nearby_points()[nearby];
-      const auto place = std::lower_bound(known.begin(), known.end(), point);
-      AssertThrow(place != known.end() && *place == point, dealii::ExcInternalError());
-      active.push_back(place - known.begin());
-    }
-    if (active.empty())
+      points.push_back(stepper.nearby_points()[nearby]);
+    if (points.empty())
       return;
     DenseMatrix response;
     problem.A->extract(J.points(), response);
@@ -59,14 +53,26 @@ namespace vibrocontact
     }
   }
 
+  void StepDerivative::stand_on(const StepOnPoints &these)
+  {
+    on_points = &these;
+    active.clear();
+    for (const unsigned int point : points)
+    {
+      const auto place = std::lower_bound(these.points.begin(), these.points.end(), point);
+      AssertThrow(place != these.points.end() && *place == point, dealii::ExcInternalError());
+      active.push_back(place - these.points.begin());
+    }
+  }
+
   void StepDerivative::take_speed_dependence(const DenseVector &residual_change)
   {
     const ContactProblem &problem = stepper.last_problem();
     const ContactSolution &solution = stepper.last_solution();
     const unsigned int n_nearby = problem.n_points(), n_of_grid = residual_change.size() / 3;
-    for (unsigned int k = 0; k < active.size(); ++k)
+    for (unsigned int k = 0; k < points.size(); ++k)
     {
-      const unsigned int nearby = J.points()[k], point = on_points.points[active[k]];
+      const unsigned int nearby = J.points()[k], point = points[k];
       Vector2 slip;
       for (unsigned int c = 1; c < 3; ++c)
         slip[c - 1] = solution.y[contact_row(n_nearby, c, nearby)] -
@@ -78,8 +84,9 @@ namespace vibrocontact
 
   void StepDerivative::add_speed_dependence(const DenseMatrix &response)
   {
-    const unsigned int m = active.size(), n = on_points.n_points();
-    const double h = stepper.matrices_of_step().step;
+    const StepMatrices &matrices = stepper.matrices_of_step();
+    const unsigned int m = points.size(), n_of_grid = matrices.contacts.n_points();
+    const double h = matrices.step;
     for (unsigned int column = 0; column < 3 * m; ++column)
       for (unsigned int k = 0; k < m; ++k)
       {
@@ -87,25 +94,20 @@ namespace vibrocontact
         for (unsigned int c = 1; c < 3; ++c)
           speed += by_speed[k].direction[c - 1] *
                    (response(c * m + k, column) -
-                    on_points.flexibility(contact_row(n, c, active[k]),
-                                          contact_row(n, column / m, active[column % m])) /
+                    matrices.residual_flexibility(contact_row(n_of_grid, c, points[k]),
+                                                  contact_row(n_of_grid, column / m, points[column % m])) /
                         h);
         for (unsigned int d = 0; d < 2; ++d)
           factors((d + 1) * m + k, column) -= by_speed[k].force[d] * speed;
       }
   }
 
-  void StepDerivative::advance(StateChanges &changes, const LengthChange *const change,
-                               const StepEnds *const ends) const
+  void StepDerivative::advance_modes(StateChanges &changes, const LengthChange *const change,
+                                     const StepEnds *const ends) const
   {
     const std::vector<ModalStep> &steps = stepper.steps_of_modes();
-    const StepMatrices &matrices = stepper.matrices_of_step();
-    const DenseMatrix &amplitudes = matrices.shapes.amplitudes;
-    const unsigned int n_modes = steps.size(), n = on_points.n_points(), n_columns = changes.R.n(),
-                       n_active = active.size(), n_of_grid = matrices.contacts.n_points();
-    const double h = matrices.step;
-    for (unsigned int j = 0; j < n_columns; ++j)
-      for (unsigned int k = 0; k < n_modes; ++k)
+    for (unsigned int j = 0; j < changes.n_columns(); ++j)
+      for (unsigned int k = 0; k < steps.size(); ++k)
       {
         const ModalStep &s = steps[k];
         double &q = changes.q(k, j), &v = changes.v(k, j);
@@ -119,40 +121,42 @@ namespace vibrocontact
         q += change->length * (d.T[0][0] * ends->q[k] + d.T[0][1] * ends->v[k] + d.g0[0] * p + d.g1[0] * p1);
         v += change->length * (d.T[1][0] * ends->q[k] + d.T[1][1] * ends->v[k] + d.g0[1] * p + d.g1[1] * p1);
       }
+  }
 
-    // gaps and slips without a change of the forces at the end of the step
-    DenseMatrix b = product(on_points.by_displacement, product(amplitudes, changes.q));
-    on_points.by_velocity.mmult(b, product(amplitudes, changes.v), true);
+  void StepDerivative::solve_contact(const DenseMatrix &moved, StateChanges &changes,
+                                     const LengthChange *const change, const StepEnds *const ends) const
+  {
+    const unsigned int n = on_points->n_points(), n_columns = moved.n(), n_active = active.size(),
+                       n_of_grid = stepper.matrices_of_step().contacts.n_points();
+    const double h = stepper.matrices_of_step().step;
     DenseMatrix x(3 * n_active + (force_given ? 1 : 0), n_columns);
     for (unsigned int j = 0; j < n_columns; ++j)
       for (unsigned int k = 0; k < n_active; ++k)
       {
-        double moved[3], speed = 0;
+        double gap_and_slip[3], speed = 0;
         for (unsigned int c = 0; c < 3; ++c)
         {
           const unsigned int row = contact_row(n, c, active[k]);
-          moved[c] = b(row, j);
+          double &value = gap_and_slip[c];
+          value = moved(row, j);
           if (c == 0)
             continue;
           if (!by_speed.empty())
-            speed += by_speed[k].direction[c - 1] * moved[c];
-          moved[c] -= changes.residual_displacement(row, j) / h;
+            speed += by_speed[k].direction[c - 1] * value;
+          value -= changes.slip_displacement(row - n, j) / h;
           if (force_given)
-            moved[c] += on_points.by_approach[row] * changes.approach[j];
+            value += on_points->by_approach[row] * changes.approach[j];
           if (change)
-            moved[c] -= change->length *
-                        ends->residual_change[contact_row(n_of_grid, c, on_points.points[active[k]])] /
-                        (h * h);
+            value -= change->length * ends->residual_change[contact_row(n_of_grid, c, points[k])] / (h * h);
         }
-        const auto row = J.apply(k, 0, 0, 0, moved[0], moved[1], moved[2]);
+        const auto row = J.apply(k, 0, 0, 0, gap_and_slip[0], gap_and_slip[1], gap_and_slip[2]);
         for (unsigned int c = 0; c < 3; ++c)
           x(c * n_active + k, j) =
               -row[c] + (c > 0 && !by_speed.empty() ? by_speed[k].force[c - 1] * speed : 0.);
       }
     if (n_active > 0)
       factors.solve(x);
-
-    changes.R = 0.;
+    changes.R.reinit(3 * n, n_columns);
     changes.approach.assign(n_columns, 0.);
     for (unsigned int j = 0; j < n_columns; ++j)
     {
@@ -162,16 +166,84 @@ namespace vibrocontact
       if (force_given)
         changes.approach[j] = x(3 * n_active, j) * J.approach_scale();
     }
-    on_points.flexibility.mmult(changes.residual_displacement, changes.R);
-    DenseMatrix forces(matrices.shapes.rank(), n_columns);
-    on_points.basis.Tmmult(forces, changes.R);
-    amplitudes.Tmmult(changes.modal_force, forces);
-    for (unsigned int j = 0; j < n_columns; ++j)
-      for (unsigned int k = 0; k < n_modes; ++k)
+  }
+
+  void StepDerivative::add_forces(const DenseMatrix &on_shapes, StateChanges &changes) const
+  {
+    const std::vector<ModalStep> &steps = stepper.steps_of_modes();
+    stepper.matrices_of_step().shapes.amplitudes.Tmmult(changes.modal_force, on_shapes);
+    for (unsigned int j = 0; j < changes.n_columns(); ++j)
+      for (unsigned int k = 0; k < steps.size(); ++k)
       {
         changes.q(k, j) += steps[k].g1[0] * changes.modal_force(k, j);
         changes.v(k, j) += steps[k].g1[1] * changes.modal_force(k, j);
       }
+  }
+
+  void StepDerivative::advance(StateChanges &changes, const LengthChange *const change,
+                               const StepEnds *const ends) const
+  {
+    const PatchShapes &shapes = stepper.matrices_of_step().shapes;
+    advance_modes(changes, change, ends);
+    DenseMatrix moved = product(on_points->by_displacement, product(shapes.amplitudes, changes.q));
+    on_points->by_velocity.mmult(moved, product(shapes.amplitudes, changes.v), true);
+    solve_contact(moved, changes, change, ends);
+    changes.slip_displacement = product(on_points->slip_flexibility, changes.R);
+    DenseMatrix on_shapes(shapes.rank(), changes.n_columns());
+    on_points->basis.Tmmult(on_shapes, changes.R);
+    add_forces(on_shapes, changes);
+  }
+
+  DenseMatrix StepDerivative::contact_response() const
+  {
+    const unsigned int rank = on_points->basis.n(), n = on_points->n_points(), first = 2 * rank,
+                       n_columns = first + 2 * n + 1;
+    DenseMatrix moved(3 * n, n_columns);
+    add_block(moved, on_points->by_displacement, 0, 0);
+    add_block(moved, on_points->by_velocity, 0, rank);
+    StateChanges changes;
+    changes.slip_displacement.reinit(2 * n, n_columns);
+    for (unsigned int i = 0; i < 2 * n; ++i)
+      changes.slip_displacement(i, first + i) = 1;
+    changes.approach.assign(n_columns, 0.);
+    changes.approach.back() = 1;
+    solve_contact(moved, changes, nullptr, nullptr);
+
+    DenseMatrix on_shapes(rank, n_columns), result(rank + 2 * n + 1, n_columns);
+    on_points->basis.Tmmult(on_shapes, changes.R);
+    add_block(result, on_shapes, 0, 0);
+    add_block(result, product(on_points->slip_flexibility, changes.R), rank, 0);
+    for (unsigned int j = 0; j < n_columns; ++j)
+      result(rank + 2 * n, j) = changes.approach[j];
+    return result;
+  }
+
+  void StepDerivative::advance_many(std::vector<StateChanges> &blocks) const
+  {
+    const DenseMatrix &amplitudes = stepper.matrices_of_step().shapes.amplitudes,
+                      response = contact_response();
+    const unsigned int rank = amplitudes.m(), n_slips = 2 * on_points->n_points();
+    for (StateChanges &changes : blocks)
+    {
+      advance_modes(changes, nullptr, nullptr);
+      DenseMatrix before(response.n(), changes.n_columns());
+      add_block(before, product(amplitudes, changes.q), 0, 0);
+      add_block(before, product(amplitudes, changes.v), rank, 0);
+      add_block(before, changes.slip_displacement, 2 * rank, 0);
+      for (unsigned int j = 0; j < changes.n_columns(); ++j)
+        before(2 * rank + n_slips, j) = changes.approach[j];
+      const DenseMatrix after = product(response, before);
+      DenseMatrix on_shapes(rank, changes.n_columns());
+      for (unsigned int j = 0; j < changes.n_columns(); ++j)
+      {
+        for (unsigned int i = 0; i < rank; ++i)
+          on_shapes(i, j) = after(i, j);
+        for (unsigned int i = 0; i < n_slips; ++i)
+          changes.slip_displacement(i, j) = after(rank + i, j);
+        changes.approach[j] = after(rank + n_slips, j);
+      }
+      add_forces(on_shapes, changes);
+    }
   }
 
   std::vector<ModalStep> steps_by_length(const std::vector<ModalStep> &longer,

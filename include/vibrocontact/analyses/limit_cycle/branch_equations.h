@@ -51,8 +51,8 @@ namespace vibrocontact
   private:
     /// To that of the value that was evaluated last.
     void renew_preconditioner();
-    /// of x - Phi, by a difference
-    DenseVector by_value() const;
+    /// Derivative of Phi by the value, by a difference.
+    DenseVector difference_by_value() const;
 
     const CycleFamily &family;
     const double tolerance, value_size;
@@ -63,6 +63,8 @@ namespace vibrocontact
     BranchPlace tangent;
     PlaceSizes sizes = {};
     DenseVector from_rest, start, rest;
+    /// that of the first place of a direction, which serves all of it; empty: none yet
+    DenseVector by_value;
     double period = 0;
   };
 } // namespace vibrocontact

@@ -43,10 +43,12 @@ namespace vibrocontact
     /// Whether only the points are loaded. @param R 3 n of the whole grid
     bool are_known(const DenseVector &R) const;
 
-    /// The state after a period. @param keep_derivatives for derivative() @throws ConvergenceError where a step does not converge
+    /// The state after a period; that of the last march if it began there. @param keep_derivatives for derivative() @throws ConvergenceError where a step does not converge
     DenseVector march(const DenseVector &x, double period, bool keep_derivatives,
                       const Observer &observe = {});
     // of the last march, rate() of any and the others of one that kept its derivatives:
+    /// Statuses of all points at the ends of the steps of the last march.
+    const std::vector<std::vector<ContactStatus>> &statuses() const { return marched.statuses; }
     /// What changes of the start, one per column, make of the end.
     DenseMatrix derivative(const DenseMatrix &starts) const;
     DenseVector derivative(const DenseVector &start) const;
@@ -54,7 +56,9 @@ namespace vibrocontact
     DenseVector by_period() const;
     /// |Phi_x r - r| / |r|, r: Phi_x times rate(). A disturbance along the motion stays what it is, if the steps are short enough.
     double change_along_motion() const;
-    /// The derivative by the whole start, square: the monodromy matrix.
+    /// Rows of the state that a change is left in after a period: modes, and forces of the points in contact at its end.
+    std::vector<unsigned int> lasting_rows() const;
+    /// The derivative among these rows, square: the monodromy matrix without rows of zeros, which has its eigenvalues but for zeros.
     DenseMatrix monodromy() const;
     /// Mean change of the state over the first and the last step of the last march, over their length [sqrt(J)/s]: how a motion
     /// that repeats itself goes on.
@@ -72,9 +76,15 @@ namespace vibrocontact
     mutable unsigned long n_products = 0;
 
   private:
-    StateChanges changes_of(const DenseMatrix &x) const;
-    DenseMatrix packed(const StateChanges &changes) const;
-    DenseMatrix unit_starts() const;
+    /// Changes of states, one per column, on the points of a step, and back.
+    StateChanges changes_of(const DenseMatrix &x, const StepOnPoints &on) const;
+    DenseMatrix packed(const StateChanges &changes, const StepOnPoints &on) const;
+    /// Rows of the state with the forces of some of the points.
+    std::vector<unsigned int> force_rows(const std::vector<unsigned int> &some) const;
+    /// One column for each of the rows, which are one in it.
+    DenseMatrix unit_starts(const std::vector<unsigned int> &of_rows) const;
+    /// From now on derivatives are on the points in contact at some time of the march. @throws ConvergenceError if there are none
+    void stand_on_loaded_points();
     std::unique_ptr<ContactStepper> stepper_of(double step) const;
 
     const TransientParameters &transient;
@@ -92,9 +102,19 @@ namespace vibrocontact
     std::vector<double> frequency, root_of_flexibility;
     /// of loads that stay, on the modes
     DenseVector constant_force;
-    double marched_period = 0;
+    /// the last march, so that it is not made twice
+    struct March
+    {
+      double period = 0;
+      DenseVector start, end;
+      bool has_derivatives = false;
+      std::vector<std::vector<ContactStatus>> statuses;
+    };
+    March marched;
+    /// of steps of h [s]
+    double h = 0;
     std::unique_ptr<ContactStepper> stepper;
-    std::unique_ptr<StepOnPoints> on_points;
+    std::unique_ptr<StepOnPoints> loaded;
     /// Psi on the rows
     DenseMatrix trace;
     std::vector<StepDerivative> derivatives;

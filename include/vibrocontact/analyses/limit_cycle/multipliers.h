@@ -32,8 +32,9 @@ namespace vibrocontact
     bool is_unstable() const;
   };
 
-  /// @param monodromy derivative of the state after a period @param rate of the motion there, to tell the trivial multiplier. Where
-  /// another one has met it, the direction of the motion is taken out of the matrix.
+  /// The direction of the motion is taken out of the matrix, so that the other multipliers are left: the eigenvector of the trivial one,
+  /// or, where another one has met it, that of the rate.
+  /// @param monodromy derivative of the state after a period, of what lasts that long @param rate of the motion there
   /// @throws ConvergenceError if LAPACK finds no eigenvalues
   CycleStability cycle_stability(const DenseMatrix &monodromy, const DenseVector &rate, double period);
 } // namespace vibrocontact

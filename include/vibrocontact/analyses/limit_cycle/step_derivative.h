@@ -13,21 +13,25 @@ namespace vibrocontact
   {
     /// n_modes rows each
     DenseMatrix q, v, modal_force;
-    /// on the points of StepOnPoints, 3 rows for each
-    DenseMatrix R, residual_displacement;
+    /// residual displacements along the surface on the points of StepOnPoints; 2 n_points rows [m]
+    DenseMatrix slip_displacement;
     /// one per column [m]
     std::vector<double> approach;
+    /// forces on those points, of an end alone; 3 n_points rows [N]
+    DenseMatrix R;
+
+    unsigned int n_columns() const { return approach.size(); }
   };
 
-  /// The constant parts of a step on those points of the grid that its derivatives are on.
+  /// The constant parts of a step on some points of the grid: those in contact at some time of the steps whose derivatives are taken.
   struct StepOnPoints
   {
     /// ascending
     std::vector<unsigned int> points;
     /// StepMatrices::shapes.basis, by_displacement, by_velocity on their rows; 3 n_points x rank
     DenseMatrix basis, by_displacement, by_velocity;
-    /// residual flexibility among them; 3 n_points square [m/N]
-    DenseMatrix flexibility;
+    /// residual displacements along the surface by forces; 2 n_points x 3 n_points [m/N]
+    DenseMatrix slip_flexibility;
     /// rows of gap and slip per approach; 3 n_points [-, 1/s]
     std::vector<double> by_approach;
 
@@ -60,6 +64,7 @@ namespace vibrocontact
   ///
   ///   dT = ... + r N (dmu/ds) ds,     s: the slip without the rate of the residual displacements (friction_of_speed.h)
   ///
+  /// Changes are those on the points that it stands on, before which it cannot advance any.
   /// For laws without a jump between rest and sliding, bodies without poles and rests that relax, and a hub without mass.
   class StepDerivative
   {
@@ -67,25 +72,41 @@ namespace vibrocontact
     /// Right after stepper.advance(); both are referred to. @pre no other point is in contact
     /// @param residual_change of the residual displacements over the step; 3 n of the whole grid [m]
     /// @throws ConvergenceError if the Jacobian is singular
-    StepDerivative(const ContactStepper &stepper, const StepOnPoints &on_points,
-                   const DenseVector &residual_change);
+    StepDerivative(const ContactStepper &stepper, const DenseVector &residual_change);
+
+    /// of the grid, ascending
+    const std::vector<unsigned int> &points_in_contact() const { return points; }
+    /// The points that changes are on from now on, is referred to. @pre those in contact are among them
+    void stand_on(const StepOnPoints &these);
 
     /// changes <- those at the end of the step. @param change and ends of a step that becomes longer; null: it does not
     void advance(StateChanges &changes, const LengthChange *change = nullptr,
                  const StepEnds *ends = nullptr) const;
+    /// The same of blocks of columns, by contact_response(): cheaper for more columns than that has. Leaves R as it was.
+    void advance_many(std::vector<StateChanges> &blocks) const;
 
   private:
     void take_speed_dependence(const DenseVector &residual_change);
-    /// Of force columns among the active points, into the tangential rows of the Jacobian.
+    /// Of force columns among the points in contact, into the tangential rows of the Jacobian.
     void add_speed_dependence(const DenseMatrix &response);
+    /// q and v at the end of the step, without the forces there.
+    void advance_modes(StateChanges &changes, const LengthChange *change, const StepEnds *ends) const;
+    /// R and approach at the end of the step. @param moved gaps and slips of the modes without the forces there; 3 n_points rows
+    void solve_contact(const DenseMatrix &moved, StateChanges &changes, const LengthChange *change,
+                       const StepEnds *ends) const;
+    /// What forces on the shapes make of the modes at the end of the step.
+    void add_forces(const DenseMatrix &on_shapes, StateChanges &changes) const;
+    /// What the contact makes of its surroundings. Columns: displacements of the shapes and their velocities, both without the forces at
+    /// the end of the step, slip displacements and approach before it. Rows: forces on the shapes, slip displacements and approach at its end.
+    DenseMatrix contact_response() const;
 
     const ContactStepper &stepper;
-    const StepOnPoints &on_points;
+    const StepOnPoints *on_points = nullptr;
     NewtonJacobian J;
-    /// places of the active points among the points
-    std::vector<unsigned int> active;
+    /// in contact, on the grid; their places among those of on_points
+    std::vector<unsigned int> points, active;
     bool force_given;
-    /// of each active point; empty: friction does not follow the speed
+    /// of each point in contact; empty: friction does not follow the speed
     std::vector<SpeedDependence> by_speed;
     DenseMatrix factors;
   };
