@@ -65,7 +65,7 @@ except ImportError:
 
 from plots.compare import plot_comparison_of_runs
 from plots.contact import plot_centre_line, plot_curves, plot_patch
-from plots.limit_cycle import plot_amplitudes, plot_branches, plot_harmonic_balance, plot_limit_cycles
+from plots.limit_cycle import plot_amplitudes, plot_branches, plot_harmonic_balance, plot_limit_cycles, plot_map
 from plots.loading import plot_loading
 from plots.periodic import plot_periodic
 from plots.rail import plot_rails
@@ -113,6 +113,7 @@ def main():
         plot_branches(folder, analyses["limit_cycle"])
     if analyses.get("limit_cycle_sweep", {}).get("cases"):
         plot_amplitudes(folder, analyses["limit_cycle_sweep"])
+        plot_map(folder, analyses["limit_cycle_sweep"])
     if "frequency_response" in analyses:
         plot_frequency_response(folder, analyses["frequency_response"])
     plot_rails(folder, results.get("reductions", {}))

@@ -66,6 +66,22 @@ def short(label):
     return label.split(":", 1)[-1]
 
 
+def edges(values):
+    """Of the cells about values in a map."""
+    if len(values) == 1:
+        return np.array([values[0] - 0.5, values[0] + 0.5])
+    middle = (values[1:] + values[:-1]) / 2
+    return np.concatenate([[2 * values[0] - middle[0]], middle, [2 * values[-1] - middle[-1]]])
+
+
+def swept_axis(entry, column):
+    """Words with a unit of a swept entry, e.g. lateral position [mm], and the factor of its values."""
+    words = entry.split("/")[-1]
+    unit = column[len(words) + 1:].replace("1_m", "1/m").replace("m_s", "m/s").replace("N_m", "N/m").replace("kg_m_3", "kg/m$^3$")
+    words = words[0].lower() + words[1:]
+    return (f"{words} [mm]", 1e3) if unit == "m" else (f"{words} [{unit}]" if unit else words, 1)
+
+
 def read_entries(folder):
     """Values used in a run, texts by their paths such as Contact/Friction coefficient."""
     with open(os.path.join(folder, "used.prm"), encoding="utf-8") as file:

@@ -3,7 +3,9 @@ import os
 
 import numpy as np
 
-from plots.common import LIMIT, LINE, OPEN, plt, read_table, save, STICK, UNSTABLE
+from matplotlib.colors import ListedColormap
+
+from plots.common import edges, LIMIT, LINE, OPEN, plt, read_table, save, short, STICK, swept_axis, UNSTABLE
 
 
 def plot_limit_cycles(folder, limit_cycle):
@@ -166,3 +168,72 @@ def plot_amplitudes(folder, sweep):
     loud.legend(fontsize=8, frameon=False)
     figure.tight_layout()
     save(figure, folder, "limit_cycle_amplitudes")
+
+
+def plot_map(folder, sweep):
+    """Velocity and power of the loudest cycle over two entries, and from which root it began: both swept, or one swept and one followed."""
+    columns, entries = list(sweep["swept_columns"]), list(sweep["swept_entries"])
+    followed = next((cycle["branch"]["entry"] for case in sweep["cases"] for cycle in case.get("limit_cycle", []) if cycle.get("branch")), None)
+    if len(columns) == 1 and followed:
+        loudest = followed_loudest(sweep["cases"], columns[0])
+        columns.append(followed.rpartition("/")[2])
+        entries.append(followed)
+    elif len(columns) == 2 and not followed:
+        loudest = swept_loudest(sweep["cases"], columns)
+    else:
+        return
+    x, y = (np.unique([place[k] for place in loudest]) if all(isinstance(place[k], (int, float)) for place in loudest) else None for k in (0, 1))
+    if x is None or y is None or not any(cycle for cycle in loudest.values()):
+        return
+    labels = sorted({cycle[2] for cycle in loudest.values() if cycle})
+    fields = np.full((3, len(y), len(x)), np.nan)
+    for (at, over), cycle in loudest.items():
+        if cycle:
+            fields[:, np.searchsorted(y, over), np.searchsorted(x, at)] = [cycle[0], cycle[1], labels.index(cycle[2])]
+    panels = [("velocity [m/s]", "viridis"), ("power into body 1 [W]", "magma")] + ([("which motion is loudest", None)] if len(labels) > 1 else [])
+    figure, axes = plt.subplots(1, len(panels), figsize=(4.6 * len(panels), 3.6), squeeze=False)
+    titles, factors = zip(*(swept_axis(entry, column) for entry, column in zip(entries, columns)))
+    for axis, (title, colours), field in zip(axes[0], panels, fields):
+        if colours:
+            image = axis.pcolormesh(edges(factors[0] * x), edges(factors[1] * y), field, cmap=colours, vmin=0)
+            figure.colorbar(image, ax=axis)
+        else:
+            image = axis.pcolormesh(edges(factors[0] * x), edges(factors[1] * y), field, cmap=ListedColormap(plt.get_cmap("tab10").colors[:len(labels)]),
+                                    vmin=-0.5, vmax=len(labels) - 0.5)
+            figure.colorbar(image, ax=axis, ticks=range(len(labels))).ax.set_yticklabels([short(label) for label in labels], fontsize=7)
+        axis.set_title(title, loc="left")
+        axis.set_xlabel(titles[0])
+        axis.set_ylabel(titles[1])
+    failed = np.array([(factors[0] * case["swept"][columns[0]], factors[1] * (case["swept"][columns[1]] if len(sweep["swept_columns"]) > 1 else y[0]))
+                       for case in sweep["cases"] if case["status"] != "converged"])
+    if len(failed):
+        axes[0][0].plot(failed[:, 0], failed[:, 1], "x", color=UNSTABLE, ms=4, mew=1)
+    figure.suptitle("white: no motion" + ("   x: not all of it converged" if len(failed) else ""), x=0.01, ha="left", fontsize=8)
+    figure.tight_layout()
+    save(figure, folder, "limit_cycle_map")
+
+
+def swept_loudest(cases, columns):
+    """Of each case, by its two values: velocity, power and root of its loudest cycle; None: there is none."""
+    return {tuple(case["swept"][column] for column in columns):
+            max(((loudest_of(cycle)["amplitude"], cycle["power_into_body_1_W"], cycle["root"]["label"]) for cycle in case.get("limit_cycle", [])), default=None)
+            for case in cases}
+
+
+def followed_loudest(cases, column):
+    """The same by the swept value and 60 values of the followed entry, between neighbours of a branch linearly."""
+    branches = [(case["swept"][column], cycle) for case in cases for cycle in case.get("limit_cycle", []) if cycle.get("branch")]
+    values = [point["value"] for _, cycle in branches for point in cycle["branch"]["points"]]
+    grid = np.linspace(min(values), max(values), 60)
+    loudest = {(case["swept"][column], over): None for case in cases for over in grid}
+    for at, cycle in branches:
+        points = cycle["branch"]["points"]
+        heard = loudest_of(points[0])["name"]
+        rows = [(point["value"], next(one for one in point["signals"] if one["name"] == heard)["amplitude"], point["power_into_body_1_W"]) for point in points]
+        for before, after in zip(rows, rows[1:]):
+            low, high = sorted((before, after))
+            for over in grid[(grid >= low[0]) & (grid <= high[0])]:
+                share = (over - low[0]) / (high[0] - low[0]) if high[0] > low[0] else 1
+                amplitude, power = ((1 - share) * low[k] + share * high[k] for k in (1, 2))
+                loudest[at, over] = max(loudest[at, over] or (0,), (amplitude, power, cycle["root"]["label"]))
+    return loudest

@@ -4,7 +4,7 @@ import os
 import numpy as np
 from matplotlib.colors import ListedColormap
 
-from plots.common import LEAST_DIVERGENCE_RATE, legend_above, read_table, save, short, UNSTABLE, plt
+from plots.common import edges, LEAST_DIVERGENCE_RATE, legend_above, read_table, save, short, swept_axis, UNSTABLE, plt
 
 MAX_LABELS = 12
 
@@ -17,21 +17,6 @@ def axis_values(column):
         return values, None, np.searchsorted(values, column)
     words = list(dict.fromkeys(column))
     return np.arange(len(words), dtype=float), words, np.array([words.index(word) for word in column])
-
-
-def edges(values):
-    if len(values) == 1:
-        return np.array([values[0] - 0.5, values[0] + 0.5])
-    middle = (values[1:] + values[:-1]) / 2
-    return np.concatenate([[2 * values[0] - middle[0]], middle, [2 * values[-1] - middle[-1]]])
-
-
-def swept_axis(entry, column):
-    """Words with a unit of a swept entry, e.g. lateral position [mm], and the factor of its values."""
-    words = entry.split("/")[-1]
-    unit = column[len(words) + 1:].replace("1_m", "1/m").replace("m_s", "m/s").replace("N_m", "N/m").replace("kg_m_3", "kg/m$^3$")
-    words = words[0].lower() + words[1:]
-    return (f"{words} [mm]", 1e3) if unit == "m" else (f"{words} [{unit}]" if unit else words, 1)
 
 
 def at_least(limits, width):

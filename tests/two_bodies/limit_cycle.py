@@ -4,7 +4,7 @@
 A march in time with the same steps settles on the same motion. One rank and two agree. A sweep over the friction has a row per
 case, also where nothing grows; what is not taken is refused.
 """
-import math, os, subprocess
+import math, os, subprocess, sys
 from scene import Check, entries, program, run, section, table
 
 check = Check()
@@ -102,6 +102,19 @@ check.near("points on two ranks", len(again), len(points), 1e-12)
 for one, other in zip(again, points):
     check.near("value on two ranks", one["value"], other["value"], 1e-9)
     check.near("frequency on two ranks", one["frequency_Hz"], other["frequency_Hz"], 1e-9)
+
+# a map of one swept and the followed entry: what is followed from a swept value is what is followed from it alone
+MAP = BRANCH.replace("set Entry = Contact/Friction coefficient", "set Entry = Rolling/Sliding velocity x").replace("0.69, 0.71", "0.095, 0.105").replace(
+    "set Time step", "set Multipliers = 0\nset Time step")
+MAP = MAP.rpartition("end")[0] + section("Sweep", entries(Entry="Contact/Friction coefficient", Values="0.69, 0.71")) + "\nend"
+mapped, folder = run("map", scene("limit cycle", MAP, PROBES), 2)
+cases = mapped["limit_cycle_sweep"]["cases"]
+check.near("cases of the map", [case["status"] for case in cases] == ["converged", "converged"], True, 1e-12)
+other_way = next(point for point in cases[1]["limit_cycle"][0]["branch"]["points"] if abs(point["value"] - 0.1) < 1e-12)
+check.near("both ways meet", other_way["frequency_Hz"], points[-1]["frequency_Hz"], 1e-6)
+drawn = subprocess.run([sys.executable, os.path.join(os.path.dirname(sys.argv[3]), "contrib", "plot_results.py"), folder]).returncode
+without_matplotlib = drawn == 4
+check.near("picture of the map", without_matplotlib or os.path.getsize(os.path.join(folder, "figures", "limit_cycle_map.png")) > 5000, True, 1e-12)
 
 # fewer points than the range needs: said as such, with exit code 2
 few = scene("limit cycle", BRANCH.replace("0.69, 0.71", "0.4, 0.9").replace("set Entry", "set Most points = 2\nset Entry"), PROBES)
