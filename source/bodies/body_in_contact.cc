@@ -343,4 +343,15 @@ namespace vibrocontact
       weights.push_back(std::pow(pole, order));
     return sum_over_poles(body, weights);
   }
+
+  double amplitude_per_state(const BodyInContact &body, const unsigned int k)
+  {
+    double right = 0, left = 0;
+    for (unsigned int i = 0; i < body.right.m(); ++i)
+    {
+      right = std::max(right, std::abs(body.right(i, k)));
+      left = std::max(left, std::abs(body.left(i, k)));
+    }
+    return left > 0 ? std::sqrt(right / (left * 2 * std::abs(body.poles[k]))) : 0;
+  }
 } // namespace vibrocontact

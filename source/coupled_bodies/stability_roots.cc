@@ -95,34 +95,25 @@ namespace vibrocontact
 
   namespace
   {
-    /// As of a mode of unit mass: free of how right and left shape share their size.
-    double size_of_pole(const BodyInContact &body, const unsigned int k)
-    {
-      double right = 0, left = 0;
-      for (unsigned int i = 0; i < body.right.m(); ++i)
-      {
-        right = std::max(right, std::abs(body.right(i, k)));
-        left = std::max(left, std::abs(body.left(i, k)));
-      }
-      return left > 0 ? std::sqrt(right / (left * 2 * std::abs(body.poles[k]))) : 0;
-    }
-
     /// A root of the eigenvector with components x(i).
     StabilityRoot root_of_pair(const ContactPair &pair, const std::vector<double> &omega,
                                const std::complex<double> &lambda,
                                const std::function<std::complex<double>(unsigned int)> &x)
     {
-      std::vector<std::complex<double>> amplitudes;
+      std::vector<std::complex<double>> amplitudes, states;
       for (unsigned int i = 0; i < pair.n_modes(); ++i)
         amplitudes.push_back(x(i));
+      for (unsigned int i = 0; i < 2 * pair.n_poles(); ++i)
+        states.push_back(x(2 * pair.n_modes() + i));
       for (unsigned int i = 0; i < pair.n_poles(); ++i)
       {
-        const unsigned int re = 2 * pair.n_modes() + i;
-        const std::complex<double> a = x(re), b = x(re + pair.n_poles());
-        amplitudes.push_back(
-            std::polar(size_of_pole(pair, i) * std::sqrt(2 * (std::norm(a) + std::norm(b))), std::arg(a)));
+        const std::complex<double> a = states[i], b = states[pair.n_poles() + i];
+        amplitudes.push_back(std::polar(
+            amplitude_per_state(pair, i) * std::sqrt(2 * (std::norm(a) + std::norm(b))), std::arg(a)));
       }
-      return named_root(lambda, std::move(amplitudes), omega, pair.labels);
+      StabilityRoot root = named_root(lambda, std::move(amplitudes), omega, pair.labels);
+      root.states = std::move(states);
+      return root;
     }
   } // namespace
 

@@ -334,10 +334,10 @@ namespace vibrocontact
   void check_speed_of_road(const BodyParameters &body, const RoadParameters &road)
   {
     if (body.rolls() && body.is_revolved())
-      throw InputError(body.name + "/" + body.body_type().section +
-                       "/Rotation is true, which quasi-static rolling, stability, transient and frequency "
-                       "response know, but "
-                       "modal convolution takes the wheel at rest: leave it out.");
+      throw InputError(
+          body.name + "/" + body.body_type().section +
+          "/Rotation is true, which quasi-static rolling, stability, transient, limit cycle and "
+          "frequency response know, but modal convolution takes the wheel at rest: leave it out.");
     if (body.rolls() && road.speed == 0)
       throw InputError(body.name +
                        "/Ring/Rolling is true, but Road/Speed is 0: the poles of a rolling ring need a "

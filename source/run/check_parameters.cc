@@ -69,8 +69,9 @@ namespace vibrocontact
     void check_periodic_rails(const Parameters &parameters)
     {
       // modes are those of the other bodies
-      const std::vector<std::string> taken = {"modes",     "frequency response", "quasi-static rolling",
-                                              "stability", "transient",          "quasi-static loading"};
+      const std::vector<std::string> taken = {"modes",      "frequency response", "quasi-static rolling",
+                                              "stability",  "transient",          "quasi-static loading",
+                                              "limit cycle"};
       for (const BodyParameters &body : parameters.scene.bodies)
       {
         if (!body.is_periodic_rail())
@@ -84,16 +85,17 @@ namespace vibrocontact
             throw InputError(one.section + "/Quadrature is consistent, but " + body.name +
                              "/Rail/Model is periodic, which knows tractions that are constant on each cell "
                              "only: set it to lumped.");
-        const bool in_time = parameters.scene.runs("transient"),
+        const bool in_time = parameters.scene.runs("transient") || parameters.scene.runs("limit cycle"),
                    by_poles = in_time || !parameters.stability.is_hysteretic();
         for (const auto &[analysis, sweep] : parameters.sweeps)
-          if (by_poles && sweep.any() && (analysis == "stability" || analysis == "transient"))
+          if (by_poles && sweep.any() &&
+              (analysis == "stability" || analysis == "transient" || analysis == "limit cycle"))
             throw InputError(body.name +
                              "/Rail/Model is periodic, which a sweep takes in stability with "
                              "Stability/Loss = hysteretic alone, but the analysis " +
                              analysis + " sweeps " + sweep.first.entry +
                              ": set it to hysteretic and leave "
-                             "the analysis transient out, or set Model to solid.");
+                             "analyses in time (transient, limit cycle) out, or set Model to solid.");
         if (in_time && parameters.rolling.normal_force.empty() && parameters.rolling.hub_displacement.empty())
           throw InputError(body.name +
                            "/Rail/Model is periodic, whose poles in time follow it about the roots of a "

@@ -123,6 +123,15 @@ with open("few.prm", "w") as file:
 done = subprocess.run([program, "few.prm", "--output", "few"], capture_output=True, text=True)
 check.near("most points", done.returncode == 2 and "Most points were found" in done.stdout, True, 1e-12)
 
+# a pad that hardly turns moves by poles, and in the same cycle
+below = scene("limit cycle", STEPS).replace("Bodies = pad, plane", "Bodies = plane, pad").replace("Held = top", "Held = bottom").replace(
+    "Contact face = bottom", "Contact face = top")
+turning = below.replace("set Type = block", "set Type = block\nsubsection Rotation\nset Speed = 1e-3\nend")
+by_modes, by_poles = (run(name, text)[0]["limit_cycle"][0] for name, text in (("below", below), ("turning", turning)))
+check.near("frequency of the turning pad", by_poles["frequency_Hz"], by_modes["frequency_Hz"], 1e-6)
+check.near("friction power of the turning pad", by_poles["friction_power_W"], by_modes["friction_power_W"], 1e-3)
+check.near("growth of disturbances", by_poles["multipliers"][0]["growth_1_s"], by_modes["multipliers"][0]["growth_1_s"], 1e-3)
+
 suspended = scene("limit cycle", STEPS, hub="suspended").replace("set Hub = suspended", "set Hub = suspended\n" +
                                                                  section("Suspension", entries(Unsprung_mass=100, Stiffness_x=1e6, Stiffness_y=1e6, Stiffness_z=1e6)))
 for name, text, said in (("suspended", suspended, "which does not take a hub with mass"),

@@ -2,7 +2,8 @@
 """periodic_rail.py PROGRAM MPIRUN PARAMETER_FILES: a wheel by harmonics on a rail without ends.
 
 The roots are those of the rail's exact receptance: those of other poles near it, from which they are sought, end at the same. One
-rank and two give the same. The rail gives way as the elastic one does, whatever poles stand for it.
+rank and two give the same. The rail gives way as the elastic one does, whatever poles stand for it. Limit cycles are the same by steps of
+time and by harmonics.
 """
 import json
 import math
@@ -13,9 +14,9 @@ check = Check()
 
 
 def wheel(name, pairs, ranks=1, contact={"Contact_at": "support"}, sweep=(), march=0, swept_entry="rail/Rail/Contact offset",
-          friction=0.3):
+          friction=0.3, cycles=False):
     swept = [section("Sweep", f"set Entry = {swept_entry}", f"set Values = {', '.join(map(str, sweep))}")] if sweep else []
-    analyses = "transient" if march else "stability" if sweep else "quasi-static rolling, stability"
+    analyses = "limit cycle" if cycles else "transient" if march else "stability" if sweep else "quasi-static rolling, stability"
     text = "\n".join([
         "set Bodies = wheel, rail", "set Analyses = " + analyses,
         section("wheel", "set Type = wheel", section("Wheel", entries(Model="harmonics", Element_degree=2)),
@@ -24,7 +25,9 @@ def wheel(name, pairs, ranks=1, contact={"Contact_at": "support"}, sweep=(), mar
                 section("Rail", entries(Model="periodic", Pole_pairs=pairs, **contact))),
         section("Contact", entries(Friction_coefficient=friction, Grid_spacing=2.5e-3, Lateral_position=-10e-3)),
         section("Rolling", entries(Hub_displacement=0.2e-3, Speed=10, Lateral_creepage=-0.01)),
-        section("Transient", entries(Time_step=1e-5, End_time=march, Perturbed_mode="wheel:axial(0,2)", Perturbation=1e-9)) if march
+        section("Limit cycle", entries(Time_step=1e-5, Roots=920, Harmonics="5, 20")) + "\n" +
+        section("Transient", entries(Integrator="exact propagator")) if cycles
+        else section("Transient", entries(Time_step=1e-5, End_time=march, Perturbed_mode="wheel:axial(0,2)", Perturbation=1e-9)) if march
         else section("Stability", entries(Loss="hysteretic"), *swept)])
     return run(name, text, ranks, may_doubt=True)
 
@@ -75,6 +78,22 @@ for ranks in (1, 2):
     check.near("the equilibrium holds", impulse / 0.03, force(one), 1e-4)
     energy = moving["transient"]["energy"]
     check.near("energy imbalance", energy["imbalance_J"], 0, 1e-3, energy["friction_J"])
+
+# where the fastest root ends, without time going by
+for ranks in (1, 2):
+    search, _ = wheel(f"cycle_{ranks}", 24, ranks, cycles=True)
+    cycle = search["limit_cycle"][0]
+    if ranks == 1:
+        alone = cycle
+    check.near("cycle on two ranks", cycle["frequency_Hz"], alone["frequency_Hz"], 1e-9)
+    check.near("its amplitude on two ranks", cycle["amplitude_m_s"], alone["amplitude_m_s"], 1e-6)
+check.near("the cycle has the pitch of its root", cycle["frequency_Hz"], cycle["root"]["frequency_Hz"], 3e-3)
+check.near("it is louder than nothing", cycle["amplitude_m_s"] > 1e-3, True, 1e-9)
+check.near("trivial multiplier", cycle["stability"]["trivial_multiplier_error"], 0, 1e-3, 1)
+for balanced, of_frequency, of_first in zip(cycle["harmonic_balance"], (5e-4, 1e-4), (0.03, 0.02)):
+    check.near(f"frequency by {balanced['harmonics']} harmonics", balanced["frequency_difference"], 0, of_frequency, 1)
+    check.near(f"first harmonic by {balanced['harmonics']} harmonics", balanced["first_harmonic_difference"], 0, of_first, 1)
+check.near("roots beside the rail", len(search["limit_cycle_search"]["roots_beside_rail"]) > 0, True, 1e-9)
 
 # a root that hardly grows is too much for few poles: the march is kept, but its result is refused
 _, folder_f = wheel("too_few_pairs", 5, march=1e-4, friction=0.283)

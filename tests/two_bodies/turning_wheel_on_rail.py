@@ -3,7 +3,7 @@
 
 Hardly turning, and without damping, which the two settings mean differently, it has the roots of the wheel at rest. At 10 m/s the
 roots are those of the rail's exact receptance: other poles to start from, and two ranks, end at the same. The two waves of a pair
-grow by less than the pair, and stand apart by the rotation.
+grow by less than the pair, and stand apart by the rotation. Each wave has a limit cycle, the same by steps of time and by harmonics.
 """
 import math
 
@@ -25,6 +25,20 @@ def wheel(name, rotation, speed, pairs=24, ranks=1, damping=1):
     return [row for row in table(run(name, text, ranks, may_doubt=True)[1], "stability.csv") if row["receptance"] == "exact"]
 
 
+def cycles_of_waves(name, roots):
+    text = "\n".join([
+        "set Bodies = wheel, rail", "set Analyses = limit cycle",
+        section("wheel", "set Type = wheel", section("Wheel", entries(Model="harmonics", Element_degree=2, Rotation="true")),
+                section("Modes", entries(Upper_frequency=2000))),
+        section("rail", "set Type = rail", section("Material", entries(Loss_factor=0.02)),
+                section("Rail", entries(Model="periodic", Contact_at="support"))),
+        section("Contact", entries(Friction_coefficient=0.3, Grid_spacing=2.5e-3, Lateral_position=-10e-3)),
+        section("Rolling", entries(Hub_displacement=0.2e-3, Speed=10, Lateral_creepage=-0.01)),
+        section("Limit cycle", entries(Time_step=1e-5, Roots=roots, Harmonics="5, 20")),
+        section("Transient", entries(Integrator="exact propagator"))])
+    return run(name, text)[0]["limit_cycle"]
+
+
 def same(what, found, expected, tolerance):
     check.near(f"number of roots, {what}", len(found), len(expected), 1e-9)
     for a, b in zip(found, expected):
@@ -43,6 +57,15 @@ pair = max(row["growth_1_s"] for row in still if "axial(0;2)" in row["label"])
 check.near("a pair that grows", pair > 1, True, 1e-9)
 for wave in waves:
     check.near("a wave has about half of the growth of its pair", wave["growth_1_s"], pair / 2, 0.2, pair)
+faster = [growth[f"axial(0,3) {sense}"] for sense in ("backward", "forward")]
+for cycle, wave in zip(cycles_of_waves("cycles", ", ".join(f"{wave['frequency_Hz']:.1f}" for wave in faster)), faster):
+    label = cycle["root"]["label"]
+    check.near(f"cycle of {label}", label == wave["label"].replace(";", ","), True, 1e-9)
+    check.near(f"pitch of {label}", cycle["frequency_Hz"], wave["frequency_Hz"], 3e-3)
+    check.near(f"trivial multiplier of {label}", cycle["stability"]["trivial_multiplier_error"], 0, 1e-3, 1)
+    for balanced, of_frequency, of_force in zip(cycle["harmonic_balance"], (5e-4, 1e-4), (0.03, 0.02)):
+        check.near(f"{label} by {balanced['harmonics']} harmonics", balanced["frequency_difference"], 0, of_frequency, 1)
+        check.near(f"force of {label} by {balanced['harmonics']} harmonics", balanced["first_harmonic_difference"], 0, of_force, 1)
 apart = waves[0]["frequency_Hz"] - waves[1]["frequency_Hz"]
 check.near("two waves", apart, 2 * 2 * 10 / (2 * math.pi * 0.46), 0.05)
 check.end()

@@ -6,12 +6,14 @@
 
 #include <vibrocontact/analyses/limit_cycle/balanced_cycle.h>
 #include <vibrocontact/analyses/limit_cycle/cycle_balance.h>
+#include <vibrocontact/analyses/limit_cycle/cycle_period.h>
 #include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/numerics/signal.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 
 using namespace vibrocontact;
 
@@ -28,9 +30,15 @@ namespace
     DynamicState at_rest;
     StabilityRoot root;
 
-    explicit SlidingMass(const std::vector<double> &load = {0, 0})
+    explicit SlidingMass(const std::vector<double> &load = {0, 0}, const bool moves_by_poles = false)
     {
       pair.modal_load = load;
+      if (moves_by_poles)
+      {
+        static_cast<BodyInContact &>(pair) = by_poles(pair);
+        pair.body.clear();
+        pair.body_of_pole.assign(pair.n_poles(), 1);
+      }
       contact.first().friction = Flutter::friction;
       at_rest = initial_state(transient, contact, solver, pair, drive);
       RollingEquilibrium equilibrium;
@@ -70,6 +78,54 @@ TEST(CycleMap, DerivativesAreThoseOfDifferences)
   const LimitCycle cycle = scene.cycle(map);
   ASSERT_TRUE(cycle.converged) << cycle.message;
   expect_derivatives_of_differences(map, other, cycle, 1e-6);
+}
+
+TEST(CycleMap, DerivativesOfPolesAreThoseOfDifferences)
+{
+  const SlidingMass scene({50, -30}, true);
+  CycleMap map = scene.map(200), other = scene.map(200);
+  const LimitCycle cycle = scene.cycle(map);
+  ASSERT_TRUE(cycle.converged) << cycle.message;
+  expect_derivatives_of_differences(map, other, cycle, 1e-6);
+}
+
+TEST(CycleOfRoot, IsTheSameByModesAndByPoles)
+{
+  for (const std::string integrator : {"theta method", "exact propagator"})
+  {
+    SlidingMass by_modes, by_poles({0, 0}, true);
+    by_modes.transient.integrator = by_poles.transient.integrator = integrator;
+    CycleMap map = by_modes.map(200), map_of_poles = by_poles.map(200);
+    const LimitCycle cycle = by_modes.cycle(map), found = by_poles.cycle(map_of_poles);
+    ASSERT_TRUE(cycle.converged) << cycle.message;
+    ASSERT_TRUE(found.converged) << found.message;
+
+    // the cycle by modes in terms of poles: the same steps
+    DynamicState state = map.unpack(cycle.state);
+    for (unsigned int k = 0; k < 2; ++k)
+    {
+      const std::complex<double> pole = by_poles.pair.poles[k];
+      state.z.push_back((state.v[k] - std::conj(pole) * state.q[k]) / (pole - std::conj(pole)));
+    }
+    LimitCycle of_poles = cycle;
+    of_poles.state = map_of_poles.pack(state);
+    judge_cycle(map_of_poles, LimitCycleParameters(), of_poles);
+    const double open = distance(map_of_poles.march(of_poles.state, cycle.period, false), of_poles.state) /
+                        of_poles.state.l2_norm(),
+                 growth = cycle.stability->multipliers.front().growth,
+                 growth_of_poles = of_poles.stability->multipliers.front().growth;
+    const auto mean_power = [](const SlidingMass &scene, CycleMap &of, const LimitCycle &heard)
+    { return listen_to_cycle(of, heard, scene.pair, scene.contact, {}).power_into_body_1.mean(); };
+    const double power = mean_power(by_poles, map_of_poles, of_poles) / mean_power(by_modes, map, cycle) - 1;
+    std::printf(
+        "%s: open by %.1e, growth off by %.1e 1/s, power by %.1e; period of the one from its root by %.1e\n",
+        integrator.c_str(), open, growth_of_poles - growth, power, found.period / cycle.period - 1);
+    EXPECT_LT(open, 1e-9);
+    EXPECT_NEAR(growth_of_poles, growth, 1e-5);
+    EXPECT_NEAR(power, 0, 1e-8);
+    // another phase, in steps of a 200th of the period
+    EXPECT_NEAR(found.period / cycle.period, 1, 1e-6);
+  }
 }
 
 TEST(CycleOfRoot, IsWhatTheMarchSettlesOn)
@@ -158,6 +214,36 @@ TEST(CycleOfRoot, MultipliersAreThoseOfSmallDisturbances)
                of_multiplier = stability.multipliers.front().growth;
   std::printf("disturbances grow by %.4f 1/s, by the multiplier %.4f\n", growth, of_multiplier);
   EXPECT_NEAR(growth / of_multiplier, 1, 1e-2);
+}
+
+TEST(CycleBalance, IsTheSameByModesAndByPoles)
+{
+  const SlidingMass by_modes, by_poles({0, 0}, true);
+  CycleMap map = by_modes.map(200), map_of_poles = by_poles.map(200);
+  const LimitCycle cycle = by_modes.cycle(map);
+  ASSERT_TRUE(cycle.converged) << cycle.message;
+  const CycleForces by_steps = forces_of_period(map, cycle.state, cycle.period);
+  CycleBalance balance = map.balance(by_modes.at_rest, 5, 1e-8),
+               of_poles = map_of_poles.balance(by_poles.at_rest, 5, 1e-8);
+  std::vector<double> x = balance.unknowns(by_steps.forces, by_steps.approaches, cycle.period);
+  ASSERT_TRUE(solve_by_newton(balance, NewtonSettings(), x).converged);
+  // what is found by modes is found by poles, whose projections are scaled by 1e-7 differently: damped frequencies
+  EXPECT_LT(of_poles.evaluate(x), 1e-6);
+  const std::vector<DynamicState> motion = balance.motion(x, 100), moved = of_poles.motion(x, 100);
+  double largest = 0, error = 0;
+  for (unsigned int t = 0; t < motion.size(); ++t)
+    for (unsigned int k = 0; k < 2; ++k)
+    {
+      // the amplitude of the mode, and its velocity by what the forces feed in
+      const std::complex<double> z = moved[t].z[k], pole = by_poles.pair.poles[k];
+      const double q = 2 * z.real(),
+                   v = 2 * (pole * z + by_poles.pair.pole_load[k] + moved[t].pole_force[k]).real(),
+                   w = by_modes.pair.omega[k];
+      largest = std::max({largest, std::abs(w * motion[t].q[k]), std::abs(motion[t].v[k])});
+      error = std::max({error, std::abs(w * (q - motion[t].q[k])), std::abs(v - motion[t].v[k])});
+    }
+  std::printf("motion by poles off by %.1e\n", error / largest);
+  EXPECT_LT(error, 1e-9 * largest);
 }
 
 TEST(CycleBalance, DerivativesAreThoseOfDifferences)

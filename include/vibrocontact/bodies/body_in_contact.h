@@ -127,6 +127,10 @@ namespace vibrocontact
   /// real and imaginary parts; 4 n_poles. For checkpoints of states.
   std::vector<double> pole_marks(const BodyInContact &body);
 
+  /// Modal amplitude, as of a mode of unit mass, per unit of 2 |z_k|: free of how right and left shape share their size; 0 of a pole
+  /// that nothing feeds.
+  double amplitude_per_state(const BodyInContact &body, unsigned int k);
+
   /// Where state k of a body by poles comes to rest under the constant load: -load / lambda; 0 of a rigid motion.
   std::complex<double> rest_of_state(const BodyInContact &body, unsigned int k);
 } // namespace vibrocontact

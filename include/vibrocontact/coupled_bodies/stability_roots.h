@@ -24,11 +24,14 @@ namespace vibrocontact
     std::string path;
     /// modal amplitudes, then those of the poles as if they were modes; n_modes + n_poles
     std::vector<std::complex<double>> shape;
+    /// of the same motion the real parts of the states of the poles, then their imaginary parts, each by its complex amplitude;
+    /// 2 n_poles, empty if the root is exact
+    std::vector<std::complex<double>> states;
 
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &frequency &growth &divergence_rate &label &share &exact &path &shape;
+      archive &frequency &growth &divergence_rate &label &share &exact &path &shape &states;
     }
   };
 

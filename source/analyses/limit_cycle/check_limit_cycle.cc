@@ -23,9 +23,6 @@ namespace vibrocontact
       if (contact.law_of_friction()->jump() > 0)
         throw InputError(but + "friction that falls at once from rest to sliding, as that of " +
                          contact.section + " does: let it fall over the slip speed.");
-    for (const BodyParameters &body : bodies)
-      if (body.is_green() || body.has_complex_modes())
-        throw InputError(but + "a body known by poles (" + body.name + ").");
     const CycleBranchParameters &branch = parameters.limit_cycle.branch;
     branch.check(rolling_cases(parameters.rolling, parameters.contacts).front());
     if (branch.any() && branch.is_friction())

@@ -397,6 +397,8 @@ namespace vibrocontact
              to_force_of_all[i] * (state.contact.approach - at_rest.contact.approach);
       for (unsigned int k = 0; k < pair.n_modes(); ++k)
         gap += pair.trace(i, k) * (state.q[k] - at_rest.q[k]);
+      for (unsigned int k = 0; k < pair.n_poles(); ++k)
+        gap += 2 * (pair.right(i, k) * (state.z[k] - at_rest.z[k])).real();
     }
   }
 
@@ -409,7 +411,8 @@ namespace vibrocontact
     const auto over_time = [&](const DenseMatrix &columns)
     {
       DenseMatrix result(columns.m(), n_times);
-      columns.mTmult(result, at_times);
+      if (columns.m() > 0)
+        columns.mTmult(result, at_times);
       return result;
     };
     DenseMatrix amplitudes = response.modal_amplitudes(change), y = response_to(x, change);
@@ -422,7 +425,7 @@ namespace vibrocontact
       approach(0, k) = x[3 * n * n_functions + k];
     approach = over_time(approach);
     response.differentiate(amplitudes);
-    const DenseMatrix v = over_time(amplitudes);
+    const DenseMatrix v = over_time(amplitudes), z = over_time(response.pole_states(change));
 
     const ContactResidual residual(problem);
     const unsigned int n_all = pair.n_points();
@@ -438,6 +441,8 @@ namespace vibrocontact
         state.q[k] = at_rest.q[k] + q(k, t);
         state.v[k] = v(k, t);
       }
+      for (unsigned int k = 0; k < pair.n_poles(); ++k)
+        state.z[k] = at_rest.z[k] + std::complex<double>(z(k, t), z(pair.n_poles() + k, t));
       for (unsigned int i = 0; i < 3 * n; ++i)
       {
         forces[i] = rest_forces[i] + R(i, t);

@@ -19,6 +19,24 @@ namespace vibrocontact
     /// of what a step is multiplied with at once: they stay in the cache
     constexpr unsigned int columns_of_block = 128;
 
+    /// Units to a thousandth of the largest.
+    void raise_small(std::vector<double> &units)
+    {
+      double largest = 0;
+      for (const double unit : units)
+        largest = std::max(largest, unit);
+      for (double &unit : units)
+        unit = std::max(unit, 1e-3 * largest);
+    }
+
+    std::vector<std::complex<double>> sum(std::vector<std::complex<double>> a,
+                                          const std::vector<std::complex<double>> &b)
+    {
+      for (unsigned int k = 0; k < a.size(); ++k)
+        a[k] += b[k];
+      return a;
+    }
+
     DenseVector only_column(const DenseMatrix &matrix)
     {
       return DenseVector(&matrix(0, 0), &matrix(0, 0) + matrix.m());
@@ -35,26 +53,36 @@ namespace vibrocontact
         rows(rows_of_points(pair.n_points(), points)), m(n_steps), frequency(pair.omega)
   {
     trace = rows_at(pair.trace, rows);
+    into_poles.reinit(rows.size(), 2 * pair.n_poles());
+    for (unsigned int k = 0; k < pair.n_poles(); ++k)
+      for (unsigned int i = 0; i < rows.size(); ++i)
+      {
+        into_poles(i, k) = pair.left(rows[i], k).real();
+        into_poles(i, pair.n_poles() + k) = pair.left(rows[i], k).imag();
+      }
     this->solver.tolerance = std::min(solver.tolerance, cycle_contact_tolerance);
-    AssertThrow(pair.n_modes() > 0 && !points.empty(), dealii::ExcInternalError());
+    AssertThrow(n_motion() > 0 && !points.empty(), dealii::ExcInternalError());
     constant_force.reinit(pair.n_modes());
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
       constant_force[k] = pair.modal_load[k] + pair.hub_participation(k) * drive.hub_acceleration +
                           pair.force_participation(k) * drive.force;
+    for (unsigned int k = 0; k < pair.n_poles(); ++k)
+      constant_feed.push_back(pair.pole_load[k] + pair.force_into_pole(k) * drive.force);
     // motions without frequency and rows that hardly yield count as slow and soft ones do
-    const double largest = *std::max_element(frequency.begin(), frequency.end());
-    for (double &w : frequency)
-      w = std::max(w, 1e-3 * largest);
+    for (unsigned int k = 0; k < pair.n_poles(); ++k)
+      unit_of_pole.push_back(2 * std::abs(pair.poles[k]) * amplitude_per_state(pair, k));
+    raise_small(frequency);
+    raise_small(unit_of_pole);
     for (unsigned int i = 0; i < rows.size(); ++i)
     {
       double flexibility = pair.residual(rows[i], rows[i]);
       for (unsigned int k = 0; k < pair.n_modes(); ++k)
         flexibility += std::pow(trace(i, k) / frequency[k], 2);
+      for (unsigned int k = 0; k < pair.n_poles(); ++k)
+        flexibility += 2 * std::abs(pair.right(rows[i], k) * pair.left(rows[i], k) / pair.poles[k]);
       root_of_flexibility.push_back(std::sqrt(flexibility));
     }
-    const double most = *std::max_element(root_of_flexibility.begin(), root_of_flexibility.end());
-    for (double &root : root_of_flexibility)
-      root = std::max(root, 1e-3 * most);
+    raise_small(root_of_flexibility);
   }
 
   std::vector<unsigned int> CycleMap::force_rows(const std::vector<unsigned int> &some) const
@@ -64,13 +92,13 @@ namespace vibrocontact
       places.push_back(std::lower_bound(points.begin(), points.end(), point) - points.begin());
     std::vector<unsigned int> result = rows_of_points(points.size(), places);
     for (unsigned int &row : result)
-      row += 2 * pair.n_modes();
+      row += n_motion();
     return result;
   }
 
   DenseMatrix CycleMap::packed(const StateChanges &changes, const StepOnPoints &on) const
   {
-    const unsigned int n_modes = pair.n_modes();
+    const unsigned int n_modes = pair.n_modes(), n_poles = pair.n_poles();
     const std::vector<unsigned int> of_forces = force_rows(on.points);
     DenseMatrix x(size(), changes.n_columns());
     for (unsigned int j = 0; j < x.n(); ++j)
@@ -80,38 +108,51 @@ namespace vibrocontact
         x(k, j) = frequency[k] * changes.q(k, j);
         x(n_modes + k, j) = changes.v(k, j);
       }
+      for (unsigned int k = 0; k < n_poles; ++k)
+      {
+        x(2 * n_modes + k, j) = unit_of_pole[k] * changes.poles(k, j);
+        x(2 * n_modes + n_poles + k, j) = unit_of_pole[k] * changes.poles(n_poles + k, j);
+      }
       for (unsigned int i = 0; i < of_forces.size(); ++i)
-        x(of_forces[i], j) = root_of_flexibility[of_forces[i] - 2 * n_modes] * changes.R(i, j);
+        x(of_forces[i], j) = root_of_flexibility[of_forces[i] - n_motion()] * changes.R(i, j);
     }
     return x;
   }
 
   DenseVector CycleMap::pack(const DynamicState &state) const
   {
-    const unsigned int n_modes = pair.n_modes();
+    const unsigned int n_modes = pair.n_modes(), n_poles = pair.n_poles();
     DenseVector x(size());
     for (unsigned int k = 0; k < n_modes; ++k)
     {
       x[k] = frequency[k] * state.q[k];
       x[n_modes + k] = state.v[k];
     }
+    for (unsigned int k = 0; k < n_poles; ++k)
+    {
+      x[2 * n_modes + k] = unit_of_pole[k] * state.z[k].real();
+      x[2 * n_modes + n_poles + k] = unit_of_pole[k] * state.z[k].imag();
+    }
     for (unsigned int i = 0; i < rows.size(); ++i)
-      x[2 * n_modes + i] = root_of_flexibility[i] * state.R[rows[i]];
+      x[n_motion() + i] = root_of_flexibility[i] * state.R[rows[i]];
     return x;
   }
 
   DynamicState CycleMap::unpack(const DenseVector &x) const
   {
-    const unsigned int n_modes = pair.n_modes();
+    const unsigned int n_modes = pair.n_modes(), n_poles = pair.n_poles();
     DynamicState state;
     for (unsigned int k = 0; k < n_modes; ++k)
     {
       state.q.push_back(x[k] / frequency[k]);
       state.v.push_back(x[n_modes + k]);
     }
+    for (unsigned int k = 0; k < n_poles; ++k)
+      state.z.emplace_back(x[2 * n_modes + k] / unit_of_pole[k],
+                           x[2 * n_modes + n_poles + k] / unit_of_pole[k]);
     state.R.reinit(3 * pair.n_points());
     for (unsigned int i = 0; i < rows.size(); ++i)
-      state.R[rows[i]] = x[2 * n_modes + i] / root_of_flexibility[i];
+      state.R[rows[i]] = x[n_motion() + i] / root_of_flexibility[i];
     state.contact.approach = approach;
     state.hub_acceleration = drive.hub_acceleration;
     state.force = drive.force;
@@ -123,7 +164,7 @@ namespace vibrocontact
   {
     return std::make_unique<ContactStepper>(pair, find_creep_scheme(contact.first().creep_scheme), contact,
                                             modal_steps(transient, pair, step), step, drive.creepage.speed,
-                                            StepWeights(), shapes.get());
+                                            pole_steps(transient, pair, step), shapes.get());
   }
 
   bool CycleMap::are_known(const DenseVector &R) const
@@ -146,8 +187,10 @@ namespace vibrocontact
       stepper = stepper_of(h);
       // central differences: off by 1e-8 of what they are
       const double little = 1e-4 * h;
-      by_length = steps_by_length(modal_steps(transient, pair, h + little),
-                                  modal_steps(transient, pair, h - little), 2 * little);
+      modes_by_length = steps_by_length(modal_steps(transient, pair, h + little),
+                                        modal_steps(transient, pair, h - little), 2 * little);
+      poles_by_length = steps_by_length(pole_steps(transient, pair, h + little),
+                                        pole_steps(transient, pair, h - little), 2 * little);
     }
     marched = {};
     derivatives.clear();
@@ -174,11 +217,12 @@ namespace vibrocontact
       {
         DenseVector change = state.residual_displacement;
         change -= before.residual_displacement;
-        derivatives.emplace_back(*stepper, change);
+        derivatives.emplace_back(*stepper, pair.poles, change);
         DenseVector begin = before.modal_force, end = state.modal_force;
         begin += constant_force;
         end += constant_force;
-        ends.push_back({before.q, before.v, begin, end, change});
+        ends.push_back({before.q, before.v, begin, end, before.z, sum(before.pole_force, constant_feed),
+                        sum(state.pole_force, constant_feed), change});
       }
       statuses.push_back(state.contact.status);
       if (j == 0)
@@ -216,11 +260,13 @@ namespace vibrocontact
 
   StateChanges CycleMap::changes_of(const DenseMatrix &x, const StepOnPoints &on) const
   {
-    const unsigned int n_modes = pair.n_modes(), n_rows = rows.size(), n_columns = x.n(),
-                       n_grid = pair.n_points();
+    const unsigned int n_modes = pair.n_modes(), n_poles = pair.n_poles(), n_rows = rows.size(),
+                       n_columns = x.n(), n_grid = pair.n_points();
     StateChanges changes;
     for (DenseMatrix *const modal : {&changes.q, &changes.v, &changes.modal_force})
       modal->reinit(n_modes, n_columns);
+    for (DenseMatrix *const of_poles : {&changes.poles, &changes.pole_force})
+      of_poles->reinit(2 * n_poles, n_columns);
     DenseMatrix R(n_rows, n_columns);
     changes.approach.assign(n_columns, 0.);
     for (unsigned int j = 0; j < n_columns; ++j)
@@ -230,10 +276,18 @@ namespace vibrocontact
         changes.q(k, j) = x(k, j) / frequency[k];
         changes.v(k, j) = x(n_modes + k, j);
       }
+      for (unsigned int k = 0; k < n_poles; ++k)
+      {
+        changes.poles(k, j) = x(2 * n_modes + k, j) / unit_of_pole[k];
+        changes.poles(n_poles + k, j) = x(2 * n_modes + n_poles + k, j) / unit_of_pole[k];
+      }
       for (unsigned int i = 0; i < n_rows; ++i)
-        R(i, j) = x(2 * n_modes + i, j) / root_of_flexibility[i];
+        R(i, j) = x(n_motion() + i, j) / root_of_flexibility[i];
     }
-    trace.Tmmult(changes.modal_force, R);
+    if (n_modes > 0)
+      trace.Tmmult(changes.modal_force, R);
+    if (n_poles > 0)
+      into_poles.Tmmult(changes.pole_force, R);
     const std::vector<unsigned int> on_grid = rows_of_points(n_grid, on.points),
                                     along(on_grid.begin() + on.n_points(), on_grid.end());
     changes.slip_displacement = product(columns_at(rows_at(pair.residual, along), rows), R);
@@ -275,7 +329,7 @@ namespace vibrocontact
   DenseVector CycleMap::by_period() const
   {
     StateChanges changes = changes_of(DenseMatrix(size(), 1), *loaded);
-    const LengthChange longer = {by_length, 1. / m};
+    const LengthChange longer = {modes_by_length, poles_by_length, 1. / m};
     for (unsigned int j = 0; j < m; ++j)
       derivatives[j].advance(changes, &longer, &ends[j]);
     return only_column(packed(changes, *loaded));
@@ -306,7 +360,7 @@ namespace vibrocontact
 
   std::vector<unsigned int> CycleMap::lasting_rows() const
   {
-    std::vector<unsigned int> result(2 * pair.n_modes());
+    std::vector<unsigned int> result(n_motion());
     std::iota(result.begin(), result.end(), 0);
     const std::vector<unsigned int> of_forces = force_rows(derivatives.back().points_in_contact());
     result.insert(result.end(), of_forces.begin(), of_forces.end());
@@ -327,7 +381,7 @@ namespace vibrocontact
       throw ConvergenceError("the contact of a step from the equilibrium did not converge");
     DenseVector change = state.residual_displacement;
     change -= from.residual_displacement;
-    StepDerivative derivative(*one, change);
+    StepDerivative derivative(*one, pair.poles, change);
     const StepOnPoints on(*one, derivative.points_in_contact());
     derivative.stand_on(on);
     std::vector<unsigned int> all(size());

@@ -62,6 +62,13 @@ namespace vibrocontact
     double power = 0;
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
       power += pair.body[k] == 1 ? state.modal_force[k] * state.v[k] : 0.;
+    for (unsigned int k = 0; k < pair.n_poles(); ++k)
+      if (pair.body_of_pole[k] == 1)
+      {
+        const std::complex<double> feed =
+            pair.pole_load[k] + pair.force_into_pole(k) * state.force + state.pole_force[k];
+        power += 2 * (state.pole_reaction[k] * (pair.poles[k] * state.z[k] + feed)).real();
+      }
     period.power_into_body_1.values.push_back(power);
     for (unsigned int p = 0; p < probes.size(); ++p)
       period.probes[p].values.push_back(probes[p].velocity(state));

@@ -30,10 +30,10 @@ namespace vibrocontact
 
   RootMotion::RootMotion(const CycleMap &map, const ContactPair &pair, const DynamicState &at_rest,
                          const StabilityRoot &root)
-      : least_slip(std::numeric_limits<double>::max()), n_modes(pair.n_modes()),
+      : least_slip(std::numeric_limits<double>::max()), n_motion(map.n_motion()),
         equilibrium(map.pack(at_rest))
   {
-    const unsigned int n = pair.n_points();
+    const unsigned int n = pair.n_points(), n_modes = pair.n_modes(), n_poles = pair.n_poles();
     const std::complex<double> lambda(root.growth, 2 * dealii::numbers::PI * root.frequency);
     double fastest = 0, weight = 0, mean_slip = 0;
     for (unsigned int i = 0; i < n; ++i)
@@ -49,6 +49,11 @@ namespace vibrocontact
         std::complex<double> velocity = 0;
         for (unsigned int k = 0; k < n_modes; ++k)
           velocity += pair.trace(contact_row(n, c, i), k) * lambda * root.shape[k];
+        for (unsigned int k = 0; k < n_poles; ++k)
+        {
+          const std::complex<double> right = pair.right(contact_row(n, c, i), k);
+          velocity += 2. * lambda * (right.real() * root.states[k] - right.imag() * root.states[n_poles + k]);
+        }
         fastest = std::max(fastest, std::abs(velocity));
       }
     }
@@ -64,6 +69,10 @@ namespace vibrocontact
         state.q[k] += (factor * root.shape[k]).real() / fastest;
         state.v[k] += (factor * lambda * root.shape[k]).real() / fastest;
       }
+      for (unsigned int k = 0; k < n_poles; ++k)
+        state.z[k] += std::complex<double>((factor * root.states[k]).real(),
+                                           (factor * root.states[n_poles + k]).real()) /
+                      fastest;
       DenseVector change = map.pack(state);
       change -= equilibrium;
       return change;
@@ -90,7 +99,7 @@ namespace vibrocontact
     DenseVector change = state;
     change -= equilibrium;
     // forces are no part of the shape
-    std::fill(change.begin() + 2 * n_modes, change.end(), 0.);
+    std::fill(change.begin() + n_motion, change.end(), 0.);
     return {change * shape / shape.norm_sqr(), change * later / later.norm_sqr()};
   }
 

@@ -2,6 +2,7 @@
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/matrix_parts.h>
 #include <vibrocontact/contact/point_rows.h>
+#include <vibrocontact/coupled_bodies/moving_shapes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,57 +57,80 @@ namespace vibrocontact
   HarmonicResponse::HarmonicResponse(const ContactPair &pair, const CreepScheme &scheme, const double speed,
                                      const PatchShapes &shapes, const std::vector<unsigned int> &points,
                                      const unsigned int n_harmonics)
-      : pair(pair), shapes(shapes), n_harmonics(n_harmonics)
+      : pair(pair), n_harmonics(n_harmonics)
   {
     AssertThrow(std::all_of(pair.omega.begin(), pair.omega.end(), [](const double w) { return w > 0; }),
                 dealii::ExcInternalError());
     const std::vector<unsigned int> rows = rows_of_points(pair.n_points(), points);
-    basis = by_velocity = rows_at(shapes.basis, rows);
+    const MovingShapes moving = moving_shapes(pair, scheme, speed, &shapes);
+    const std::vector<unsigned int> own = shapes_that_move(rows, moving.shapes.basis, moving.by_displacement);
+    basis = columns_at(rows_at(moving.shapes.basis, rows), own);
+    by_displacement = columns_at(rows_at(moving.by_displacement, rows), own);
+    by_velocity = columns_at(rows_at(moving.by_velocity, rows), own);
+    amplitudes = rows_at(moving.shapes.amplitudes, own);
+    right = rows_at(moving.right, own);
+    left = rows_at(moving.left, own);
     rest = tangential_rest = columns_at(rows_at(pair.residual, rows), rows);
-    const auto without_normal_rows = [&](DenseMatrix &matrix)
-    {
-      for (unsigned int j = 0; j < matrix.n(); ++j)
-        std::fill_n(&matrix(0, j), points.size(), 0.);
-    };
-    without_normal_rows(by_velocity);
-    without_normal_rows(tangential_rest);
-    DenseMatrix moved = shapes.basis, moved_rest = pair.residual;
-    convert_to_slip_rows(pair.interface.contacts, scheme, speed, moved);
+    for (unsigned int j = 0; j < tangential_rest.n(); ++j)
+      std::fill_n(&tangential_rest(0, j), points.size(), 0.);
+    DenseMatrix moved_rest = pair.residual;
     convert_to_slip_rows(pair.interface.contacts, scheme, speed, moved_rest);
-    by_displacement = rows_at(moved, rows);
+    if (pair.residual_gradient.m() > 0)
+      moved_rest.add(speed, pair.residual_gradient);
     by_rest = columns_at(rows_at(moved_rest, rows), rows);
   }
 
   void HarmonicResponse::set_frequency(const double new_omega)
   {
     omega = new_omega;
-    const unsigned int rank = shapes.rank(), n_modes = pair.n_modes();
+    const unsigned int rank = basis.n(), n_modes = pair.n_modes(), n_poles = pair.n_poles(),
+                       n_columns = n_modes + 2 * n_poles;
     for (std::vector<ComplexMatrix> *const list :
          {&receptance, &receptance_slope, &mobility, &mobility_slope})
       list->assign(n_harmonics + 1, ComplexMatrix(rank));
+    // modes, poles, and their conjugates
+    ComplexMatrix to(rank, n_columns), from(rank, n_columns);
+    std::vector<Complex> inverse(n_columns), slope(n_columns);
+    for (unsigned int n = 0; n < n_modes; ++n)
+      for (unsigned int i = 0; i < rank; ++i)
+        to(i, n) = from(i, n) = amplitudes(i, n);
+    for (unsigned int p = 0; p < n_poles; ++p)
+      for (unsigned int i = 0; i < rank; ++i)
+      {
+        to(i, n_modes + p) = right(i, p);
+        to(i, n_modes + n_poles + p) = std::conj(right(i, p));
+        from(i, n_modes + p) = left(i, p);
+        from(i, n_modes + n_poles + p) = std::conj(left(i, p));
+      }
+    const auto sum = [&](const std::vector<Complex> &weights, ComplexMatrix &result)
+    {
+      ComplexMatrix weighted = to;
+      for (unsigned int j = 0; j < n_columns; ++j)
+        for (unsigned int i = 0; i < rank; ++i)
+          weighted(i, j) *= weights[j];
+      weighted.mTmult(result, from);
+    };
     for (unsigned int k = 0; k <= n_harmonics; ++k)
     {
-      std::vector<Complex> inverse(n_modes), slope(n_modes);
+      const Complex rate(0, k * omega), rate_slope(0, k);
       for (unsigned int n = 0; n < n_modes; ++n)
       {
         inverse[n] = 1. / dynamic_stiffness(pair, n, k, omega);
         slope[n] = -inverse[n] * inverse[n] * dynamic_stiffness_slope(pair, n, k, omega);
       }
-      const Complex rate(0, k * omega), rate_slope(0, k);
+      for (unsigned int p = 0; p < 2 * n_poles; ++p)
+      {
+        const Complex pole = p < n_poles ? pair.poles[p] : std::conj(pair.poles[p - n_poles]);
+        inverse[n_modes + p] = 1. / (rate - pole);
+        slope[n_modes + p] = -rate_slope * inverse[n_modes + p] * inverse[n_modes + p];
+      }
+      sum(inverse, receptance[k]);
+      sum(slope, receptance_slope[k]);
       for (unsigned int j = 0; j < rank; ++j)
-        for (unsigned int i = 0; i <= j; ++i)
+        for (unsigned int i = 0; i < rank; ++i)
         {
-          Complex G = 0, G_slope = 0;
-          for (unsigned int n = 0; n < n_modes; ++n)
-          {
-            const double shape = shapes.amplitudes(i, n) * shapes.amplitudes(j, n);
-            G += shape * inverse[n];
-            G_slope += shape * slope[n];
-          }
-          receptance[k](i, j) = receptance[k](j, i) = G;
-          receptance_slope[k](i, j) = receptance_slope[k](j, i) = G_slope;
-          mobility[k](i, j) = mobility[k](j, i) = rate * G;
-          mobility_slope[k](i, j) = mobility_slope[k](j, i) = rate_slope * G + rate * G_slope;
+          mobility[k](i, j) = rate * receptance[k](i, j);
+          mobility_slope[k](i, j) = rate_slope * receptance[k](i, j) + rate * receptance_slope[k](i, j);
         }
     }
   }
@@ -128,7 +152,7 @@ namespace vibrocontact
                                       const std::vector<ComplexMatrix> &displacement,
                                       const std::vector<ComplexMatrix> &velocity, const double rate) const
   {
-    DenseMatrix on_shapes(shapes.rank(), forces.n()), y(forces.m(), forces.n()), rates = forces;
+    DenseMatrix on_shapes(basis.n(), forces.n()), y(forces.m(), forces.n()), rates = forces;
     basis.Tmmult(on_shapes, forces);
     by_displacement.mmult(y, times(displacement, on_shapes));
     by_velocity.mmult(y, times(velocity, on_shapes), true);
@@ -194,9 +218,20 @@ namespace vibrocontact
       for (unsigned int n = 0; n < pair.n_modes(); ++n)
       {
         double shape = 0;
-        for (unsigned int k = 0; k < shapes.rank(); ++k)
-          shape += basis(i, k) * shapes.amplitudes(k, n);
+        for (unsigned int k = 0; k < basis.n(); ++k)
+          shape += basis(i, k) * amplitudes(k, n);
         compliance += std::pow(shape / std::max(pair.omega[n], highest), 2);
+      }
+      for (unsigned int p = 0; p < pair.n_poles(); ++p)
+      {
+        Complex to = 0, from = 0;
+        for (unsigned int k = 0; k < basis.n(); ++k)
+        {
+          to += basis(i, k) * right(k, p);
+          from += basis(i, k) * left(k, p);
+        }
+        const double frequency = std::abs(pair.poles[p]);
+        compliance += 2 * frequency * std::abs(to * from) / std::pow(std::max(frequency, highest), 2);
       }
       const bool is_normal = 3 * i < n_rows();
       result.push_back(is_normal ? compliance : highest * compliance + std::abs(by_rest(i, i)));
@@ -206,12 +241,37 @@ namespace vibrocontact
 
   DenseMatrix HarmonicResponse::modal_amplitudes(const DenseMatrix &forces) const
   {
-    DenseMatrix on_shapes(shapes.rank(), forces.n()), q(pair.n_modes(), forces.n());
+    DenseMatrix on_shapes(basis.n(), forces.n()), q(pair.n_modes(), forces.n());
     basis.Tmmult(on_shapes, forces);
-    shapes.amplitudes.Tmmult(q, on_shapes);
+    if (q.m() > 0)
+      amplitudes.Tmmult(q, on_shapes);
     for (unsigned int k = 0; k <= n_harmonics; ++k)
       for (unsigned int n = 0; n < q.m(); ++n)
         put_order(of_order_in(q, n, k) / dynamic_stiffness(pair, n, k, omega), n, k, q);
     return q;
+  }
+
+  DenseMatrix HarmonicResponse::pole_states(const DenseMatrix &forces) const
+  {
+    const unsigned int n = pair.n_poles();
+    DenseMatrix on_shapes(basis.n(), forces.n()), states(2 * n, forces.n());
+    basis.Tmmult(on_shapes, forces);
+    for (unsigned int k = 0; k <= n_harmonics; ++k)
+      for (unsigned int p = 0; p < n; ++p)
+      {
+        // what the forces of order k and of order -k feed into the state, which is no real function
+        Complex feed = 0, feed_back = 0;
+        for (unsigned int i = 0; i < basis.n(); ++i)
+        {
+          const Complex force = of_order_in(on_shapes, i, k);
+          feed += left(i, p) * force;
+          feed_back += left(i, p) * std::conj(force);
+        }
+        const Complex forth = feed / (Complex(0, k * omega) - pair.poles[p]),
+                      back = std::conj(feed_back / (Complex(0, -(k * omega)) - pair.poles[p]));
+        put_order(k == 0 ? Complex(forth.real()) : (forth + back) / 2., p, k, states);
+        put_order(k == 0 ? Complex(forth.imag()) : (forth - back) / Complex(0, 2), n + p, k, states);
+      }
+    return states;
   }
 } // namespace vibrocontact

@@ -4,6 +4,7 @@
 #include <vibrocontact/analyses/limit_cycle/limit_cycle_output.h>
 #include <vibrocontact/analyses/limit_cycle/run_branch.h>
 #include <vibrocontact/analyses/limit_cycle/run_limit_cycle.h>
+#include <vibrocontact/analyses/stability/pair_in_time.h>
 #include <vibrocontact/analyses/transient/transient_probes.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
@@ -13,7 +14,6 @@
 #include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/output/verdict.h>
 #include <vibrocontact/run/entries_of_contact.h>
-#include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/swept_runs.h>
 
 #include <algorithm>
@@ -129,16 +129,18 @@ namespace vibrocontact
       steps.theta = parameters.transient.theta;
       steps.reaction = parameters.transient.reaction;
       std::vector<Probe> probes = transient_probes(parameters, on.bodies);
-      const auto prepared = prepare_pair(parameters, on.bodies, on.measured, true);
+      const PairInTime in_time = prepare_pair_in_time(parameters, on.bodies, on.measured);
       run_log().block("Limit cycles");
       const auto held = std::make_shared<const ContactPair>(
-          contact_pair(prepared->bodies, parameters.contacts, parameters.placed_contacts()));
+          contact_pair(in_time.prepared->bodies, parameters.contacts, parameters.placed_contacts()));
       const RollingCase constants = rolling_cases(parameters.rolling, parameters.contacts).front();
       const CycleScene scene = cycle_scene(parameters, steps, held, parameters.contacts, constants);
       const ContactPair &pair = *scene.pair;
       place_in_pair(parameters, pair, probes);
       const DynamicState &at_rest = scene.at_rest;
       run_log().value("modes", pair.n_modes());
+      if (pair.n_poles() > 0)
+        run_log().value("poles", pair.n_poles());
       run_log().value("contact points", pair.n_points());
       run_log().value("hub", hub_text(parameters.hub()));
 
@@ -150,6 +152,10 @@ namespace vibrocontact
                                                    {"not_found", nlohmann::ordered_json::array()}};
       nlohmann::ordered_json &cycles = on.results.analyses["limit_cycle"],
                              &search = on.results.analyses["limit_cycle_search"];
+      if (!in_time.roots.is_null())
+        search["roots_beside_rail"] = in_time.roots;
+      if (!in_time.wrong.empty())
+        refuse("limit cycle", in_time.wrong, on.results);
       Progress progress("limit cycles", std::max<std::size_t>(1, roots.size()));
       const std::size_t n_loaded = loaded_points(at_rest.R, pair.n_points()).size();
       for (std::size_t k = 0; k < roots.size(); ++k)

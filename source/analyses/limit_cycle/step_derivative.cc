@@ -11,22 +11,31 @@
 
 namespace vibrocontact
 {
+  using Complex = std::complex<double>;
+
   StepOnPoints::StepOnPoints(const ContactStepper &stepper, const std::vector<unsigned int> &points)
       : points(points)
   {
     const StepMatrices &matrices = stepper.matrices_of_step();
     const std::vector<unsigned int> rows = rows_of_points(matrices.contacts.n_points(), points);
-    basis = rows_at(matrices.shapes.basis, rows);
-    by_displacement = rows_at(matrices.by_displacement, rows);
-    by_velocity = rows_at(matrices.by_velocity, rows);
+    const std::vector<unsigned int> shapes =
+        shapes_that_move(rows, matrices.shapes.basis, matrices.by_displacement);
+    basis = columns_at(rows_at(matrices.shapes.basis, rows), shapes);
+    by_displacement = columns_at(rows_at(matrices.by_displacement, rows), shapes);
+    by_velocity = columns_at(rows_at(matrices.by_velocity, rows), shapes);
+    amplitudes = rows_at(matrices.shapes.amplitudes, shapes);
+    by_poles = rows_at(matrices.by_poles, shapes);
+    into_poles = rows_at(matrices.into_poles, shapes);
     const std::vector<unsigned int> along(rows.begin() + points.size(), rows.end());
     slip_flexibility = columns_at(rows_at(matrices.residual_flexibility, along), rows);
     for (const unsigned int row : rows)
       by_approach.push_back(stepper.approach_rows()[row]);
   }
 
-  StepDerivative::StepDerivative(const ContactStepper &stepper, const DenseVector &residual_change)
-      : stepper(stepper), force_given(stepper.last_problem().force_given())
+  StepDerivative::StepDerivative(const ContactStepper &stepper,
+                                 const std::vector<std::complex<double>> &poles,
+                                 const DenseVector &residual_change)
+      : stepper(stepper), poles(poles), force_given(stepper.last_problem().force_given())
   {
     const ContactProblem &problem = stepper.last_problem();
     const ContactSolution &solution = stepper.last_solution();
@@ -116,11 +125,67 @@ namespace vibrocontact
         v = s.T[1][0] * q0 + s.T[1][1] * v0 + s.g0[1] * p0;
         if (!change)
           continue;
-        const ModalStep &d = change->by_length[k];
+        const ModalStep &d = change->modes_by_length[k];
         const double p = ends->modal_force[k], p1 = ends->next_modal_force[k];
         q += change->length * (d.T[0][0] * ends->q[k] + d.T[0][1] * ends->v[k] + d.g0[0] * p + d.g1[0] * p1);
         v += change->length * (d.T[1][0] * ends->q[k] + d.T[1][1] * ends->v[k] + d.g0[1] * p + d.g1[1] * p1);
       }
+  }
+
+  void StepDerivative::advance_poles(StateChanges &changes, const LengthChange *const change,
+                                     const StepEnds *const ends) const
+  {
+    const StepWeights &step = stepper.steps_of_poles();
+    const unsigned int n = poles.size();
+    for (unsigned int j = 0; j < changes.n_columns() && n > 0; ++j)
+      for (unsigned int k = 0; k < n; ++k)
+      {
+        const Complex force(changes.pole_force(k, j), changes.pole_force(n + k, j));
+        Complex z(changes.poles(k, j), changes.poles(n + k, j));
+        z = step.factor[k] * z + step.later[k] * force;
+        if (change)
+        {
+          const StepWeights &d = change->poles_by_length;
+          z += change->length * (d.factor[k] * ends->poles[k] + d.later[k] * ends->pole_force[k] +
+                                 d.now[k] * ends->next_pole_force[k]);
+        }
+        changes.poles(k, j) = z.real();
+        changes.poles(n + k, j) = z.imag();
+      }
+  }
+
+  DenseMatrix StepDerivative::of_modes(const DenseMatrix &numbers, const unsigned int n_columns) const
+  {
+    DenseMatrix result(on_points->rank(), n_columns);
+    if (!stepper.steps_of_modes().empty())
+      on_points->amplitudes.mmult(result, numbers);
+    return result;
+  }
+
+  DenseMatrix StepDerivative::displacements(const StateChanges &changes) const
+  {
+    DenseMatrix result = of_modes(changes.q, changes.n_columns());
+    if (!poles.empty())
+      on_points->by_poles.mmult(result, changes.poles, true);
+    return result;
+  }
+
+  DenseMatrix StepDerivative::velocities(const StateChanges &changes) const
+  {
+    DenseMatrix result = of_modes(changes.v, changes.n_columns());
+    if (poles.empty())
+      return result;
+    const unsigned int n = poles.size();
+    DenseMatrix rates(2 * n, changes.n_columns());
+    for (unsigned int j = 0; j < changes.n_columns(); ++j)
+      for (unsigned int k = 0; k < n; ++k)
+      {
+        const Complex rate = poles[k] * Complex(changes.poles(k, j), changes.poles(n + k, j));
+        rates(k, j) = rate.real();
+        rates(n + k, j) = rate.imag();
+      }
+    on_points->by_poles.mmult(result, rates, true);
+    return result;
   }
 
   void StepDerivative::solve_contact(const DenseMatrix &moved, StateChanges &changes,
@@ -171,32 +236,47 @@ namespace vibrocontact
   void StepDerivative::add_forces(const DenseMatrix &on_shapes, StateChanges &changes) const
   {
     const std::vector<ModalStep> &steps = stepper.steps_of_modes();
-    stepper.matrices_of_step().shapes.amplitudes.Tmmult(changes.modal_force, on_shapes);
+    if (!steps.empty())
+      on_points->amplitudes.Tmmult(changes.modal_force, on_shapes);
     for (unsigned int j = 0; j < changes.n_columns(); ++j)
       for (unsigned int k = 0; k < steps.size(); ++k)
       {
         changes.q(k, j) += steps[k].g1[0] * changes.modal_force(k, j);
         changes.v(k, j) += steps[k].g1[1] * changes.modal_force(k, j);
       }
+    const unsigned int n = poles.size();
+    if (n > 0)
+      on_points->into_poles.Tmmult(changes.pole_force, on_shapes);
+    for (unsigned int j = 0; j < changes.n_columns() && n > 0; ++j)
+      for (unsigned int k = 0; k < n; ++k)
+      {
+        // the parts stand as 2 Re, -2 Im
+        double &real = changes.pole_force(k, j), &imaginary = changes.pole_force(n + k, j);
+        real /= 2;
+        imaginary /= -2;
+        const Complex added = stepper.steps_of_poles().now[k] * Complex(real, imaginary);
+        changes.poles(k, j) += added.real();
+        changes.poles(n + k, j) += added.imag();
+      }
   }
 
   void StepDerivative::advance(StateChanges &changes, const LengthChange *const change,
                                const StepEnds *const ends) const
   {
-    const PatchShapes &shapes = stepper.matrices_of_step().shapes;
     advance_modes(changes, change, ends);
-    DenseMatrix moved = product(on_points->by_displacement, product(shapes.amplitudes, changes.q));
-    on_points->by_velocity.mmult(moved, product(shapes.amplitudes, changes.v), true);
+    advance_poles(changes, change, ends);
+    DenseMatrix moved = product(on_points->by_displacement, displacements(changes));
+    on_points->by_velocity.mmult(moved, velocities(changes), true);
     solve_contact(moved, changes, change, ends);
     changes.slip_displacement = product(on_points->slip_flexibility, changes.R);
-    DenseMatrix on_shapes(shapes.rank(), changes.n_columns());
+    DenseMatrix on_shapes(on_points->rank(), changes.n_columns());
     on_points->basis.Tmmult(on_shapes, changes.R);
     add_forces(on_shapes, changes);
   }
 
   DenseMatrix StepDerivative::contact_response() const
   {
-    const unsigned int rank = on_points->basis.n(), n = on_points->n_points(), first = 2 * rank,
+    const unsigned int rank = on_points->rank(), n = on_points->n_points(), first = 2 * rank,
                        n_columns = first + 2 * n + 1;
     DenseMatrix moved(3 * n, n_columns);
     add_block(moved, on_points->by_displacement, 0, 0);
@@ -220,15 +300,15 @@ namespace vibrocontact
 
   void StepDerivative::advance_many(std::vector<StateChanges> &blocks) const
   {
-    const DenseMatrix &amplitudes = stepper.matrices_of_step().shapes.amplitudes,
-                      response = contact_response();
-    const unsigned int rank = amplitudes.m(), n_slips = 2 * on_points->n_points();
+    const DenseMatrix response = contact_response();
+    const unsigned int rank = on_points->rank(), n_slips = 2 * on_points->n_points();
     for (StateChanges &changes : blocks)
     {
       advance_modes(changes, nullptr, nullptr);
+      advance_poles(changes, nullptr, nullptr);
       DenseMatrix before(response.n(), changes.n_columns());
-      add_block(before, product(amplitudes, changes.q), 0, 0);
-      add_block(before, product(amplitudes, changes.v), rank, 0);
+      add_block(before, displacements(changes), 0, 0);
+      add_block(before, velocities(changes), rank, 0);
       add_block(before, changes.slip_displacement, 2 * rank, 0);
       for (unsigned int j = 0; j < changes.n_columns(); ++j)
         before(2 * rank + n_slips, j) = changes.approach[j];
@@ -259,5 +339,16 @@ namespace vibrocontact
         result[k].g1[i] = (longer[k].g1[i] - shorter[k].g1[i]) / difference;
       }
     return result;
+  }
+
+  StepWeights steps_by_length(StepWeights longer, const StepWeights &shorter, const double difference)
+  {
+    for (unsigned int k = 0; k < longer.factor.size(); ++k)
+    {
+      longer.factor[k] = (longer.factor[k] - shorter.factor[k]) / difference;
+      longer.now[k] = (longer.now[k] - shorter.now[k]) / difference;
+      longer.later[k] = (longer.later[k] - shorter.later[k]) / difference;
+    }
+    return longer;
   }
 } // namespace vibrocontact

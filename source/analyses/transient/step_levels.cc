@@ -17,14 +17,6 @@ namespace vibrocontact
                  ? 1 + std::ceil(std::log2(parameters.time_step / parameters.shortest_step) - 1e-9)
                  : 1;
     }
-
-    StepWeights pole_steps(const TransientParameters &parameters, const ContactPair &pair, const double h)
-    {
-      const ForceInterpolation interpolation =
-          parameters.reaction == "end of step" ? ForceInterpolation::constant : ForceInterpolation::linear;
-      return parameters.propagates_exactly() ? step_weights(pair, h, interpolation)
-                                             : theta_weights(pair, h, interpolation, parameters.theta);
-    }
   } // namespace
 
   std::vector<ModalStep> modal_steps(const TransientParameters &parameters, const ContactPair &pair,
@@ -39,6 +31,14 @@ namespace vibrocontact
                           ? exact_step(pair.omega[k], pair.damping_ratio[k], h, weighting)
                           : theta_step(pair.omega[k], pair.damping_ratio[k], parameters.theta, h, weighting));
     return steps;
+  }
+
+  StepWeights pole_steps(const TransientParameters &parameters, const ContactPair &pair, const double h)
+  {
+    const ForceInterpolation interpolation =
+        parameters.reaction == "end of step" ? ForceInterpolation::constant : ForceInterpolation::linear;
+    return parameters.propagates_exactly() ? step_weights(pair, h, interpolation)
+                                           : theta_weights(pair, h, interpolation, parameters.theta);
   }
 
   StepLevels::StepLevels(const TransientParameters &parameters, const ContactSections &contact,

@@ -2,6 +2,7 @@
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/matrix_parts.h>
 #include <vibrocontact/contact/point_rows.h>
+#include <vibrocontact/coupled_bodies/moving_shapes.h>
 
 #include <deal.II/lac/lapack_templates.h>
 
@@ -40,44 +41,6 @@ namespace vibrocontact
       return result;
     }
 
-    /// The columns of both shapes of the poles behind those of the modes, as large as the largest of these.
-    DenseMatrix all_shapes(const BodyInContact &body)
-    {
-      const unsigned int n = body.n_rows(), m = body.n_modes();
-      if (body.n_poles() == 0)
-        return body.trace;
-      DenseMatrix result(n, m + 4 * body.n_poles());
-      double largest = 0;
-      for (unsigned int k = 0; k < m; ++k)
-        for (unsigned int i = 0; i < n; ++i)
-          largest = std::max(largest, std::abs(result(i, k) = body.trace(i, k)));
-      unsigned int column = m;
-      for (const ComplexMatrix *const shapes : {&body.right, &body.left})
-        for (unsigned int k = 0; k < body.n_poles(); ++k, column += 2)
-        {
-          double own = 0;
-          for (unsigned int i = 0; i < n; ++i)
-            own = std::max(own, std::abs((*shapes)(i, k)));
-          const double scale = own > 0 ? (largest > 0 ? largest : 1) / own : 0;
-          for (unsigned int i = 0; i < n; ++i)
-          {
-            result(i, column) = scale * (*shapes)(i, k).real();
-            result(i, column + 1) = scale * (*shapes)(i, k).imag();
-          }
-        }
-      return result;
-    }
-
-    ComplexMatrix in_terms_of(const DenseMatrix &basis, const ComplexMatrix &shapes)
-    {
-      ComplexMatrix result(basis.n(), shapes.n());
-      for (unsigned int k = 0; k < shapes.n(); ++k)
-        for (unsigned int j = 0; j < basis.n(); ++j)
-          for (unsigned int i = 0; i < basis.m(); ++i)
-            result(j, k) += basis(i, j) * shapes(i, k);
-      return result;
-    }
-
     /// 2 Re beside -2 Im
     DenseMatrix parts_of(const ComplexMatrix &shapes)
     {
@@ -92,43 +55,6 @@ namespace vibrocontact
       return result;
     }
 
-    /// Numbers of their own for the gradients of the poles, behind those of the shapes: what moves through them is no
-    /// displacement of the points, and no force feeds it.
-    void add_gradients(const BodyInContact &body, StepMatrices &matrices, ComplexMatrix &right,
-                       ComplexMatrix &left)
-    {
-      std::vector<unsigned int> along;
-      for (unsigned int i = 0; i < body.gradient.m(); ++i)
-        for (unsigned int k = 0; k < body.n_poles(); ++k)
-          if (body.gradient(i, k) != 0.)
-          {
-            along.push_back(i);
-            break;
-          }
-      const unsigned int rank = matrices.shapes.rank(), n = rank + along.size();
-      const auto extended = [n](const auto &matrix, const bool by_columns)
-      {
-        auto result = matrix;
-        result.reinit(by_columns ? matrix.m() : n, by_columns ? n : matrix.n());
-        for (unsigned int j = 0; j < matrix.n(); ++j)
-          for (unsigned int i = 0; i < matrix.m(); ++i)
-            result(i, j) = matrix(i, j);
-        return result;
-      };
-      matrices.shapes.basis = extended(matrices.shapes.basis, true);
-      matrices.shapes.amplitudes = extended(matrices.shapes.amplitudes, false);
-      left = extended(left, false);
-      right = extended(right, false);
-      matrices.by_displacement = extended(matrices.by_displacement, true);
-      matrices.by_velocity = extended(matrices.by_velocity, true);
-      for (unsigned int j = 0; j < along.size(); ++j)
-      {
-        matrices.by_displacement(along[j], rank + j) = matrices.speed;
-        for (unsigned int k = 0; k < body.n_poles(); ++k)
-          right(rank + j, k) = body.gradient(along[j], k);
-      }
-    }
-
     // into += left middle right^T
     void add_product(const DenseMatrix &left, const DenseMatrix &middle, const DenseMatrix &right,
                      DenseMatrix &into)
@@ -138,11 +64,6 @@ namespace vibrocontact
       product(left, middle).mTmult(into, right, true);
     }
   } // namespace
-
-  PatchShapes shapes_of_steps(const ContactPair &pair)
-  {
-    return patch_shapes(all_shapes(pair), patch_shape_tolerance);
-  }
 
   StepMatrices step_matrices(const CreepScheme &scheme, const ContactPair &body,
                              const std::vector<ModalStep> &steps, const double h, const double speed,
@@ -166,26 +87,13 @@ namespace vibrocontact
       return result;
     }
     result.residual_flexibility = result.response = rest_over_step(body, h);
-    result.shapes = known ? *known : shapes_of_steps(body);
-    PatchShapes &shapes = result.shapes;
-    ComplexMatrix right, left;
-    if (body.n_poles() > 0)
-    {
-      right = in_terms_of(shapes.basis, body.right);
-      left = in_terms_of(shapes.basis, body.left);
-      shapes.amplitudes.reinit(shapes.rank(), body.n_modes());
-      if (body.n_modes() > 0)
-        shapes.basis.Tmmult(shapes.amplitudes, body.trace);
-    }
-    result.by_displacement = result.by_velocity = shapes.basis;
-    convert_to_slip_rows(contacts, scheme, speed, result.by_displacement);
-    for (unsigned int k = 0; k < shapes.rank(); ++k)
-      std::fill_n(&result.by_velocity(0, k), n, 0.);
-    if (body.gradient.m() > 0)
-    {
-      add_gradients(body, result, right, left);
-      result.residual_gradient = body.residual_gradient;
-    }
+    MovingShapes moving = moving_shapes(body, scheme, speed, known);
+    result.shapes = std::move(moving.shapes);
+    result.by_displacement = std::move(moving.by_displacement);
+    result.by_velocity = std::move(moving.by_velocity);
+    const PatchShapes &shapes = result.shapes;
+    const ComplexMatrix &right = moving.right, &left = moving.left;
+    result.residual_gradient = body.residual_gradient;
     const HubDamper damper(hub, steps);
     result.displacement_gain = gain(shapes.amplitudes, steps, 0, damper);
     result.velocity_gain = gain(shapes.amplitudes, steps, 1, damper);

@@ -16,8 +16,9 @@ namespace vibrocontact
 
   /// The march of the transient over one period T in m equal steps, as a map of the state that it starts from, and its derivative.
   ///
-  /// The state is all that the next step depends on, in units of the root of an energy [sqrt(J)]: w q and v of every mode, then
-  /// s R of the rows of the points that may touch, s^2 the flexibility of the row itself. m is fixed, so that h = T / m changes with T.
+  /// The state is all that the next step depends on, in units of the root of an energy [sqrt(J)]: w q and v of every mode, real and
+  /// imaginary parts of the states of the poles, as if these were modes, then s R of the rows of the points that may touch, s^2 the
+  /// flexibility of the row itself. m is fixed, so that h = T / m changes with T.
   class CycleMap
   {
   public:
@@ -34,7 +35,9 @@ namespace vibrocontact
              std::shared_ptr<const PatchShapes> shapes = nullptr);
 
     const std::vector<unsigned int> &points_that_may_touch() const { return points; }
-    unsigned int size() const { return 2 * pair.n_modes() + 3 * points.size(); }
+    unsigned int size() const { return n_motion() + 3 * points.size(); }
+    /// of these, modes and poles, which stand first
+    unsigned int n_motion() const { return 2 * (pair.n_modes() + pair.n_poles()); }
     unsigned int n_steps() const { return m; }
     /// V [m/s]
     double speed() const { return drive.creepage.speed; }
@@ -98,10 +101,11 @@ namespace vibrocontact
     /// on the grid; 3 n_points, by component
     const std::vector<unsigned int> rows;
     const unsigned int m;
-    /// of amplitudes [1/s] and of forces [sqrt(m/N)]
-    std::vector<double> frequency, root_of_flexibility;
-    /// of loads that stay, on the modes
+    /// of amplitudes [1/s], states of poles and forces [sqrt(m/N)]
+    std::vector<double> frequency, unit_of_pole, root_of_flexibility;
+    /// of loads that stay, on modes and poles
     DenseVector constant_force;
+    std::vector<std::complex<double>> constant_feed;
     /// the last march, so that it is not made twice
     struct March
     {
@@ -115,11 +119,12 @@ namespace vibrocontact
     double h = 0;
     std::unique_ptr<ContactStepper> stepper;
     std::unique_ptr<StepOnPoints> loaded;
-    /// Psi on the rows
-    DenseMatrix trace;
+    /// Psi on the rows; left shapes of the poles there, real parts beside imaginary ones
+    DenseMatrix trace, into_poles;
     std::vector<StepDerivative> derivatives;
     std::vector<StepEnds> ends;
-    std::vector<ModalStep> by_length;
+    std::vector<ModalStep> modes_by_length;
+    StepWeights poles_by_length;
     DenseVector mean_rate;
   };
 

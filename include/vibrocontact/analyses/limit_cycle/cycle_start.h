@@ -29,7 +29,7 @@ namespace vibrocontact
     double least_slip = 0;
 
   private:
-    unsigned int n_modes;
+    unsigned int n_motion;
     /// Shares of shape and later in a state [m/s].
     std::pair<double, double> shares_in(const DenseVector &state) const;
     /// the equilibrium; the shape at unit velocity, and a quarter of a period later

@@ -11,15 +11,16 @@ namespace vibrocontact
 {
   /// What the pair answers at some contact points to forces that repeat themselves, by the harmonics of both: gaps and slips,
   ///
-  ///   Y_k = L_k Psi G_k Psi^T + D W~ + j k w W~_t,      G_k = diag(w_n^2 - (k w)^2 + 2 j zeta_n w_n k w)^-1
+  ///   Y_k = L_k (Psi G_k Psi^T + sum_p [ r_p l_p^T / (j k w - lambda_p) + conj ]) + D W~ + j k w W~_t
+  ///   G_k = diag(w_n^2 - (k w)^2 + 2 j zeta_n w_n k w)^-1,      conj: of r, l and lambda
   ///
   /// L_k: normal rows as they are, V d/dx + j k w of the tangential ones; D likewise without the rate; w: 2 pi over the period.
   /// Nothing is differenced in time. Columns of numbers over the period are [mean, Re 1, Im 1, Re 2, ...], x = sum_k x_k e^(j k w t) over
-  /// all k of both signs (numerics/time_basis.h). For pairs of modes whose rest follows at once.
+  /// all k of both signs (numerics/time_basis.h). For pairs whose rest follows at once.
   class HarmonicResponse
   {
   public:
-    /// @param points of the grid, ascending @param shapes of the pair @param n_harmonics beside the mean
+    /// @param points of the grid, ascending @param shapes shapes_of_steps() of the pair @param n_harmonics beside the mean
     /// @pre all modes have a frequency: constant forces hold them
     HarmonicResponse(const ContactPair &pair, const CreepScheme &scheme, double speed,
                      const PatchShapes &shapes, const std::vector<unsigned int> &points,
@@ -42,6 +43,8 @@ namespace vibrocontact
     ComplexMatrix rate_of_rest_of_order(unsigned int k) const;
     /// Amplitudes of the modes; n_modes x n_functions
     DenseMatrix modal_amplitudes(const DenseMatrix &forces) const;
+    /// States of the poles, real parts above imaginary ones; 2 n_poles x n_functions
+    DenseMatrix pole_states(const DenseMatrix &forces) const;
     /// How much each row yields to a force of its own at the highest order, resonances left out: normal rows [m/N], tangential ones
     /// [m/(s N)]; 3 n_points, > 0.
     std::vector<double> own_compliance() const;
@@ -53,10 +56,13 @@ namespace vibrocontact
                       const std::vector<ComplexMatrix> &velocity, double rate) const;
 
     const ContactPair &pair;
-    const PatchShapes &shapes;
     const unsigned int n_harmonics;
-    /// rows of the points: the shapes, their gaps and slips by displacement and by velocity; 3 n_points x rank
+    /// MovingShapes on the rows of the points, those that move any: the shapes, their gaps and slips by displacement and by velocity;
+    /// 3 n_points x rank
     DenseMatrix basis, by_displacement, by_velocity;
+    /// of modes and poles in them; rank x n_modes, rank x n_poles
+    DenseMatrix amplitudes;
+    ComplexMatrix right, left;
     /// W~, gaps and slips by it, and its tangential rows; 3 n_points square
     DenseMatrix rest, by_rest, tangential_rest;
     double omega = 0;

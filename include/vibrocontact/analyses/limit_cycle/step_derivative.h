@@ -4,6 +4,7 @@
 #include <vibrocontact/contact/friction_of_speed.h>
 #include <vibrocontact/contact/newton_jacobian.h>
 
+#include <complex>
 #include <vector>
 
 namespace vibrocontact
@@ -13,6 +14,8 @@ namespace vibrocontact
   {
     /// n_modes rows each
     DenseMatrix q, v, modal_force;
+    /// states of the poles and what the contact feeds into them, real parts above imaginary ones; 2 n_poles rows each
+    DenseMatrix poles, pole_force;
     /// residual displacements along the surface on the points of StepOnPoints; 2 n_points rows [m]
     DenseMatrix slip_displacement;
     /// one per column [m]
@@ -28,8 +31,11 @@ namespace vibrocontact
   {
     /// ascending
     std::vector<unsigned int> points;
-    /// StepMatrices::shapes.basis, by_displacement, by_velocity on their rows; 3 n_points x rank
+    /// StepMatrices::shapes.basis, by_displacement, by_velocity on their rows, for those shapes that move any of them;
+    /// 3 n_points x rank
     DenseMatrix basis, by_displacement, by_velocity;
+    /// StepMatrices::shapes.amplitudes, by_poles and into_poles of these shapes; rank x n_modes, rank x 2 n_poles
+    DenseMatrix amplitudes, by_poles, into_poles;
     /// residual displacements along the surface by forces; 2 n_points x 3 n_points [m/N]
     DenseMatrix slip_flexibility;
     /// rows of gap and slip per approach; 3 n_points [-, 1/s]
@@ -37,6 +43,7 @@ namespace vibrocontact
 
     StepOnPoints(const ContactStepper &stepper, const std::vector<unsigned int> &points);
     unsigned int n_points() const { return points.size(); }
+    unsigned int rank() const { return basis.n(); }
   };
 
   /// What a step went through, as far as its length matters in it.
@@ -45,6 +52,8 @@ namespace vibrocontact
     /// amplitudes, velocities and all modal forces (constant loads, too) of the beginning, those forces of the end; n_modes each
     std::vector<double> q, v;
     DenseVector modal_force, next_modal_force;
+    /// the same of the poles and what is fed into them; n_poles each
+    std::vector<std::complex<double>> poles, pole_force, next_pole_force;
     /// change of the residual displacements over the step; 3 n of the whole grid [m]
     DenseVector residual_change;
   };
@@ -52,8 +61,9 @@ namespace vibrocontact
   /// A change of the length of steps, the same in all columns.
   struct LengthChange
   {
-    /// derivatives of the steps of the modes by their length
-    const std::vector<ModalStep> &by_length;
+    /// derivatives of the steps of modes and poles by their length
+    const std::vector<ModalStep> &modes_by_length;
+    const StepWeights &poles_by_length;
     /// [s]
     double length;
   };
@@ -65,14 +75,16 @@ namespace vibrocontact
   ///   dT = ... + r N (dmu/ds) ds,     s: the slip without the rate of the residual displacements (friction_of_speed.h)
   ///
   /// Changes are those on the points that it stands on, before which it cannot advance any.
-  /// For laws without a jump between rest and sliding, bodies without poles and rests that relax, and a hub without mass.
+  /// For laws without a jump between rest and sliding, rests that follow at once, and a hub without mass.
   class StepDerivative
   {
   public:
     /// Right after stepper.advance(); both are referred to. @pre no other point is in contact
     /// @param residual_change of the residual displacements over the step; 3 n of the whole grid [m]
     /// @throws ConvergenceError if the Jacobian is singular
-    StepDerivative(const ContactStepper &stepper, const DenseVector &residual_change);
+    /// @param poles of the pair [1/s], are referred to
+    StepDerivative(const ContactStepper &stepper, const std::vector<std::complex<double>> &poles,
+                   const DenseVector &residual_change);
 
     /// of the grid, ascending
     const std::vector<unsigned int> &points_in_contact() const { return points; }
@@ -89,18 +101,25 @@ namespace vibrocontact
     void take_speed_dependence(const DenseVector &residual_change);
     /// Of force columns among the points in contact, into the tangential rows of the Jacobian.
     void add_speed_dependence(const DenseMatrix &response);
-    /// q and v at the end of the step, without the forces there.
+    /// q, v and poles at the end of the step, without the forces there.
     void advance_modes(StateChanges &changes, const LengthChange *change, const StepEnds *ends) const;
+    void advance_poles(StateChanges &changes, const LengthChange *change, const StepEnds *ends) const;
+    /// Displacements of the shapes by modes and poles, and their velocities without what forces feed into the poles; rank rows.
+    DenseMatrix displacements(const StateChanges &changes) const;
+    DenseMatrix velocities(const StateChanges &changes) const;
+    /// Of numbers of the modes that of the shapes, which is zero without modes.
+    DenseMatrix of_modes(const DenseMatrix &numbers, unsigned int n_columns) const;
     /// R and approach at the end of the step. @param moved gaps and slips of the modes without the forces there; 3 n_points rows
     void solve_contact(const DenseMatrix &moved, StateChanges &changes, const LengthChange *change,
                        const StepEnds *ends) const;
-    /// What forces on the shapes make of the modes at the end of the step.
+    /// What forces on the shapes make of modes and poles at the end of the step.
     void add_forces(const DenseMatrix &on_shapes, StateChanges &changes) const;
     /// What the contact makes of its surroundings. Columns: displacements of the shapes and their velocities, both without the forces at
     /// the end of the step, slip displacements and approach before it. Rows: forces on the shapes, slip displacements and approach at its end.
     DenseMatrix contact_response() const;
 
     const ContactStepper &stepper;
+    const std::vector<std::complex<double>> &poles;
     const StepOnPoints *on_points = nullptr;
     NewtonJacobian J;
     /// in contact, on the grid; their places among those of on_points
@@ -114,4 +133,5 @@ namespace vibrocontact
   /// Derivatives of steps by their length, from steps that are longer and shorter by half of `difference` [s].
   std::vector<ModalStep> steps_by_length(const std::vector<ModalStep> &longer,
                                          const std::vector<ModalStep> &shorter, double difference);
+  StepWeights steps_by_length(StepWeights longer, const StepWeights &shorter, double difference);
 } // namespace vibrocontact

@@ -68,8 +68,8 @@ namespace vibrocontact
     const ContactSolution &advance(DynamicState &state, const Drive &drive, ContactSolver &solver);
 
     // what the derivative of a step needs
-    /// of each mode
     const std::vector<ModalStep> &steps_of_modes() const { return steps; }
+    const StepWeights &steps_of_poles() const { return pole_steps; }
     const StepMatrices &matrices_of_step() const { return matrices; }
     /// of the last step: points on the grid, their contact problem and its solution
     const std::vector<unsigned int> &nearby_points() const { return step_operator->points(); }

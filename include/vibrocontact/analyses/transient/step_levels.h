@@ -13,6 +13,8 @@ namespace vibrocontact
   /// Steps of the modes of a pair, one each, for a step of h [s] as Integrator, Theta and Reaction say.
   std::vector<ModalStep> modal_steps(const TransientParameters &parameters, const ContactPair &pair,
                                      double h);
+  /// The same of its poles.
+  StepWeights pole_steps(const TransientParameters &parameters, const ContactPair &pair, double h);
 
   /// Steps of the lengths Time step / 2^k, one level each: a ContactStepper with its operator and a solver with
   /// its factorisations, made when first needed and kept. Without an error tolerance there is one level.

@@ -4,7 +4,7 @@
 #include <vibrocontact/contact/creep.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
 #include <vibrocontact/coupled_bodies/hub.h>
-#include <vibrocontact/coupled_bodies/patch_shapes.h>
+#include <vibrocontact/coupled_bodies/moving_shapes.h>
 #include <vibrocontact/propagators/modal_step.h>
 #include <vibrocontact/propagators/step_weights.h>
 
@@ -29,10 +29,8 @@ namespace vibrocontact
     std::shared_ptr<const HalfSpaceOperator> half_space_response;
     /// what d/dx of W~ is beyond the differences between points; 3 n square [1/N] or empty
     DenseMatrix residual_gradient;
-    /// where poles have gradients, behind these one number per row that has one; its column of the basis is zero
+    /// as MovingShapes has them
     PatchShapes shapes;
-    /// Gap and slip by displacements of the shapes (their normal rows, V d/dx of their tangential rows), and
-    /// by velocities (tangential rows); 3 n x rank
     DenseMatrix by_displacement, by_velocity;
     /// right and left shapes of the poles in terms of the shapes, 2 Re beside -2 Im, so that states as Re z above Im z move
     /// the shapes by by_poles; rank x 2 n_poles
@@ -41,9 +39,6 @@ namespace vibrocontact
     /// the hub take, and 2 Re right diag(now) left^T, displacement [s^2/kg] and velocity [s/kg]; rank square
     DenseMatrix displacement_gain, velocity_gain;
   };
-
-  /// StepMatrices::shapes of a pair but for the gradients of its poles: the same for steps of any length.
-  PatchShapes shapes_of_steps(const ContactPair &pair);
 
   /// @param steps one per mode; @param hub null: held @param pole_steps what the poles do in the step
   /// @param shapes shapes_of_steps(); null: they are found

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vibrocontact/contact/creep.h>
+#include <vibrocontact/coupled_bodies/contact_pair.h>
+#include <vibrocontact/coupled_bodies/patch_shapes.h>
+
+#include <vector>
+
+namespace vibrocontact
+{
+  /// The few shapes in which modes, poles and contact meet, and how they move gaps and slips.
+  struct MovingShapes
+  {
+    /// where poles have gradients, behind these one number per row that has one; its column of the basis is zero
+    PatchShapes shapes;
+    /// Gap and slip by displacements of the shapes (their normal rows, V d/dx of their tangential rows), and
+    /// by velocities (tangential rows); 3 n x rank
+    DenseMatrix by_displacement, by_velocity;
+    /// right and left shapes of the poles in terms of the shapes; rank x n_poles
+    ComplexMatrix right, left;
+  };
+
+  /// Shapes of modes and poles without gradients, the same for all speeds (patch_shapes()).
+  PatchShapes shapes_of_steps(const ContactPair &pair);
+  /// @param speed V [m/s] @param known shapes_of_steps(); null: they are found
+  MovingShapes moving_shapes(const ContactPair &pair, const CreepScheme &scheme, double speed,
+                             const PatchShapes *known = nullptr);
+  /// Those shapes that move any of some rows, ascending: gradients of poles have one for each row of the grid.
+  std::vector<unsigned int> shapes_that_move(const std::vector<unsigned int> &rows, const DenseMatrix &basis,
+                                             const DenseMatrix &by_displacement);
+} // namespace vibrocontact
