@@ -7,6 +7,11 @@ from matplotlib.colors import ListedColormap
 
 from plots.common import edges, LIMIT, LINE, OPEN, plt, read_table, save, short, STICK, swept_axis, UNSTABLE
 
+# followed entries with a unit, as a sweep names their columns
+FOLLOWED_COLUMNS = {"Rolling/Hub displacement": "hub_displacement_m", "Rolling/Normal force": "normal_force_N", "Rolling/Speed": "speed_m_s",
+                    "Rolling/Spin": "spin_1_m", "Rolling/Sliding velocity x": "sliding_velocity_x_m_s",
+                    "Rolling/Sliding velocity y": "sliding_velocity_y_m_s"}
+
 
 def plot_limit_cycles(folder, limit_cycle):
     found = [(cycle["number"], cycle) for cycle in limit_cycle if os.path.exists(os.path.join(folder, f"limit_cycle_{cycle['number']}.csv"))]
@@ -110,8 +115,7 @@ def plot_branches(folder, limit_cycle):
                 loud.plot(end["onset"], 0, "^", color=color, clip_on=False)
         if "first_stick" in branch:
             loud.axvline(branch["first_stick"]["value"], color=color, lw=0.5, ls=":")
-    name = loudest_of(followed[0]["branch"]["points"][0])["name"]
-    loud.set_ylabel(name.replace("_velocity_m_s", " [m/s]").replace("_N", " [N]").replace("_", " "))
+    loud.set_ylabel(words_of(loudest_of(followed[0]["branch"]["points"][0])))
     loud.set_title("\u25cf stable   \u25cb unstable   . neutral or not judged   \u25b2 onset   : first stick", loc="left", fontsize=8)
     loud.set_ylim(0, 1.05 * loud.get_ylim()[1])
     pitch.set_ylabel("frequency [Hz]")
@@ -133,6 +137,10 @@ def loudest_of(cycle):
     """The loudest velocity of a cycle, or its normal force in scenes without probes."""
     velocities = [one for one in cycle["signals"] if "level_dB" in one]
     return max(velocities, key=lambda one: one["level_dB"]) if velocities else cycle["signals"][0]
+
+
+def words_of(signal):
+    return signal["name"].replace("_velocity_m_s", " [m/s]").replace("_N", " [N]").replace("_", " ")
 
 
 def plot_amplitudes(folder, sweep):
@@ -176,7 +184,7 @@ def plot_map(folder, sweep):
     followed = next((cycle["branch"]["entry"] for case in sweep["cases"] for cycle in case.get("limit_cycle", []) if cycle.get("branch")), None)
     if len(columns) == 1 and followed:
         loudest = followed_loudest(sweep["cases"], columns[0])
-        columns.append(followed.rpartition("/")[2])
+        columns.append(FOLLOWED_COLUMNS.get(followed, followed.rpartition("/")[2]))
         entries.append(followed)
     elif len(columns) == 2 and not followed:
         loudest = swept_loudest(sweep["cases"], columns)
@@ -190,15 +198,18 @@ def plot_map(folder, sweep):
     for (at, over), cycle in loudest.items():
         if cycle:
             fields[:, np.searchsorted(y, over), np.searchsorted(x, at)] = [cycle[0], cycle[1], labels.index(cycle[2])]
-    panels = [("velocity [m/s]", "viridis"), ("power into body 1 [W]", "magma")] + ([("which motion is loudest", None)] if len(labels) > 1 else [])
+    # a body without probes is heard by its contact force
+    names = [words_of(loudest_of(cycle)) for case in sweep["cases"] for cycle in case.get("limit_cycle", [])]
+    amplitude = "velocity [m/s]" if all("[m/s]" in name for name in names) else names[0] if len(set(names)) == 1 else "amplitude, velocities and forces"
+    panels = [(amplitude, "viridis"), ("power into body 1 [W]", "magma")] + ([("which motion is loudest", None)] if len(labels) > 1 else [])
     figure, axes = plt.subplots(1, len(panels), figsize=(4.6 * len(panels), 3.6), squeeze=False)
     titles, factors = zip(*(swept_axis(entry, column) for entry, column in zip(entries, columns)))
     for axis, (title, colours), field in zip(axes[0], panels, fields):
         if colours:
-            image = axis.pcolormesh(edges(factors[0] * x), edges(factors[1] * y), field, cmap=colours, vmin=0)
+            image = axis.pcolormesh(edges(factors[0] * x), edges(factors[1] * y), field, cmap=colours, vmin=min(0, np.nanmin(field)))
             figure.colorbar(image, ax=axis)
         else:
-            image = axis.pcolormesh(edges(factors[0] * x), edges(factors[1] * y), field, cmap=ListedColormap(plt.get_cmap("tab10").colors[:len(labels)]),
+            image = axis.pcolormesh(edges(factors[0] * x), edges(factors[1] * y), field, cmap=ListedColormap([plt.get_cmap("tab20")(k % 20) for k in range(len(labels))]),
                                     vmin=-0.5, vmax=len(labels) - 0.5)
             figure.colorbar(image, ax=axis, ticks=range(len(labels))).ax.set_yticklabels([short(label) for label in labels], fontsize=7)
         axis.set_title(title, loc="left")
@@ -208,7 +219,7 @@ def plot_map(folder, sweep):
                        for case in sweep["cases"] if case["status"] != "converged"])
     if len(failed):
         axes[0][0].plot(failed[:, 0], failed[:, 1], "x", color=UNSTABLE, ms=4, mew=1)
-    figure.suptitle("white: no motion" + ("   x: not all of it converged" if len(failed) else ""), x=0.01, ha="left", fontsize=8)
+    figure.suptitle("white: no cycle was found or followed   stability is not shown" + ("   x: not all of it converged" if len(failed) else ""), x=0.01, ha="left", fontsize=8)
     figure.tight_layout()
     save(figure, folder, "limit_cycle_map")
 

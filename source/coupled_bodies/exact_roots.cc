@@ -207,6 +207,7 @@ namespace vibrocontact
       root.growth = s.real();
       root.divergence_rate = s.real() / s.imag();
       root.exact = true;
+      root.states.clear();
       if (of_fit)
         name_after_mode(pair, loss, s, root);
       kept.push_back(std::move(root));

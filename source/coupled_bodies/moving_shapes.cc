@@ -1,3 +1,4 @@
+#include <vibrocontact/base/matrix_parts.h>
 #include <vibrocontact/coupled_bodies/moving_shapes.h>
 
 #include <algorithm>
@@ -94,6 +95,7 @@ namespace vibrocontact
     MovingShapes result;
     result.shapes = known ? *known : shapes_of_steps(pair);
     PatchShapes &shapes = result.shapes;
+    result.n_loaded = shapes.rank();
     if (pair.n_poles() > 0)
     {
       result.right = in_terms_of(shapes.basis, pair.right);
@@ -111,15 +113,35 @@ namespace vibrocontact
     return result;
   }
 
-  std::vector<unsigned int> shapes_that_move(const std::vector<unsigned int> &rows, const DenseMatrix &basis,
-                                             const DenseMatrix &by_displacement)
+  MovingShapes on_rows(const MovingShapes &all, const std::vector<unsigned int> &rows)
   {
-    std::vector<unsigned int> result;
-    for (unsigned int k = 0; k < basis.n(); ++k)
+    std::vector<unsigned int> own;
+    for (unsigned int k = 0; k < all.rank(); ++k)
       if (std::any_of(rows.begin(), rows.end(),
                       [&](const unsigned int row)
-                      { return basis(row, k) != 0 || by_displacement(row, k) != 0; }))
-        result.push_back(k);
+                      { return all.shapes.basis(row, k) != 0 || all.by_displacement(row, k) != 0; }))
+        own.push_back(k);
+    MovingShapes result;
+    result.n_loaded = std::lower_bound(own.begin(), own.end(), all.n_loaded) - own.begin();
+    result.shapes.basis = columns_at(rows_at(all.shapes.basis, rows), own);
+    result.shapes.amplitudes = rows_at(all.shapes.amplitudes, own);
+    result.by_displacement = columns_at(rows_at(all.by_displacement, rows), own);
+    result.by_velocity = columns_at(rows_at(all.by_velocity, rows), own);
+    result.right = rows_at(all.right, own);
+    result.left = rows_at(all.left, own);
+    return result;
+  }
+
+  DenseMatrix parts_of(const ComplexMatrix &shapes)
+  {
+    const unsigned int n = shapes.n();
+    DenseMatrix result(shapes.m(), 2 * n);
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int i = 0; i < shapes.m(); ++i)
+      {
+        result(i, k) = 2 * shapes(i, k).real();
+        result(i, n + k) = -2 * shapes(i, k).imag();
+      }
     return result;
   }
 } // namespace vibrocontact

@@ -37,7 +37,9 @@ namespace vibrocontact
     RoadUse use;
     use.friction = largest_friction_of_cases(parameters) > 0;
     use.speed = parameters.rolling.creepage.speed;
-    use.contact_step = parameters.scene.runs("transient") ? parameters.transient.time_step : 0;
+    use.contact_step = parameters.scene.runs("transient")     ? parameters.transient.time_step
+                       : parameters.scene.runs("limit cycle") ? parameters.limit_cycle.time_step
+                                                              : 0;
     const RoadBody on_road = road_body(parameters, meshed ? &*meshed : nullptr, measured, number, use);
     // it is in one contact
     for (const PlacedContact &contact : parameters.placed_contacts().all)

@@ -4,6 +4,7 @@
 #include <vibrocontact/coupled_bodies/contact_pair.h>
 
 #include <cmath>
+#include <complex>
 #include <string>
 
 namespace vibrocontact
@@ -46,6 +47,33 @@ namespace vibrocontact
       for (unsigned int i = 0; i < 3 * n_points; ++i)
         pair.residual(i, i) = 5e-8;
       return pair;
+    }
+
+    /// The same motion by poles. @param flows the material flows through the points in its own way, and a further mode stays one
+    static void move_by_poles(ContactPair &pair, const bool flows = false)
+    {
+      static_cast<BodyInContact &>(pair) = by_poles(pair);
+      pair.body.clear();
+      pair.body_of_pole.assign(pair.n_poles(), 1);
+      if (!flows)
+        return;
+      pair.gradient.reinit(3 * n_points, pair.n_poles());
+      pair.residual_gradient.reinit(3 * n_points, 3 * n_points);
+      for (unsigned int i = n_points; i < 3 * n_points; ++i)
+      {
+        for (unsigned int k = 0; k < pair.n_poles(); ++k)
+          pair.gradient(i, k) = std::complex<double>(300. * (k + 1), 40. * i);
+        pair.residual_gradient(i, i) = 2e-5;
+      }
+      pair.omega = {9000};
+      pair.damping_ratio = {2e-3};
+      pair.modal_load = {0};
+      pair.body = {1};
+      pair.trace.reinit(3 * n_points, 1);
+      pair.trace(middle, 0) = 0.3;
+      pair.trace(lateral, 0) = -0.2;
+      pair.participation.reinit(1, 3);
+      pair.labels.insert(pair.labels.begin(), "mass:further");
     }
 
     static Drive drive(double)

@@ -4,6 +4,7 @@
 #include "flutter.h"
 
 #include <vibrocontact/analyses/limit_cycle/harmonic_response.h>
+#include <vibrocontact/coupled_bodies/moving_shapes.h>
 
 #include <gtest/gtest.h>
 
@@ -19,11 +20,13 @@ namespace
   {
     static constexpr unsigned int n_harmonics = 2;
     static constexpr double omega = 6000, speed = 0.01;
-    ContactPair pair = Flutter::pair(5e-4);
-    PatchShapes shapes = patch_shapes(pair.trace, patch_shape_tolerance);
+    ContactPair pair;
+    PatchShapes shapes = shapes_of_steps(pair);
     HarmonicResponse response{pair,   creep_schemes().front(), speed,
                               shapes, {1, Flutter::middle},    n_harmonics};
     DenseMatrix R = some_forces();
+
+    explicit RepeatedForces(const ContactPair &pair = Flutter::pair(5e-4)) : pair(pair) {}
 
   private:
     static DenseMatrix some_forces()
@@ -79,23 +82,54 @@ TEST(HarmonicResponse, IsThatOfModesAndRest)
   }
 }
 
+static ContactPair flowing_poles()
+{
+  ContactPair pair = Flutter::pair(5e-4);
+  Flutter::move_by_poles(pair, true);
+  return pair;
+}
+
+TEST(HarmonicResponse, OfPolesIsTheirReceptance)
+{
+  RepeatedForces scene(flowing_poles());
+  const ContactPair &pair = scene.pair;
+  scene.response.set_frequency(scene.omega);
+  constexpr unsigned int k = 1;
+  const std::complex<double> s(0, k * scene.omega);
+  const ComplexMatrix found = scene.response.of_order(k), G = receptance(pair, k * scene.omega);
+  // a lateral force on the mass: its gap, and its slip with V d/dx by the gradients and the first difference of what moves with it
+  const unsigned int from = Flutter::lateral, upstream = 2 * Flutter::n_points + 1;
+  std::complex<double> gradient = pair.residual_gradient(from, from);
+  for (unsigned int p = 0; p < pair.n_poles(); ++p)
+    gradient += pair.gradient(from, p) * pair.left(from, p) / (s - pair.poles[p]) +
+                std::conj(pair.gradient(from, p) * pair.left(from, p)) / (s - std::conj(pair.poles[p]));
+  const std::complex<double> slip =
+      s * G(from, from) + scene.speed * (gradient + (G(from, from) - G(upstream, from)) / 1e-3);
+  EXPECT_NEAR(std::abs(found(1, 5) - G(Flutter::middle, from)), 0,
+              1e-10 * std::abs(G(Flutter::middle, from)));
+  EXPECT_NEAR(std::abs(found(5, 5) - slip), 0, 1e-10 * std::abs(slip));
+}
+
 TEST(HarmonicResponse, SlopeIsThatOfDifferences)
 {
-  RepeatedForces scene;
-  HarmonicResponse &response = scene.response;
-  const DenseMatrix &R = scene.R;
-  const double change = 1e-3;
-  response.set_frequency(scene.omega + change);
-  DenseMatrix difference = response.response(R), of_rest = response.rate_of_rest(R);
-  response.set_frequency(scene.omega - change);
-  difference.add(-1., response.response(R));
-  of_rest.add(-1., response.rate_of_rest(R));
-  response.set_frequency(scene.omega);
-  difference /= 2 * change;
-  of_rest /= 2 * change;
-  const double size = difference.frobenius_norm(), size_of_rest = of_rest.frobenius_norm();
-  difference.add(-1., response.response_slope(R));
-  of_rest.add(-1., response.rate_of_rest_slope(R));
-  EXPECT_LT(difference.frobenius_norm(), 1e-6 * size);
-  EXPECT_LT(of_rest.frobenius_norm(), 1e-6 * size_of_rest);
+  for (const ContactPair &pair : {Flutter::pair(5e-4), flowing_poles()})
+  {
+    RepeatedForces scene(pair);
+    HarmonicResponse &response = scene.response;
+    const DenseMatrix &R = scene.R;
+    const double change = 1e-3;
+    response.set_frequency(scene.omega + change);
+    DenseMatrix difference = response.response(R), of_rest = response.rate_of_rest(R);
+    response.set_frequency(scene.omega - change);
+    difference.add(-1., response.response(R));
+    of_rest.add(-1., response.rate_of_rest(R));
+    response.set_frequency(scene.omega);
+    difference /= 2 * change;
+    of_rest /= 2 * change;
+    const double size = difference.frobenius_norm(), size_of_rest = of_rest.frobenius_norm();
+    difference.add(-1., response.response_slope(R));
+    of_rest.add(-1., response.rate_of_rest_slope(R));
+    EXPECT_LT(difference.frobenius_norm(), 1e-6 * size);
+    EXPECT_LT(of_rest.frobenius_norm(), 1e-6 * size_of_rest);
+  }
 }

@@ -18,6 +18,18 @@ namespace vibrocontact
     return result;
   }
 
+  /// The first rows and columns of a matrix.
+  template <typename Number>
+  dealii::LAPACKFullMatrix<Number> top_left(const dealii::LAPACKFullMatrix<Number> &matrix,
+                                            const unsigned int n_rows, const unsigned int n_columns)
+  {
+    dealii::LAPACKFullMatrix<Number> result(n_rows, n_columns);
+    for (unsigned int j = 0; j < n_columns; ++j)
+      for (unsigned int i = 0; i < n_rows; ++i)
+        result(i, j) = matrix(i, j);
+    return result;
+  }
+
   /// Some entries of a vector.
   inline DenseVector entries_at(const DenseVector &vector, const std::vector<unsigned int> &rows)
   {

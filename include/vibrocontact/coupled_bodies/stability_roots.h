@@ -25,7 +25,7 @@ namespace vibrocontact
     /// modal amplitudes, then those of the poles as if they were modes; n_modes + n_poles
     std::vector<std::complex<double>> shape;
     /// of the same motion the real parts of the states of the poles, then their imaginary parts, each by its complex amplitude;
-    /// 2 n_poles, empty if the root is exact
+    /// 2 n_poles, empty if they were not kept: of exact roots, and in sweeps
     std::vector<std::complex<double>> states;
 
     template <typename Archive>

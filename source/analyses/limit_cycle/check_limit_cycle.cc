@@ -25,6 +25,18 @@ namespace vibrocontact
                          contact.section + " does: let it fall over the slip speed.");
     const CycleBranchParameters &branch = parameters.limit_cycle.branch;
     branch.check(rolling_cases(parameters.rolling, parameters.contacts).front());
+    for (const BodyParameters &body : bodies)
+      if (branch.any() && body.is_periodic_rail())
+        throw InputError(
+            "Limit cycle/Branch/Entry is " + branch.entry + ", but the poles of the periodic rail " +
+            body.name +
+            " follow it about the roots of one equilibrium alone: leave the branch out, or set its Model "
+            "to solid.");
+      else if (branch.entry == "Rolling/Speed" && (body.rolls() || body.is_green()))
+        throw InputError(
+            "Limit cycle/Branch/Entry is Rolling/Speed, but " + body.name +
+            " is made for one speed, and a branch leaves bodies as they are: sweep the speed (Limit "
+            "cycle/Sweep).");
     if (branch.any() && branch.is_friction())
       for (const ContactParameters &contact : parameters.contacts.all)
       {

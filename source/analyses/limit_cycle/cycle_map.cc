@@ -53,12 +53,12 @@ namespace vibrocontact
         rows(rows_of_points(pair.n_points(), points)), m(n_steps), frequency(pair.omega)
   {
     trace = rows_at(pair.trace, rows);
-    into_poles.reinit(rows.size(), 2 * pair.n_poles());
+    left_parts.reinit(rows.size(), 2 * pair.n_poles());
     for (unsigned int k = 0; k < pair.n_poles(); ++k)
       for (unsigned int i = 0; i < rows.size(); ++i)
       {
-        into_poles(i, k) = pair.left(rows[i], k).real();
-        into_poles(i, pair.n_poles() + k) = pair.left(rows[i], k).imag();
+        left_parts(i, k) = pair.left(rows[i], k).real();
+        left_parts(i, pair.n_poles() + k) = pair.left(rows[i], k).imag();
       }
     this->solver.tolerance = std::min(solver.tolerance, cycle_contact_tolerance);
     AssertThrow(n_motion() > 0 && !points.empty(), dealii::ExcInternalError());
@@ -193,6 +193,7 @@ namespace vibrocontact
                                         pole_steps(transient, pair, h - little), 2 * little);
     }
     marched = {};
+    no_derivative.clear();
     derivatives.clear();
     ends.clear();
     derivatives.reserve(keep_derivatives ? m : 0);
@@ -213,11 +214,18 @@ namespace vibrocontact
         left_its_points = true;
         throw ConvergenceError("the contact reaches points that are far from those it has at rest");
       }
-      if (keep_derivatives)
+      if (keep_derivatives && no_derivative.empty())
       {
         DenseVector change = state.residual_displacement;
         change -= before.residual_displacement;
-        derivatives.emplace_back(*stepper, pair.poles, change);
+        try
+        {
+          derivatives.emplace_back(*stepper, pair.poles, change);
+        }
+        catch (const ConvergenceError &error)
+        {
+          no_derivative = error.what();
+        }
         DenseVector begin = before.modal_force, end = state.modal_force;
         begin += constant_force;
         end += constant_force;
@@ -239,9 +247,9 @@ namespace vibrocontact
     mean_rate += end;
     mean_rate -= last;
     mean_rate /= 2 * h;
-    if (keep_derivatives)
+    if (keep_derivatives && no_derivative.empty())
       stand_on_loaded_points();
-    marched = {period, x, end, keep_derivatives, std::move(statuses)};
+    marched = {period, x, end, keep_derivatives && no_derivative.empty(), std::move(statuses)};
     return end;
   }
 
@@ -251,7 +259,10 @@ namespace vibrocontact
     for (const StepDerivative &step : derivatives)
       in_contact.insert(step.points_in_contact().begin(), step.points_in_contact().end());
     if (in_contact.empty())
-      throw ConvergenceError("nothing is in contact during the period");
+    {
+      no_derivative = "nothing is in contact during the period";
+      return;
+    }
     loaded = std::make_unique<StepOnPoints>(*stepper,
                                             std::vector<unsigned int>(in_contact.begin(), in_contact.end()));
     for (StepDerivative &step : derivatives)
@@ -287,15 +298,24 @@ namespace vibrocontact
     if (n_modes > 0)
       trace.Tmmult(changes.modal_force, R);
     if (n_poles > 0)
-      into_poles.Tmmult(changes.pole_force, R);
+      left_parts.Tmmult(changes.pole_force, R);
     const std::vector<unsigned int> on_grid = rows_of_points(n_grid, on.points),
                                     along(on_grid.begin() + on.n_points(), on_grid.end());
     changes.slip_displacement = product(columns_at(rows_at(pair.residual, along), rows), R);
     return changes;
   }
 
+  const std::vector<StepDerivative> &CycleMap::derivatives_of_steps() const
+  {
+    if (!no_derivative.empty())
+      throw ConvergenceError(no_derivative);
+    AssertThrow(marched.has_derivatives, dealii::ExcInternalError());
+    return derivatives;
+  }
+
   DenseMatrix CycleMap::derivative(const DenseMatrix &starts) const
   {
+    const std::vector<StepDerivative> &steps = derivatives_of_steps();
     n_products += starts.n();
     std::vector<StateChanges> blocks;
     for (unsigned int begin = 0; begin < starts.n(); begin += columns_of_block)
@@ -305,11 +325,11 @@ namespace vibrocontact
       blocks.push_back(changes_of(columns_at(starts, columns), *loaded));
     }
     for (unsigned int j = 0; j + 1 < m; ++j)
-      derivatives[j].advance_many(blocks);
+      steps[j].advance_many(blocks);
     DenseMatrix result(size(), starts.n());
     for (unsigned int k = 0; k < blocks.size(); ++k)
     {
-      derivatives.back().advance(blocks[k]);
+      steps.back().advance(blocks[k]);
       add_block(result, packed(blocks[k], *loaded), 0, k * columns_of_block);
     }
     return result;
@@ -318,20 +338,22 @@ namespace vibrocontact
   DenseVector CycleMap::derivative(const DenseVector &start) const
   {
     ++n_products;
+    const std::vector<StepDerivative> &steps = derivatives_of_steps();
     DenseMatrix column(size(), 1);
     std::copy(start.begin(), start.end(), &column(0, 0));
     StateChanges changes = changes_of(column, *loaded);
-    for (const StepDerivative &step : derivatives)
+    for (const StepDerivative &step : steps)
       step.advance(changes);
     return only_column(packed(changes, *loaded));
   }
 
   DenseVector CycleMap::by_period() const
   {
+    const std::vector<StepDerivative> &steps = derivatives_of_steps();
     StateChanges changes = changes_of(DenseMatrix(size(), 1), *loaded);
     const LengthChange longer = {modes_by_length, poles_by_length, 1. / m};
     for (unsigned int j = 0; j < m; ++j)
-      derivatives[j].advance(changes, &longer, &ends[j]);
+      steps[j].advance(changes, &longer, &ends[j]);
     return only_column(packed(changes, *loaded));
   }
 
@@ -362,7 +384,7 @@ namespace vibrocontact
   {
     std::vector<unsigned int> result(n_motion());
     std::iota(result.begin(), result.end(), 0);
-    const std::vector<unsigned int> of_forces = force_rows(derivatives.back().points_in_contact());
+    const std::vector<unsigned int> of_forces = force_rows(derivatives_of_steps().back().points_in_contact());
     result.insert(result.end(), of_forces.begin(), of_forces.end());
     return result;
   }

@@ -20,6 +20,11 @@ namespace vibrocontact
         hub_motion(parameters.hub(), parameters.rolling, LoadOverTime(), scene.contacts, solver, held,
                    drive_function(steps, constants, parameters.placed_contacts()));
     scene.pair = hub.pair;
+    if (!scene.pair->relaxing.empty())
+      throw InputError(
+          "Body " + std::to_string(scene.pair->relaxing.front().body) +
+          " leaves a rest that follows forces with a delay, but in limit cycles what modes and poles "
+          "leave out follows at once: take a body without its damping.");
     scene.shapes = like && like->pair == scene.pair
                        ? like->shapes
                        : std::make_shared<const PatchShapes>(shapes_of_steps(*scene.pair));

@@ -2,7 +2,6 @@
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/matrix_parts.h>
 #include <vibrocontact/contact/point_rows.h>
-#include <vibrocontact/coupled_bodies/moving_shapes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,9 +40,9 @@ namespace vibrocontact
 
     DenseMatrix times(const std::vector<ComplexMatrix> &by_order, const DenseMatrix &columns)
     {
-      DenseMatrix result(columns.m(), columns.n());
+      DenseMatrix result(by_order.front().m(), columns.n());
       for (unsigned int k = 0; k < by_order.size(); ++k)
-        for (unsigned int i = 0; i < columns.m(); ++i)
+        for (unsigned int i = 0; i < result.m(); ++i)
         {
           Complex sum = 0;
           for (unsigned int j = 0; j < columns.m(); ++j)
@@ -57,19 +56,12 @@ namespace vibrocontact
   HarmonicResponse::HarmonicResponse(const ContactPair &pair, const CreepScheme &scheme, const double speed,
                                      const PatchShapes &shapes, const std::vector<unsigned int> &points,
                                      const unsigned int n_harmonics)
-      : pair(pair), n_harmonics(n_harmonics)
+      : pair(pair), n_harmonics(n_harmonics),
+        moving(on_rows(moving_shapes(pair, scheme, speed, &shapes), rows_of_points(pair.n_points(), points)))
   {
     AssertThrow(std::all_of(pair.omega.begin(), pair.omega.end(), [](const double w) { return w > 0; }),
                 dealii::ExcInternalError());
     const std::vector<unsigned int> rows = rows_of_points(pair.n_points(), points);
-    const MovingShapes moving = moving_shapes(pair, scheme, speed, &shapes);
-    const std::vector<unsigned int> own = shapes_that_move(rows, moving.shapes.basis, moving.by_displacement);
-    basis = columns_at(rows_at(moving.shapes.basis, rows), own);
-    by_displacement = columns_at(rows_at(moving.by_displacement, rows), own);
-    by_velocity = columns_at(rows_at(moving.by_velocity, rows), own);
-    amplitudes = rows_at(moving.shapes.amplitudes, own);
-    right = rows_at(moving.right, own);
-    left = rows_at(moving.left, own);
     rest = tangential_rest = columns_at(rows_at(pair.residual, rows), rows);
     for (unsigned int j = 0; j < tangential_rest.n(); ++j)
       std::fill_n(&tangential_rest(0, j), points.size(), 0.);
@@ -83,25 +75,33 @@ namespace vibrocontact
   void HarmonicResponse::set_frequency(const double new_omega)
   {
     omega = new_omega;
-    const unsigned int rank = basis.n(), n_modes = pair.n_modes(), n_poles = pair.n_poles(),
-                       n_columns = n_modes + 2 * n_poles;
+    const unsigned int rank = moving.rank(), n_modes = pair.n_modes(), n_poles = pair.n_poles(),
+                       n_columns = n_modes + 2 * n_poles, n_loaded = moving.n_loaded;
     for (std::vector<ComplexMatrix> *const list :
          {&receptance, &receptance_slope, &mobility, &mobility_slope})
-      list->assign(n_harmonics + 1, ComplexMatrix(rank));
+      list->assign(n_harmonics + 1, ComplexMatrix(rank, n_loaded));
     // modes, poles, and their conjugates
-    ComplexMatrix to(rank, n_columns), from(rank, n_columns);
+    ComplexMatrix to(rank, n_columns), from(n_loaded, n_columns);
     std::vector<Complex> inverse(n_columns), slope(n_columns);
     for (unsigned int n = 0; n < n_modes; ++n)
       for (unsigned int i = 0; i < rank; ++i)
-        to(i, n) = from(i, n) = amplitudes(i, n);
+        to(i, n) = moving.shapes.amplitudes(i, n);
     for (unsigned int p = 0; p < n_poles; ++p)
       for (unsigned int i = 0; i < rank; ++i)
       {
-        to(i, n_modes + p) = right(i, p);
-        to(i, n_modes + n_poles + p) = std::conj(right(i, p));
-        from(i, n_modes + p) = left(i, p);
-        from(i, n_modes + n_poles + p) = std::conj(left(i, p));
+        to(i, n_modes + p) = moving.right(i, p);
+        to(i, n_modes + n_poles + p) = std::conj(moving.right(i, p));
       }
+    for (unsigned int i = 0; i < n_loaded; ++i)
+    {
+      for (unsigned int n = 0; n < n_modes; ++n)
+        from(i, n) = moving.shapes.amplitudes(i, n);
+      for (unsigned int p = 0; p < n_poles; ++p)
+      {
+        from(i, n_modes + p) = moving.left(i, p);
+        from(i, n_modes + n_poles + p) = std::conj(moving.left(i, p));
+      }
+    }
     const auto sum = [&](const std::vector<Complex> &weights, ComplexMatrix &result)
     {
       ComplexMatrix weighted = to;
@@ -126,7 +126,7 @@ namespace vibrocontact
       }
       sum(inverse, receptance[k]);
       sum(slope, receptance_slope[k]);
-      for (unsigned int j = 0; j < rank; ++j)
+      for (unsigned int j = 0; j < n_loaded; ++j)
         for (unsigned int i = 0; i < rank; ++i)
         {
           mobility[k](i, j) = rate * receptance[k](i, j);
@@ -148,14 +148,21 @@ namespace vibrocontact
     multiply_by_order(omega, columns);
   }
 
+  DenseMatrix HarmonicResponse::on_loaded_shapes(const DenseMatrix &forces) const
+  {
+    DenseMatrix result(moving.n_loaded, forces.n());
+    top_left(moving.shapes.basis, n_rows(), moving.n_loaded).Tmmult(result, forces);
+    return result;
+  }
+
   DenseMatrix HarmonicResponse::along(const DenseMatrix &forces,
                                       const std::vector<ComplexMatrix> &displacement,
                                       const std::vector<ComplexMatrix> &velocity, const double rate) const
   {
-    DenseMatrix on_shapes(basis.n(), forces.n()), y(forces.m(), forces.n()), rates = forces;
-    basis.Tmmult(on_shapes, forces);
-    by_displacement.mmult(y, times(displacement, on_shapes));
-    by_velocity.mmult(y, times(velocity, on_shapes), true);
+    DenseMatrix y(forces.m(), forces.n()), rates = forces;
+    const DenseMatrix on_shapes = on_loaded_shapes(forces);
+    moving.by_displacement.mmult(y, times(displacement, on_shapes));
+    moving.by_velocity.mmult(y, times(velocity, on_shapes), true);
     multiply_by_order(rate, rates);
     tangential_rest.mmult(y, rates, true);
     return y;
@@ -189,10 +196,10 @@ namespace vibrocontact
 
   ComplexMatrix HarmonicResponse::of_order(const unsigned int k) const
   {
-    ComplexMatrix left = product(entries_as<Complex>(by_displacement), receptance[k]);
-    left.add(1., product(entries_as<Complex>(by_velocity), mobility[k]));
+    ComplexMatrix left = product(entries_as<Complex>(moving.by_displacement), receptance[k]);
+    left.add(1., product(entries_as<Complex>(moving.by_velocity), mobility[k]));
     ComplexMatrix y(n_rows());
-    left.mTmult(y, entries_as<Complex>(basis));
+    left.mTmult(y, entries_as<Complex>(top_left(moving.shapes.basis, n_rows(), moving.n_loaded)));
     y.add(1., entries_as<Complex>(by_rest));
     y.add(1., rate_of_rest_of_order(k));
     return y;
@@ -218,17 +225,17 @@ namespace vibrocontact
       for (unsigned int n = 0; n < pair.n_modes(); ++n)
       {
         double shape = 0;
-        for (unsigned int k = 0; k < basis.n(); ++k)
-          shape += basis(i, k) * amplitudes(k, n);
+        for (unsigned int k = 0; k < moving.rank(); ++k)
+          shape += moving.shapes.basis(i, k) * moving.shapes.amplitudes(k, n);
         compliance += std::pow(shape / std::max(pair.omega[n], highest), 2);
       }
       for (unsigned int p = 0; p < pair.n_poles(); ++p)
       {
         Complex to = 0, from = 0;
-        for (unsigned int k = 0; k < basis.n(); ++k)
+        for (unsigned int k = 0; k < moving.rank(); ++k)
         {
-          to += basis(i, k) * right(k, p);
-          from += basis(i, k) * left(k, p);
+          to += moving.shapes.basis(i, k) * moving.right(k, p);
+          from += moving.shapes.basis(i, k) * moving.left(k, p);
         }
         const double frequency = std::abs(pair.poles[p]);
         compliance += 2 * frequency * std::abs(to * from) / std::pow(std::max(frequency, highest), 2);
@@ -241,10 +248,9 @@ namespace vibrocontact
 
   DenseMatrix HarmonicResponse::modal_amplitudes(const DenseMatrix &forces) const
   {
-    DenseMatrix on_shapes(basis.n(), forces.n()), q(pair.n_modes(), forces.n());
-    basis.Tmmult(on_shapes, forces);
+    DenseMatrix q(pair.n_modes(), forces.n());
     if (q.m() > 0)
-      amplitudes.Tmmult(q, on_shapes);
+      top_left(moving.shapes.amplitudes, moving.n_loaded, q.m()).Tmmult(q, on_loaded_shapes(forces));
     for (unsigned int k = 0; k <= n_harmonics; ++k)
       for (unsigned int n = 0; n < q.m(); ++n)
         put_order(of_order_in(q, n, k) / dynamic_stiffness(pair, n, k, omega), n, k, q);
@@ -254,18 +260,18 @@ namespace vibrocontact
   DenseMatrix HarmonicResponse::pole_states(const DenseMatrix &forces) const
   {
     const unsigned int n = pair.n_poles();
-    DenseMatrix on_shapes(basis.n(), forces.n()), states(2 * n, forces.n());
-    basis.Tmmult(on_shapes, forces);
+    DenseMatrix states(2 * n, forces.n());
+    const DenseMatrix on_shapes = on_loaded_shapes(forces);
     for (unsigned int k = 0; k <= n_harmonics; ++k)
       for (unsigned int p = 0; p < n; ++p)
       {
         // what the forces of order k and of order -k feed into the state, which is no real function
         Complex feed = 0, feed_back = 0;
-        for (unsigned int i = 0; i < basis.n(); ++i)
+        for (unsigned int i = 0; i < moving.n_loaded; ++i)
         {
           const Complex force = of_order_in(on_shapes, i, k);
-          feed += left(i, p) * force;
-          feed_back += left(i, p) * std::conj(force);
+          feed += moving.left(i, p) * force;
+          feed_back += moving.left(i, p) * std::conj(force);
         }
         const Complex forth = feed / (Complex(0, k * omega) - pair.poles[p]),
                       back = std::conj(feed_back / (Complex(0, -(k * omega)) - pair.poles[p]));

@@ -14,18 +14,14 @@ namespace vibrocontact
   using Complex = std::complex<double>;
 
   StepOnPoints::StepOnPoints(const ContactStepper &stepper, const std::vector<unsigned int> &points)
-      : points(points)
+      : MovingShapes(on_rows(stepper.matrices_of_step(),
+                             rows_of_points(stepper.matrices_of_step().contacts.n_points(), points))),
+        points(points)
   {
     const StepMatrices &matrices = stepper.matrices_of_step();
     const std::vector<unsigned int> rows = rows_of_points(matrices.contacts.n_points(), points);
-    const std::vector<unsigned int> shapes =
-        shapes_that_move(rows, matrices.shapes.basis, matrices.by_displacement);
-    basis = columns_at(rows_at(matrices.shapes.basis, rows), shapes);
-    by_displacement = columns_at(rows_at(matrices.by_displacement, rows), shapes);
-    by_velocity = columns_at(rows_at(matrices.by_velocity, rows), shapes);
-    amplitudes = rows_at(matrices.shapes.amplitudes, shapes);
-    by_poles = rows_at(matrices.by_poles, shapes);
-    into_poles = rows_at(matrices.into_poles, shapes);
+    by_poles = parts_of(right);
+    into_poles = parts_of(left);
     const std::vector<unsigned int> along(rows.begin() + points.size(), rows.end());
     slip_flexibility = columns_at(rows_at(matrices.residual_flexibility, along), rows);
     for (const unsigned int row : rows)
@@ -158,7 +154,7 @@ namespace vibrocontact
   {
     DenseMatrix result(on_points->rank(), n_columns);
     if (!stepper.steps_of_modes().empty())
-      on_points->amplitudes.mmult(result, numbers);
+      on_points->shapes.amplitudes.mmult(result, numbers);
     return result;
   }
 
@@ -237,7 +233,7 @@ namespace vibrocontact
   {
     const std::vector<ModalStep> &steps = stepper.steps_of_modes();
     if (!steps.empty())
-      on_points->amplitudes.Tmmult(changes.modal_force, on_shapes);
+      on_points->shapes.amplitudes.Tmmult(changes.modal_force, on_shapes);
     for (unsigned int j = 0; j < changes.n_columns(); ++j)
       for (unsigned int k = 0; k < steps.size(); ++k)
       {
@@ -270,17 +266,17 @@ namespace vibrocontact
     solve_contact(moved, changes, change, ends);
     changes.slip_displacement = product(on_points->slip_flexibility, changes.R);
     DenseMatrix on_shapes(on_points->rank(), changes.n_columns());
-    on_points->basis.Tmmult(on_shapes, changes.R);
+    on_points->shapes.basis.Tmmult(on_shapes, changes.R);
     add_forces(on_shapes, changes);
   }
 
   DenseMatrix StepDerivative::contact_response() const
   {
-    const unsigned int rank = on_points->rank(), n = on_points->n_points(), first = 2 * rank,
-                       n_columns = first + 2 * n + 1;
+    const unsigned int rank = on_points->rank(), n_loaded = on_points->n_loaded, n = on_points->n_points(),
+                       first = rank + n_loaded, n_columns = first + 2 * n + 1;
     DenseMatrix moved(3 * n, n_columns);
     add_block(moved, on_points->by_displacement, 0, 0);
-    add_block(moved, on_points->by_velocity, 0, rank);
+    add_block(moved, top_left(on_points->by_velocity, 3 * n, n_loaded), 0, rank);
     StateChanges changes;
     changes.slip_displacement.reinit(2 * n, n_columns);
     for (unsigned int i = 0; i < 2 * n; ++i)
@@ -289,38 +285,40 @@ namespace vibrocontact
     changes.approach.back() = 1;
     solve_contact(moved, changes, nullptr, nullptr);
 
-    DenseMatrix on_shapes(rank, n_columns), result(rank + 2 * n + 1, n_columns);
-    on_points->basis.Tmmult(on_shapes, changes.R);
+    DenseMatrix on_shapes(n_loaded, n_columns), result(n_loaded + 2 * n + 1, n_columns);
+    top_left(on_points->shapes.basis, 3 * n, n_loaded).Tmmult(on_shapes, changes.R);
     add_block(result, on_shapes, 0, 0);
-    add_block(result, product(on_points->slip_flexibility, changes.R), rank, 0);
+    add_block(result, product(on_points->slip_flexibility, changes.R), n_loaded, 0);
     for (unsigned int j = 0; j < n_columns; ++j)
-      result(rank + 2 * n, j) = changes.approach[j];
+      result(n_loaded + 2 * n, j) = changes.approach[j];
     return result;
   }
 
   void StepDerivative::advance_many(std::vector<StateChanges> &blocks) const
   {
     const DenseMatrix response = contact_response();
-    const unsigned int rank = on_points->rank(), n_slips = 2 * on_points->n_points();
+    const unsigned int rank = on_points->rank(), n_loaded = on_points->n_loaded,
+                       n_slips = 2 * on_points->n_points();
     for (StateChanges &changes : blocks)
     {
+      const unsigned int n_columns = changes.n_columns();
       advance_modes(changes, nullptr, nullptr);
       advance_poles(changes, nullptr, nullptr);
-      DenseMatrix before(response.n(), changes.n_columns());
+      DenseMatrix before(response.n(), n_columns);
       add_block(before, displacements(changes), 0, 0);
-      add_block(before, velocities(changes), rank, 0);
-      add_block(before, changes.slip_displacement, 2 * rank, 0);
-      for (unsigned int j = 0; j < changes.n_columns(); ++j)
-        before(2 * rank + n_slips, j) = changes.approach[j];
+      add_block(before, top_left(velocities(changes), n_loaded, n_columns), rank, 0);
+      add_block(before, changes.slip_displacement, rank + n_loaded, 0);
+      for (unsigned int j = 0; j < n_columns; ++j)
+        before(rank + n_loaded + n_slips, j) = changes.approach[j];
       const DenseMatrix after = product(response, before);
-      DenseMatrix on_shapes(rank, changes.n_columns());
-      for (unsigned int j = 0; j < changes.n_columns(); ++j)
+      // the shapes of gradients are not loaded
+      DenseMatrix on_shapes(rank, n_columns);
+      add_block(on_shapes, top_left(after, n_loaded, n_columns), 0, 0);
+      for (unsigned int j = 0; j < n_columns; ++j)
       {
-        for (unsigned int i = 0; i < rank; ++i)
-          on_shapes(i, j) = after(i, j);
         for (unsigned int i = 0; i < n_slips; ++i)
-          changes.slip_displacement(i, j) = after(rank + i, j);
-        changes.approach[j] = after(rank + n_slips, j);
+          changes.slip_displacement(i, j) = after(n_loaded + i, j);
+        changes.approach[j] = after(n_loaded + n_slips, j);
       }
       add_forces(on_shapes, changes);
     }

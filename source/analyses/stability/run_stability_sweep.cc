@@ -205,7 +205,10 @@ namespace vibrocontact
             begin_of_row = paths;
           row_has_begun = true;
           for (StabilityRoot &root : result.roots)
+          {
             root.shape.clear();
+            root.states.clear();
+          }
           print(text, result);
           outcome.values.push_back(one.values);
           outcome.results.push_back(std::move(result));

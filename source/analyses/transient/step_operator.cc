@@ -41,20 +41,6 @@ namespace vibrocontact
       return result;
     }
 
-    /// 2 Re beside -2 Im
-    DenseMatrix parts_of(const ComplexMatrix &shapes)
-    {
-      const unsigned int n = shapes.n();
-      DenseMatrix result(shapes.m(), 2 * n);
-      for (unsigned int k = 0; k < n; ++k)
-        for (unsigned int i = 0; i < shapes.m(); ++i)
-        {
-          result(i, k) = 2 * shapes(i, k).real();
-          result(i, n + k) = -2 * shapes(i, k).imag();
-        }
-      return result;
-    }
-
     // into += left middle right^T
     void add_product(const DenseMatrix &left, const DenseMatrix &middle, const DenseMatrix &right,
                      DenseMatrix &into)
@@ -87,12 +73,9 @@ namespace vibrocontact
       return result;
     }
     result.residual_flexibility = result.response = rest_over_step(body, h);
-    MovingShapes moving = moving_shapes(body, scheme, speed, known);
-    result.shapes = std::move(moving.shapes);
-    result.by_displacement = std::move(moving.by_displacement);
-    result.by_velocity = std::move(moving.by_velocity);
+    static_cast<MovingShapes &>(result) = moving_shapes(body, scheme, speed, known);
     const PatchShapes &shapes = result.shapes;
-    const ComplexMatrix &right = moving.right, &left = moving.left;
+    const ComplexMatrix &right = result.right, &left = result.left;
     result.residual_gradient = body.residual_gradient;
     const HubDamper damper(hub, steps);
     result.displacement_gain = gain(shapes.amplitudes, steps, 0, damper);

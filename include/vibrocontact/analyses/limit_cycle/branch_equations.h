@@ -51,7 +51,7 @@ namespace vibrocontact
   private:
     /// To that of the value that was evaluated last.
     void renew_preconditioner();
-    /// Derivative of Phi by the value, by a difference.
+    /// Derivative of Phi - x by the value, x at its distance from the equilibrium, by a difference.
     DenseVector difference_by_value() const;
 
     const CycleFamily &family;
@@ -63,7 +63,7 @@ namespace vibrocontact
     BranchPlace tangent;
     PlaceSizes sizes = {};
     DenseVector from_rest, start, rest;
-    /// that of the first place of a direction, which serves all of it; empty: none yet
+    /// that of the first place of a direction, kept while Newton's method goes on there; empty: none yet
     DenseVector by_value;
     double period = 0;
   };

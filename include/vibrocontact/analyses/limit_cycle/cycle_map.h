@@ -46,12 +46,13 @@ namespace vibrocontact
     /// Whether only the points are loaded. @param R 3 n of the whole grid
     bool are_known(const DenseVector &R) const;
 
-    /// The state after a period; that of the last march if it began there. @param keep_derivatives for derivative() @throws ConvergenceError where a step does not converge
+    /// The state after a period; that of the last march if it began there. @param keep_derivatives for derivative()
+    /// @throws ConvergenceError where a step does not converge
     DenseVector march(const DenseVector &x, double period, bool keep_derivatives,
                       const Observer &observe = {});
-    // of the last march, rate() of any and the others of one that kept its derivatives:
     /// Statuses of all points at the ends of the steps of the last march.
     const std::vector<std::vector<ContactStatus>> &statuses() const { return marched.statuses; }
+    // of the last march, rate() of any and the others of one that kept its derivatives:
     /// What changes of the start, one per column, make of the end.
     DenseMatrix derivative(const DenseMatrix &starts) const;
     DenseVector derivative(const DenseVector &start) const;
@@ -59,7 +60,7 @@ namespace vibrocontact
     DenseVector by_period() const;
     /// |Phi_x r - r| / |r|, r: Phi_x times rate(). A disturbance along the motion stays what it is, if the steps are short enough.
     double change_along_motion() const;
-    /// Rows of the state that a change is left in after a period: modes, and forces of the points in contact at its end.
+    /// Rows of the state that a change is left in after a period: modes, poles, and forces of the points in contact at its end.
     std::vector<unsigned int> lasting_rows() const;
     /// The derivative among these rows, square: the monodromy matrix without rows of zeros, which has its eigenvalues but for zeros.
     DenseMatrix monodromy() const;
@@ -86,8 +87,10 @@ namespace vibrocontact
     std::vector<unsigned int> force_rows(const std::vector<unsigned int> &some) const;
     /// One column for each of the rows, which are one in it.
     DenseMatrix unit_starts(const std::vector<unsigned int> &of_rows) const;
-    /// From now on derivatives are on the points in contact at some time of the march. @throws ConvergenceError if there are none
+    /// From now on derivatives are on the points in contact at some time of the march.
     void stand_on_loaded_points();
+    /// Of the last march. @throws ConvergenceError if one of its steps has none, or nothing was in contact
+    const std::vector<StepDerivative> &derivatives_of_steps() const;
     std::unique_ptr<ContactStepper> stepper_of(double step) const;
 
     const TransientParameters &transient;
@@ -120,8 +123,10 @@ namespace vibrocontact
     std::unique_ptr<ContactStepper> stepper;
     std::unique_ptr<StepOnPoints> loaded;
     /// Psi on the rows; left shapes of the poles there, real parts beside imaginary ones
-    DenseMatrix trace, into_poles;
+    DenseMatrix trace, left_parts;
     std::vector<StepDerivative> derivatives;
+    /// why they are not there; empty: they are, or were not asked for
+    std::string no_derivative;
     std::vector<StepEnds> ends;
     std::vector<ModalStep> modes_by_length;
     StepWeights poles_by_length;

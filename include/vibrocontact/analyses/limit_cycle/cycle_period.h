@@ -30,7 +30,7 @@ namespace vibrocontact
     std::vector<CycleSignal> forces;
     /// of all contacts
     CycleSignal stick_points, contact_points;
-    /// powers: taken by friction, brought by the creepage, into the modes of body 1 [W]
+    /// powers: taken by friction, brought by the creepage, into body 1 by its velocity in place [W]
     CycleSignal friction_power, creepage_power, power_into_body_1;
     /// velocities of the probes [m/s]
     std::vector<CycleSignal> probes;

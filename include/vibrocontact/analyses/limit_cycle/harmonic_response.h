@@ -3,7 +3,7 @@
 #include <vibrocontact/base/complex_dense.h>
 #include <vibrocontact/contact/creep.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
-#include <vibrocontact/coupled_bodies/patch_shapes.h>
+#include <vibrocontact/coupled_bodies/moving_shapes.h>
 
 #include <vector>
 
@@ -26,7 +26,7 @@ namespace vibrocontact
                      const PatchShapes &shapes, const std::vector<unsigned int> &points,
                      unsigned int n_harmonics);
 
-    unsigned int n_rows() const { return basis.m(); }
+    unsigned int n_rows() const { return rest.m(); }
     unsigned int n_functions() const { return 2 * n_harmonics + 1; }
     /// w [rad/s]
     void set_frequency(double omega);
@@ -52,21 +52,20 @@ namespace vibrocontact
     void differentiate(DenseMatrix &columns) const;
 
   private:
+    /// Harmonics of the forces on the shapes that they act through; n_loaded rows
+    DenseMatrix on_loaded_shapes(const DenseMatrix &forces) const;
     DenseMatrix along(const DenseMatrix &forces, const std::vector<ComplexMatrix> &displacement,
                       const std::vector<ComplexMatrix> &velocity, double rate) const;
 
     const ContactPair &pair;
     const unsigned int n_harmonics;
-    /// MovingShapes on the rows of the points, those that move any: the shapes, their gaps and slips by displacement and by velocity;
-    /// 3 n_points x rank
-    DenseMatrix basis, by_displacement, by_velocity;
-    /// of modes and poles in them; rank x n_modes, rank x n_poles
-    DenseMatrix amplitudes;
-    ComplexMatrix right, left;
+    /// on the rows of the points
+    const MovingShapes moving;
     /// W~, gaps and slips by it, and its tangential rows; 3 n_points square
     DenseMatrix rest, by_rest, tangential_rest;
     double omega = 0;
-    /// G_k and its derivative by w among the shapes, j k w G_k and its derivative, by order
+    /// What the shapes answer to forces on the loaded ones and its derivative by w, j k w times the former and its derivative, by order;
+    /// rank x n_loaded
     std::vector<ComplexMatrix> receptance, receptance_slope, mobility, mobility_slope;
   };
 } // namespace vibrocontact

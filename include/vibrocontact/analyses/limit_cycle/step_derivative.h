@@ -27,15 +27,12 @@ namespace vibrocontact
   };
 
   /// The constant parts of a step on some points of the grid: those in contact at some time of the steps whose derivatives are taken.
-  struct StepOnPoints
+  struct StepOnPoints : MovingShapes
   {
     /// ascending
     std::vector<unsigned int> points;
-    /// StepMatrices::shapes.basis, by_displacement, by_velocity on their rows, for those shapes that move any of them;
-    /// 3 n_points x rank
-    DenseMatrix basis, by_displacement, by_velocity;
-    /// StepMatrices::shapes.amplitudes, by_poles and into_poles of these shapes; rank x n_modes, rank x 2 n_poles
-    DenseMatrix amplitudes, by_poles, into_poles;
+    /// StepMatrices::by_poles and into_poles of the shapes that are left; rank x 2 n_poles
+    DenseMatrix by_poles, into_poles;
     /// residual displacements along the surface by forces; 2 n_points x 3 n_points [m/N]
     DenseMatrix slip_flexibility;
     /// rows of gap and slip per approach; 3 n_points [-, 1/s]
@@ -43,7 +40,6 @@ namespace vibrocontact
 
     StepOnPoints(const ContactStepper &stepper, const std::vector<unsigned int> &points);
     unsigned int n_points() const { return points.size(); }
-    unsigned int rank() const { return basis.n(); }
   };
 
   /// What a step went through, as far as its length matters in it.
@@ -79,10 +75,9 @@ namespace vibrocontact
   class StepDerivative
   {
   public:
-    /// Right after stepper.advance(); both are referred to. @pre no other point is in contact
-    /// @param residual_change of the residual displacements over the step; 3 n of the whole grid [m]
+    /// Right after stepper.advance(); stepper and poles are referred to.
+    /// @param poles of the pair [1/s] @param residual_change of the residual displacements over the step; 3 n of the whole grid [m]
     /// @throws ConvergenceError if the Jacobian is singular
-    /// @param poles of the pair [1/s], are referred to
     StepDerivative(const ContactStepper &stepper, const std::vector<std::complex<double>> &poles,
                    const DenseVector &residual_change);
 
@@ -109,13 +104,13 @@ namespace vibrocontact
     DenseMatrix velocities(const StateChanges &changes) const;
     /// Of numbers of the modes that of the shapes, which is zero without modes.
     DenseMatrix of_modes(const DenseMatrix &numbers, unsigned int n_columns) const;
-    /// R and approach at the end of the step. @param moved gaps and slips of the modes without the forces there; 3 n_points rows
+    /// R and approach at the end of the step. @param moved gaps and slips of modes and poles without the forces there; 3 n_points rows
     void solve_contact(const DenseMatrix &moved, StateChanges &changes, const LengthChange *change,
                        const StepEnds *ends) const;
     /// What forces on the shapes make of modes and poles at the end of the step.
     void add_forces(const DenseMatrix &on_shapes, StateChanges &changes) const;
-    /// What the contact makes of its surroundings. Columns: displacements of the shapes and their velocities, both without the forces at
-    /// the end of the step, slip displacements and approach before it. Rows: forces on the shapes, slip displacements and approach at its end.
+    /// What the contact makes of its surroundings. Columns: displacements of the shapes and velocities of the loaded ones, both without the forces at
+    /// the end of the step, slip displacements and approach before it. Rows: forces on the loaded shapes, slip displacements and approach at its end.
     DenseMatrix contact_response() const;
 
     const ContactStepper &stepper;

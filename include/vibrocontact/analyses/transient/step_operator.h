@@ -16,7 +16,7 @@ namespace vibrocontact
 {
   /// What the contact problem of a time step is made of, on all points; constant as long as step and
   /// rolling speed are.
-  struct StepMatrices
+  struct StepMatrices : MovingShapes
   {
     PlacedContacts contacts;
     CreepScheme scheme;
@@ -29,9 +29,6 @@ namespace vibrocontact
     std::shared_ptr<const HalfSpaceOperator> half_space_response;
     /// what d/dx of W~ is beyond the differences between points; 3 n square [1/N] or empty
     DenseMatrix residual_gradient;
-    /// as MovingShapes has them
-    PatchShapes shapes;
-    DenseMatrix by_displacement, by_velocity;
     /// right and left shapes of the poles in terms of the shapes, 2 Re beside -2 Im, so that states as Re z above Im z move
     /// the shapes by by_poles; rank x 2 n_poles
     DenseMatrix by_poles, into_poles;
