@@ -6,6 +6,7 @@
 
 #include <vibrocontact/analyses/limit_cycle/balanced_cycle.h>
 #include <vibrocontact/analyses/limit_cycle/cycle_balance.h>
+#include <vibrocontact/analyses/limit_cycle/cycle_equations.h>
 #include <vibrocontact/analyses/limit_cycle/cycle_period.h>
 #include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/numerics/signal.h>
@@ -94,6 +95,20 @@ TEST(CycleMap, DerivativesOfPolesAreThoseOfDifferences)
     ASSERT_TRUE(cycle.converged) << cycle.message;
     expect_derivatives_of_differences(map, other, cycle, 1e-6);
   }
+}
+
+TEST(CycleEquations, HaveNoStepWhereAPeriodWasNotMarched)
+{
+  const SlidingMass scene;
+  CycleMap map = scene.map(200);
+  const DenseVector rest = map.pack(scene.at_rest);
+  const DenseMatrix linear(map.size(), map.size());
+  CycleEquations equations(map, rest, linear, 1e-9);
+  std::vector<double> x(rest.begin(), rest.end()), step;
+  x.push_back(-1);
+  EXPECT_FALSE(solve_by_newton(equations, NewtonSettings(), x).converged);
+  EXPECT_FALSE(equations.find_step(true, step));
+  EXPECT_FALSE(equations.failure.empty());
 }
 
 TEST(CycleOfRoot, IsTheSameByModesAndByPoles)

@@ -65,6 +65,9 @@ namespace vibrocontact
 
   bool BranchEquations::find_step(bool, std::vector<double> &step)
   {
+    // of the last place nothing is known
+    if (!failure.empty())
+      return false;
     try
     {
       CycleMap &map = *at->map;

@@ -25,6 +25,11 @@ namespace vibrocontact
                          contact.section + " does: let it fall over the slip speed.");
     const CycleBranchParameters &branch = parameters.limit_cycle.branch;
     branch.check(rolling_cases(parameters.rolling, parameters.contacts).front());
+    const ParameterSweep &sweep = parameters.sweeps.at("limit cycle");
+    const std::vector<std::string> swept = moved_entries({sweep.first.entry, sweep.second.entry});
+    if (branch.any() && std::count(swept.begin(), swept.end(), branch.entry) > 0)
+      throw InputError("Limit cycle/Branch/Entry and Limit cycle/Sweep both move " + branch.entry +
+                       ": follow it or sweep it.");
     for (const BodyParameters &body : bodies)
       if (branch.any() && body.is_periodic_rail())
         throw InputError(

@@ -42,6 +42,9 @@ namespace vibrocontact
 
   bool CycleEquations::find_step(bool, std::vector<double> &step)
   {
+    // of the last place nothing is known
+    if (!failure.empty())
+      return false;
     try
     {
       BorderedCycle system{map, {map.by_period()}, {map.rate()}, DenseMatrix(1, 1)};

@@ -24,6 +24,8 @@ namespace vibrocontact
     constexpr unsigned int least_steps = 8;
     /// periods that are marched where Newton's method led nowhere, before it begins again
     constexpr unsigned int periods_between[] = {0, 12, 36, 108};
+    /// what is left of a change over a period where rounding may be the reason
+    constexpr double nearly_closed = 1e-8;
     /// of a disturbance along the motion in a period
     constexpr double most_change_along = 1e-2;
   } // namespace
@@ -52,6 +54,15 @@ namespace vibrocontact
       if (parameters.n_multipliers > 0)
         cycle.stability =
             cycle_stability(map.monodromy(), entries_at(map.rate(), map.lasting_rows()), cycle.period);
+      if (cycle.stability && cycle.stability->trivial_error > most_change_along)
+      {
+        cycle.converged = false;
+        cycle.message =
+            "the multiplier of a shift along the motion is off by " +
+            number_text(cycle.stability->trivial_error) +
+            ", so that the others are not known either: take a shorter Limit cycle/Time step, or leave "
+            "the Multipliers out";
+      }
     }
     catch (const ConvergenceError &error)
     {
@@ -69,6 +80,12 @@ namespace vibrocontact
     cycle.root = root;
     cycle.n_steps = map.n_steps();
     cycle.period = 1 / root.frequency;
+    if (root.frequency * parameters.time_step * least_steps > 1 + 1e-9)
+    {
+      cycle.message = "Limit cycle/Time step is more than an eighth of its period, which is " +
+                      number_text(cycle.period) + " s: take a shorter one";
+      return cycle;
+    }
     try
     {
       const RootMotion motion(map, pair, equilibrium, root);
@@ -102,9 +119,14 @@ namespace vibrocontact
           cycle.message = "Newton's method led to the equilibrium";
         }
         else if (!cycle.converged)
-          cycle.message = "Newton's method ended at a change over a period of " +
-                          number_text(cycle.residual) + " of the motion" +
-                          (equations.failure.empty() ? "" : ": " + equations.failure);
+          cycle.message =
+              "Newton's method ended at a change over a period of " + number_text(cycle.residual) +
+              " of the motion" +
+              (result.iterations == settings.max_iterations
+                   ? " after as many iterations as Limit cycle/Max Newton iterations allows"
+               : cycle.residual < nearly_closed ? ", near what rounding permits: raise Limit cycle/Tolerance"
+                                                : "") +
+              (equations.failure.empty() ? "" : ": " + equations.failure);
         if (cycle.converged)
           break;
       }

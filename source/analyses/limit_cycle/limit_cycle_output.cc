@@ -274,17 +274,26 @@ namespace vibrocontact
 
   void add_sums(const nlohmann::ordered_json &cycles, nlohmann::ordered_json &search)
   {
+    const auto is_heard = [](const nlohmann::ordered_json &signal) { return signal.contains("level_dB"); };
+    bool any_heard = false;
+    for (const nlohmann::ordered_json &cycle : cycles)
+      for (const nlohmann::ordered_json &signal : answer_parts::list(cycle, "signals"))
+        any_heard = any_heard || is_heard(signal);
+    // without probes by the first normal force
+    const char *const size = any_heard ? "amplitude_m_s" : "amplitude_N";
     nlohmann::ordered_json loudest;
     for (const nlohmann::ordered_json &cycle : cycles)
       for (const nlohmann::ordered_json &signal : answer_parts::list(cycle, "signals"))
       {
-        if (!signal.contains("level_dB") || (!loudest.is_null() && signal["level_dB"] <= loudest["level_dB"]))
+        const bool counts = any_heard ? is_heard(signal) : &signal == &cycle["signals"].front();
+        if (!counts || (!loudest.is_null() && signal["amplitude"] <= loudest[size]))
           continue;
         loudest = {{"frequency_Hz", cycle["frequency_Hz"]},
                    {"signal", signal["name"]},
-                   {"amplitude_m_s", signal["amplitude"]},
-                   {"level_dB", signal["level_dB"]},
+                   {size, signal["amplitude"]},
                    {"power_into_body_1_W", cycle["power_into_body_1_W"]}};
+        if (any_heard)
+          loudest["level_dB"] = signal["level_dB"];
         if (!answer_parts::list(cycle, "multipliers").empty())
           loudest["largest_growth_1_s"] = cycle["multipliers"][0]["growth_1_s"];
       }

@@ -306,6 +306,7 @@ namespace vibrocontact
                         {"cycles", "/limit_cycle_search/cycles_found"},
                         {"loudest_frequency_Hz", "/limit_cycle_search/loudest/frequency_Hz"},
                         {"loudest_amplitude_m_s", "/limit_cycle_search/loudest/amplitude_m_s"},
+                        {"loudest_amplitude_N", "/limit_cycle_search/loudest/amplitude_N"},
                         {"loudest_level_dB", "/limit_cycle_search/loudest/level_dB"},
                         {"loudest_power_into_body_1_W", "/limit_cycle_search/loudest/power_into_body_1_W"},
                         {"loudest_largest_growth_1_s", "/limit_cycle_search/loudest/largest_growth_1_s"}})};

@@ -60,8 +60,10 @@ namespace vibrocontact
       return false;
     }
 
-    /// The first body whose points have mass in a contact where nothing yields; null: there is none.
-    const BodyParameters *body_with_rigid_points(const Parameters &parameters)
+    /// The first body whose points have mass in a contact where nothing yields; null: there is none. @param along_surface there, where
+    /// no normal law yields either
+    const BodyParameters *body_with_rigid_points(const Parameters &parameters,
+                                                 const bool along_surface = false)
     {
       const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
       for (unsigned int k = 0; k < parameters.contacts.all.size(); ++k)
@@ -69,7 +71,8 @@ namespace vibrocontact
         const auto [above, below] = parameters.bodies_of_contact(k);
         const auto yields = [](const BodyParameters &body)
         { return !body.description->has_rigid_points() && !body.description->is_rigid(); };
-        if (!parameters.contacts.all[k].law()->is_rigid() || yields(bodies[above]) || yields(bodies[below]))
+        const bool law_yields = !along_surface && !parameters.contacts.all[k].law()->is_rigid();
+        if (law_yields || yields(bodies[above]) || yields(bodies[below]))
           continue;
         return &bodies[bodies[above].description->has_rigid_points() ? above : below];
       }
@@ -79,9 +82,18 @@ namespace vibrocontact
     /// Reactions of points with mass do not converge with the step.
     void check_inertia_of_contact(const Parameters &parameters)
     {
-      if (!contact_points_have_mass(parameters))
-        return;
       const TransientParameters &transient = parameters.transient;
+      if (!contact_points_have_mass(parameters))
+      {
+        const BodyParameters *const sticking = body_with_rigid_points(parameters, true);
+        if (parameters.scene.runs("limit cycle") && sticking && transient.reaction != "end of step")
+          throw InputError(
+              "The contact of " + sticking->name + ", of type " + sticking->type +
+              ", yields nowhere along its surface, where friction makes it stick: in limit cycles "
+              "reactions weighted as other forces alternate there from step to step; set "
+              "Transient/Reaction to end of step.");
+        return;
+      }
       const bool elements = elements_have_mass(parameters);
       const BodyParameters *const body = elements ? nullptr : body_with_rigid_points(parameters);
       const std::string rigid = body ? "The contact of " + body->name + ", of type " + body->type +
