@@ -56,7 +56,7 @@ namespace vibrocontact
     const CreepScheme &scheme = find_creep_scheme(contact.first().creep_scheme);
     ContactProblem problem = rolling_problem(static_operator(pair, scheme, drive.creepage.speed),
                                              static_interface(pair), scheme, drive.creepage, contact);
-    problem.title = "equilibrium from which the transient starts";
+    problem.title = "equilibrium that the motion starts from";
     problem.normal_force = drive.normal_force;
     problem.approach = drive.approach;
     for (unsigned int i = 0; i < drive.gap.size(); ++i)
@@ -76,8 +76,9 @@ namespace vibrocontact
     if (!solution.converged)
     {
       std::ostringstream text;
-      text << "The quasi-static equilibrium from which the transient starts did not converge: residual "
-           << solution.residual << " after " << solution.iterations << " iterations.";
+      text << "The quasi-static equilibrium that the motion starts from did not converge: residual "
+           << solution.residual << " after " << solution.iterations
+           << " iterations: try less friction, or another load, and see quasi-static rolling alone.";
       throw ConvergenceError(text.str());
     }
     check_contact_in_grid(pair.interface.contacts, contact, drive.creepage.speed, solution.status);
