@@ -85,7 +85,7 @@ namespace vibrocontact
             throw InputError(one.section + "/Quadrature is consistent, but " + body.name +
                              "/Rail/Model is periodic, which knows tractions that are constant on each cell "
                              "only: set it to lumped.");
-        const bool in_time = parameters.scene.runs("transient") || parameters.scene.runs("limit cycle"),
+        const bool in_time = parameters.goes_through_time(),
                    by_poles = in_time || !parameters.stability.is_hysteretic();
         for (const auto &[analysis, sweep] : parameters.sweeps)
           if (by_poles && sweep.any() &&

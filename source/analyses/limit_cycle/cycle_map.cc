@@ -181,9 +181,9 @@ namespace vibrocontact
     if (!observe && marched.period == period && marched.start == x &&
         (marched.has_derivatives || !keep_derivatives))
       return marched.end;
-    if (!stepper || h != period / m)
+    const double h = period / m;
+    if (!stepper || stepper->matrices_of_step().step != h)
     {
-      h = period / m;
       stepper = stepper_of(h);
       // central differences: off by 1e-8 of what they are
       const double little = 1e-4 * h;

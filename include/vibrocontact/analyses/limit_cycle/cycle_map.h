@@ -118,8 +118,6 @@ namespace vibrocontact
       std::vector<std::vector<ContactStatus>> statuses;
     };
     March marched;
-    /// of steps of h [s]
-    double h = 0;
     std::unique_ptr<ContactStepper> stepper;
     std::unique_ptr<StepOnPoints> loaded;
     /// Psi on the rows; left shapes of the poles there, real parts beside imaginary ones
