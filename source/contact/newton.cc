@@ -20,6 +20,8 @@ namespace vibrocontact
     constexpr double tangential_factor = 0.4;
     constexpr unsigned int fixed_point_steps_in_fallback = 100;
     constexpr unsigned int max_halvings = 6, patience = 8;
+    /// of the tolerance, that the rounding of what a change moves may be, and that rounding in single precision
+    constexpr double rounding_of_tolerance = 0.01, single_rounding = 6e-8;
 
     bool all_finite(const DenseVector &v)
     {
@@ -76,7 +78,7 @@ namespace vibrocontact
         {
           ++s.iterations;
           const bool improves = find_step() && take_step();
-          goes_on = improves || fall_back();
+          goes_on = improves || begin_again() || fall_back();
         }
         finish();
         // what long steps left of rounding in y was found out: once more, from there
@@ -194,17 +196,18 @@ namespace vibrocontact
 
     bool solve_directly()
     {
-      if (!kept.prepare(*problem, J, s.status, last_gain >= kept.largest_gain(), s.factorisations))
-        return false;
-      kept.solve(rhs);
-      return all_finite(rhs);
+      return kept.prepare(*problem, J, s.status, last_gain, s.factorisations) && kept.solve(rhs) &&
+             all_finite(rhs);
     }
 
     /// Goes along the direction, halving the step until the residual is below the largest of the last four;
     /// false if that fails or nothing has improved for a while
     bool take_step()
     {
-      problem->A->vmult(dy, dR, changed);
+      if (single_rounding * dR.l2_norm() <= rounding_of_tolerance * parameters.tolerance * s.R.l2_norm())
+        problem->A->vmult_change(dy, dR, changed);
+      else
+        problem->A->vmult(dy, dR, changed);
       const double bound =
           *std::max_element(history.end() - std::min<std::size_t>(4, history.size()), history.end());
       double step = 1, trial = 0;
@@ -236,6 +239,19 @@ namespace vibrocontact
       if (s.residual < best.residual)
         best = s;
       return falls && since_best <= patience;
+    }
+
+    /// From the best state with another matrix; false if the matrix is not to blame
+    bool begin_again()
+    {
+      if (!kept.distrust())
+        return false;
+      const unsigned int iterations = s.iterations, factorisations = s.factorisations;
+      s = best;
+      s.iterations = iterations;
+      s.factorisations = factorisations;
+      judge_state();
+      return true;
     }
 
     /// Fixed-point iterations from the best state; false if they lead nowhere

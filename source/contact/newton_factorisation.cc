@@ -1,6 +1,8 @@
+#include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/contact/newton_factorisation.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace vibrocontact
 {
@@ -13,8 +15,16 @@ namespace vibrocontact
     constexpr double largest_gain_alone = 0.1, largest_gain_in_march = 0.9;
     /// with factors of an earlier problem; from then on they count as its own
     constexpr unsigned int most_solves = 15;
+    /// of a factorisation, in steps of Newton's method
+    constexpr unsigned int price = 60;
+    constexpr unsigned int most_kept = 24;
+    /// unknowns below which single precision saves nothing
+    constexpr unsigned int few_unknowns = 100;
+    /// of a right-hand side, that a solution in single precision may leave
+    constexpr double largest_single_defect = 1e-3;
 
-    bool factorise_lu(DenseMatrix &matrix)
+    template <typename Number>
+    bool factorise_lu(dealii::LAPACKFullMatrix<Number> &matrix)
     {
       try
       {
@@ -26,132 +36,262 @@ namespace vibrocontact
       }
       return true;
     }
+
+    /// Square of what the tangential rows of a point differ by.
+    double distance(const NewtonJacobian::Row &a, const NewtonJacobian::Row &b)
+    {
+      double sum = 0;
+      for (unsigned int c = 0; c < 2; ++c)
+      {
+        const double radius = a.by_radius[c] - b.by_radius[c], x = a.by_trial[c][0] - b.by_trial[c][0],
+                     y = a.by_trial[c][1] - b.by_trial[c][1];
+        sum += radius * radius + x * x + y * y;
+      }
+      return sum;
+    }
+
+    double distance(const NewtonJacobian::Rows &a, const NewtonJacobian::Rows &b)
+    {
+      double sum = 0;
+      for (std::size_t k = 0; k < a.size(); ++k)
+        sum += distance(a[k], b[k]);
+      return sum;
+    }
   } // namespace
 
   void NewtonFactorisation::forget()
   {
-    is_factorised = false;
-    pairs.clear();
+    kept.clear();
+    used = nullptr;
+    n_problems = 0;
+    excess = 0;
     last_direction.reinit(0);
+  }
+
+  bool NewtonFactorisation::distrust()
+  {
+    is_distrusted = used != nullptr && is_earlier;
+    return is_distrusted;
   }
 
   void NewtonFactorisation::begin_problem()
   {
     ++n_problems;
+    excess += n_solves > 1 ? n_solves - 1 : 0;
     n_solves = 0;
+    is_distrusted = false;
+    is_earlier = used != nullptr;
     last_direction.reinit(0);
   }
 
-  double NewtonFactorisation::largest_gain() const
+  NewtonFactorisation::Factors *NewtonFactorisation::nearest(const NewtonJacobian &J) const
   {
-    return n_problems > 0 && n_solves < most_solves ? largest_gain_in_march : largest_gain_alone;
+    Factors *best = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::unique_ptr<Factors> &one : kept)
+      if (one->points == J.points())
+      {
+        const double now = distance(one->rows, J.rows_of_points());
+        if (now < least)
+        {
+          least = now;
+          best = one.get();
+        }
+      }
+    return best;
+  }
+
+  bool NewtonFactorisation::wants_another(const double gain) const
+  {
+    if (is_distrusted)
+      return true;
+    if (!is_earlier || n_solves >= most_solves)
+      return gain >= largest_gain_alone;
+    return gain >= largest_gain_in_march || (gain >= largest_gain_alone && excess >= price);
   }
 
   bool NewtonFactorisation::prepare(const ContactProblem &problem, const NewtonJacobian &J,
-                                    const std::vector<ContactStatus> &now, const bool anew,
+                                    const std::vector<ContactStatus> &now, const double gain,
                                     unsigned int &factorisations)
   {
-    if (!anew && is_factorised && A.lock() == problem.A && force_given == problem.force_given() &&
-        points == J.points())
+    if (A.lock() != problem.A || force_given != problem.force_given())
     {
+      forget();
+      response_points.clear();
+      A = problem.A;
+      force_given = problem.force_given();
+    }
+    if (used && (n_solves == 0 || used->points != J.points()))
+    {
+      Factors *const before = used;
+      used = nearest(J);
+      if (used != before)
+        last_direction.reinit(0);
+      is_earlier = true;
+    }
+    if (used && !wants_another(gain))
+    {
+      used->last_used = n_problems;
       flipped.clear();
-      for (unsigned int k = 0; k < points.size(); ++k)
-        if (now[points[k]] != status[k])
+      for (unsigned int k = 0; k < used->points.size(); ++k)
+        if (now[used->points[k]] != used->status[k])
           flipped.push_back(k);
-      if (flipped == changed || (flipped.size() <= max_changed && update(J)))
+      if (flipped == used->changed || (flipped.size() <= max_changed && update(*problem.A, J)))
         return true;
     }
     ++factorisations;
     return factorise(problem, J, now);
   }
 
+  void NewtonFactorisation::take_response(const ContactOperator &of, const std::vector<unsigned int> &points)
+  {
+    if (response_points == points)
+      return;
+    of.extract(points, response);
+    response_points = points;
+  }
+
   bool NewtonFactorisation::factorise(const ContactProblem &problem, const NewtonJacobian &J,
                                       const std::vector<ContactStatus> &now)
   {
-    const bool same_points = A.lock() == problem.A && points == J.points();
-    forget();
-    points = J.points();
-    status.clear();
-    for (const unsigned int i : points)
-      status.push_back(now[i]);
-    rows = J.rows_of_points();
-    changed.clear();
-    if (!same_points)
-      problem.A->extract(points, response);
-    A = problem.A;
-    J.assemble(response, lu);
-    if (!factorise_lu(lu))
-      return false;
-    is_factorised = true;
-    n_problems = 0;
-    force_given = problem.force_given();
-    return true;
+    take_response(*problem.A, J.points());
+    last_direction.reinit(0);
+    is_earlier = is_distrusted = false;
+    excess = 0;
+    if (kept.size() < most_kept)
+      kept.emplace_back();
+    else
+      std::iter_swap(kept.rbegin(), std::min_element(kept.begin(), kept.end(),
+                                                     [](const auto &a, const auto &b)
+                                                     { return a->last_used < b->last_used; }));
+    kept.back() = std::make_unique<Factors>();
+    used = kept.back().get();
+    used->last_used = n_problems;
+    used->points = J.points();
+    for (const unsigned int i : used->points)
+      used->status.push_back(now[i]);
+    used->rows = J.rows_of_points();
+    J.assemble(response, used->lu);
+    if (n_problems > 1 && J.size() >= few_unknowns)
+    {
+      used->single_lu = in_single_precision(used->lu);
+      if (factorise_lu(used->single_lu))
+        return true;
+      used->single_lu.reinit(0);
+    }
+    if (factorise_lu(used->lu))
+      return true;
+    kept.pop_back();
+    used = nullptr;
+    return false;
   }
 
-  bool NewtonFactorisation::update(const NewtonJacobian &J)
+  bool NewtonFactorisation::update(const ContactOperator &of, const NewtonJacobian &J)
   {
-    const unsigned int m = points.size(), size = lu.m(), n_flipped = flipped.size(), t = J.n_components() - 1;
+    Factors &f = *used;
+    take_response(of, f.points);
+    const unsigned int m = f.points.size(), size = J.size(), n_flipped = flipped.size(),
+                       t = J.n_components() - 1;
     DenseMatrix Z(size, t * n_flipped);
     DenseVector column(size);
-    differences.reinit(t * n_flipped, size);
-    for (unsigned int f = 0; f < n_flipped; ++f)
+    f.differences.reinit(t * n_flipped, size);
+    for (unsigned int i = 0; i < n_flipped; ++i)
     {
-      const unsigned int k = flipped[f];
-      const auto known = std::find(changed.begin(), changed.end(), k);
+      const unsigned int k = flipped[i];
+      const auto known = std::find(f.changed.begin(), f.changed.end(), k);
       for (unsigned int c = 0; c < t; ++c)
       {
-        if (known != changed.end())
-          std::copy_n(&columns(0, t * (known - changed.begin()) + c), size, column.begin());
+        if (known != f.changed.end())
+          std::copy_n(&f.columns(0, t * (known - f.changed.begin()) + c), size, column.begin());
         else
         {
           column = 0;
           column[(c + 1) * m + k] = 1;
-          lu.solve(column);
+          if (!solve_by_lu(column))
+            return false;
         }
-        std::copy(column.begin(), column.end(), &Z(0, t * f + c));
+        std::copy(column.begin(), column.end(), &Z(0, t * i + c));
       }
-      J.assemble_difference(k, rows[k], response, differences, t * f);
+      J.assemble_difference(k, f.rows[k], response, f.differences, t * i);
     }
-    columns = Z;
-    changed = flipped;
-    pairs.clear();
+    f.columns = Z;
+    f.changed = flipped;
+    f.pairs.clear();
     last_direction.reinit(0);
     if (n_flipped == 0)
       return true;
-    small.reinit(t * n_flipped);
-    differences.mmult(small, columns);
+    f.small.reinit(t * n_flipped);
+    f.differences.mmult(f.small, f.columns);
     for (unsigned int i = 0; i < t * n_flipped; ++i)
-      small(i, i) += 1;
-    return factorise_lu(small);
+      f.small(i, i) += 1;
+    return factorise_lu(f.small);
   }
 
-  void NewtonFactorisation::solve(DenseVector &x)
+  bool NewtonFactorisation::solve(DenseVector &x)
   {
     ++n_solves;
-    if (n_problems == 0)
+    if (!is_earlier)
       return solve_by_factors(x);
     if (last_direction.size() == x.size() && direction_taken)
     {
       last_residual -= x;
-      pairs.add(last_residual, last_direction);
+      used->pairs.add(last_residual, last_direction);
     }
     last_residual = x;
-    const DenseVector known = pairs.take_known_part(x);
-    solve_by_factors(x);
+    const DenseVector known = used->pairs.take_known_part(x);
+    if (!solve_by_factors(x))
+      return false;
     x += known;
     last_direction = x;
     direction_taken = false;
+    return true;
   }
 
-  void NewtonFactorisation::solve_by_factors(DenseVector &x)
+  bool NewtonFactorisation::solve_by_factors(DenseVector &x)
   {
-    lu.solve(x);
-    if (changed.empty())
-      return;
-    DenseVector shares(small.m()), correction(x.size());
-    differences.vmult(shares, x);
-    small.solve(shares);
-    columns.vmult(correction, shares);
+    if (!solve_by_lu(x))
+      return false;
+    if (used->changed.empty())
+      return true;
+    DenseVector shares(used->small.m()), correction(x.size());
+    used->differences.vmult(shares, x);
+    used->small.solve(shares);
+    used->columns.vmult(correction, shares);
     x -= correction;
+    return true;
+  }
+
+  bool NewtonFactorisation::solve_by_lu(DenseVector &x)
+  {
+    Factors &f = *used;
+    if (f.single_lu.m() == 0)
+    {
+      f.lu.solve(x);
+      return true;
+    }
+    const bool is_first = f.lu.m() > 0;
+    if (is_first)
+      right_side = x;
+    single.reinit(x.size(), true);
+    std::copy(x.begin(), x.end(), single.begin());
+    f.single_lu.solve(single);
+    std::copy(single.begin(), single.end(), x.begin());
+    if (!is_first)
+      return true;
+
+    DenseVector defect(x.size());
+    f.lu.vmult(defect, x);
+    defect -= right_side;
+    if (defect.l2_norm() <= largest_single_defect * right_side.l2_norm())
+    {
+      f.lu.reinit(0);
+      return true;
+    }
+    f.single_lu.reinit(0);
+    x = right_side;
+    if (!factorise_lu(f.lu))
+      return false;
+    f.lu.solve(x);
+    return true;
   }
 } // namespace vibrocontact

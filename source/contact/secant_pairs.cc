@@ -1,56 +1,61 @@
 #include <vibrocontact/contact/secant_pairs.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace vibrocontact
 {
   namespace
   {
-    constexpr unsigned int most_pairs = 8;
     /// differences that the later ones leave so little of say nothing new
     constexpr double least_share = 1e-3;
   } // namespace
 
-  void SecantPairs::clear()
-  {
-    differences.clear();
-    steps.clear();
-  }
-
   void SecantPairs::add(const DenseVector &difference, const DenseVector &step)
   {
-    if (differences.size() == most_pairs)
-    {
-      differences.erase(differences.begin());
-      steps.erase(steps.begin());
-    }
-    differences.push_back(difference);
-    steps.push_back(step);
+    latest = n == 0 ? 0 : (latest + 1) % most_pairs;
+    n = std::min(n + 1, most_pairs);
+    pairs[latest].difference = difference;
+    pairs[latest].step = step;
+    for (unsigned int k = 0; k < n; ++k)
+      products[latest][k] = products[k][latest] = difference * pairs[k].difference;
   }
 
   DenseVector SecantPairs::take_known_part(DenseVector &residual) const
   {
-    DenseVector known(residual.size());
-    // modified Gram-Schmidt from the latest on: where pairs contradict each other, it is right
-    std::vector<DenseVector> Q, X;
-    for (std::size_t k = differences.size(); k-- > 0;)
+    // F^T F = L L^T of those that say something; w = L^-1 F^T r
+    double L[most_pairs][most_pairs], w[most_pairs];
+    unsigned int places[most_pairs], size = 0;
+    for (unsigned int age = 0; age < n; ++age)
     {
-      DenseVector q(differences[k]), x(steps[k]);
-      const double before = q.l2_norm();
-      for (std::size_t j = 0; j < Q.size(); ++j)
+      const unsigned int k = (latest + most_pairs - age) % most_pairs;
+      double rest = products[k][k], right = residual * pairs[k].difference;
+      for (unsigned int i = 0; i < size; ++i)
       {
-        const double share = q * Q[j];
-        q.add(-share, Q[j]);
-        x.add(-share, X[j]);
+        double entry = products[k][places[i]];
+        for (unsigned int j = 0; j < i; ++j)
+          entry -= L[size][j] * L[i][j];
+        L[size][i] = entry / L[i][i];
+        rest -= L[size][i] * L[size][i];
+        right -= L[size][i] * w[i];
       }
-      const double after = q.l2_norm();
-      if (!(after > least_share * before))
+      if (!(rest > least_share * least_share * products[k][k]))
         continue;
-      q /= after;
-      x /= after;
-      const double share = residual * q;
-      residual.add(-share, q);
-      known.add(share, x);
-      Q.push_back(q);
-      X.push_back(x);
+      L[size][size] = std::sqrt(rest);
+      w[size] = right / L[size][size];
+      places[size++] = k;
+    }
+    DenseVector known(residual.size());
+    for (unsigned int i = size; i-- > 0;)
+    {
+      for (unsigned int j = i + 1; j < size; ++j)
+        w[i] -= L[j][i] * w[j];
+      w[i] /= L[i][i];
+    }
+    for (unsigned int i = 0; i < size; ++i)
+    {
+      residual.add(-w[i], pairs[places[i]].difference);
+      known.add(w[i], pairs[places[i]].step);
     }
     return known;
   }

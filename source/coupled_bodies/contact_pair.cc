@@ -1,6 +1,8 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
 
+#include <deal.II/lac/lapack_templates.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -356,13 +358,10 @@ namespace vibrocontact
       result += displacement;
       return;
     }
+    const dealii::types::blas_int n = R.size(), one = 1;
     for (unsigned int j = 0; j < R.size(); ++j)
       if (R[j] != 0)
-      {
-        const double *const column = &W(0, j);
-        for (unsigned int i = 0; i < R.size(); ++i)
-          result[i] += column[i] * R[j];
-      }
+        dealii::axpy(&n, R.begin() + j, &W(0, j), &one, result.data(), &one);
   }
 
   DenseMatrix rest_over_step(const ContactPair &pair, const double h)

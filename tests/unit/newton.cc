@@ -3,6 +3,7 @@
 
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/contact_solvers.h>
+#include <vibrocontact/contact/half_space.h>
 #include <vibrocontact/contact/newton.h>
 
 #include <gtest/gtest.h>
@@ -106,4 +107,53 @@ TEST(Newton, NotANumberStaysOutside)
     broken.b[1] = nan;
     EXPECT_THROW(solver->solved(broken), ConvergenceError) << entry.name;
   }
+}
+
+// A block of 10 by 10 points that stays pressed while its sliding velocity goes to and fro: the problems of one period after the
+// other are the same. What the solver keeps has to give the forces of one that keeps nothing, and to serve once more.
+TEST(Newton, MatricesServeAgainWhereAMotionComesBack)
+{
+  ContactGrid grid;
+  grid.n_x = grid.n_y = 10;
+  grid.spacing_x = grid.spacing_y = 1e-3;
+  DenseMatrix A = half_space_compliance(grid, {{210e9, 0.3}, {70e9, 0.33}});
+  const unsigned int n = grid.n_points(), period = 24;
+  // slip: displacements over a step of 1e-4 s
+  for (unsigned int j = 0; j < 3 * n; ++j)
+    for (unsigned int i = n; i < 3 * n; ++i)
+      A(i, j) *= 1e4;
+  ContactProblem problem;
+  problem.title = "to and fro";
+  problem.A = std::make_shared<DenseContactOperator>(std::move(A));
+  problem.b.reinit(3 * n);
+  problem.mu.assign(n, 0.3);
+  problem.approach = 1e-5;
+  ContactSolverParameters parameters;
+  parameters.tolerance = 1e-9;
+  NewtonSolver solver(parameters);
+  ContactSolution state;
+  unsigned int factorisations[6] = {};
+  for (unsigned int k = 0; k < 6 * period; ++k)
+  {
+    const double angle = 2 * M_PI * k / period;
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      problem.b[n + i] = 0.02 * (1 + 0.1 * std::sin(1. * i)) * std::cos(angle);
+      problem.b[2 * n + i] = 0.1 + 0.11 * std::sin(angle) + 0.005 * std::cos(2. * i);
+    }
+    solver.solve(problem, state);
+    ASSERT_TRUE(state.converged) << k;
+    EXPECT_EQ(state.fallbacks, 0u) << k;
+    factorisations[k / period] += state.factorisations;
+    if (k % 5 != 0)
+      continue;
+    const ContactSolution alone = NewtonSolver(parameters).solved(problem);
+    ASSERT_TRUE(alone.converged) << k;
+    DenseVector difference(state.R);
+    difference -= alone.R;
+    EXPECT_LT(difference.l2_norm(), 3e-9 * alone.R.l2_norm()) << k;
+    EXPECT_EQ(state.status, alone.status) << k;
+  }
+  EXPECT_GT(factorisations[0], period / 2);
+  EXPECT_LT(factorisations[5], 0.7 * factorisations[0]);
 }

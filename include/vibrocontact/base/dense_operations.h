@@ -22,6 +22,16 @@ namespace vibrocontact
     return c;
   }
 
+  /// The same numbers in single precision.
+  inline SingleMatrix in_single_precision(const DenseMatrix &matrix)
+  {
+    SingleMatrix result(matrix.m(), matrix.n());
+    for (unsigned int j = 0; j < matrix.n(); ++j)
+      for (unsigned int i = 0; i < matrix.m(); ++i)
+        result(i, j) = static_cast<float>(matrix(i, j));
+    return result;
+  }
+
   /// y <- A x, y of the right size; an empty A leaves y as it is
   inline void multiply(const DenseMatrix &A, const DenseVector &x, DenseVector &y)
   {

@@ -26,7 +26,14 @@ namespace vibrocontact
     /// along.
     virtual void vmult(DenseVector &y, const DenseVector &R,
                        const std::vector<unsigned int> &sources) const = 0;
-    /// the same, but y is only meaningful at the sources themselves; what iterative solvers call
+    /// the same of a small change of R, whose product single precision may give where it is faster: its rounding is 1e-7 of the
+    /// change
+    virtual void vmult_change(DenseVector &y, const DenseVector &change,
+                              const std::vector<unsigned int> &sources) const
+    {
+      vmult(y, change, sources);
+    }
+    /// the same as vmult, but y is only meaningful at the sources themselves; what iterative solvers call
     virtual void vmult_among(DenseVector &y, const DenseVector &R,
                              const std::vector<unsigned int> &sources) const
     {

@@ -3,10 +3,16 @@
 #include <vibrocontact/contact/newton_jacobian.h>
 #include <vibrocontact/contact/secant_pairs.h>
 
+#include <memory>
+
 namespace vibrocontact
 {
-  /// The factorised matrix of a Newton step, kept while it serves: from one step to the next, and from one
+  /// The factorised matrices of Newton steps, kept while they serve: from one step to the next, and from one
   /// problem of the same operator to the next (time steps).
+  ///
+  /// A problem begins with the matrix whose rows are nearest to its own: vibrations come back to states where they were
+  /// before. Another one is factorised where none reduces the residual, and where the steps that better ones would have
+  /// saved since the last time come to the price of a factorisation.
   ///
   /// A point that changes between stick and slip changes its tangential rows of J, t = 1 or 2. As long as few have done so since the
   /// factorisation J = L U, the new matrix J + E D (E: unit columns of these rows, D: their differences) is
@@ -16,52 +22,85 @@ namespace vibrocontact
   ///
   /// at two solves per changed point, once. In time steps, whose problems follow each other with one operator, the rows of sliding
   /// points turn little by little besides: what steps have shown of that mends directions (SecantPairs) as long as no point
-  /// changes its status, so that factors serve longer.
+  /// changes its status.
+  ///
+  /// Many unknowns of time steps are solved for in single precision, which halves the memory that a step reads: residuals are
+  /// those of the problem, in double precision. A matrix whose first solution shows that this is too coarse has double precision.
   class NewtonFactorisation
   {
   public:
     /// Another problem begins.
     void begin_problem();
-    /// What a step may leave of the residual for the factors to serve on.
-    double largest_gain() const;
     /// Makes the matrix that `solve` solves with suit J, at the least cost.
-    /// @param status of all points of the problem; @param anew factorise in any case
+    /// @param status of all points of the problem
+    /// @param gain what the last step left of the residual [-], 0 before the first one
     /// @param factorisations counts them; @return false if the matrix is singular
     bool prepare(const ContactProblem &problem, const NewtonJacobian &J,
-                 const std::vector<ContactStatus> &status, bool anew, unsigned int &factorisations);
-    /// x <- J^-1 x
-    void solve(DenseVector &x);
+                 const std::vector<ContactStatus> &status, double gain, unsigned int &factorisations);
+    /// x <- J^-1 x. @return false if the matrix is singular
+    bool solve(DenseVector &x);
     /// The last direction was taken in full, or there is another one that these factors did not give.
     void took_direction() { direction_taken = true; }
     void leave_direction() { last_direction.reinit(0); }
+    /// The direction led nowhere. @return whether the next one comes from a matrix of its own, which this one had not
+    bool distrust();
     void forget();
 
   private:
+    /// J at some state, factorised.
+    struct Factors
+    {
+      /// active points, their status and rows
+      std::vector<unsigned int> points;
+      std::vector<ContactStatus> status;
+      NewtonJacobian::Rows rows;
+      /// J itself until the first solution by single_lu was tried with it, then empty or factorised
+      DenseMatrix lu;
+      /// size 0: lu serves
+      SingleMatrix single_lu;
+      /// points (among the active ones) with another status than when lu was made
+      std::vector<unsigned int> changed;
+      /// Z, size x t changed; D, t changed x size; I + D Z, factorised
+      DenseMatrix columns, differences, small;
+      SecantPairs pairs;
+      /// number of the last problem that they served
+      unsigned long last_used = 0;
+    };
+
+    /// The kept factors nearest to J, or null.
+    Factors *nearest(const NewtonJacobian &J) const;
+    bool wants_another(double gain) const;
     bool factorise(const ContactProblem &problem, const NewtonJacobian &J,
                    const std::vector<ContactStatus> &now);
-    bool update(const NewtonJacobian &J);
-    void solve_by_factors(DenseVector &x);
+    /// Takes points that have changed their status into the factors in use.
+    bool update(const ContactOperator &of, const NewtonJacobian &J);
+    /// response <- A among the points
+    void take_response(const ContactOperator &of, const std::vector<unsigned int> &points);
+    bool solve_by_factors(DenseVector &x);
+    bool solve_by_lu(DenseVector &x);
 
-    /// whether lu is kept, the operator of lu and response, and the kind of load of lu
-    bool is_factorised = false;
+    /// of all factors: their operator and the kind of load
     std::weak_ptr<const ContactOperator> A;
     bool force_given = false;
-    /// active points, their status and rows when lu was made
-    std::vector<unsigned int> points;
-    std::vector<ContactStatus> status;
-    NewtonJacobian::Rows rows;
-    /// A among the points
+    /// A among some points
     DenseMatrix response;
-    DenseMatrix lu;
-    /// points (among the active ones) with another status than when lu was made, and now
-    std::vector<unsigned int> changed, flipped;
-    /// Z, size x t changed; D, t changed x size; I + D Z, factorised
-    DenseMatrix columns, differences, small;
-    /// problems that have begun since lu was made, and solves of the last of them
-    unsigned int n_problems = 0, n_solves = 0;
-    SecantPairs pairs;
+    std::vector<unsigned int> response_points;
+    std::vector<std::unique_ptr<Factors>> kept;
+    /// those in use; null: none
+    Factors *used = nullptr;
+    /// problems of this operator, solves of the last one
+    unsigned long n_problems = 0;
+    unsigned int n_solves = 0;
+    /// steps since the last factorisation that better matrices would have saved
+    unsigned int excess = 0;
+    /// whether the matrix of this problem comes from an earlier one
+    bool is_earlier = false;
+    /// whether the next step has to have a matrix of its own
+    bool is_distrusted = false;
+    std::vector<unsigned int> flipped;
+    SingleVector single;
     /// of the last solve; none: of another problem or another matrix
-    DenseVector last_residual, last_direction;
+    DenseVector last_residual, last_direction, right_side;
     bool direction_taken = false;
   };
 } // namespace vibrocontact

@@ -15,7 +15,7 @@ namespace vibrocontact
     CycleScene scene;
     scene.contacts = contacts;
     ContactSolverParameters solver = parameters.contact_solver;
-    solver.tolerance = std::min(solver.tolerance, cycle_contact_tolerance);
+    solver.tolerance = std::min(solver.tolerance, rest_contact_tolerance);
     const HubMotion hub =
         hub_motion(parameters.hub(), parameters.rolling, LoadOverTime(), scene.contacts, solver, held,
                    drive_function(steps, constants, parameters.placed_contacts()));

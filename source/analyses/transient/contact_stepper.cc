@@ -7,7 +7,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numeric>
 
 namespace vibrocontact
 {
@@ -21,6 +20,8 @@ namespace vibrocontact
     constexpr double worn_share = 0.75;
     /// steps after which W~ R is computed anew: the round-off of its changes grows with the steps^(3/2)
     constexpr unsigned int longest_without_search = 64;
+    /// that a look at the points that are not nearby stands for: where it is needed often, a search finds more to be nearby
+    constexpr unsigned int steps_of_a_look = 8;
 
     /// to += from, which deal.II does not take of empty vectors (no modes, no points)
     void add(const DenseVector &from, DenseVector &to)
@@ -83,36 +84,61 @@ namespace vibrocontact
     return false;
   }
 
-  std::vector<double> ContactStepper::gaps(const DynamicState &state, const DenseVector &residual,
-                                           const DenseVector &shapes, const double approach,
-                                           const double force) const
+  double ContactStepper::gap(const DynamicState &state, const unsigned int point, const double residual,
+                             const DenseVector &shapes, const double approach, const double force) const
   {
-    std::vector<double> gap(pair.n_points());
-    for (unsigned int i = 0; i < gap.size(); ++i)
-    {
-      gap[i] =
-          constant_response[i] + residual[i] + pair.force_response(i) * force - approach * by_approach[i];
-      if (!state.roughness.empty())
-        gap[i] += state.roughness[i];
-      for (unsigned int k = 0; k < shapes.size(); ++k)
-        gap[i] += matrices.shapes.basis(i, k) * shapes[k];
-    }
-    return gap;
+    double result = constant_response[point] + residual + pair.force_response(point) * force -
+                    approach * by_approach[point];
+    if (!state.roughness.empty())
+      result += state.roughness[point];
+    for (unsigned int k = 0; k < shapes.size(); ++k)
+      result += matrices.shapes.basis(point, k) * shapes[k];
+    return result;
+  }
+
+  void ContactStepper::set_displacement(const DynamicState &state)
+  {
+    std::copy(state.q.begin(), state.q.end(), q.begin());
+    displacement = 0;
+    multiply(matrices.shapes.amplitudes, q, displacement);
+    add_poles(state.z, {}, displacement, nullptr);
+  }
+
+  void ContactStepper::look_at_others(DynamicState &state)
+  {
+    take_points(state.nearby);
+    const std::vector<unsigned int> &points = step_operator->points(),
+                                    &others = step_operator->other_points();
+    const unsigned int n = pair.n_points(), m = points.size();
+    nearby_forces.reinit(3 * m, true);
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int i = 0; i < m; ++i)
+        nearby_forces[contact_row(m, c, i)] = state.R[contact_row(n, c, points[i])];
+    step_operator->residual_gaps_of_others(nearby_forces, residual_of_others);
+    set_displacement(state);
+    for (unsigned int i = 0; i < others.size(); ++i)
+      state.contact.y[others[i]] =
+          gap(state, others[i], residual_of_others[i], displacement, state.contact.approach, state.force);
+    state.moved_since_search = 0;
+    state.steps_since_search += steps_of_a_look;
   }
 
   void ContactStepper::search_proximity(DynamicState &state)
   {
     const unsigned int n = pair.n_points();
     set_residual_displacement(pair, state);
-    state.residual_change = 0;
-    add_residual_displacement(pair.residual, pair.half_spaces.get(), state.force_change,
-                              state.residual_change);
-    std::copy(state.q.begin(), state.q.end(), q.begin());
-    displacement = 0;
-    multiply(matrices.shapes.amplitudes, q, displacement);
-    add_poles(state.z, {}, displacement, nullptr);
-    const std::vector<double> gap =
-        gaps(state, state.residual_displacement, displacement, state.contact.approach, state.force);
+    const auto set_change = [&](const DenseVector &of_forces, DenseVector &change)
+    {
+      change = 0;
+      add_residual_displacement(pair.residual, pair.half_spaces.get(), of_forces, change);
+    };
+    set_change(state.force_change, state.residual_change);
+    set_change(state.force_change_before, state.residual_change_before);
+    set_displacement(state);
+    std::vector<double> gap(n);
+    for (unsigned int i = 0; i < n; ++i)
+      gap[i] = this->gap(state, i, state.residual_displacement[i], displacement, state.contact.approach,
+                         state.force);
 
     std::vector<double> sorted(gap);
     std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
@@ -124,6 +150,7 @@ namespace vibrocontact
     const auto is_nearby = [&](const unsigned int i)
     {
       return n <= always_nearby || state.R[i] != 0 || state.force_change[i] != 0 ||
+             state.force_change_before[i] != 0 ||
              gap[i] <= (was_nearby[i] ? 2 * threshold - least : threshold);
     };
     std::vector<unsigned int> found;
@@ -183,25 +210,18 @@ namespace vibrocontact
     if (!solution.converged ||
         !another_within(state, state.moved_since_search + 2 * motion_of_open_points(state)))
       return false;
-    const std::vector<unsigned int> &points = step_operator->points();
-    const unsigned int n = pair.n_points(), m = points.size();
-    DenseVector R(3 * n), residual(3 * n);
-    for (unsigned int c = 0; c < 3; ++c)
-      for (unsigned int i = 0; i < m; ++i)
-        R[contact_row(n, c, points[i])] = solution.R[contact_row(m, c, i)];
-    add_residual_displacement(matrices.residual_flexibility, matrices.half_spaces.get(), R, residual);
-    std::vector<unsigned int> normal_rows(n);
-    std::iota(normal_rows.begin(), normal_rows.end(), 0u);
-    add_kept(state, force, normal_rows, residual.begin());
+    const std::vector<unsigned int> &points = step_operator->points(),
+                                    &others = step_operator->other_points();
+    step_operator->residual_gaps_of_others(solution.R, residual_of_others);
+    add_kept(state, force, others, residual_of_others.begin());
     step_operator->modal_numbers(solution.R, c_n, c_t);
     add(c_t, c_n);
     multiply(matrices.displacement_gain, c_n, displacement);
     add(free_displacement, displacement);
-    const std::vector<double> gap = gaps(state, residual, displacement, solution.approach, force);
     std::vector<unsigned int> closed;
-    for (unsigned int i = 0; i < n; ++i)
-      if (gap[i] < 0 && !std::binary_search(points.begin(), points.end(), i))
-        closed.push_back(i);
+    for (unsigned int i = 0; i < others.size(); ++i)
+      if (gap(state, others[i], residual_of_others[i], displacement, solution.approach, force) < 0)
+        closed.push_back(others[i]);
     if (closed.empty())
       return false;
     closed.insert(closed.end(), points.begin(), points.end());
@@ -225,9 +245,16 @@ namespace vibrocontact
     for (unsigned int i = 0; i < drive.gap.size(); ++i)
       state.contact.y[i] += drive.gap[i] - (state.roughness.empty() ? 0 : state.roughness[i]);
     state.roughness = drive.gap;
-    if (state.nearby.empty() || state.steps_since_search >= longest_without_search ||
-        another_within(state, state.moved_since_search))
+    if (state.nearby.empty() || state.steps_since_search >= longest_without_search)
       search_proximity(state);
+    else if (another_within(state, state.moved_since_search))
+    {
+      // what rests keep is not in the forces alone
+      if (kept.empty())
+        look_at_others(state);
+      if (!kept.empty() || another_within(state, 0))
+        search_proximity(state);
+    }
 
     const DenseVector rigid = rigid_slip(pair.interface.contacts, scheme, drive.creepage);
     unsigned int iterations = 0;
@@ -325,6 +352,8 @@ namespace vibrocontact
     const StepOperator &A = *step_operator;
     const std::vector<unsigned int> &points = A.points(), &rows = A.residual_rows();
     const unsigned int n = pair.n_points(), m = points.size();
+    const auto next_change = [&](const DenseVector &change, const DenseVector &before, const unsigned int row)
+    { return state.change_changes ? 2 * change[row] - before[row] : change[row]; };
     problem.b = 0;
     add_kept(state, drive.force, rows, problem.b.begin() + 3 * m);
     A.respond(free_displacement, free_velocity, problem.b);
@@ -343,13 +372,14 @@ namespace vibrocontact
         else
           problem.b[here] += pair.force_response(there) * drive.force +
                              (state.roughness.empty() ? 0. : state.roughness[points[i]]);
-        solution.R[here] = state.R[there] + state.force_change[there];
+        solution.R[here] = state.R[there] + next_change(state.force_change, state.force_change_before, there);
       }
     problem.normal_force = drive.normal_force;
     problem.approach = drive.normal_force > 0 ? state.contact.approach : drive.approach;
 
     for (unsigned int k = 0; k < rows.size(); ++k)
-      solution.y[3 * m + k] = state.residual_displacement[rows[k]] + state.residual_change[rows[k]];
+      solution.y[3 * m + k] = state.residual_displacement[rows[k]] +
+                              next_change(state.residual_change, state.residual_change_before, rows[k]);
     A.modal_numbers(solution.R, c_n, c_t);
     add(c_t, c_n);
     multiply(matrices.displacement_gain, c_n, displacement);
@@ -404,22 +434,28 @@ namespace vibrocontact
     const bool unknown = !std::isfinite(motion) || solution.fallbacks > 0;
     state.moved_since_search += unknown ? 0 : 2 * motion;
     state.steps_since_search = unknown ? longest_without_search : state.steps_since_search + 1;
-    double rate = 0;
+    double rate = 0, error_of_same = 0, error_of_changing = 0;
     for (unsigned int i = 0; i < m; ++i)
       state.contact.status[points[i]] = solution.status[i];
     for (unsigned int c = 0; c < 3; ++c)
       for (unsigned int i = 0; i < m; ++i)
       {
         const unsigned int here = contact_row(m, c, i), there = contact_row(n, c, points[i]);
-        state.force_change[there] = solution.R[here] - state.R[there];
+        const double change = solution.R[here] - state.R[there], before = state.force_change[there];
+        error_of_same += std::pow(change - before, 2);
+        error_of_changing += std::pow(change - 2 * before + state.force_change_before[there], 2);
+        state.force_change_before[there] = before;
+        state.force_change[there] = change;
         state.contact.R[there] = state.R[there] = solution.R[here];
         state.contact.y[there] = solution.y[here];
         if (c > 0)
           rate -= solution.R[here] * state.residual_displacement[there] / h;
       }
+    state.change_changes = error_of_changing < error_of_same;
     for (unsigned int k = 0; k < rows.size(); ++k)
     {
       double &displacement_of_row = state.residual_displacement[rows[k]];
+      state.residual_change_before[rows[k]] = state.residual_change[rows[k]];
       state.residual_change[rows[k]] = solution.y[3 * m + k] - displacement_of_row;
       displacement_of_row = solution.y[3 * m + k];
     }

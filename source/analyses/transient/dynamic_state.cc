@@ -44,6 +44,8 @@ namespace vibrocontact
     set_residual_displacement(pair, state);
     state.force_change.reinit(3 * n);
     state.residual_change.reinit(3 * n);
+    state.force_change_before.reinit(3 * n);
+    state.residual_change_before.reinit(3 * n);
     state.modal_force.reinit(n_modes);
     state.pole_force.assign(pair.n_poles(), 0.);
     state.pole_reaction.assign(pair.n_poles(), 0.);

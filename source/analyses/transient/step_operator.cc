@@ -15,6 +15,8 @@ namespace vibrocontact
   {
     /// fewer than the n-th part of the points: by their columns alone
     constexpr unsigned int few_sources = 8;
+    /// of fewer points all matrices are at hand in double precision
+    constexpr unsigned int least_points_in_single = 16;
 
     // amplitudes diag(g1) amplitudes^T - amplitudes damper_gain B diag(g1_v) amplitudes^T
     DenseMatrix gain(const DenseMatrix &amplitudes, const std::vector<ModalStep> &steps,
@@ -134,6 +136,9 @@ namespace vibrocontact
     { return (point - contacts.first_point(contacts.contact_of(point))) % contact_of(point).grid.n_x; };
     const auto coefficients = [&](const unsigned int point) -> const std::vector<double> &
     { return matrices.scheme.at_column(column_of(point)); };
+    for (unsigned int point = 0; point < n; ++point)
+      if (!std::binary_search(nearby.begin(), nearby.end(), point))
+        others.push_back(point);
     std::vector<unsigned int> wet;
     for (const unsigned int point : nearby)
     {
@@ -168,6 +173,8 @@ namespace vibrocontact
         for (const unsigned int point : nearby)
           diagonals.push_back(matrices.response(contact_row(n, c, point), contact_row(n, c, point)));
     }
+    if (n_points() >= least_points_in_single && !matrices.half_spaces && !has_gradient())
+      take_single_precision();
     // of the whole grid: rho does not move with the points that are nearby
     for (unsigned int c = 0; c < 3; ++c)
     {
@@ -185,7 +192,9 @@ namespace vibrocontact
     return result;
   }
 
-  void StepOperator::respond_by_kernels(const DenseVector &R, const std::vector<unsigned int> &sources) const
+  void StepOperator::respond_by_kernels(const DenseVector &R, const std::vector<unsigned int> &sources,
+                                        const std::vector<unsigned int> &of_rows,
+                                        DenseVector &displacement) const
   {
     const unsigned int m = n_points(), n = matrices.contacts.n_points();
     DenseVector on_all(3 * n), displacement_of_all;
@@ -193,8 +202,45 @@ namespace vibrocontact
       for (const unsigned int j : sources)
         on_all[contact_row(n, c, nearby[j])] = R[contact_row(m, c, j)];
     matrices.half_spaces->flexibility.vmult(displacement_of_all, on_all, on_grid(sources));
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      residual[i] = displacement_of_all[rows[i]];
+    for (unsigned int i = 0; i < of_rows.size(); ++i)
+      displacement[i] = displacement_of_all[of_rows[i]];
+  }
+
+  void StepOperator::residual_gaps_of_others(const DenseVector &R, DenseVector &gaps) const
+  {
+    const unsigned int m = n_points(), n = matrices.contacts.n_points();
+    gaps.reinit(others.size());
+    if (others.empty())
+      return;
+    // a point's normal row has its own number
+    if (matrices.half_spaces)
+      return respond_by_kernels(R, loaded_points(R, m), others, gaps);
+    if (columns_of_others.m() == 0)
+    {
+      columns_of_others.reinit(others.size(), 3 * m);
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int j = 0; j < m; ++j)
+          for (unsigned int i = 0; i < others.size(); ++i)
+            columns_of_others(i, contact_row(m, c, j)) =
+                matrices.residual_flexibility(others[i], contact_row(n, c, nearby[j]));
+    }
+    columns_of_others.vmult(gaps, R);
+  }
+
+  void StepOperator::take_single_precision()
+  {
+    single_columns = in_single_precision(residual_columns);
+    single_forces.reinit(residual_columns.n());
+    single_rows.reinit(residual_columns.m());
+    if (basis.n() == 0)
+      return;
+    DenseMatrix gains(2 * basis.n(), basis.n());
+    add_block(gains, matrices.displacement_gain, 0, 0);
+    add_block(gains, matrices.velocity_gain, basis.n(), 0);
+    single_basis = in_single_precision(basis);
+    single_motion = in_single_precision(product(by_motion, gains));
+    single_numbers.reinit(basis.n());
+    single_moved.reinit(by_motion.m());
   }
 
   void StepOperator::gather_columns()
@@ -240,7 +286,7 @@ namespace vibrocontact
     if (sources.empty())
       return;
     if (matrices.half_spaces)
-      respond_by_kernels(R, sources);
+      respond_by_kernels(R, sources, rows, residual);
     else
       multiply_columns(residual_columns, R, sources, residual);
     std::copy(residual.begin(), residual.end(), y.begin() + 3 * m);
@@ -258,11 +304,29 @@ namespace vibrocontact
       y[i] += along_path[i];
   }
 
-  void StepOperator::respond(const DenseVector &d, const DenseVector &v, DenseVector &y) const
+  void StepOperator::vmult_change(DenseVector &y, const DenseVector &change,
+                                  const std::vector<unsigned int> &sources) const
   {
     const unsigned int m = n_points();
-    const double *const w = y.data() + 3 * m;
-    std::copy_n(w, m, y.data());
+    if (single_columns.m() == 0 || sources.size() * few_sources <= m)
+      return vmult(y, change, sources);
+    y.reinit(3 * m + rows.size(), true);
+    std::copy(change.begin(), change.end(), single_forces.begin());
+    single_columns.vmult(single_rows, single_forces);
+    std::copy(single_rows.begin(), single_rows.end(), y.begin() + 3 * m);
+    transport_residual(y.data() + 3 * m, y.data());
+    if (basis.n() == 0)
+      return;
+    single_basis.Tvmult(single_numbers, single_forces);
+    single_motion.vmult(single_moved, single_numbers);
+    for (unsigned int i = 0; i < 3 * m; ++i)
+      y[i] += single_moved[i];
+  }
+
+  void StepOperator::transport_residual(const double *const w, double *const y) const
+  {
+    const unsigned int m = n_points();
+    std::copy_n(w, m, y);
     for (unsigned int c = 1; c < 3; ++c)
     {
       const double *const tangential = w + m + (c - 1) * n_wet;
@@ -274,6 +338,12 @@ namespace vibrocontact
         y[contact_row(m, c, i)] = sum;
       }
     }
+  }
+
+  void StepOperator::respond(const DenseVector &d, const DenseVector &v, DenseVector &y) const
+  {
+    const unsigned int m = n_points();
+    transport_residual(y.data() + 3 * m, y.data());
     const dealii::types::blas_int n_rows = 3 * m, n_columns = motion.size(), one = 1;
     if (n_columns == 0)
       return;

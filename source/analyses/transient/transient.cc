@@ -371,7 +371,7 @@ namespace vibrocontact
   void TransientMarch::advance_block()
   {
     do
-      advance_part(steps_between_fresh_starts);
+      advance_part(steps_between_fresh_starts(sums.steps));
     while (!is_over() && !is_between_blocks());
   }
 

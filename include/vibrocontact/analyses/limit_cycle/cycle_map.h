@@ -12,7 +12,7 @@
 namespace vibrocontact
 {
   /// of the contact of a step, and at rest: what a period adds up to has to be below the tolerance of a cycle
-  constexpr double cycle_contact_tolerance = 1e-11;
+  constexpr double cycle_contact_tolerance = 1e-13, rest_contact_tolerance = 1e-11;
 
   /// The march of the transient over one period T in m equal steps, as a map of the state that it starts from, and its derivative.
   ///

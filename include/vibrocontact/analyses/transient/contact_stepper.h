@@ -81,9 +81,13 @@ namespace vibrocontact
   private:
     /// Whether a point that is not nearby had, at the last search, a gap of at most the distance [m].
     bool another_within(const DynamicState &state, double distance) const;
-    /// Gaps of all points [m]; n. @param force Drive::force; @param residual W~ R, 3 n [m]; @param shapes amplitudes of the shapes
-    std::vector<double> gaps(const DynamicState &state, const DenseVector &residual,
-                             const DenseVector &shapes, double approach, double force) const;
+    /// Gap of a point [m]. @param force Drive::force; @param residual W~ R there [m]; @param shapes amplitudes of the shapes
+    double gap(const DynamicState &state, unsigned int point, double residual, const DenseVector &shapes,
+               double approach, double force) const;
+    /// displacement <- of the shapes at the beginning of the step
+    void set_displacement(const DynamicState &state);
+    /// Gaps of the points that are not nearby at the beginning of the step.
+    void look_at_others(DynamicState &state);
     /// Gaps of all points at the beginning of the step, and from them the points to watch.
     void search_proximity(DynamicState &state);
     /// Adds to displacements at some rows what rests that relax keep of their forces before the step. @param force
@@ -135,5 +139,7 @@ namespace vibrocontact
     /// their shapes, those that forces add, and basis^T R of normal and tangential forces (c_n: also of all);
     /// rank
     DenseVector free_displacement, free_velocity, displacement, velocity, c_n, c_t;
+    /// forces of the nearby points at the beginning of a step, and (W~ R)_n of the others
+    DenseVector nearby_forces, residual_of_others;
   };
 } // namespace vibrocontact

@@ -20,8 +20,10 @@ namespace vibrocontact
     DenseVector R, residual_displacement;
     /// of each rest that relaxes (ContactPair::relaxing) the forces s that it has followed so far, 3 n [N]
     std::vector<DenseVector> relaxed;
-    /// what both have changed by in the last step: the next one starts with the same change
-    DenseVector force_change, residual_change;
+    /// what both have changed by in the last step and in the one before: the next one starts with the same change, or with one that
+    /// changes as it did, whichever would have been nearer to the last
+    DenseVector force_change, residual_change, force_change_before, residual_change_before;
+    bool change_changes = false;
     /// Psi^T R [N/sqrt(kg)]; n_modes
     DenseVector modal_force;
     /// states of the poles, what the contact feeds into them, left^T R, and right^T R, by which they work; n_poles

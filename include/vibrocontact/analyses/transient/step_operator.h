@@ -59,6 +59,8 @@ namespace vibrocontact
 
     unsigned int n_points() const override { return nearby.size(); }
     void vmult(DenseVector &y, const DenseVector &R, const std::vector<unsigned int> &sources) const override;
+    void vmult_change(DenseVector &y, const DenseVector &change,
+                      const std::vector<unsigned int> &sources) const override;
     void extract(const std::vector<unsigned int> &points, DenseMatrix &block) const override;
     double mean_diagonal(unsigned int component) const override { return mean[component]; }
     double diagonal(const unsigned int component, const unsigned int point) const override
@@ -71,6 +73,10 @@ namespace vibrocontact
     const std::vector<unsigned int> &points() const { return nearby; }
     /// rows of the grid whose residual displacements stand behind the 3 n_points() rows of y
     const std::vector<unsigned int> &residual_rows() const { return rows; }
+    /// the points of the grid that are not among them, ascending
+    const std::vector<unsigned int> &other_points() const { return others; }
+    /// (W~ R)_n at the other points [m]
+    void residual_gaps_of_others(const DenseVector &R, DenseVector &gaps) const;
     /// size of y
     unsigned int n_rows() const { return 3 * nearby.size() + rows.size(); }
     /// Whether d/dx of W~ is more than differences of the residual displacements in y.
@@ -84,6 +90,7 @@ namespace vibrocontact
   private:
     const StepMatrices &matrices;
     const std::vector<unsigned int> nearby;
+    std::vector<unsigned int> others;
     std::vector<unsigned int> rows;
     /// points whose tangential residual displacements count: the nearby ones, those upstream and the next
     /// one downstream (for the energy account)
@@ -99,13 +106,23 @@ namespace vibrocontact
     /// The same points of the grid.
     std::vector<unsigned int> on_grid(const std::vector<unsigned int> &points) const;
     void gather_columns();
+    void take_single_precision();
     /// y = columns R, with few sources by their columns alone
     void multiply_columns(const DenseMatrix &columns, const DenseVector &R,
                           const std::vector<unsigned int> &sources, DenseVector &y) const;
-    /// Residual displacements of the rows behind y, of half-spaces alone.
-    void respond_by_kernels(const DenseVector &R, const std::vector<unsigned int> &sources) const;
+    /// Residual displacements of rows of the grid, of half-spaces alone.
+    void respond_by_kernels(const DenseVector &R, const std::vector<unsigned int> &sources,
+                            const std::vector<unsigned int> &of_rows, DenseVector &displacement) const;
+    /// The rows of y before those behind it, from residual displacements at the points and the wet ones: w of gap and slip.
+    void transport_residual(const double *w, double *y) const;
     /// W~ from the points to the rows behind y, and what d/dx of it is beyond differences times V; empty of half-spaces alone
     DenseMatrix residual_columns, gradient_columns;
+    /// W~ from the points to the normal rows of the others; empty until it is needed, and of half-spaces alone
+    mutable DenseMatrix columns_of_others;
+    /// what vmult_change takes in single precision: columns of W~, basis, and by_motion [G; H], what the shapes' numbers move; empty of
+    /// few points and of half-spaces
+    SingleMatrix single_columns, single_basis, single_motion;
+    mutable SingleVector single_forces, single_rows, single_numbers, single_moved;
     mutable DenseVector residual, along_path, c_normal, c_tangential, displacement, velocity, motion;
   };
 } // namespace vibrocontact

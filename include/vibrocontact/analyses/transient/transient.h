@@ -15,8 +15,13 @@
 namespace vibrocontact
 {
   /// After so many steps the contact solver starts afresh, so that what it keeps from step to step need not
-  /// be in a checkpoint: a run that continues there goes the same way bit for bit.
-  constexpr unsigned long steps_between_fresh_starts = 50;
+  /// be in a checkpoint: a run that continues there goes the same way bit for bit. A run that has gone on for long
+  /// starts afresh seldom: what its solver keeps serves it for periods of its vibration.
+  inline unsigned long steps_between_fresh_starts(const unsigned long steps_so_far)
+  {
+    constexpr unsigned long at_first = 50, later = 500;
+    return steps_so_far < later ? at_first : later;
+  }
 
   /// Index of the perturbed mode among the labels body:label of modes; their number if none is perturbed.
   /// @throws InputError if there is no such mode, with near ones
@@ -51,7 +56,7 @@ namespace vibrocontact
   /// follows the error of a step, which is of third order.
   TransientParameters with_doubled_step(TransientParameters parameters);
 
-  /// Steps to the end time (Lai et al. 2018, section 5), steps_between_fresh_starts of them in a block.
+  /// Steps to the end time (Lai et al. 2018, section 5), steps_between_fresh_starts() of them in a block.
   ///
   /// A checkpoint holds the state that the next step starts from, the sums so far and the same of the run with twice the
   /// step, if there is one. What a solver keeps from step to step (factorisations) is not in it.
@@ -74,7 +79,10 @@ namespace vibrocontact
     /// @throws ConvergenceError after a step whose contact does not converge, with sums.converged = false
     void advance_block() override;
     void advance_part(unsigned int n_steps) override;
-    bool is_between_blocks() const override { return sums.steps % steps_between_fresh_starts == 0; }
+    bool is_between_blocks() const override
+    {
+      return sums.steps % steps_between_fresh_starts(sums.steps) == 0;
+    }
     void exchange(CheckpointFile &file) override;
     Marks marks() const override;
     std::string pace() const override;
