@@ -241,15 +241,22 @@ namespace vibrocontact
       return falls && since_best <= patience;
     }
 
+    /// s <- best, with what the way has cost so far
+    void go_back_to_best()
+    {
+      best.iterations = s.iterations;
+      best.factorisations = s.factorisations;
+      best.linear_iterations = s.linear_iterations;
+      best.fallbacks = s.fallbacks;
+      s = best;
+    }
+
     /// From the best state with another matrix; false if the matrix is not to blame
     bool begin_again()
     {
       if (!kept.distrust())
         return false;
-      const unsigned int iterations = s.iterations, factorisations = s.factorisations;
-      s = best;
-      s.iterations = iterations;
-      s.factorisations = factorisations;
+      go_back_to_best();
       judge_state();
       return true;
     }
@@ -282,13 +289,7 @@ namespace vibrocontact
     void finish()
     {
       if (!(s.residual <= best.residual))
-      {
-        best.iterations = s.iterations;
-        best.factorisations = s.factorisations;
-        best.linear_iterations = s.linear_iterations;
-        best.fallbacks = s.fallbacks;
-        s = best;
-      }
+        go_back_to_best();
       // round-off collected in y over the steps is removed before the final judgement; who knew the
       // response of the start cares for it
       if (!s.response_known)

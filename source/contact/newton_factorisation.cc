@@ -37,24 +37,18 @@ namespace vibrocontact
       return true;
     }
 
-    /// Square of what the tangential rows of a point differ by.
-    double distance(const NewtonJacobian::Row &a, const NewtonJacobian::Row &b)
-    {
-      double sum = 0;
-      for (unsigned int c = 0; c < 2; ++c)
-      {
-        const double radius = a.by_radius[c] - b.by_radius[c], x = a.by_trial[c][0] - b.by_trial[c][0],
-                     y = a.by_trial[c][1] - b.by_trial[c][1];
-        sum += radius * radius + x * x + y * y;
-      }
-      return sum;
-    }
-
+    /// Square of what the tangential rows differ by.
     double distance(const NewtonJacobian::Rows &a, const NewtonJacobian::Rows &b)
     {
       double sum = 0;
       for (std::size_t k = 0; k < a.size(); ++k)
-        sum += distance(a[k], b[k]);
+        for (unsigned int c = 0; c < 2; ++c)
+        {
+          const double radius = a[k].by_radius[c] - b[k].by_radius[c],
+                       x = a[k].by_trial[c][0] - b[k].by_trial[c][0],
+                       y = a[k].by_trial[c][1] - b[k].by_trial[c][1];
+          sum += radius * radius + x * x + y * y;
+        }
       return sum;
     }
   } // namespace
@@ -158,13 +152,10 @@ namespace vibrocontact
     last_direction.reinit(0);
     is_earlier = is_distrusted = false;
     excess = 0;
-    if (kept.size() < most_kept)
-      kept.emplace_back();
-    else
-      std::iter_swap(kept.rbegin(), std::min_element(kept.begin(), kept.end(),
-                                                     [](const auto &a, const auto &b)
-                                                     { return a->last_used < b->last_used; }));
-    kept.back() = std::make_unique<Factors>();
+    if (kept.size() == most_kept)
+      kept.erase(std::min_element(kept.begin(), kept.end(),
+                                  [](const auto &a, const auto &b) { return a->last_used < b->last_used; }));
+    kept.push_back(std::make_unique<Factors>());
     used = kept.back().get();
     used->last_used = n_problems;
     used->points = J.points();
