@@ -227,8 +227,7 @@ namespace vibrocontact
       for (const unsigned int k : kept)
         result.mobility.push_back(all.mobility[k]);
       const auto [by_x, by_s] = all.slip(slip_by_x, slip_by_R, n);
-      const DenseMatrix own = columns_at(rows_at(by_s, dropped), dropped),
-                        shapes = columns_at(all.by_s, dropped);
+      const DenseMatrix own = entries_at(by_s, dropped, dropped), shapes = columns_at(all.by_s, dropped);
       const auto eliminated = [&](const DenseMatrix &R, const DenseMatrix &slip)
       {
         return difference(

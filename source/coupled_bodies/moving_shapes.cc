@@ -123,10 +123,10 @@ namespace vibrocontact
         own.push_back(k);
     MovingShapes result;
     result.n_loaded = std::lower_bound(own.begin(), own.end(), all.n_loaded) - own.begin();
-    result.shapes.basis = columns_at(rows_at(all.shapes.basis, rows), own);
+    result.shapes.basis = entries_at(all.shapes.basis, rows, own);
     result.shapes.amplitudes = rows_at(all.shapes.amplitudes, own);
-    result.by_displacement = columns_at(rows_at(all.by_displacement, rows), own);
-    result.by_velocity = columns_at(rows_at(all.by_velocity, rows), own);
+    result.by_displacement = entries_at(all.by_displacement, rows, own);
+    result.by_velocity = entries_at(all.by_velocity, rows, own);
     result.right = rows_at(all.right, own);
     result.left = rows_at(all.left, own);
     return result;

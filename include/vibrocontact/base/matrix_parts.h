@@ -50,4 +50,17 @@ namespace vibrocontact
         result(i, j) = matrix(i, columns[j]);
     return result;
   }
+
+  /// Where some rows and columns of a matrix meet.
+  template <typename Number>
+  dealii::LAPACKFullMatrix<Number> entries_at(const dealii::LAPACKFullMatrix<Number> &matrix,
+                                              const std::vector<unsigned int> &rows,
+                                              const std::vector<unsigned int> &columns)
+  {
+    dealii::LAPACKFullMatrix<Number> result(rows.size(), columns.size());
+    for (unsigned int j = 0; j < columns.size(); ++j)
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        result(i, j) = matrix(rows[i], columns[j]);
+    return result;
+  }
 } // namespace vibrocontact

@@ -301,7 +301,7 @@ namespace vibrocontact
       left_parts.Tmmult(changes.pole_force, R);
     const std::vector<unsigned int> on_grid = rows_of_points(n_grid, on.points),
                                     along(on_grid.begin() + on.n_points(), on_grid.end());
-    changes.slip_displacement = product(columns_at(rows_at(pair.residual, along), rows), R);
+    changes.slip_displacement = product(entries_at(pair.residual, along, rows), R);
     return changes;
   }
 

@@ -62,14 +62,14 @@ namespace vibrocontact
     AssertThrow(std::all_of(pair.omega.begin(), pair.omega.end(), [](const double w) { return w > 0; }),
                 dealii::ExcInternalError());
     const std::vector<unsigned int> rows = rows_of_points(pair.n_points(), points);
-    rest = tangential_rest = columns_at(rows_at(pair.residual, rows), rows);
+    rest = tangential_rest = entries_at(pair.residual, rows, rows);
     for (unsigned int j = 0; j < tangential_rest.n(); ++j)
       std::fill_n(&tangential_rest(0, j), points.size(), 0.);
     DenseMatrix moved_rest = pair.residual;
     convert_to_slip_rows(pair.interface.contacts, scheme, speed, moved_rest);
     if (pair.residual_gradient.m() > 0)
       moved_rest.add(speed, pair.residual_gradient);
-    by_rest = columns_at(rows_at(moved_rest, rows), rows);
+    by_rest = entries_at(moved_rest, rows, rows);
   }
 
   void HarmonicResponse::set_frequency(const double new_omega)

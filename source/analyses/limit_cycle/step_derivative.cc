@@ -23,7 +23,7 @@ namespace vibrocontact
     by_poles = parts_of(right);
     into_poles = parts_of(left);
     const std::vector<unsigned int> along(rows.begin() + points.size(), rows.end());
-    slip_flexibility = columns_at(rows_at(matrices.residual_flexibility, along), rows);
+    slip_flexibility = entries_at(matrices.residual_flexibility, along, rows);
     for (const unsigned int row : rows)
       by_approach.push_back(stepper.approach_rows()[row]);
   }
