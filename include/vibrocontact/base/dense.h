@@ -9,7 +9,7 @@ namespace vibrocontact
   /// steps.
   using DenseMatrix = dealii::LAPACKFullMatrix<double>;
   using DenseVector = dealii::Vector<double>;
-  /// of what is only a correction, or half as large in memory
+  /// of corrections, whose products are bound by memory
   using SingleMatrix = dealii::LAPACKFullMatrix<float>;
   using SingleVector = dealii::Vector<float>;
 

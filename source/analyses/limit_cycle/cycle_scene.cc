@@ -8,6 +8,12 @@
 
 namespace vibrocontact
 {
+  namespace
+  {
+    /// of the contact at rest
+    constexpr double rest_contact_tolerance = 1e-11;
+  } // namespace
+
   CycleScene cycle_scene(const Parameters &parameters, const TransientParameters &steps,
                          const std::shared_ptr<const ContactPair> &held, const ContactSections &contacts,
                          const RollingCase &constants, const CycleScene *const like)

@@ -5,24 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <limits>
 
 namespace vibrocontact
 {
   namespace
   {
-    /// no choice among so few points
-    constexpr unsigned int always_nearby = 16;
-    /// points are nearby below this share of the median gap, until they are beyond twice that
-    constexpr double nearby_share = 0.1;
-    /// of the points that are nearby, those that a search finds again; fewer: the others are let go
-    constexpr double worn_share = 0.75;
-    /// steps after which W~ R is computed anew: the round-off of its changes grows with the steps^(3/2)
-    constexpr unsigned int longest_without_search = 64;
-    /// that a look at the points that are not nearby stands for: where it is needed often, a search finds more to be nearby
-    constexpr unsigned int steps_of_a_look = 8;
-
     /// to += from, which deal.II does not take of empty vectors (no modes, no points)
     void add(const DenseVector &from, DenseVector &to)
     {
@@ -52,7 +39,8 @@ namespace vibrocontact
       : pair(pair), scheme(scheme), steps(steps), pole_steps(pole_steps), h(h), speed(speed),
         damper(pair.hub.get(), steps),
         matrices(step_matrices(scheme, pair, steps, h, speed, pair.hub.get(), pole_steps, shapes)),
-        q(pair.n_modes()), v(pair.n_modes()), z(pair.n_poles())
+        proximity(pair, matrices, constant_response, by_approach), q(pair.n_modes()), v(pair.n_modes()),
+        z(pair.n_poles())
   {
     for (const RelaxingRest &rest : pair.relaxing)
       kept.push_back(rest.relaxation / (h + rest.relaxation));
@@ -73,106 +61,12 @@ namespace vibrocontact
       x->reinit(matrices.shapes.rank());
   }
 
-  bool ContactStepper::another_within(const DynamicState &state, const double distance) const
-  {
-    auto nearby = state.nearby.begin();
-    for (unsigned int i = 0; i < pair.n_points(); ++i)
-      if (nearby != state.nearby.end() && *nearby == i)
-        ++nearby;
-      else if (state.contact.y[i] <= distance)
-        return true;
-    return false;
-  }
-
-  double ContactStepper::gap(const DynamicState &state, const unsigned int point, const double residual,
-                             const DenseVector &shapes, const double approach, const double force) const
-  {
-    double result = constant_response[point] + residual + pair.force_response(point) * force -
-                    approach * by_approach[point];
-    if (!state.roughness.empty())
-      result += state.roughness[point];
-    for (unsigned int k = 0; k < shapes.size(); ++k)
-      result += matrices.shapes.basis(point, k) * shapes[k];
-    return result;
-  }
-
   void ContactStepper::set_displacement(const DynamicState &state)
   {
     std::copy(state.q.begin(), state.q.end(), q.begin());
     displacement = 0;
     multiply(matrices.shapes.amplitudes, q, displacement);
     add_poles(state.z, {}, displacement, nullptr);
-  }
-
-  void ContactStepper::look_at_others(DynamicState &state)
-  {
-    take_points(state.nearby);
-    const std::vector<unsigned int> &points = step_operator->points(),
-                                    &others = step_operator->other_points();
-    const unsigned int n = pair.n_points(), m = points.size();
-    nearby_forces.reinit(3 * m, true);
-    for (unsigned int c = 0; c < 3; ++c)
-      for (unsigned int i = 0; i < m; ++i)
-        nearby_forces[contact_row(m, c, i)] = state.R[contact_row(n, c, points[i])];
-    step_operator->residual_gaps_of_others(nearby_forces, residual_of_others);
-    set_displacement(state);
-    for (unsigned int i = 0; i < others.size(); ++i)
-      state.contact.y[others[i]] =
-          gap(state, others[i], residual_of_others[i], displacement, state.contact.approach, state.force);
-    state.moved_since_search = 0;
-    state.steps_since_search += steps_of_a_look;
-  }
-
-  void ContactStepper::search_proximity(DynamicState &state)
-  {
-    const unsigned int n = pair.n_points();
-    set_residual_displacement(pair, state);
-    const auto set_change = [&](const DenseVector &of_forces, DenseVector &change)
-    {
-      change = 0;
-      add_residual_displacement(pair.residual, pair.half_spaces.get(), of_forces, change);
-    };
-    set_change(state.force_change, state.residual_change);
-    set_change(state.force_change_before, state.residual_change_before);
-    set_displacement(state);
-    std::vector<double> gap(n);
-    for (unsigned int i = 0; i < n; ++i)
-      gap[i] = this->gap(state, i, state.residual_displacement[i], displacement, state.contact.approach,
-                         state.force);
-
-    std::vector<double> sorted(gap);
-    std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
-    const double least = std::max(0., *std::min_element(gap.begin(), gap.end())),
-                 threshold = least + nearby_share * std::max(0., sorted[n / 2] - least);
-    std::vector<bool> was_nearby(n, false);
-    for (const unsigned int i : state.nearby)
-      was_nearby[i] = true;
-    const auto is_nearby = [&](const unsigned int i)
-    {
-      return n <= always_nearby || state.R[i] != 0 || state.force_change[i] != 0 ||
-             state.force_change_before[i] != 0 ||
-             gap[i] <= (was_nearby[i] ? 2 * threshold - least : threshold);
-    };
-    std::vector<unsigned int> found;
-    for (unsigned int i = 0; i < n; ++i)
-    {
-      state.contact.y[i] = gap[i];
-      if (is_nearby(i))
-        found.push_back(i);
-    }
-    // a few points more cost less than another matrix
-    std::vector<unsigned int> with_known;
-    std::set_union(state.nearby.begin(), state.nearby.end(), found.begin(), found.end(),
-                   std::back_inserter(with_known));
-    state.nearby = found.size() < worn_share * with_known.size() ? found : with_known;
-    auto next = state.nearby.begin();
-    for (unsigned int i = 0; i < n; ++i)
-      if (next != state.nearby.end() && *next == i)
-        ++next;
-      else
-        state.contact.y[n + i] = state.contact.y[2 * n + i] = 0;
-    state.moved_since_search = 0;
-    state.steps_since_search = 0;
   }
 
   void ContactStepper::take_points(const std::vector<unsigned int> &points)
@@ -191,46 +85,48 @@ namespace vibrocontact
     problem.b.reinit(step_operator->n_rows());
   }
 
-  double ContactStepper::motion_of_open_points(const DynamicState &state) const
-  {
-    const std::vector<unsigned int> &points = step_operator->points();
-    double motion = 0;
-    bool any_open = points.size() == pair.n_points();
-    for (unsigned int i = 0; i < points.size(); ++i)
-      if (solution.R[i] == 0)
-      {
-        any_open = true;
-        motion = std::max(motion, std::abs(solution.y[i] - state.contact.y[points[i]]));
-      }
-    return any_open ? motion : std::numeric_limits<double>::infinity();
-  }
-
   bool ContactStepper::closes_another(DynamicState &state, const double force)
   {
     if (!solution.converged ||
-        !another_within(state, state.moved_since_search + 2 * motion_of_open_points(state)))
+        !proximity.another_within(state, state.moved_since_search + 2 * proximity.motion_of_open_points(
+                                                                            state, *step_operator, solution)))
       return false;
-    const std::vector<unsigned int> &points = step_operator->points(),
-                                    &others = step_operator->other_points();
+    const std::vector<unsigned int> &points = step_operator->points();
     step_operator->residual_gaps_of_others(solution.R, residual_of_others);
-    add_kept(state, force, others, residual_of_others.begin());
+    add_kept(state, force, step_operator->other_points(), residual_of_others.begin());
     step_operator->modal_numbers(solution.R, c_n, c_t);
     add(c_t, c_n);
     multiply(matrices.displacement_gain, c_n, displacement);
     add(free_displacement, displacement);
-    std::vector<unsigned int> closed;
-    for (unsigned int i = 0; i < others.size(); ++i)
-      if (gap(state, others[i], residual_of_others[i], displacement, solution.approach, force) < 0)
-        closed.push_back(others[i]);
+    std::vector<unsigned int> closed = proximity.closed_others(state, *step_operator, residual_of_others,
+                                                               displacement, solution.approach, force);
     if (closed.empty())
       return false;
     closed.insert(closed.end(), points.begin(), points.end());
-    search_proximity(state);
+    set_displacement(state);
+    proximity.search(state, displacement);
     closed.insert(closed.end(), state.nearby.begin(), state.nearby.end());
     std::sort(closed.begin(), closed.end());
     closed.erase(std::unique(closed.begin(), closed.end()), closed.end());
     state.nearby = closed;
     return true;
+  }
+
+  void ContactStepper::find_nearby(DynamicState &state)
+  {
+    const bool search_is_due = proximity.search_is_due(state);
+    if (!search_is_due && !proximity.another_within(state, state.moved_since_search))
+      return;
+    set_displacement(state);
+    // what rests keep is not in the forces alone
+    if (!search_is_due && kept.empty())
+    {
+      take_points(state.nearby);
+      proximity.look_at_others(state, *step_operator, displacement);
+      if (!proximity.another_within(state, 0))
+        return;
+    }
+    proximity.search(state, displacement);
   }
 
   const ContactSolution &ContactStepper::advance(DynamicState &state, const Drive &drive,
@@ -245,16 +141,7 @@ namespace vibrocontact
     for (unsigned int i = 0; i < drive.gap.size(); ++i)
       state.contact.y[i] += drive.gap[i] - (state.roughness.empty() ? 0 : state.roughness[i]);
     state.roughness = drive.gap;
-    if (state.nearby.empty() || state.steps_since_search >= longest_without_search)
-      search_proximity(state);
-    else if (another_within(state, state.moved_since_search))
-    {
-      // what rests keep is not in the forces alone
-      if (kept.empty())
-        look_at_others(state);
-      if (!kept.empty() || another_within(state, 0))
-        search_proximity(state);
-    }
+    find_nearby(state);
 
     const DenseVector rigid = rigid_slip(pair.interface.contacts, scheme, drive.creepage);
     unsigned int iterations = 0;
@@ -353,7 +240,7 @@ namespace vibrocontact
     const std::vector<unsigned int> &points = A.points(), &rows = A.residual_rows();
     const unsigned int n = pair.n_points(), m = points.size();
     const auto next_change = [&](const DenseVector &change, const DenseVector &before, const unsigned int row)
-    { return state.change_changes ? 2 * change[row] - before[row] : change[row]; };
+    { return state.extrapolates_change ? 2 * change[row] - before[row] : change[row]; };
     problem.b = 0;
     add_kept(state, drive.force, rows, problem.b.begin() + 3 * m);
     A.respond(free_displacement, free_velocity, problem.b);
@@ -429,12 +316,8 @@ namespace vibrocontact
     const StepOperator &A = *step_operator;
     const std::vector<unsigned int> &points = A.points(), &rows = A.residual_rows();
     const unsigned int n = pair.n_points(), m = points.size();
-    // without open points nobody knows how gaps change; a fallback computes W~ R anew, but not its change
-    const double motion = motion_of_open_points(state);
-    const bool unknown = !std::isfinite(motion) || solution.fallbacks > 0;
-    state.moved_since_search += unknown ? 0 : 2 * motion;
-    state.steps_since_search = unknown ? longest_without_search : state.steps_since_search + 1;
-    double rate = 0, error_of_same = 0, error_of_changing = 0;
+    proximity.end_step(state, A, solution);
+    double rate = 0, error_of_same = 0, error_of_extrapolated = 0;
     for (unsigned int i = 0; i < m; ++i)
       state.contact.status[points[i]] = solution.status[i];
     for (unsigned int c = 0; c < 3; ++c)
@@ -443,7 +326,7 @@ namespace vibrocontact
         const unsigned int here = contact_row(m, c, i), there = contact_row(n, c, points[i]);
         const double change = solution.R[here] - state.R[there], before = state.force_change[there];
         error_of_same += std::pow(change - before, 2);
-        error_of_changing += std::pow(change - 2 * before + state.force_change_before[there], 2);
+        error_of_extrapolated += std::pow(change - 2 * before + state.force_change_before[there], 2);
         state.force_change_before[there] = before;
         state.force_change[there] = change;
         state.contact.R[there] = state.R[there] = solution.R[here];
@@ -451,7 +334,7 @@ namespace vibrocontact
         if (c > 0)
           rate -= solution.R[here] * state.residual_displacement[there] / h;
       }
-    state.change_changes = error_of_changing < error_of_same;
+    state.extrapolates_change = error_of_extrapolated < error_of_same;
     for (unsigned int k = 0; k < rows.size(); ++k)
     {
       double &displacement_of_row = state.residual_displacement[rows[k]];

@@ -168,13 +168,16 @@ namespace vibrocontact
     residual.reinit(rows.size());
     if (!matrices.half_spaces)
     {
-      gather_columns();
+      residual_columns = columns_at_points(matrices.residual_flexibility, rows);
+      if (has_gradient())
+      {
+        gradient_columns = columns_at_points(matrices.residual_gradient, rows_of_points(n, nearby));
+        gradient_columns *= matrices.speed;
+      }
       for (unsigned int c = 0; c < 3; ++c)
         for (const unsigned int point : nearby)
           diagonals.push_back(matrices.response(contact_row(n, c, point), contact_row(n, c, point)));
     }
-    if (n_points() >= least_points_in_single && !matrices.half_spaces && !has_gradient())
-      take_single_precision();
     // of the whole grid: rho does not move with the points that are nearby
     for (unsigned int c = 0; c < 3; ++c)
     {
@@ -208,26 +211,18 @@ namespace vibrocontact
 
   void StepOperator::residual_gaps_of_others(const DenseVector &R, DenseVector &gaps) const
   {
-    const unsigned int m = n_points(), n = matrices.contacts.n_points();
     gaps.reinit(others.size());
     if (others.empty())
       return;
     // a point's normal row has its own number
     if (matrices.half_spaces)
-      return respond_by_kernels(R, loaded_points(R, m), others, gaps);
+      return respond_by_kernels(R, loaded_points(R, n_points()), others, gaps);
     if (columns_of_others.m() == 0)
-    {
-      columns_of_others.reinit(others.size(), 3 * m);
-      for (unsigned int c = 0; c < 3; ++c)
-        for (unsigned int j = 0; j < m; ++j)
-          for (unsigned int i = 0; i < others.size(); ++i)
-            columns_of_others(i, contact_row(m, c, j)) =
-                matrices.residual_flexibility(others[i], contact_row(n, c, nearby[j]));
-    }
+      columns_of_others = columns_at_points(matrices.residual_flexibility, others);
     columns_of_others.vmult(gaps, R);
   }
 
-  void StepOperator::take_single_precision()
+  void StepOperator::take_single_precision() const
   {
     single_columns = in_single_precision(residual_columns);
     single_forces.reinit(residual_columns.n());
@@ -243,23 +238,10 @@ namespace vibrocontact
     single_moved.reinit(by_motion.m());
   }
 
-  void StepOperator::gather_columns()
+  DenseMatrix StepOperator::columns_at_points(const DenseMatrix &matrix,
+                                              const std::vector<unsigned int> &of_rows) const
   {
-    const unsigned int m = n_points(), n = matrices.contacts.n_points();
-    residual_columns.reinit(rows.size(), 3 * m);
-    gradient_columns.reinit(has_gradient() ? 3 * m : 0, has_gradient() ? 3 * m : 0);
-    for (unsigned int c = 0; c < 3; ++c)
-      for (unsigned int j = 0; j < m; ++j)
-      {
-        const unsigned int here = contact_row(m, c, j), there = contact_row(n, c, nearby[j]);
-        const double *const from = &matrices.residual_flexibility(0, there);
-        for (unsigned int i = 0; i < rows.size(); ++i)
-          residual_columns(i, here) = from[rows[i]];
-        for (unsigned int d = 0; d < 3 && has_gradient(); ++d)
-          for (unsigned int i = 0; i < m; ++i)
-            gradient_columns(contact_row(m, d, i), here) =
-                matrices.speed * matrices.residual_gradient(contact_row(n, d, nearby[i]), there);
-      }
+    return entries_at(matrix, of_rows, rows_of_points(matrices.contacts.n_points(), nearby));
   }
 
   void StepOperator::multiply_columns(const DenseMatrix &columns, const DenseVector &R,
@@ -308,8 +290,11 @@ namespace vibrocontact
                                   const std::vector<unsigned int> &sources) const
   {
     const unsigned int m = n_points();
-    if (single_columns.m() == 0 || sources.size() * few_sources <= m)
+    if (m < least_points_in_single || matrices.half_spaces || has_gradient() ||
+        sources.size() * few_sources <= m)
       return vmult(y, change, sources);
+    if (single_columns.m() == 0)
+      take_single_precision();
     y.reinit(3 * m + rows.size(), true);
     std::copy(change.begin(), change.end(), single_forces.begin());
     single_columns.vmult(single_rows, single_forces);

@@ -20,7 +20,7 @@ namespace vibrocontact
       file("state/residual_change", state.residual_change);
       file("state/force_change_before", state.force_change_before);
       file("state/residual_change_before", state.residual_change_before);
-      file("state/change_changes", state.change_changes);
+      file("state/extrapolates_change", state.extrapolates_change);
       file("state/modal_force", state.modal_force);
       file("state/poles", state.z);
       file("state/pole_force", state.pole_force);

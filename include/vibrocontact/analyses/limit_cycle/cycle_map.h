@@ -11,8 +11,8 @@
 
 namespace vibrocontact
 {
-  /// of the contact of a step, and at rest: what a period adds up to has to be below the tolerance of a cycle
-  constexpr double cycle_contact_tolerance = 1e-13, rest_contact_tolerance = 1e-11;
+  /// of the contact of a step: what a period adds up to, 1e-13 of all forces in each, has to be below the tolerance of a cycle
+  constexpr double cycle_contact_tolerance = 1e-13;
 
   /// The march of the transient over one period T in m equal steps, as a map of the state that it starts from, and its derivative.
   ///

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/transient/dynamic_state.h>
+#include <vibrocontact/analyses/transient/proximity.h>
 #include <vibrocontact/analyses/transient/step_operator.h>
 #include <vibrocontact/contact/contact_solver.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
@@ -50,10 +51,8 @@ namespace vibrocontact
   /// r0) / h + r1 = W R1, so that W~ above is rest_over_step() and b has what they keep, the sum of beta W s0 / (h + beta).
   ///
   /// What a step costs follows from what can matter in it: modes and contact meet in few shapes (PatchShapes),
-  /// and only nearby points enter the contact problem (StepOperator): those loaded or with a small gap, and what
-  /// earlier searches found so as long as these are few. The gaps of all are searched again when any of the
-  /// others could have closed, for which open nearby points show how far gaps have changed, taken twice; a
-  /// step that closes one is solved again with it.
+  /// and only nearby points enter the contact problem (Proximity, StepOperator); a step that closes another is solved again with
+  /// it.
   class ContactStepper
   {
   public:
@@ -79,23 +78,14 @@ namespace vibrocontact
     const DenseVector &approach_rows() const { return by_approach; }
 
   private:
-    /// Whether a point that is not nearby had, at the last search, a gap of at most the distance [m].
-    bool another_within(const DynamicState &state, double distance) const;
-    /// Gap of a point [m]. @param force Drive::force; @param residual W~ R there [m]; @param shapes amplitudes of the shapes
-    double gap(const DynamicState &state, unsigned int point, double residual, const DenseVector &shapes,
-               double approach, double force) const;
     /// displacement <- of the shapes at the beginning of the step
     void set_displacement(const DynamicState &state);
-    /// Gaps of the points that are not nearby at the beginning of the step.
-    void look_at_others(DynamicState &state);
-    /// Gaps of all points at the beginning of the step, and from them the points to watch.
-    void search_proximity(DynamicState &state);
+    /// The nearby points of the step (Proximity).
+    void find_nearby(DynamicState &state);
     /// Adds to displacements at some rows what rests that relax keep of their forces before the step. @param force
     /// Drive::force at its end
     void add_kept(const DynamicState &state, double force, const std::vector<unsigned int> &rows,
                   double *to) const;
-    /// How far open nearby points move in the step [m]; infinite if there is none.
-    double motion_of_open_points(const DynamicState &state) const;
     /// Whether the solution closes points that are not nearby; then they are nearby as well.
     bool closes_another(DynamicState &state, double force);
     /// Operator and friction of the nearby points into the problem.
@@ -121,6 +111,7 @@ namespace vibrocontact
     const double h, speed;
     const HubDamper damper;
     const StepMatrices matrices;
+    const Proximity proximity;
     /// gap and slip without forces that never change: undeformed gap and loads; 3 n
     DenseVector constant_response;
     /// mu of all points, n, their laws, and ContactProblem::by_approach and to_force, 3 n
@@ -139,7 +130,7 @@ namespace vibrocontact
     /// their shapes, those that forces add, and basis^T R of normal and tangential forces (c_n: also of all);
     /// rank
     DenseVector free_displacement, free_velocity, displacement, velocity, c_n, c_t;
-    /// forces of the nearby points at the beginning of a step, and (W~ R)_n of the others
-    DenseVector nearby_forces, residual_of_others;
+    /// (W~ R)_n of the points that are not nearby
+    DenseVector residual_of_others;
   };
 } // namespace vibrocontact

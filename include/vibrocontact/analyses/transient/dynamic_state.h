@@ -23,7 +23,7 @@ namespace vibrocontact
     /// what both have changed by in the last step and in the one before: the next one starts with the same change, or with one that
     /// changes as it did, whichever would have been nearer to the last
     DenseVector force_change, residual_change, force_change_before, residual_change_before;
-    bool change_changes = false;
+    bool extrapolates_change = false;
     /// Psi^T R [N/sqrt(kg)]; n_modes
     DenseVector modal_force;
     /// states of the poles, what the contact feeds into them, left^T R, and right^T R, by which they work; n_poles
@@ -34,13 +34,14 @@ namespace vibrocontact
     /// Drive::hub_acceleration and Drive::force at this instant
     double hub_acceleration = 0, force = 0;
     /// how the contact was solved at this instant: status, gap and slip, approach. At points that are not
-    /// nearby, the gap is that of the last proximity search of all points (roughness kept up to date), the slip is zero.
+    /// nearby, the gap is that of the last look at them (Proximity; roughness kept up to date), the slip is zero.
     ContactSolution contact;
     /// roughness that the gap holds [m]; n, empty: none
     std::vector<double> roughness;
     /// points in the contact problem of a step, ascending; empty: to be found
     std::vector<unsigned int> nearby;
-    /// how far open points may have moved since the last proximity search of all of them [m], and the steps since
+    /// how far open points may have moved since the last look at those that are not nearby [m], and the steps since the last search of
+    /// all points
     double moved_since_search = 0;
     unsigned int steps_since_search = 0;
   };

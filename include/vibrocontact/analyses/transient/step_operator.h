@@ -105,8 +105,9 @@ namespace vibrocontact
     DenseMatrix basis, by_motion;
     /// The same points of the grid.
     std::vector<unsigned int> on_grid(const std::vector<unsigned int> &points) const;
-    void gather_columns();
-    void take_single_precision();
+    /// Of a matrix of the grid rows at the nearby points' columns.
+    DenseMatrix columns_at_points(const DenseMatrix &matrix, const std::vector<unsigned int> &of_rows) const;
+    void take_single_precision() const;
     /// y = columns R, with few sources by their columns alone
     void multiply_columns(const DenseMatrix &columns, const DenseVector &R,
                           const std::vector<unsigned int> &sources, DenseVector &y) const;
@@ -119,9 +120,9 @@ namespace vibrocontact
     DenseMatrix residual_columns, gradient_columns;
     /// W~ from the points to the normal rows of the others; empty until it is needed, and of half-spaces alone
     mutable DenseMatrix columns_of_others;
-    /// what vmult_change takes in single precision: columns of W~, basis, and by_motion [G; H], what the shapes' numbers move; empty of
-    /// few points and of half-spaces
-    SingleMatrix single_columns, single_basis, single_motion;
+    /// what vmult_change takes in single precision: columns of W~, basis, and by_motion [G; H], what the shapes' numbers move; empty
+    /// until it is needed
+    mutable SingleMatrix single_columns, single_basis, single_motion;
     mutable SingleVector single_forces, single_rows, single_numbers, single_moved;
     mutable DenseVector residual, along_path, c_normal, c_tangential, displacement, velocity, motion;
   };
