@@ -12,8 +12,6 @@ namespace vibrocontact
 {
   namespace
   {
-    constexpr auto run_without_resume = ": run the file without --resume.";
-
     /// Relative to the number itself, or to the largest of its kind where it is a small one: modes that were
     /// computed again, on another number of ranks, are the same but for round-off.
     bool differ(const std::vector<double> &a, const std::vector<double> &b)
@@ -31,7 +29,7 @@ namespace vibrocontact
 
     /// Whatever `read` stumbles over in the checkpoint of this name becomes one sentence; RowsLost and OutputError say their own.
     template <typename Read>
-    void read_whole(const std::string &name, const Read &read)
+    void read_whole(const std::string &name, const std::string &advice, const Read &read)
     {
       try
       {
@@ -47,13 +45,14 @@ namespace vibrocontact
       }
       catch (const std::exception &)
       {
-        throw InputError("The checkpoint \"" + name + "\" is damaged or incomplete" + run_without_resume);
+        throw InputError("The checkpoint \"" + name + "\" is damaged or incomplete" + advice);
       }
     }
   } // namespace
 
-  MarchCheckpoint::MarchCheckpoint(const std::string &file_name, const std::string &section, const int format)
-      : name(file_name), section(section), format(format)
+  MarchCheckpoint::MarchCheckpoint(const std::string &file_name, const std::string &section, const int format,
+                                   const std::string &advice)
+      : name(file_name), section(section), format(format), advice(": " + advice + ".")
   {
   }
 
@@ -78,7 +77,7 @@ namespace vibrocontact
       return nullptr;
     std::unique_ptr<Hdf5Reader> reader;
     int written_format = 0;
-    read_whole(name,
+    read_whole(name, advice,
                [&]
                {
                  // sizes and places are used as they are read
@@ -89,50 +88,54 @@ namespace vibrocontact
     if (written_format != format)
       throw InputError("The checkpoint \"" + name + "\" was written " +
                        (reader->has("program") ? "by version " + reader->text("program") + " " : "") +
-                       "in another format than that of " + version() + run_without_resume);
+                       "in another format than that of " + version() + advice);
     return reader;
   }
 
   void MarchCheckpoint::check_end_time(const double end_time, const double slack) const
   {
     const auto reader = opened();
-    double reached = 0;
+    double time = 0;
     if (reader)
-      read_whole(name, [&] { reached = reader->number("time"); });
-    if (reached <= end_time * (1 + 1e-12) + slack)
+      read_whole(name, advice, [&] { time = reader->number("time"); });
+    if (time <= end_time * (1 + 1e-12) + slack)
       return;
     std::ostringstream text;
     text << section << "/End time = " << end_time << " s is before what the run to be resumed has reached, "
-         << reached << " s: give a later one.";
+         << time << " s: give a later one.";
     throw InputError(text.str());
   }
 
-  bool MarchCheckpoint::read(March &march, const Recorders &recorders) const
+  bool MarchCheckpoint::read_part(const Marks &marks,
+                                  const std::function<void(CheckpointFile &, double)> &exchange) const
   {
     const auto reader = opened();
     if (!reader)
       return false;
-    check_end_time(march.end_time());
-    for (const auto &[mark, values] : march.marks())
+    for (const auto &[mark, values] : marks)
     {
       std::vector<double> written;
-      read_whole(name, [&, &mark = mark] { written = reader->numbers("marks/" + mark); });
+      read_whole(name, advice, [&, &mark = mark] { written = reader->numbers("marks/" + mark); });
       if (differ(written, values))
         throw InputError("The checkpoint \"" + name + "\" belongs to other bodies, their " + mark +
-                         " differ though the parameters are the same; a mesh, a section or the program has "
-                         "changed" +
-                         run_without_resume);
+                         " differ; a parameter, a mesh, a section or the program has changed" + advice);
     }
     CheckpointFile file(*reader);
-    read_whole(name,
-               [&]
-               {
-                 march.exchange(file);
-                 for (Recorder *const recorder : recorders)
-                   recorder->exchange(file);
-                 if (!(march.time() == reader->number("time")))
-                   throw InputError("The march stands at another time than its checkpoint.");
-               });
+    read_whole(name, advice, [&] { exchange(file, reader->number("time")); });
     return true;
+  }
+
+  bool MarchCheckpoint::read(March &march, const Recorders &recorders) const
+  {
+    check_end_time(march.end_time());
+    return read_part(march.marks(),
+                     [&](CheckpointFile &file, const double time)
+                     {
+                       march.exchange(file);
+                       for (Recorder *const recorder : recorders)
+                         recorder->exchange(file);
+                       if (!(march.time() == time))
+                         throw InputError("The march stands at another time than its checkpoint.");
+                     });
   }
 } // namespace vibrocontact

@@ -3,6 +3,7 @@
 #include <vibrocontact/marching/march.h>
 #include <vibrocontact/marching/recorder.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -16,13 +17,19 @@ namespace vibrocontact
   public:
     /// @param section of the march's entries, for messages
     /// @param format changes whenever what is exchanged or what it means does
-    MarchCheckpoint(const std::string &file_name, const std::string &section, int format);
+    /// @param advice what to do where it cannot be read
+    MarchCheckpoint(const std::string &file_name, const std::string &section, int format,
+                    const std::string &advice = "run the file without --resume");
 
     /// To be called by rank 0. @throws OutputError
     void write(March &march, const Recorders &recorders) const;
     /// On every rank; recorders on rank 0. @return false: there is no checkpoint
     /// @throws InputError if it is damaged, of another version, of other bodies or beyond the end of the march
     bool read(March &march, const Recorders &recorders) const;
+    /// What another computation goes on from. @param marks that it has to agree with
+    /// @param exchange reads it, is given the time of the march [s]
+    /// @return false: there is no checkpoint @throws InputError if it is damaged, of another version or of other bodies
+    bool read_part(const Marks &marks, const std::function<void(CheckpointFile &, double)> &exchange) const;
     /// @param slack how far beyond it the last step may end [s]
     /// @throws InputError if there is a checkpoint beyond the end time [s], or one that read() would refuse for itself
     void check_end_time(double end_time, double slack = 0) const;
@@ -33,5 +40,7 @@ namespace vibrocontact
 
     const std::string name, section;
     const int format;
+    /// behind a message
+    const std::string advice;
   };
 } // namespace vibrocontact

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <complex>
+#include <filesystem>
 
 namespace vibrocontact
 {
@@ -117,22 +118,53 @@ namespace vibrocontact
       add_residual_displacement(pair.residual, pair.half_spaces.get(), weights, sums);
       return {sums.begin(), sums.end()};
     }
+    /// of what is exchanged
+    constexpr int format = 15;
+
+    std::string file_of(const std::string &folder)
+    {
+      return folder + "/checkpoint.h5";
+    }
+
+    Marks marks_of(const ContactPair &pair)
+    {
+      std::vector<double> relaxations;
+      for (const RelaxingRest &rest : pair.relaxing)
+        relaxations.push_back(rest.relaxation);
+      return {{"frequencies", pair.omega},  {"damping ratios", pair.damping_ratio},
+              {"loads", pair.modal_load},   {"mode shapes", weighted_sums(pair.trace)},
+              {"poles", pole_marks(pair)},  {"flexibility", flexibility_marks(pair)},
+              {"relaxations", relaxations}, {"gap", pair.interface.gap}};
+    }
   } // namespace
 
   MarchCheckpoint transient_checkpoint(const std::string &folder)
   {
-    return {folder + "/checkpoint.h5", "Transient", 14};
+    return {file_of(folder), "Transient", format};
+  }
+
+  void check_end_of_transient(const std::string &folder, const std::string &entry)
+  {
+    if (!std::filesystem::exists(file_of(folder)))
+      throw InputError("There is no transient in the folder \"" + folder +
+                       "\", it has no checkpoint.h5: give " + entry + " that of the results of one.");
+  }
+
+  DynamicState end_of_transient(const std::string &folder, const ContactPair &pair, const std::string &entry)
+  {
+    DynamicState state;
+    state.relaxed.resize(pair.relaxing.size());
+    const MarchCheckpoint checkpoint(file_of(folder), "Transient", format,
+                                     "run the transient of this scene again, or give another " + entry);
+    check_end_of_transient(folder, entry);
+    checkpoint.read_part(marks_of(pair),
+                         [&](CheckpointFile &file, const double) { exchange_state(file, state); });
+    return state;
   }
 
   Marks TransientMarch::marks() const
   {
-    std::vector<double> relaxations;
-    for (const RelaxingRest &rest : pair.relaxing)
-      relaxations.push_back(rest.relaxation);
-    return {{"frequencies", pair.omega},  {"damping ratios", pair.damping_ratio},
-            {"loads", pair.modal_load},   {"mode shapes", weighted_sums(pair.trace)},
-            {"poles", pole_marks(pair)},  {"flexibility", flexibility_marks(pair)},
-            {"relaxations", relaxations}, {"gap", pair.interface.gap}};
+    return marks_of(pair);
   }
 
   void TransientMarch::exchange(CheckpointFile &file)

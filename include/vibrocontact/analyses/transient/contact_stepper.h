@@ -61,6 +61,9 @@ namespace vibrocontact
     ContactStepper(const ContactPair &pair, const CreepScheme &scheme, const ContactSections &contact,
                    const std::vector<ModalStep> &steps, double h, double speed,
                    const StepWeights &pole_steps = {}, const PatchShapes *shapes = nullptr);
+    // members refer to each other
+    ContactStepper(const ContactStepper &) = delete;
+    ContactStepper &operator=(const ContactStepper &) = delete;
 
     /// state <- state at the end of the step. @return how the contact was solved; not converged: the best
     /// found

@@ -111,6 +111,12 @@ namespace vibrocontact
   /// In the output folder, checkpoint.h5.
   MarchCheckpoint transient_checkpoint(const std::string &folder);
 
+  /// The state that the checkpoint of a transient in a folder of results ends with. @param entry that names the folder, for messages
+  /// @throws InputError if there is none, or it is damaged, of another version or of other bodies than these
+  DynamicState end_of_transient(const std::string &folder, const ContactPair &pair, const std::string &entry);
+  /// @throws InputError if there is no checkpoint
+  void check_end_of_transient(const std::string &folder, const std::string &entry);
+
   /// The whole march from `state` on, without checkpoints. A step whose contact does not converge ends it, with
   /// converged = false and the states so far.
   TransientResult transient(const TransientParameters &parameters, const ContactSections &contact,
