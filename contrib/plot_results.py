@@ -63,6 +63,7 @@ try:
 except ImportError:
     sys.exit(4)
 
+from plots.basins import plot_basins
 from plots.compare import plot_comparison_of_runs
 from plots.contact import plot_centre_line, plot_curves, plot_patch
 from plots.limit_cycle import plot_amplitudes, plot_branches, plot_harmonic_balance, plot_limit_cycles, plot_map
@@ -111,6 +112,8 @@ def main():
         plot_limit_cycles(folder, analyses["limit_cycle"])
         plot_harmonic_balance(folder, analyses["limit_cycle"])
         plot_branches(folder, analyses["limit_cycle"])
+    if analyses.get("limit_cycle_basins"):
+        plot_basins(folder, analyses["limit_cycle_basins"], analyses["limit_cycle"])
     if analyses.get("limit_cycle_sweep", {}).get("cases"):
         plot_amplitudes(folder, analyses["limit_cycle_sweep"])
         plot_map(folder, analyses["limit_cycle_sweep"])

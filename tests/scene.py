@@ -30,7 +30,7 @@ def table(folder, name):
     """Rows of a table, by column."""
     with open(os.path.join(folder, name)) as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-    return [{key: value if key in ("label", "curve", "kind", "root", "receptance", "entry", "direction", "stability") else float(value) for key, value in row.items()} for row in rows]
+    return [{key: value if key in ("label", "curve", "kind", "root", "receptance", "entry", "direction", "stability", "message") else float(value) for key, value in row.items()} for row in rows]
 
 
 class Check:

@@ -17,7 +17,7 @@ NOT_METHODS = {
     "Road/Table interpolation": "road between its samples",
     "Frequency response/Spacing": "which frequencies", "Frequency response/Quantity": "which quantity",
     "Periodic/Stop direction": "direction", "Periodic/Continuation/Parameter": "what is varied",
-    "Limit cycle/Branch/Entry": "what is varied",
+    "Limit cycle/Branch/Entry": "what is varied", "Limit cycle/Start": "start",
     "Output/Deformation": "output", "Output/Contact patches": "output", "Export/Form": "output",
 }
 # Members that compute something else, or nothing.

@@ -86,7 +86,7 @@ namespace vibrocontact
         if (results.stopped_by != 0)
           break;
         const std::string &name = analysis.type.name;
-        if (analysis.continues)
+        if (analysis.continues || (analysis.goes_on && analysis.goes_on(parameters)))
           results.finished.erase(name);
         if (!parameters.scene.runs(name) || results.finished.count(name) > 0)
           continue;
@@ -254,7 +254,7 @@ namespace vibrocontact
     catch (const InputError &error)
     {
       // what analyses before this one have computed stays
-      if (results.analyses.size() < 2)
+      if (results.finished.empty() && results.analyses.size() < 2)
         record.discard();
       else
       {

@@ -68,11 +68,30 @@ check.near("first harmonic", harmonics[1]["normal_force_N"], first, 1e-10)
 march = section("Transient", entries(Time_step=cycle["time_step_s"], End_time=0.02, Perturbed_mode="pad:mode 2", Perturbation_velocity=0.1,
                                      Error_estimate="false"),
                 section("Signals", entries(Probes="side: pad 0.015 0 0.005 along x", Spectrum_duration=0.01)))
-settled = run("march", scene("transient", march), may_doubt=True)[0]["transient"]
+found, folder_of_march = run("march", scene("transient", march), may_doubt=True)
+settled = found["transient"]
 side = next(one for one in settled["signals"] if one["name"] == "side_velocity")
 of_cycle = next(one for one in cycle["signals"] if one["name"] == "side_velocity_m_s")
 check.near("frequency of the march", side["cycle"]["frequency_Hz"], cycle["frequency_Hz"], 1e-5)
 check.near("amplitude of the march", side["cycle"]["amplitude"], of_cycle["amplitude"], 2e-3)
+
+# the motion that a march ends with leads to the same cycle: from its folder, and, long before it has settled, in one file
+FROM_MARCH = section("Limit cycle", entries(Time_step=1e-7, Start="end of transient", Transient_folder=folder_of_march))
+IN_ONE = section("Limit cycle", entries(Time_step=1e-7, Start="end of transient"))
+short = march.replace("set End time = 0.02", "set End time = 0.004").replace("set Spectrum duration = 0.01", "")
+for name, text, ranks in (("from_march", scene("limit cycle", FROM_MARCH, PROBES), 1), ("in_one", scene("transient, limit cycle", IN_ONE, short), 2)):
+    found = run(name, text, ranks, may_doubt=True)[0]
+    check.near(name + ": cycles", len(found["limit_cycle"]), 1, 1e-12)
+    check.near(name + ": start", found["limit_cycle"][0]["start"].startswith("end of transient"), True, 1e-12)
+    check.near(name + ": frequency", found["limit_cycle"][0]["frequency_Hz"], cycle["frequency_Hz"], 1e-7)
+    check.near(name + ": friction power", found["limit_cycle"][0]["friction_power_W"], cycle["friction_power_W"], 1e-6)
+
+# basins need two cycles; what was found is kept
+alone = scene("limit cycle", section("Limit cycle", entries(Time_step=1e-7), section("Basins", entries(Starts=1, Time_step=1e-7))))
+with open("alone.prm", "w") as file:
+    file.write(alone)
+done = subprocess.run([program, "alone.prm", "--output", "alone"], capture_output=True, text=True)
+check.near("basins of one cycle", done.returncode == 2 and "between two cycles, but one was found" in done.stdout, True, 1e-12)
 
 swept = run("swept", scene("limit cycle", section("Limit cycle", entries(Time_step=1e-7, Multipliers=0),
                                                    section("Sweep", entries(Entry="Contact/Friction coefficient", Values="0.4, 0.7"))), PROBES))
@@ -143,6 +162,16 @@ for name, text, said in (("suspended", suspended, "which does not take a hub wit
                           "the load is Rolling/Hub displacement"),
                          ("negative", scene("limit cycle", BRANCH).replace("0.69, 0.71", "-0.1, 0.71"), "has to lie between 0 and 10"),
                          ("one_value", scene("limit cycle", BRANCH).replace("0.69, 0.71", "0.71, 0.69"), "two values, the smaller one first"),
+                         ("no_transient", scene("limit cycle", FROM_MARCH.replace(folder_of_march, ".")), "has no checkpoint.h5"),
+                         ("other_bodies", scene("limit cycle", FROM_MARCH).replace("set Count = 6", "set Count = 7"), "belongs to other bodies"),
+                         ("not_listed", scene("limit cycle", IN_ONE), "lists no transient"),
+                         ("basins_of_one", scene("transient, limit cycle", IN_ONE.replace("set Start", "subsection Basins\nset Starts = 1\nend\nset Start"), march),
+                          "leads to one cycle"),
+                         ("not_judged", alone.replace("set Starts", "set Longest time = 1\nset Starts").replace("set Time step = 1e-07\n", "set Time step = 1e-07\nset Multipliers = 0\n", 1),
+                          "Multipliers is 0"),
+                         ("too_short", alone.replace("set Starts", "set Longest time = 1e-3\nset Starts"), "known after 40 periods"),
+                         ("coarse", alone.replace("set Time step = 1e-07\nend", "set Time step = 1e-4\nend"),
+                          "more than an eighth of a period"),
                          ("no_friction", scene("limit cycle", STEPS, friction=0), "Friction coefficient is 0")):
     with open(name + ".prm", "w") as file:
         file.write(text)

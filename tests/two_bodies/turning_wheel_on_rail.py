@@ -34,9 +34,9 @@ def cycles_of_waves(name, roots):
                 section("Rail", entries(Model="periodic", Contact_at="support"))),
         section("Contact", entries(Friction_coefficient=0.3, Grid_spacing=2.5e-3, Lateral_position=-10e-3)),
         section("Rolling", entries(Hub_displacement=0.2e-3, Speed=10, Lateral_creepage=-0.01)),
-        section("Limit cycle", entries(Time_step=1e-5, Roots=roots, Harmonics="5, 20")),
+        section("Limit cycle", entries(Time_step=1e-5, Roots=roots, Harmonics="5, 20"), section("Basins", entries(Starts=1, Border=1, Time_step=2e-5))),
         section("Transient", entries(Integrator="exact propagator"))])
-    return run(name, text)[0]["limit_cycle"]
+    return run(name, text)
 
 
 def same(what, found, expected, tolerance):
@@ -58,7 +58,8 @@ check.near("a pair that grows", pair > 1, True, 1e-9)
 for wave in waves:
     check.near("a wave has about half of the growth of its pair", wave["growth_1_s"], pair / 2, 0.2, pair)
 faster = [growth[f"axial(0,3) {sense}"] for sense in ("backward", "forward")]
-for cycle, wave in zip(cycles_of_waves("cycles", ", ".join(f"{wave['frequency_Hz']:.1f}" for wave in faster)), faster):
+found, folder = cycles_of_waves("cycles", ", ".join(f"{wave['frequency_Hz']:.1f}" for wave in faster))
+for cycle, wave in zip(found["limit_cycle"], faster):
     label = cycle["root"]["label"]
     check.near(f"cycle of {label}", label == wave["label"].replace(";", ","), True, 1e-9)
     check.near(f"pitch of {label}", cycle["frequency_Hz"], wave["frequency_Hz"], 3e-3)
@@ -66,6 +67,16 @@ for cycle, wave in zip(cycles_of_waves("cycles", ", ".join(f"{wave['frequency_Hz
     for balanced, of_frequency, of_force in zip(cycle["harmonic_balance"], (5e-4, 1e-4), (0.03, 0.02)):
         check.near(f"{label} by {balanced['harmonics']} harmonics", balanced["frequency_difference"], 0, of_frequency, 1)
         check.near(f"force of {label} by {balanced['harmonics']} harmonics", balanced["first_harmonic_difference"], 0, of_force, 1)
+# of a motion with half of both waves one is left, of its own size
+start, = found["limit_cycle_basins"]["starts"]
+check.near("between the waves", start["between"] == [1, 2] and start["decided"], True, 1e-9)
+check.near("part of the wave that wins", start["parts"][start["winner"] - 1], 1, 0.1)
+row, = table(folder, "limit_cycle_basins.csv")
+check.near("winner in the table", row["winner"], start["winner"], 1e-9)
+check.near("its frequency", row["winner_frequency_Hz"], found["limit_cycle"][start["winner"] - 1]["frequency_Hz"], 1e-12)
+path = table(folder, "limit_cycle_basin_paths.csv")
+check.near("end of the path", path[-1]["time_s"], start["time_s"], 1e-12)
+check.near("windows of the path", len(path), start["time_s"] / found["limit_cycle_basins"]["window_s"], 1e-9)
 apart = waves[0]["frequency_Hz"] - waves[1]["frequency_Hz"]
 check.near("two waves", apart, 2 * 2 * 10 / (2 * math.pi * 0.46), 0.05)
 check.end()

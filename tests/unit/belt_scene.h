@@ -19,7 +19,7 @@ namespace vibrocontact
     Drive drive;
     ContactSections contact;
     TransientParameters transient;
-    ContactSolverParameters solver;
+    ContactSolverParameters solver = solver_of_cycles({});
     DynamicState at_rest;
     StabilityRoot root;
     /// decay rate by the damper [1/s]

@@ -163,7 +163,7 @@ TEST(CycleBranch, OfFlutterHasTheCyclesOfItsRootsAndBeginsWhereTheyGrow)
     steps.integrator = "exact propagator";
     return steps;
   }();
-  const ContactSolverParameters solver;
+  const ContactSolverParameters solver = solver_of_cycles({});
   const auto pair = std::make_shared<const ContactPair>(Flutter::pair(5e-4));
   const Drive drive = Flutter::drive(0);
   const CycleFamily family = [&](const double friction)

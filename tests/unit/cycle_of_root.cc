@@ -26,7 +26,7 @@ namespace
     ContactPair pair = Flutter::pair(5e-4);
     TransientParameters transient;
     ContactSections contact;
-    ContactSolverParameters solver;
+    ContactSolverParameters solver = solver_of_cycles({});
     Drive drive = Flutter::drive(0);
     DynamicState at_rest;
     StabilityRoot root;

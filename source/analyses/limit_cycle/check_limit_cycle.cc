@@ -1,4 +1,5 @@
 #include <vibrocontact/analyses/limit_cycle/check_limit_cycle.h>
+#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/coupled_bodies/rolling_parameters.h>
 
@@ -23,6 +24,34 @@ namespace vibrocontact
       if (contact.law_of_friction()->jump() > 0)
         throw InputError(but + "friction that falls at once from rest to sliding, as that of " +
                          contact.section + " does: let it fall over the slip speed.");
+    const LimitCycleParameters &own = parameters.limit_cycle;
+    if (own.starts_from_transient() && own.transient_folder.empty())
+    {
+      const std::string asked = "Limit cycle/Start is end of transient, but ";
+      if (!parameters.scene.runs("transient"))
+        throw InputError(asked +
+                         "Analyses lists no transient and Limit cycle/Transient folder is empty: give one "
+                         "of both.");
+      if (parameters.sweeps.at("transient").any())
+        throw InputError(asked + "Transient/Sweep asks for cases, so that there is no transient of the file "
+                                 "itself: give Limit cycle/Transient folder, or leave the sweep out.");
+      if (!parameters.transient.is_reduced())
+        throw InputError(asked + "Transient/Model is finite elements, whose motion has no modes: set it to "
+                                 "reduced.");
+      if (parameters.sweeps.at("limit cycle").any())
+        throw InputError(asked + "the cases of Limit cycle/Sweep have no transient of their own: give "
+                                 "Limit cycle/Transient folder.");
+    }
+    if (own.starts_from_transient() && !own.transient_folder.empty())
+      check_end_of_transient(own.transient_folder, "Limit cycle/Transient folder");
+    if (own.basins.any() && own.n_multipliers == 0)
+      throw InputError(
+          "Limit cycle/Basins/Starts asks which cycle wins, but Limit cycle/Multipliers is 0, so that it "
+          "is not known which of them are stable: ask for some.");
+    if (own.starts_from_transient() && own.basins.any())
+      throw InputError(
+          "Limit cycle/Basins/Starts asks for motions between cycles, but Limit cycle/Start is end of "
+          "transient, which leads to one cycle: set it to roots, or leave the Basins out.");
     const CycleBranchParameters &branch = parameters.limit_cycle.branch;
     branch.check(rolling_cases(parameters.rolling, parameters.contacts).front());
     const ParameterSweep &sweep = parameters.sweeps.at("limit cycle");

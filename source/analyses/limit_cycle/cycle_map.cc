@@ -19,6 +19,9 @@ namespace vibrocontact
     /// of what a step is multiplied with at once: they stay in the cache
     constexpr unsigned int columns_of_block = 128;
 
+    /// of all forces
+    constexpr double contact_tolerance = 1e-13;
+
     /// Units to a thousandth of the largest.
     void raise_small(std::vector<double> &units)
     {
@@ -43,6 +46,12 @@ namespace vibrocontact
     }
   } // namespace
 
+  ContactSolverParameters solver_of_cycles(ContactSolverParameters solver)
+  {
+    solver.tolerance = std::min(solver.tolerance, contact_tolerance);
+    return solver;
+  }
+
   CycleMap::CycleMap(const TransientParameters &transient, const ContactSections &contact,
                      const ContactSolverParameters &solver, const ContactPair &pair, const Drive &drive,
                      const double approach, const std::vector<unsigned int> &points,
@@ -60,7 +69,6 @@ namespace vibrocontact
         left_parts(i, k) = pair.left(rows[i], k).real();
         left_parts(i, pair.n_poles() + k) = pair.left(rows[i], k).imag();
       }
-    this->solver.tolerance = std::min(solver.tolerance, cycle_contact_tolerance);
     AssertThrow(n_motion() > 0 && !points.empty(), dealii::ExcInternalError());
     constant_force.reinit(pair.n_modes());
     for (unsigned int k = 0; k < pair.n_modes(); ++k)

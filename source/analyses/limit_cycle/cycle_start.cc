@@ -13,6 +13,8 @@ namespace vibrocontact
     /// periods before growth is measured, and those over which it is
     constexpr unsigned int settling = 2, measured = 2;
     constexpr double least_share_of_mean = 0.2;
+    /// of a motion, over the least slip
+    constexpr double rest = 1e-6;
     /// First velocity over the least slip: a little beyond, so that points stick. Factor to the next one if it grows there, and how
     /// many are tried at most, some 50 times the first.
     constexpr double first_velocity = 1.2, next_velocity = 1.4;
@@ -94,25 +96,13 @@ namespace vibrocontact
     state.sadd(factor, 1 - factor, equilibrium);
   }
 
-  std::pair<double, double> RootMotion::shares_in(const DenseVector &state) const
+  std::complex<double> RootMotion::amplitude_in(const DenseVector &state) const
   {
     DenseVector change = state;
     change -= equilibrium;
     // forces are no part of the shape
     std::fill(change.begin() + n_motion, change.end(), 0.);
     return {change * shape / shape.norm_sqr(), change * later / later.norm_sqr()};
-  }
-
-  double RootMotion::velocity_in(const DenseVector &state) const
-  {
-    const auto [now, then] = shares_in(state);
-    return std::hypot(now, then);
-  }
-
-  double RootMotion::phase_of(const DenseVector &state) const
-  {
-    const auto [now, then] = shares_in(state);
-    return std::atan2(then, now);
   }
 
   void let_go_on(CycleMap &map, const RootMotion &motion, const unsigned int n_periods, CycleStart &start)
@@ -134,9 +124,11 @@ namespace vibrocontact
 
   namespace
   {
-    /// The motion of few harmonics that a period leads to; nothing: Newton's method does not converge.
+    /// The motion of few harmonics that a period leads to; nothing: Newton's method does not converge, or to one of another size or
+    /// frequency.
     std::optional<CycleStart> balanced_from(CycleMap &map, const RootMotion &motion,
-                                            const DynamicState &at_rest, const CycleStart &now)
+                                            const StabilityRoot &root, const DynamicState &at_rest,
+                                            const CycleStart &now)
     {
       const CycleForces forces = forces_of_period(map, now.state, now.period);
       NewtonSettings settings;
@@ -156,7 +148,11 @@ namespace vibrocontact
       found.state = map.pack(balance->motion(x, map.n_steps()).back());
       found.period = balance->period(x);
       found.velocity = motion.velocity_in(found.state);
-      return found;
+      if (found.velocity > now.velocity / largest_change_of_velocity &&
+          found.velocity < now.velocity * largest_change_of_velocity &&
+          std::abs(found.period * root.frequency - 1) < largest_change_of_period)
+        return found;
+      return {};
     }
   } // namespace
 
@@ -172,10 +168,7 @@ namespace vibrocontact
         now.period = 1 / root.frequency;
         motion.scale(now.state, velocity);
         let_go_on(map, motion, settling, now);
-        const std::optional<CycleStart> found = balanced_from(map, motion, at_rest, now);
-        if (found && found->velocity > velocity / largest_change_of_velocity &&
-            found->velocity < velocity * largest_change_of_velocity &&
-            std::abs(found->period * root.frequency - 1) < largest_change_of_period)
+        if (const std::optional<CycleStart> found = balanced_from(map, motion, root, at_rest, now))
           return found;
       }
       catch (const ConvergenceError &)
@@ -183,6 +176,58 @@ namespace vibrocontact
         return {}; // a larger motion would fare no better: start_of_cycle() says why
       }
     return {};
+  }
+
+  CycleStart start_at(CycleMap &map, const RootMotion &motion, const StabilityRoot &root,
+                      const DynamicState &state)
+  {
+    CycleStart now;
+    now.state = map.pack(state);
+    now.period = 1 / root.frequency;
+    if (motion.velocity_in(now.state) < rest * motion.least_slip)
+      throw ConvergenceError("the motion to start from has hardly left the equilibrium");
+    let_go_on(map, motion, settling, now);
+    return now;
+  }
+
+  std::optional<CycleStart> start_by_harmonics_of(CycleMap &map, const RootMotion &motion,
+                                                  const StabilityRoot &root, const DynamicState &at_rest,
+                                                  const CycleStart &start)
+  {
+    try
+    {
+      return balanced_from(map, motion, root, at_rest, start);
+    }
+    catch (const ConvergenceError &)
+    {
+      return {}; // the motion itself is left
+    }
+  }
+
+  StabilityRoot nearest_root(const CycleMap &map, const ContactPair &pair, const DynamicState &equilibrium,
+                             const std::vector<StabilityRoot> &roots, const DynamicState &state)
+  {
+    const DenseVector packed = map.pack(state);
+    const StabilityRoot *nearest = nullptr;
+    double most = -1;
+    for (const StabilityRoot &root : roots)
+      if (root.frequency > 0)
+        try
+        {
+          const double energy = RootMotion(map, pair, equilibrium, root).energy_in(packed);
+          if (energy > most)
+          {
+            most = energy;
+            nearest = &root;
+          }
+        }
+        catch (const ConvergenceError &)
+        {
+          // it does not move the contact along its surface: no cycle of friction belongs to it
+        }
+    if (!nearest)
+      throw ConvergenceError("no root of the equilibrium oscillates along the contact");
+    return *nearest;
   }
 
   CycleStart start_of_cycle(CycleMap &map, const RootMotion &motion, const StabilityRoot &root)

@@ -20,8 +20,6 @@ namespace vibrocontact
       return std::chrono::duration<double>(Clock::now() - begin).count();
     }
 
-    /// fewer steps do not show a sine
-    constexpr unsigned int least_steps = 8;
     /// periods that are marched where Newton's method led nowhere, before it begins again
     constexpr unsigned int periods_between[] = {0, 12, 36, 108};
     /// what is left of a change over a period where rounding may be the reason
@@ -32,7 +30,8 @@ namespace vibrocontact
 
   unsigned int steps_of_period(const StabilityRoot &root, const LimitCycleParameters &parameters)
   {
-    return std::max<unsigned int>(least_steps, std::ceil(1 / (root.frequency * parameters.time_step) - 1e-9));
+    return std::max<unsigned int>(least_steps_of_period,
+                                  std::ceil(1 / (root.frequency * parameters.time_step) - 1e-9));
   }
 
   void judge_cycle(CycleMap &map, const LimitCycleParameters &parameters, LimitCycle &cycle)
@@ -73,14 +72,15 @@ namespace vibrocontact
   }
 
   LimitCycle find_limit_cycle(CycleMap &map, const ContactPair &pair, const DynamicState &equilibrium,
-                              const StabilityRoot &root, const LimitCycleParameters &parameters)
+                              const StabilityRoot &root, const LimitCycleParameters &parameters,
+                              const DynamicState *const from)
   {
     const auto begin = Clock::now();
     LimitCycle cycle;
     cycle.root = root;
     cycle.n_steps = map.n_steps();
     cycle.period = 1 / root.frequency;
-    if (root.frequency * parameters.time_step * least_steps > 1 + 1e-9)
+    if (root.frequency * parameters.time_step * least_steps_of_period > 1 + 1e-9)
     {
       cycle.message = "Limit cycle/Time step is more than an eighth of its period, which is " +
                       number_text(cycle.period) + " s: take a shorter one";
@@ -94,14 +94,16 @@ namespace vibrocontact
       CycleEquations equations(map, map.pack(equilibrium), linear, parameters.tolerance);
       NewtonSettings settings;
       settings.max_iterations = parameters.max_newton_iterations;
-      // by harmonics first, then by motions that go on for a while
-      std::optional<CycleStart> start = start_by_harmonics(map, motion, root, equilibrium);
+      // by harmonics or a given motion first, then by motions that go on for a while
+      std::optional<CycleStart> start =
+          from ? start_by_harmonics_of(map, motion, root, equilibrium, start_at(map, motion, root, *from))
+               : start_by_harmonics(map, motion, root, equilibrium);
       for (unsigned int trial = 0; trial < std::size(periods_between) + 1; ++trial)
       {
         if (trial == 0 && !start)
           continue;
         if (trial == 1)
-          start = start_of_cycle(map, motion, root);
+          start = from ? start_at(map, motion, root, *from) : start_of_cycle(map, motion, root);
         if (trial > 1)
           let_go_on(map, motion, periods_between[trial - 1], *start);
         std::vector<double> x(start->state.begin(), start->state.end());

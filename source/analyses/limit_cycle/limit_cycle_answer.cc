@@ -77,10 +77,21 @@ namespace vibrocontact
                   ? text(" (%+.1e)", number(balanced, "amplitude_difference"))
                   : "");
     }
+
+    Lines from_transient_answer(const Json &search)
+    {
+      const Json &not_found = list(search, "not_found");
+      const std::string motion =
+          text("the motion of the transient at %.6g s leads to ", number(search["from_transient"], "end_s"));
+      return {motion +
+              (not_found.empty() ? "a limit cycle" : "no limit cycle: " + word(not_found[0], "message"))};
+    }
   } // namespace
 
   std::vector<std::string> limit_cycle_search_answer(const Json &search)
   {
+    if (search.contains("from_transient"))
+      return from_transient_answer(search);
     if (number(search, "roots") == 0)
       return {"no root of the equilibrium grows: no cycle begins there"};
     Lines lines = {text("%.0f of %.0f unstable roots lead to a limit cycle", number(search, "cycles_found"),

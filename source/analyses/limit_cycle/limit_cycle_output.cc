@@ -54,6 +54,11 @@ namespace vibrocontact
               {"rms", signal.rms()},
               {"first_harmonic", harmonics_of(signal).at(1)}};
     }
+    std::string start_of(const LimitCycle &cycle)
+    {
+      return cycle.motion.empty() ? cycle.root.label : cycle.motion;
+    }
+
     nlohmann::ordered_json root_json(const StabilityRoot &root)
     {
       return {{"frequency_Hz", root.frequency}, {"growth_1_s", root.growth}, {"label", root.label}};
@@ -125,7 +130,7 @@ namespace vibrocontact
 
   nlohmann::ordered_json failed_json(const LimitCycle &cycle)
   {
-    return {{"start", cycle.root.label},
+    return {{"start", start_of(cycle)},
             {"root", root_json(cycle.root)},
             {"message", cycle.message},
             {"steps_per_period", cycle.n_steps},
@@ -137,7 +142,7 @@ namespace vibrocontact
                                     const unsigned int n_multipliers)
   {
     nlohmann::ordered_json json;
-    json["start"] = cycle.root.label;
+    json["start"] = start_of(cycle);
     json["frequency_Hz"] = 1 / cycle.period;
     if (const CycleSignal *const rim = main_velocity(period))
       json["amplitude_m_s"] = rim->amplitude();
@@ -309,7 +314,8 @@ namespace vibrocontact
                  "amplitude_m_s", "steps_per_period", "normal_force_amplitude_N", "time_with_stick_share",
                  "friction_power_W", "power_into_body_1_W", "largest_growth_1_s", "residual",
                  "newton_iterations", "seconds"},
-                {"Limit cycles by the unstable roots they begin from, then roots from which none was found",
+                {"Limit cycles by the unstable roots they begin from, or the nearest one to the transient "
+                 "that they begin from, then roots from which none was found",
                  "amplitude: axial velocity of the wheel's rim or of the first probe; largest growth: of a "
                  "small disturbance, by the Floquet multipliers; empty: not known"});
     for (const nlohmann::ordered_json *const list : {&cycles, &not_found})
@@ -322,15 +328,16 @@ namespace vibrocontact
             return one.at(pointer).get<double>();
           return std::string();
         };
-        table.add_row(
-            {number("/root/frequency_Hz"), number("/root/growth_1_s"), one.at("start").get<std::string>(),
-             std::string(list == &cycles ? "converged" : "not converged"),
-             one.contains("stability") ? one["stability"]["verdict"].get<std::string>()
-                                       : std::string("not judged"),
-             number("/frequency_Hz"), number("/amplitude_m_s"), number("/steps_per_period"),
-             number("/signals/0/amplitude"), number("/time_with_stick_share"), number("/friction_power_W"),
-             number("/power_into_body_1_W"), number("/multipliers/0/growth_1_s"), number("/residual"),
-             number("/newton_iterations"), number("/seconds")});
+        table.add_row({number("/root/frequency_Hz"), number("/root/growth_1_s"),
+                       one.at("root").at("label").get<std::string>(),
+                       std::string(list == &cycles ? "converged" : "not converged"),
+                       one.contains("stability") ? one["stability"]["verdict"].get<std::string>()
+                                                 : std::string("not judged"),
+                       number("/frequency_Hz"), number("/amplitude_m_s"), number("/steps_per_period"),
+                       number("/signals/0/amplitude"), number("/time_with_stick_share"),
+                       number("/friction_power_W"), number("/power_into_body_1_W"),
+                       number("/multipliers/0/growth_1_s"), number("/residual"), number("/newton_iterations"),
+                       number("/seconds")});
       }
     return table;
   }

@@ -9,6 +9,13 @@ namespace vibrocontact
                       "The period of a root is divided into whole steps of at most this length. Their number "
                       "stays while the period is found. Units: s.",
                       Double(1e-12, 1e3));
+    prm.add_parameter("Start", start,
+                      "Where cycles are sought from: the unstable roots of the rolling equilibrium, or the "
+                      "motion that a transient of the scene ends with, which leads to one cycle.",
+                      Selection("roots|end of transient"));
+    prm.add_parameter("Transient folder", transient_folder,
+                      "Folder with the results of that transient; empty: the one in this file.",
+                      DirectoryName());
     prm.add_parameter("Roots", roots,
                       "Frequencies of the unstable roots of the rolling equilibrium from which cycles are "
                       "sought, to 1 %; empty: all. Units: Hz.",
@@ -32,6 +39,9 @@ namespace vibrocontact
         List(Integer(1, 1000), 0, 100, ","));
     prm.enter_subsection("Branch");
     branch.declare_parameters(prm);
+    prm.leave_subsection();
+    prm.enter_subsection("Basins");
+    basins.declare_parameters(prm);
     prm.leave_subsection();
   }
 } // namespace vibrocontact

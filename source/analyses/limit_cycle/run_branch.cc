@@ -37,7 +37,7 @@ namespace vibrocontact
       {
         throw ConvergenceError(error.what());
       }
-      at->map = map_about(at->scene, run.steps, parameters.contact_solver, points, n_steps);
+      at->map = map_about(at->scene, run.steps, solver_of_cycles(parameters.contact_solver), points, n_steps);
       at->map->left_its_points = !at->map->are_known(at->scene.at_rest.R);
       at->equilibrium = at->map->pack(at->scene.at_rest);
       return at;
@@ -113,7 +113,10 @@ namespace vibrocontact
     const auto points_of = [&](const unsigned int k)
     { return points_around(run.scene.pair->interface.contacts, run.scene.at_rest.R, spreads_of_contact[k]); };
     const auto map_of = [&](const std::vector<unsigned int> &points)
-    { return map_about(run.scene, run.steps, run.parameters.contact_solver, points, start.n_steps); };
+    {
+      return map_about(run.scene, run.steps, solver_of_cycles(run.parameters.contact_solver), points,
+                       start.n_steps);
+    };
     std::vector<unsigned int> grid_points = points_of(run.spread);
     const CycleFamily family = [&](const double at) { return cycle_at(run, grid_points, start.n_steps, at); };
     LimitCycle first = start;

@@ -1,10 +1,13 @@
 #include <vibrocontact/analyses/limit_cycle/balanced_cycle.h>
+#include <vibrocontact/analyses/limit_cycle/basins_output.h>
 #include <vibrocontact/analyses/limit_cycle/branch_output.h>
 #include <vibrocontact/analyses/limit_cycle/limit_cycle_answer.h>
 #include <vibrocontact/analyses/limit_cycle/limit_cycle_output.h>
+#include <vibrocontact/analyses/limit_cycle/run_basins.h>
 #include <vibrocontact/analyses/limit_cycle/run_branch.h>
 #include <vibrocontact/analyses/limit_cycle/run_limit_cycle.h>
 #include <vibrocontact/analyses/stability/pair_in_time.h>
+#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/analyses/transient/transient_probes.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
@@ -72,6 +75,28 @@ namespace vibrocontact
       return result;
     }
 
+    /// The one that a motion is nearest to, of those that grow if any does: what decays about the equilibrium may be large and
+    /// without contact.
+    std::vector<StabilityRoot> root_of_motion(const CycleScene &scene, const TransientParameters &steps,
+                                              const ContactSolverParameters &solver,
+                                              const DynamicState &motion)
+    {
+      const std::vector<unsigned int> points =
+          points_around(scene.pair->interface.contacts, scene.at_rest.R, *std::begin(spreads_of_contact));
+      const auto any = map_about(scene, steps, solver, points, 1);
+      const std::vector<StabilityRoot> all = roots_of(scene), unstable = unstable_of(all);
+      return {nearest_root(*any, *scene.pair, scene.at_rest, unstable.empty() ? all : unstable, motion)};
+    }
+
+    /// Why the end of a transient may lead to no cycle, and what to do.
+    std::string advice_for_motion(const StabilityRoot &nearest)
+    {
+      return nearest.growth < 0
+                 ? "; no root of the equilibrium grows, so that small motions decay to rest"
+                 : "; it may be far from one still: let the transient go on for longer, or set "
+                   "Limit cycle/Start to roots";
+    }
+
     std::string without_period(const std::string &sentence)
     {
       return sentence.empty() || sentence.back() != '.' ? sentence : sentence.substr(0, sentence.size() - 1);
@@ -80,8 +105,9 @@ namespace vibrocontact
     void print(const LimitCycle &cycle)
     {
       Log &log = run_log();
-      log.line("root at " + number_text(cycle.root.frequency) + " Hz, growth " +
-               number_text(cycle.root.growth) + " 1/s, " + cycle.root.label + ": " +
+      log.line((cycle.motion.empty() ? "" : "from the " + cycle.motion + ", near the ") + "root at " +
+               number_text(cycle.root.frequency) + " Hz, growth " + number_text(cycle.root.growth) +
+               " 1/s, " + cycle.root.label + ": " +
                (cycle.converged ? "cycle at " + number_text(1 / cycle.period) + " Hz" : cycle.message) +
                ", " + std::to_string(cycle.newton_iterations) + " Newton iterations, " +
                std::to_string(cycle.n_marched_steps) + " steps, " + number_text(cycle.seconds) + " s");
@@ -144,7 +170,19 @@ namespace vibrocontact
       run_log().value("contact points", pair.n_points());
       run_log().value("hub", hub_text(parameters.hub()));
 
-      const std::vector<StabilityRoot> roots = asked_roots(unstable_of(roots_of(scene)), own.roots);
+      std::optional<DynamicState> from;
+      if (own.starts_from_transient())
+        on_all_ranks(
+            [&]
+            {
+              from = end_of_transient(own.transient_folder.empty() ? on.folder : own.transient_folder, pair,
+                                      "Limit cycle/Transient folder");
+            });
+      const std::vector<StabilityRoot> roots =
+          from ? root_of_motion(scene, steps, parameters.contact_solver, *from)
+               : asked_roots(unstable_of(roots_of(scene)), own.roots);
+      if (own.basins.any())
+        check_basins(roots, own.basins);
       on.results.analyses["limit_cycle"] = nlohmann::ordered_json::array();
       on.results.analyses["limit_cycle_search"] = {{"friction", parameters.largest_friction()},
                                                    {"loss", "viscous"},
@@ -152,10 +190,14 @@ namespace vibrocontact
                                                    {"not_found", nlohmann::ordered_json::array()}};
       nlohmann::ordered_json &cycles = on.results.analyses["limit_cycle"],
                              &search = on.results.analyses["limit_cycle_search"];
+      if (from)
+        search["from_transient"] = {{"end_s", from->time}};
       if (!in_time.roots.is_null())
         search["roots_beside_rail"] = in_time.roots;
       if (!in_time.wrong.empty())
         refuse("limit cycle", in_time.wrong, on.results);
+      std::vector<CycleOfBasin> found;
+      std::vector<unsigned int> numbers;
       Progress progress("limit cycles", std::max<std::size_t>(1, roots.size()));
       const std::size_t n_loaded = loaded_points(at_rest.R, pair.n_points()).size();
       for (std::size_t k = 0; k < roots.size(); ++k)
@@ -168,8 +210,11 @@ namespace vibrocontact
         {
           ++n_tried;
           const std::vector<unsigned int> points = points_around(pair.interface.contacts, at_rest.R, spread);
-          map = map_about(scene, steps, parameters.contact_solver, points, steps_of_period(roots[k], own));
-          cycle = find_limit_cycle(*map, pair, at_rest, roots[k], own);
+          map = map_about(scene, steps, solver_of_cycles(parameters.contact_solver), points,
+                          steps_of_period(roots[k], own));
+          cycle = find_limit_cycle(*map, pair, at_rest, roots[k], own, from ? &*from : nullptr);
+          if (from)
+            cycle.motion = own.name_of_start();
           if (cycle.converged || !map->left_its_points)
             break;
         }
@@ -196,6 +241,9 @@ namespace vibrocontact
                 cycle_table(*period).write(name + ".csv");
                 harmonics_table(*period, 1 / cycle.period).write(name + "_harmonics.csv");
               });
+          found.push_back({map->unpack(cycle.state), cycle.root, cycle.period,
+                           cycle.stability && cycle.stability->is_unstable()});
+          numbers.push_back(k + 1);
           CycleForces by_steps;
           if (!own.harmonics.empty())
             by_steps = forces_of_period(*map, cycle.state, cycle.period);
@@ -243,8 +291,10 @@ namespace vibrocontact
         {
           search["not_found"].push_back(failed_json(cycle));
           refuse("limit cycle",
-                 "No limit cycle was found from the root at " + number_text(cycle.root.frequency) +
-                     " Hz: " + without_period(cycle.message) + ".",
+                 "No limit cycle was found from the " +
+                     std::string(cycle.motion.empty() ? "" : cycle.motion + ", near the ") + "root at " +
+                     number_text(cycle.root.frequency) + " Hz: " + without_period(cycle.message) +
+                     (cycle.motion.empty() ? "" : advice_for_motion(cycle.root)) + ".",
                  on.results);
         }
         on.save_sometimes();
@@ -253,6 +303,12 @@ namespace vibrocontact
       add_sums(cycles, search);
       on_first_rank([&]
                     { cycles_table(cycles, search["not_found"]).write(on.folder + "/limit_cycles.csv"); });
+      // another object among the results moves those that cycles and search refer to
+      if (own.basins.any())
+      {
+        on.save();
+        run_basins(on, scene, steps, found, numbers);
+      }
     }
 
     /// Bodies with their modes, and shapes where probes are, are made by all ranks.
@@ -271,10 +327,17 @@ namespace vibrocontact
                      "Longitudinal creepage, Lateral creepage, Spin");
       add_sliding(entries, parameters);
       entries.add("Limit cycle",
-                  "Time step, Roots, Tolerance, Max Newton iterations, Multipliers, Harmonics");
+                  "Start, Time step, Tolerance, Max Newton iterations, Multipliers, Harmonics");
+      if (parameters.limit_cycle.starts_from_transient())
+        entries.add("Limit cycle", "Transient folder");
+      else
+        entries.add("Limit cycle", "Roots");
       entries.add("Limit cycle/Branch", "Entry");
       entries.add_if(parameters.limit_cycle.branch.any(), "Limit cycle/Branch/Entry is given",
                      "Limit cycle/Branch", "Range, Most points, Largest step");
+      entries.add("Limit cycle/Basins", "Starts");
+      entries.add_if(parameters.limit_cycle.basins.any(), "Limit cycle/Basins/Starts is above 0",
+                     "Limit cycle/Basins", "Size, Time step, Longest time, Border");
       entries.add("Transient", "Integrator, Reaction");
       entries.add_if(!parameters.transient.propagates_exactly(), "Transient/Integrator is theta method",
                      "Transient", "Theta");
@@ -300,7 +363,11 @@ namespace vibrocontact
               "the limit cycles",
               limit_cycle_answer,
               {"limit_cycles.csv", "limit_cycle_*.csv", "figures/limit_cycles.png",
-               "figures/limit_cycle_harmonic_balance.png", "figures/limit_cycle_branches.png"}}},
+               "figures/limit_cycle_harmonic_balance.png", "figures/limit_cycle_branches.png"}},
+             {"limit_cycle_basins",
+              "which limit cycle wins",
+              basins_answer,
+              {"limit_cycle_basins.csv", "limit_cycle_basin_paths.csv", "figures/limit_cycle_basins.png"}}},
             swept_runs(prepare_limit_cycle,
                        {{"roots", "/limit_cycle_search/roots"},
                         {"cycles", "/limit_cycle_search/cycles_found"},
@@ -309,6 +376,12 @@ namespace vibrocontact
                         {"loudest_amplitude_N", "/limit_cycle_search/loudest/amplitude_N"},
                         {"loudest_level_dB", "/limit_cycle_search/loudest/level_dB"},
                         {"loudest_power_into_body_1_W", "/limit_cycle_search/loudest/power_into_body_1_W"},
-                        {"loudest_largest_growth_1_s", "/limit_cycle_search/loudest/largest_growth_1_s"}})};
+                        {"loudest_largest_growth_1_s", "/limit_cycle_search/loudest/largest_growth_1_s"}}),
+            nullptr,
+            [](const Parameters &parameters)
+            {
+              return parameters.limit_cycle.starts_from_transient() &&
+                     parameters.limit_cycle.transient_folder.empty();
+            }};
   }
 } // namespace vibrocontact

@@ -11,8 +11,9 @@
 
 namespace vibrocontact
 {
-  /// of the contact of a step: what a period adds up to, 1e-13 of all forces in each, has to be below the tolerance of a cycle
-  constexpr double cycle_contact_tolerance = 1e-13;
+  /// The contact solver of a map whose cycle is sought: what the steps of a period leave adds up, and has to stay below the tolerance
+  /// of a cycle.
+  ContactSolverParameters solver_of_cycles(ContactSolverParameters solver);
 
   /// The march of the transient over one period T in m equal steps, as a map of the state that it starts from, and its derivative.
   ///
@@ -25,7 +26,8 @@ namespace vibrocontact
     /// Called after every step.
     using Observer = std::function<void(const DynamicState &)>;
 
-    /// All are referred to. @param drive constant, at a given approach or normal force
+    /// All are referred to. @param solver of a step's contact, see solver_of_cycles() @param drive constant, at a given approach or
+    /// normal force
     /// @param approach at rest, from which the steps start to look for theirs if the force is given [m]
     /// @param points of the grid that may touch, ascending, see points_around()
     /// @param shapes shapes_of_steps() of the pair; null: they are found

@@ -13,8 +13,10 @@ namespace vibrocontact
   /// A periodic motion of the coupled bodies, and how it was found.
   struct LimitCycle
   {
-    /// the unstable root of the equilibrium that it began from
+    /// the unstable root of the equilibrium that it began from, or the nearest one to the motion that it began from
     StabilityRoot root;
+    /// which motion that was; empty: it began from the root
+    std::string motion;
     bool converged = false;
     /// why not
     std::string message;
@@ -38,8 +40,10 @@ namespace vibrocontact
   /// The cycle that an unstable root grows to, without time going by: its amplitude is estimated by marches over a few
   /// periods (start_of_cycle()), then Newton's method closes it (CycleEquations).
   /// @param equilibrium at rest, with its contact
+  /// @param from a motion near the cycle, of about the root's frequency, in place of what is estimated; null: there is none
   LimitCycle find_limit_cycle(CycleMap &map, const ContactPair &pair, const DynamicState &equilibrium,
-                              const StabilityRoot &root, const LimitCycleParameters &parameters);
+                              const StabilityRoot &root, const LimitCycleParameters &parameters,
+                              const DynamicState *from = nullptr);
 
   /// Whether what repeats itself is a motion (change_along), and what becomes of disturbances (stability); a cycle that is
   /// none, or whose stability is not found, has not converged.
