@@ -4,6 +4,8 @@
 #include "cycle_derivatives.h"
 
 #include <vibrocontact/analyses/limit_cycle/balanced_cycle.h>
+#include <vibrocontact/analyses/transient/step_levels.h>
+#include <vibrocontact/contact/contact_solvers.h>
 
 #include <boost/math/tools/roots.hpp>
 
@@ -155,6 +157,44 @@ TEST(CycleOnBelt, OfFallingFrictionIsThatOfTheClosedForm)
   // the rate of the residual displacements is a backward difference: errors fall with the step
   for (const std::vector<double> &error : {of_period, of_largest})
     expect_order(1, error, 1.5e-6);
+}
+
+namespace
+{
+  /// Mean of the last ten periods of a march of 4 s, in which the motion has settled.
+  double period_of_march(const BeltScene &scene, const double h, const double residual_theta)
+  {
+    ContactStepper stepper(scene.pair, creep_schemes().front(), scene.contact,
+                           modal_steps(scene.transient, scene.pair, h), h, 0, {}, nullptr, residual_theta);
+    const auto solver = create_contact_solver(scene.solver);
+    DynamicState state = scene.at_rest;
+    state.q[0] += 1e-4;
+    std::vector<double> turns;
+    for (double before = state.v[0]; state.time < 4; before = state.v[0])
+    {
+      stepper.advance(state, scene.drive, *solver);
+      if (before > 0 && state.v[0] <= 0)
+        turns.push_back(state.time - h * state.v[0] / (state.v[0] - before));
+    }
+    return (turns.back() - turns.at(turns.size() - 11)) / 10;
+  }
+} // namespace
+
+TEST(StepsOnBelt, WithAResidualThetaNearAHalfAreMoreExact)
+{
+  const MassOnBelt exact(1e-6);
+  const BeltScene scene(
+      exact.omega, exact.zeta, exact.flexibility, exact.force, exact.belt,
+      [&](const double speed) { return exact.mu - exact.fall * speed; }, 0.005, 100);
+  std::vector<double> errors;
+  for (const double theta : {1., 0.6})
+  {
+    errors.push_back(period_of_march(scene, 1e-4, theta) / exact.period - 1);
+    std::printf("residual theta %.1f: period off by %.2e\n", theta, errors.back());
+  }
+  // (theta - 1/2) h times the derivative of the rate
+  EXPECT_NEAR(errors[0], 1.6e-4, 0.2e-4);
+  EXPECT_NEAR(errors[1] / errors[0], 0.2, 0.05);
 }
 
 namespace

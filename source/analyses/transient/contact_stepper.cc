@@ -35,10 +35,10 @@ namespace vibrocontact
   ContactStepper::ContactStepper(const ContactPair &pair, const CreepScheme &scheme,
                                  const ContactSections &contact, const std::vector<ModalStep> &steps,
                                  const double h, const double speed, const StepWeights &pole_steps,
-                                 const PatchShapes *const shapes)
+                                 const PatchShapes *const shapes, const double residual_theta)
       : pair(pair), scheme(scheme), steps(steps), pole_steps(pole_steps), h(h), speed(speed),
-        damper(pair.hub.get(), steps),
-        matrices(step_matrices(scheme, pair, steps, h, speed, pair.hub.get(), pole_steps, shapes)),
+        damper(pair.hub.get(), steps), matrices(step_matrices(scheme, pair, steps, h, speed, pair.hub.get(),
+                                                              pole_steps, shapes, residual_theta)),
         proximity(pair, matrices, constant_response, by_approach), q(pair.n_modes()), v(pair.n_modes()),
         z(pair.n_poles())
   {
@@ -252,9 +252,8 @@ namespace vibrocontact
         const unsigned int here = contact_row(m, c, i), there = contact_row(n, c, points[i]);
         problem.b[here] += constant_response[there] + rigid[there];
         if (c > 0)
-          problem.b[here] += (pair.force_response(there) * (drive.force - state.force) -
-                              state.residual_displacement[there]) /
-                                 h +
+          problem.b[here] += pair.force_response(there) * (drive.force - state.force) / h -
+                             reference_of_rate(state, there) / matrices.rate_step +
                              by_approach[there] * state.contact.approach;
         else
           problem.b[here] += pair.force_response(there) * drive.force +
@@ -301,8 +300,8 @@ namespace vibrocontact
         for (unsigned int c = 1; c < 3; ++c)
         {
           const unsigned int there = contact_row(n, c, points[i]);
-          slip[c - 1] =
-              now.y[contact_row(m, c, i)] - (now.y[place[there]] - state.residual_displacement[there]) / h;
+          slip[c - 1] = now.y[contact_row(m, c, i)] -
+                        (now.y[place[there]] - reference_of_rate(state, there)) / matrices.rate_step;
         }
         speeds[i] = std::hypot(slip[0], slip[1]);
       }
@@ -331,22 +330,26 @@ namespace vibrocontact
         state.force_change[there] = change;
         state.contact.R[there] = state.R[there] = solution.R[here];
         state.contact.y[there] = solution.y[here];
-        if (c > 0)
-          rate -= solution.R[here] * state.residual_displacement[there] / h;
       }
     state.extrapolates_change = error_of_extrapolated < error_of_same;
+    // where a point is no longer nearby its rate is forgotten
+    DenseVector residual_rate(3 * n);
     for (unsigned int k = 0; k < rows.size(); ++k)
     {
+      const double reference = reference_of_rate(state, rows[k]);
       double &displacement_of_row = state.residual_displacement[rows[k]];
       state.residual_change_before[rows[k]] = state.residual_change[rows[k]];
       state.residual_change[rows[k]] = solution.y[3 * m + k] - displacement_of_row;
       displacement_of_row = solution.y[3 * m + k];
+      if (rows[k] >= n)
+        residual_rate[rows[k]] = (displacement_of_row - reference) / matrices.rate_step;
     }
+    state.residual_rate = residual_rate;
     for (unsigned int c = 1; c < 3; ++c)
       for (unsigned int i = 0; i < m; ++i)
       {
         const unsigned int there = contact_row(n, c, points[i]);
-        rate += state.R[there] * state.residual_displacement[there] / h;
+        rate += state.R[there] * state.residual_rate[there];
       }
 
     A.modal_numbers(solution.R, c_n, c_t);

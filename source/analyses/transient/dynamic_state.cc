@@ -42,6 +42,7 @@ namespace vibrocontact
     for (unsigned int k = state.relaxed.size(); k < pair.relaxing.size(); ++k)
       state.relaxed.push_back(forces_on_rest(pair, k, state));
     set_residual_displacement(pair, state);
+    state.residual_rate.reinit(3 * n);
     state.force_change.reinit(3 * n);
     state.residual_change.reinit(3 * n);
     state.force_change_before.reinit(3 * n);

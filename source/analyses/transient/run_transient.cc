@@ -236,6 +236,11 @@ namespace vibrocontact
     }
     const ContactPair &pair = *hub.pair;
     const DriveFunction &drive = hub.drive;
+    if (own.residual_theta < 1 && !pair.relaxing.empty())
+      throw InputError(
+          "Transient/Residual theta is below 1, but body " + std::to_string(pair.relaxing.front().body) +
+          " leaves a rest that follows forces with a delay: set it to 1, or take a body without its "
+          "damping.");
     if (pair.hub)
     {
       for (Probe &probe : probes)
@@ -352,6 +357,8 @@ namespace vibrocontact
       entries.add_if(own.error_tolerance > 0, "Transient/Error tolerance is above 0", section,
                      "Shortest time step");
       entries.add_if(!own.propagates_exactly(), "Transient/Integrator is theta method", section, "Theta");
+      entries.add_if(rubs && own.is_reduced(), "there is friction and Transient/Model is reduced", section,
+                     "Residual theta");
       entries.add_if(own.starts_undeformed(), "Transient/Initial state is undeformed", section,
                      "Initial gap, Initial velocity");
       entries.add_if(!own.perturbed_mode.empty(), "there is a Transient/Perturbed mode", section,

@@ -66,7 +66,8 @@ namespace vibrocontact
     {
       const double h = std::ldexp(shortest_step, k);
       levels[k].reset(new Level{{pair, find_creep_scheme(contact.first().creep_scheme), contact,
-                                 modal_steps(parameters, pair, h), h, speed, pole_steps(parameters, pair, h)},
+                                 modal_steps(parameters, pair, h), h, speed, pole_steps(parameters, pair, h),
+                                 nullptr, parameters.residual_theta},
                                 nullptr});
     }
     if (!levels[k]->solver)

@@ -15,6 +15,7 @@ namespace vibrocontact
       file("state/v", state.v);
       file("state/R", state.R);
       file("state/residual_displacement", state.residual_displacement);
+      file("state/residual_rate", state.residual_rate);
       for (std::size_t k = 0; k < state.relaxed.size(); ++k)
         file("state/relaxed_" + std::to_string(k), state.relaxed[k]);
       file("state/force_change", state.force_change);
@@ -119,7 +120,7 @@ namespace vibrocontact
       return {sums.begin(), sums.end()};
     }
     /// of what is exchanged
-    constexpr int format = 15;
+    constexpr int format = 16;
 
     std::string file_of(const std::string &folder)
     {

@@ -47,8 +47,13 @@ namespace vibrocontact
   ///   A_n = W~_n + (Psi G Psi^T)_n,   A_t = (V d/dx + 1/h) W~_t + V d/dx (Psi G Psi^T)_t + (Psi H Psi^T)_t
   ///
   /// (G, H: gains of displacement and velocity, ModalStep::g1) is constant as long as step and speed are. The
-  /// rate of W~ R is differenced backwards: a trapezoidal rate rings. Rests that relax do so by the same rate, beta (r1 -
-  /// r0) / h + r1 = W R1, so that W~ above is rest_over_step() and b has what they keep, the sum of beta W s0 / (h + beta).
+  /// rate r of W~ R is differenced backwards, as above: a trapezoidal rate rings. With a residual theta below 1 it is
+  ///
+  ///   r1 = W~ (R1 - R0) / (theta h) - (1 - theta) / theta r0
+  ///
+  /// whose error of first order is (theta - 1/2) h times its derivative; what rings falls by (1 - theta) / theta in a step.
+  /// Rests that relax take backward differences, beta (r1 - r0) / h + r1 = W R1, so that W~ above is rest_over_step() and b has
+  /// what they keep, the sum of beta W s0 / (h + beta).
   ///
   /// What a step costs follows from what can matter in it: modes and contact meet in few shapes (PatchShapes),
   /// and only nearby points enter the contact problem (Proximity, StepOperator); a step that closes another is solved again with
@@ -60,7 +65,8 @@ namespace vibrocontact
     /// @param pole_steps what the pair's poles do in it @param shapes shapes_of_steps(); null: they are found
     ContactStepper(const ContactPair &pair, const CreepScheme &scheme, const ContactSections &contact,
                    const std::vector<ModalStep> &steps, double h, double speed,
-                   const StepWeights &pole_steps = {}, const PatchShapes *shapes = nullptr);
+                   const StepWeights &pole_steps = {}, const PatchShapes *shapes = nullptr,
+                   double residual_theta = 1);
     // members refer to each other
     ContactStepper(const ContactStepper &) = delete;
     ContactStepper &operator=(const ContactStepper &) = delete;
@@ -107,6 +113,12 @@ namespace vibrocontact
 
     const ContactPair &pair;
     const CreepScheme &scheme;
+    /// Residual displacement that the rate of a step is differenced from [m]; of a normal row, which has no rate, itself.
+    double reference_of_rate(const DynamicState &state, const unsigned int row) const
+    {
+      return state.residual_displacement[row] + (h - matrices.rate_step) * state.residual_rate[row];
+    }
+
     /// beta / (h + beta) of each rest that relaxes
     std::vector<double> kept;
     const std::vector<ModalStep> steps;

@@ -18,6 +18,8 @@ namespace vibrocontact
     /// at rest (ContactPair::force_response()), kept at the nearby points and their neighbours up- and downstream;
     /// 3 n
     DenseVector R, residual_displacement;
+    /// rate of the residual displacements along the surface at the same points, as the last step had it in its slip [m/s]; 3 n
+    DenseVector residual_rate;
     /// of each rest that relaxes (ContactPair::relaxing) the forces s that it has followed so far, 3 n [N]
     std::vector<DenseVector> relaxed;
     /// what both have changed by in the last step and in the one before: the next one starts with the same change, or with one that

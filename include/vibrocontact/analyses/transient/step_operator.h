@@ -20,8 +20,8 @@ namespace vibrocontact
   {
     PlacedContacts contacts;
     CreepScheme scheme;
-    /// h [s], V [m/s]
-    double step = 0, speed = 0;
+    /// h, residual theta h [s], V [m/s]
+    double step = 0, rate_step = 0, speed = 0;
     /// W~ over the step (rest_over_step()) [m/N] and the operator A of ContactStepper; 3 n square, empty of half-spaces alone
     DenseMatrix residual_flexibility, response;
     /// half-spaces alone: W~ and A by their kernels; null: by these matrices
@@ -38,16 +38,16 @@ namespace vibrocontact
   };
 
   /// @param steps one per mode; @param hub null: held @param pole_steps what the poles do in the step
-  /// @param shapes shapes_of_steps(); null: they are found
+  /// @param shapes shapes_of_steps(); null: they are found @param residual_theta see ContactStepper
   StepMatrices step_matrices(const CreepScheme &scheme, const ContactPair &pair,
                              const std::vector<ModalStep> &steps, double h, double speed,
                              const SuspendedHub *hub = nullptr, const StepWeights &pole_steps = {},
-                             const PatchShapes *shapes = nullptr);
+                             const PatchShapes *shapes = nullptr, double residual_theta = 1);
 
   /// A of a time step on some points of the grid, from the residual displacements w = W~ R there and upstream
   /// of them and from the few modal numbers c = basis^T R:
   ///
-  ///   gap = w_n + (basis G c)_n,   slip = (V d/dx + 1/h) w_t + V d/dx (basis G c)_t + (basis H c)_t
+  ///   gap = w_n + (basis G c)_n,   slip = (V d/dx + 1 / rate_step) w_t + V d/dx (basis G c)_t + (basis H c)_t
   ///
   /// (G, H: the gains of StepMatrices). y has w behind its 3 n_points() rows: who solves for R then has it
   /// too, without a second product.

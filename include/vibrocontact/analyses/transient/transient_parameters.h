@@ -26,6 +26,8 @@ namespace vibrocontact
     std::string integrator = "theta method";
     bool propagates_exactly() const { return integrator == "exact propagator"; }
     double theta = 0.5;
+    /// of the rate of the residual displacements, see ContactStepper; 1: backward differences
+    double residual_theta = 1;
     /// "as other forces" or "end of step", see ReactionWeighting
     std::string reaction = "as other forces";
     /// "quasi-static": the equilibrium of section Rolling, at rest in the moving frame; "undeformed": bodies
