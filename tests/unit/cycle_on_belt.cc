@@ -55,6 +55,12 @@ namespace
     static constexpr double omega = 100, zeta = 5e-3, belt = 0.01, force = 10, mu = 0.4, fall = 0.4;
     double flexibility, period = 0, largest = 0;
 
+    BeltScene scene() const
+    {
+      return {omega, zeta, flexibility, force, belt, [](const double speed) { return mu - fall * speed; },
+              0.005, 100};
+    }
+
     static double drag(const double v) { return force * (mu - fall * std::abs(belt - v)); }
 
     explicit MassOnBelt(const double flexibility) : flexibility(flexibility)
@@ -130,9 +136,7 @@ namespace
 TEST(CycleOnBelt, OfFallingFrictionIsThatOfTheClosedForm)
 {
   const MassOnBelt exact(1e-6);
-  const BeltScene scene(
-      exact.omega, exact.zeta, exact.flexibility, exact.force, exact.belt,
-      [&](const double speed) { return exact.mu - exact.fall * speed; }, 0.005, 100);
+  const BeltScene scene = exact.scene();
   std::vector<double> of_period, of_largest;
   for (const unsigned int n_steps : {2000u, 4000u})
   {
@@ -183,9 +187,7 @@ namespace
 TEST(StepsOnBelt, WithAResidualThetaNearAHalfAreMoreExact)
 {
   const MassOnBelt exact(1e-6);
-  const BeltScene scene(
-      exact.omega, exact.zeta, exact.flexibility, exact.force, exact.belt,
-      [&](const double speed) { return exact.mu - exact.fall * speed; }, 0.005, 100);
+  const BeltScene scene = exact.scene();
   std::vector<double> errors;
   for (const double theta : {1., 0.6})
   {
@@ -291,9 +293,7 @@ TEST(CycleOnBelt, ByHarmonicBalanceIsTheSameUnderAGivenNormalForce)
 TEST(CycleOnBelt, ByHarmonicBalanceComesToTheClosedFormOfStickAndSlip)
 {
   const MassOnBelt exact(1e-6);
-  const BeltScene scene(
-      exact.omega, exact.zeta, exact.flexibility, exact.force, exact.belt,
-      [&](const double speed) { return exact.mu - exact.fall * speed; }, 0.005, 100);
+  const BeltScene scene = exact.scene();
   CycleMap map = scene.map(500);
   const LimitCycle cycle = scene.cycle(map);
   ASSERT_TRUE(cycle.converged) << cycle.message;

@@ -95,15 +95,17 @@ namespace vibrocontact
       NewtonSettings settings;
       settings.max_iterations = parameters.max_newton_iterations;
       // by harmonics or a given motion first, then by motions that go on for a while
-      std::optional<CycleStart> start =
-          from ? start_by_harmonics_of(map, motion, root, equilibrium, start_at(map, motion, root, *from))
-               : start_by_harmonics(map, motion, root, equilibrium);
+      std::optional<CycleStart> given;
+      if (from)
+        given = start_at(map, motion, root, *from);
+      std::optional<CycleStart> start = given ? start_by_harmonics_of(map, motion, root, equilibrium, *given)
+                                              : start_by_harmonics(map, motion, root, equilibrium);
       for (unsigned int trial = 0; trial < std::size(periods_between) + 1; ++trial)
       {
         if (trial == 0 && !start)
           continue;
         if (trial == 1)
-          start = from ? start_at(map, motion, root, *from) : start_of_cycle(map, motion, root);
+          start = given ? *given : start_of_cycle(map, motion, root);
         if (trial > 1)
           let_go_on(map, motion, periods_between[trial - 1], *start);
         std::vector<double> x(start->state.begin(), start->state.end());

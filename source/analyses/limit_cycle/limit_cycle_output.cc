@@ -54,6 +54,7 @@ namespace vibrocontact
               {"rms", signal.rms()},
               {"first_harmonic", harmonics_of(signal).at(1)}};
     }
+
     std::string start_of(const LimitCycle &cycle)
     {
       return cycle.motion.empty() ? cycle.root.label : cycle.motion;

@@ -38,6 +38,7 @@ namespace vibrocontact
                                          " s (Limit cycle/Basins/Longest time)."
                                    : "the motion was not followed: " + path.message + ".");
     }
+
     /// Of the pairs from `begin` on one for each rank, as many as are left.
     std::vector<BasinsBetween> basins_of_ranks(BasinMarch &march,
                                                const std::vector<std::array<unsigned int, 2>> &pairs,

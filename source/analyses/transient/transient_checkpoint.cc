@@ -119,6 +119,7 @@ namespace vibrocontact
       add_residual_displacement(pair.residual, pair.half_spaces.get(), weights, sums);
       return {sums.begin(), sums.end()};
     }
+
     /// of what is exchanged
     constexpr int format = 16;
 

@@ -111,14 +111,14 @@ namespace vibrocontact
     void solve_with_modal_slip_in_friction(const DynamicState &state, ContactSolver &solver);
     void take_over(DynamicState &state, const DenseVector &rigid_slip);
 
-    const ContactPair &pair;
-    const CreepScheme &scheme;
     /// Residual displacement that the rate of a step is differenced from [m]; of a normal row, which has no rate, itself.
     double reference_of_rate(const DynamicState &state, const unsigned int row) const
     {
       return state.residual_displacement[row] + (h - matrices.rate_step) * state.residual_rate[row];
     }
 
+    const ContactPair &pair;
+    const CreepScheme &scheme;
     /// beta / (h + beta) of each rest that relaxes
     std::vector<double> kept;
     const std::vector<ModalStep> steps;
