@@ -269,7 +269,7 @@ SCENES = [
           {"Transient/End time": 0.05, "Transient/History interval": 2.4e-5, "Transient/Error estimate": "false",
            "Transient/Signals/Patch begin": 0, "Transient/Signals/Patch interval": 0}, {}, "each", True),
     Scene("squeal_cycles", "frequency and rms velocity of the rim in the cycle at 917 Hz", cycle,
-          [one("step, s", "Limit cycle/Time step", 5e-06, 2e-5, 1e-5, 5e-6, 2.5e-6),
+          [one("step, s", "Limit cycle/Time step", 2e-05, 4e-5, 2e-5, 1e-5, 5e-6),
            one("modes to, Hz", "wheel/Modes/Upper frequency", 8000, 4000, 6000, 8000, 12000), one("grid, m", "Contact/Grid spacing", 0.001, 2e-3, 1e-3)],
           {"Analyses": "limit cycle", "Limit cycle/Roots": 917, "Limit cycle/Multipliers": 0, "wheel/Wheel/Model": "harmonics"}, {}, "each", True),
     Scene("squeal_map", "growth of the unstable roots at one place", growths,

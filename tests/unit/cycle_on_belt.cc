@@ -163,6 +163,43 @@ TEST(CycleOnBelt, OfFallingFrictionIsThatOfTheClosedForm)
     expect_order(1, error, 1.5e-6);
 }
 
+TEST(CycleOnBelt, WithAResidualThetaNearAHalfIsMoreExact)
+{
+  const MassOnBelt exact(1e-6);
+  BeltScene scene = exact.scene();
+  std::vector<double> errors;
+  for (const double theta : {1., 0.6, 0.55})
+  {
+    scene.transient.residual_theta = theta;
+    CycleMap map = scene.map(500);
+    const LimitCycle cycle = scene.cycle(map);
+    ASSERT_TRUE(cycle.converged) << cycle.message;
+    errors.push_back(cycle.period / exact.period - 1);
+    std::printf(
+        "residual theta %.2f: period off by %.2e, trivial multiplier by %.1e, %u iterations, last %.1e\n",
+        theta, errors.back(), cycle.stability->trivial_error, cycle.newton_iterations, cycle.residual);
+    if (theta < 1)
+    {
+      CycleMap other = scene.map(500);
+      expect_derivatives_of_differences(map, other, cycle, 1e-7);
+    }
+  }
+  EXPECT_NEAR(errors[1] / errors[0], 0.2, 0.05);
+  EXPECT_NEAR(errors[2] / errors[0], 0.1, 0.05);
+
+  // friction follows the slip of the mass, without the rate: however short the steps, falling friction lets no rate grow
+  scene.transient.residual_theta = 0.6;
+  CycleMap map = scene.map(8000);
+  const double h = exact.period / 8000;
+  ASSERT_GT(MassOnBelt::force * MassOnBelt::fall * exact.flexibility / (0.6 * h), 0.8);
+  const LimitCycle cycle = scene.cycle(map);
+  ASSERT_TRUE(cycle.converged) << cycle.message;
+  const double error = cycle.period / exact.period - 1;
+  std::printf("8000 steps: period off by %.2e, largest growth %.3f 1/s\n", error,
+              cycle.stability->multipliers.empty() ? 0. : cycle.stability->multipliers.front().growth);
+  EXPECT_NEAR(error / errors[1], 500. / 8000, 0.02);
+}
+
 namespace
 {
   /// Mean of the last ten periods of a march of 4 s, in which the motion has settled.

@@ -14,6 +14,8 @@ namespace vibrocontact
     /// GMRES stops at this share of the residual, and gives up after so many products
     constexpr double linear_tolerance = 1e-4;
     constexpr unsigned int most_products = 100;
+    /// added to I - A^n, which is singular where a root neither grows nor decays and the period is its own
+    constexpr double shift = 1e-8;
 
     // what a preconditioner needs no more of
     using SingleMatrix = dealii::LAPACKFullMatrix<float>;
@@ -35,24 +37,63 @@ namespace vibrocontact
       return result;
     }
 
-    struct Factors
+    /// The linear system of a cycle with I - A^n in place of I - Phi_x, by elimination of the state.
+    class LinearSystem
     {
-      const DenseMatrix &lu;
+    public:
+      /// @param factors linear_cycle() @throws ExcSingular
+      LinearSystem(const DenseMatrix &factors, const BorderedCycle &cycle)
+          : factors(factors), rows(cycle.rows), by_further(factors.m(), rows.size()), left(cycle.corner)
+      {
+        for (unsigned int k = 0; k < rows.size(); ++k)
+          std::copy(cycle.columns[k].begin(), cycle.columns[k].end(), &by_further(0, k));
+        factors.solve(by_further);
+        for (unsigned int k = 0; k < rows.size(); ++k)
+          for (unsigned int l = 0; l < rows.size(); ++l)
+            for (unsigned int i = 0; i < factors.m(); ++i)
+              left(l, k) += rows[l][i] * by_further(i, k);
+        left.compute_lu_factorization();
+      }
+
       void vmult(DenseVector &to, const DenseVector &from) const
       {
-        to = from;
-        lu.solve(to);
+        const unsigned int n = factors.m();
+        DenseVector x(from.begin(), from.begin() + n), further(from.begin() + n, from.end());
+        factors.solve(x);
+        for (unsigned int k = 0; k < rows.size(); ++k)
+          further[k] -= rows[k] * x;
+        left.solve(further);
+        for (unsigned int k = 0; k < rows.size(); ++k)
+        {
+          for (unsigned int i = 0; i < n; ++i)
+            x[i] += by_further(i, k) * further[k];
+          to[n + k] = further[k];
+        }
+        std::copy(x.begin(), x.end(), to.begin());
       }
+
+    private:
+      const DenseMatrix &factors;
+      const std::vector<DenseVector> &rows;
+      DenseMatrix by_further, left;
     };
   } // namespace
 
-  DenseMatrix linear_cycle(const DenseMatrix &step, const unsigned int n_steps)
+  std::unique_ptr<const DenseMatrix> linear_cycle(const DenseMatrix &step, const unsigned int n_steps)
   {
     const SingleMatrix dynamics = power(step, n_steps);
-    DenseMatrix linear(step.m(), step.n());
-    for (unsigned int j = 0; j < linear.n(); ++j)
-      for (unsigned int i = 0; i < linear.m(); ++i)
-        linear(i, j) = (i == j ? 1. : 0.) - dynamics(i, j);
+    auto linear = std::make_unique<DenseMatrix>(step.m(), step.n());
+    for (unsigned int j = 0; j < step.n(); ++j)
+      for (unsigned int i = 0; i < step.m(); ++i)
+        (*linear)(i, j) = (i == j ? 1. + shift : 0.) - dynamics(i, j);
+    try
+    {
+      linear->compute_lu_factorization();
+    }
+    catch (const dealii::LACExceptions::ExcSingular &)
+    {
+      throw ConvergenceError("the linear dynamics over a period are singular");
+    }
     return linear;
   }
 
@@ -70,27 +111,17 @@ namespace vibrocontact
       for (unsigned int l = 0; l < n_further; ++l)
         corner(l, k) *= units[k];
     }
-    DenseMatrix bordered(n + n_further, n + n_further);
-    add_block(bordered, linear, 0, 0);
-    add_block(bordered, corner, n, n);
-    for (unsigned int k = 0; k < n_further; ++k)
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        bordered(i, n + k) = -columns[k][i];
-        bordered(n + k, i) = rows[k][i];
-      }
     DenseVector x(n + n_further);
     dealii::SolverControl control(most_products, linear_tolerance * right.l2_norm());
     const dealii::SolverGMRES<DenseVector>::AdditionalData data(most_products + 2, true);
     dealii::SolverGMRES<DenseVector> gmres(control, data);
     try
     {
-      bordered.compute_lu_factorization();
-      gmres.solve(*this, x, right, Factors{bordered});
+      gmres.solve(*this, x, right, LinearSystem(linear, *this));
     }
     catch (const dealii::LACExceptions::ExcSingular &)
     {
-      throw ConvergenceError("the linear dynamics over a period are singular");
+      throw ConvergenceError("the linear dynamics over a period do not depend on its length or on the value");
     }
     catch (const dealii::SolverControl::NoConvergence &)
     {

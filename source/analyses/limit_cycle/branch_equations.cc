@@ -83,7 +83,7 @@ namespace vibrocontact
       DenseVector right(n + 2);
       std::copy(rest.begin(), rest.end(), right.begin());
       const unsigned long products = map.n_products;
-      const DenseVector x = system.solve(linear, right);
+      const DenseVector x = system.solve(*linear, right);
       if (map.n_products - products > many_products)
         renew_preconditioner();
       step.assign(x.begin(), x.end());

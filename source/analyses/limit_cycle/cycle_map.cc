@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -38,6 +37,15 @@ namespace vibrocontact
       for (unsigned int k = 0; k < a.size(); ++k)
         a[k] += b[k];
       return a;
+    }
+
+    /// Columns of the unit matrix.
+    DenseMatrix unit_columns(const unsigned int size, const unsigned int begin, const unsigned int end)
+    {
+      DenseMatrix result(size, end - begin);
+      for (unsigned int j = begin; j < end; ++j)
+        result(j, j - begin) = 1;
+      return result;
     }
 
     DenseVector only_column(const DenseMatrix &matrix)
@@ -79,6 +87,10 @@ namespace vibrocontact
     // motions without frequency and rows that hardly yield count as slow and soft ones do
     for (unsigned int k = 0; k < pair.n_poles(); ++k)
       unit_of_pole.push_back(2 * std::abs(pair.poles[k]) * amplitude_per_state(pair, k));
+    for (const double omega : frequency)
+      fastest = std::max(fastest, omega);
+    for (const std::complex<double> &pole : pair.poles)
+      fastest = std::max(fastest, std::abs(pole));
     raise_small(frequency);
     raise_small(unit_of_pole);
     for (unsigned int i = 0; i < rows.size(); ++i)
@@ -104,11 +116,26 @@ namespace vibrocontact
     return result;
   }
 
-  DenseMatrix CycleMap::packed(const StateChanges &changes, const StepOnPoints &on) const
+  std::vector<unsigned int> CycleMap::rate_rows(const std::vector<unsigned int> &some) const
+  {
+    std::vector<unsigned int> result = force_rows(some);
+    result.erase(result.begin(), result.begin() + some.size());
+    for (unsigned int &row : result)
+      row += first_rate() - n_motion() - points.size();
+    return result;
+  }
+
+  std::vector<double> CycleMap::rates_in(const DenseVector &x, const StepOnPoints &on) const
+  {
+    std::vector<double> rates;
+    for (const unsigned int row : rate_rows(on.points))
+      rates.push_back(x[row] / unit_of_rate(row - first_rate()));
+    return rates;
+  }
+
+  void CycleMap::take_motion(const StateChanges &changes, DenseMatrix &x) const
   {
     const unsigned int n_modes = pair.n_modes(), n_poles = pair.n_poles();
-    const std::vector<unsigned int> of_forces = force_rows(on.points);
-    DenseMatrix x(size(), changes.n_columns());
     for (unsigned int j = 0; j < x.n(); ++j)
     {
       for (unsigned int k = 0; k < n_modes; ++k)
@@ -121,9 +148,47 @@ namespace vibrocontact
         x(2 * n_modes + k, j) = unit_of_pole[k] * changes.poles(k, j);
         x(2 * n_modes + n_poles + k, j) = unit_of_pole[k] * changes.poles(n_poles + k, j);
       }
+    }
+  }
+
+  void CycleMap::set_motion(const DenseMatrix &x, StateChanges &changes) const
+  {
+    const unsigned int n_modes = pair.n_modes(), n_poles = pair.n_poles();
+    changes.q.reinit(n_modes, x.n());
+    changes.v.reinit(n_modes, x.n());
+    changes.poles.reinit(2 * n_poles, x.n());
+    changes.approach.assign(x.n(), 0.);
+    for (unsigned int j = 0; j < x.n(); ++j)
+    {
+      for (unsigned int k = 0; k < n_modes; ++k)
+      {
+        changes.q(k, j) = x(k, j) / frequency[k];
+        changes.v(k, j) = x(n_modes + k, j);
+      }
+      for (unsigned int k = 0; k < n_poles; ++k)
+      {
+        changes.poles(k, j) = x(2 * n_modes + k, j) / unit_of_pole[k];
+        changes.poles(n_poles + k, j) = x(2 * n_modes + n_poles + k, j) / unit_of_pole[k];
+      }
+    }
+  }
+
+  DenseMatrix CycleMap::packed(const StateChanges &changes, const StepOnPoints &on) const
+  {
+    DenseMatrix x(size(), changes.n_columns());
+    take_motion(changes, x);
+    const std::vector<unsigned int> of_forces = force_rows(on.points);
+    for (unsigned int j = 0; j < x.n(); ++j)
       for (unsigned int i = 0; i < of_forces.size(); ++i)
         x(of_forces[i], j) = root_of_flexibility[of_forces[i] - n_motion()] * changes.R(i, j);
-    }
+    if (!has_rates())
+      return x;
+    const std::vector<unsigned int> of_rates = rate_rows(on.points);
+    const DenseMatrix displacement = product(on.slip_flexibility, changes.R);
+    for (unsigned int j = 0; j < x.n(); ++j)
+      for (unsigned int i = 0; i < of_rates.size(); ++i)
+        x(of_rates[i], j) = unit_of_rate(of_rates[i] - first_rate()) *
+                            (changes.rate_reference(i, j) - displacement(i, j)) / on.lead;
     return x;
   }
 
@@ -143,6 +208,8 @@ namespace vibrocontact
     }
     for (unsigned int i = 0; i < rows.size(); ++i)
       x[n_motion() + i] = root_of_flexibility[i] * state.R[rows[i]];
+    for (unsigned int i = first_rate(); i < size(); ++i)
+      x[i] = unit_of_rate(i - first_rate()) * state.residual_rate[row_along(i - first_rate())];
     return x;
   }
 
@@ -165,6 +232,8 @@ namespace vibrocontact
     state.hub_acceleration = drive.hub_acceleration;
     state.force = drive.force;
     complete(pair, {}, state);
+    for (unsigned int i = first_rate(); i < size(); ++i)
+      state.residual_rate[row_along(i - first_rate())] = x[i] / unit_of_rate(i - first_rate());
     return state;
   }
 
@@ -172,7 +241,8 @@ namespace vibrocontact
   {
     return std::make_unique<ContactStepper>(pair, find_creep_scheme(contact.first().creep_scheme), contact,
                                             modal_steps(transient, pair, step), step, drive.creepage.speed,
-                                            pole_steps(transient, pair, step), shapes.get());
+                                            pole_steps(transient, pair, step), shapes.get(),
+                                            transient.residual_theta);
   }
 
   bool CycleMap::are_known(const DenseVector &R) const
@@ -224,11 +294,9 @@ namespace vibrocontact
       }
       if (keep_derivatives && no_derivative.empty())
       {
-        DenseVector change = state.residual_displacement;
-        change -= before.residual_displacement;
         try
         {
-          derivatives.emplace_back(*stepper, pair.poles, change);
+          derivatives.emplace_back(*stepper, pair.poles, state.residual_rate);
         }
         catch (const ConvergenceError &error)
         {
@@ -238,7 +306,7 @@ namespace vibrocontact
         begin += constant_force;
         end += constant_force;
         ends.push_back({before.q, before.v, begin, end, before.z, sum(before.pole_force, constant_feed),
-                        sum(state.pole_force, constant_feed), change});
+                        sum(state.pole_force, constant_feed), state.residual_rate});
       }
       statuses.push_back(state.contact.status);
       if (j == 0)
@@ -279,37 +347,29 @@ namespace vibrocontact
 
   StateChanges CycleMap::changes_of(const DenseMatrix &x, const StepOnPoints &on) const
   {
-    const unsigned int n_modes = pair.n_modes(), n_poles = pair.n_poles(), n_rows = rows.size(),
-                       n_columns = x.n(), n_grid = pair.n_points();
+    const unsigned int n_rows = rows.size(), n_columns = x.n();
     StateChanges changes;
-    for (DenseMatrix *const modal : {&changes.q, &changes.v, &changes.modal_force})
-      modal->reinit(n_modes, n_columns);
-    for (DenseMatrix *const of_poles : {&changes.poles, &changes.pole_force})
-      of_poles->reinit(2 * n_poles, n_columns);
+    set_motion(x, changes);
     DenseMatrix R(n_rows, n_columns);
-    changes.approach.assign(n_columns, 0.);
     for (unsigned int j = 0; j < n_columns; ++j)
-    {
-      for (unsigned int k = 0; k < n_modes; ++k)
-      {
-        changes.q(k, j) = x(k, j) / frequency[k];
-        changes.v(k, j) = x(n_modes + k, j);
-      }
-      for (unsigned int k = 0; k < n_poles; ++k)
-      {
-        changes.poles(k, j) = x(2 * n_modes + k, j) / unit_of_pole[k];
-        changes.poles(n_poles + k, j) = x(2 * n_modes + n_poles + k, j) / unit_of_pole[k];
-      }
       for (unsigned int i = 0; i < n_rows; ++i)
         R(i, j) = x(n_motion() + i, j) / root_of_flexibility[i];
-    }
-    if (n_modes > 0)
+    changes.modal_force.reinit(pair.n_modes(), n_columns);
+    changes.pole_force.reinit(2 * pair.n_poles(), n_columns);
+    if (pair.n_modes() > 0)
       trace.Tmmult(changes.modal_force, R);
-    if (n_poles > 0)
+    if (pair.n_poles() > 0)
       left_parts.Tmmult(changes.pole_force, R);
-    const std::vector<unsigned int> on_grid = rows_of_points(n_grid, on.points),
+    const std::vector<unsigned int> on_grid = rows_of_points(pair.n_points(), on.points),
                                     along(on_grid.begin() + on.n_points(), on_grid.end());
-    changes.slip_displacement = product(entries_at(pair.residual, along, rows), R);
+    changes.rate_reference = product(entries_at(pair.residual, along, rows), R);
+    if (!has_rates())
+      return changes;
+    const std::vector<unsigned int> of_rates = rate_rows(on.points);
+    for (unsigned int j = 0; j < n_columns; ++j)
+      for (unsigned int i = 0; i < of_rates.size(); ++i)
+        changes.rate_reference(i, j) +=
+            on.lead * x(of_rates[i], j) / unit_of_rate(of_rates[i] - first_rate());
     return changes;
   }
 
@@ -319,28 +379,6 @@ namespace vibrocontact
       throw ConvergenceError(no_derivative);
     AssertThrow(marched.has_derivatives, dealii::ExcInternalError());
     return derivatives;
-  }
-
-  DenseMatrix CycleMap::derivative(const DenseMatrix &starts) const
-  {
-    const std::vector<StepDerivative> &steps = derivatives_of_steps();
-    n_products += starts.n();
-    std::vector<StateChanges> blocks;
-    for (unsigned int begin = 0; begin < starts.n(); begin += columns_of_block)
-    {
-      std::vector<unsigned int> columns(std::min(columns_of_block, starts.n() - begin));
-      std::iota(columns.begin(), columns.end(), begin);
-      blocks.push_back(changes_of(columns_at(starts, columns), *loaded));
-    }
-    for (unsigned int j = 0; j + 1 < m; ++j)
-      steps[j].advance_many(blocks);
-    DenseMatrix result(size(), starts.n());
-    for (unsigned int k = 0; k < blocks.size(); ++k)
-    {
-      steps.back().advance(blocks[k]);
-      add_block(result, packed(blocks[k], *loaded), 0, k * columns_of_block);
-    }
-    return result;
   }
 
   DenseVector CycleMap::derivative(const DenseVector &start) const
@@ -360,9 +398,18 @@ namespace vibrocontact
     const std::vector<StepDerivative> &steps = derivatives_of_steps();
     StateChanges changes = changes_of(DenseMatrix(size(), 1), *loaded);
     const LengthChange longer = {modes_by_length, poles_by_length, 1. / m};
+    const double share = 1. / marched.period;
+    // the rates of the state are what they are; the time for which they go on, and over which they are taken, is longer
+    const std::vector<double> rates = has_rates() ? rates_in(marched.start, *loaded) : std::vector<double>();
+    for (unsigned int i = 0; i < rates.size(); ++i)
+      changes.rate_reference(i, 0) += share * loaded->lead * rates[i];
     for (unsigned int j = 0; j < m; ++j)
       steps[j].advance(changes, &longer, &ends[j]);
-    return only_column(packed(changes, *loaded));
+    DenseVector result = only_column(packed(changes, *loaded));
+    if (has_rates())
+      for (const unsigned int row : rate_rows(loaded->points))
+        result[row] -= share * marched.end[row];
+    return result;
   }
 
   double CycleMap::change_along_motion() const
@@ -380,27 +427,79 @@ namespace vibrocontact
     return {pair, contact, drive, at_rest, *shapes, points, n_harmonics, tolerance};
   }
 
-  DenseMatrix CycleMap::unit_starts(const std::vector<unsigned int> &of_rows) const
+  std::vector<double> CycleMap::roots_along(const StepOnPoints &on) const
   {
-    DenseMatrix starts(size(), of_rows.size());
-    for (unsigned int j = 0; j < of_rows.size(); ++j)
-      starts(of_rows[j], j) = 1;
-    return starts;
+    std::vector<double> result;
+    for (const unsigned int row : rate_rows(on.points))
+      result.push_back(root_of_flexibility[points.size() + row - first_rate()]);
+    return result;
   }
 
-  std::vector<unsigned int> CycleMap::lasting_rows() const
+  DenseMatrix CycleMap::lasting(const StateChanges &changes) const
   {
-    std::vector<unsigned int> result(n_motion());
-    std::iota(result.begin(), result.end(), 0);
-    const std::vector<unsigned int> of_forces = force_rows(derivatives_of_steps().back().points_in_contact());
-    result.insert(result.end(), of_forces.begin(), of_forces.end());
-    return result;
+    const unsigned int n_loaded = loaded->n_loaded, first_reference = n_motion() + n_loaded;
+    const std::vector<double> along = roots_along(*loaded);
+    const double of_shapes = *std::max_element(root_of_flexibility.begin(), root_of_flexibility.end());
+    DenseMatrix y(first_reference + along.size(), changes.n_columns());
+    take_motion(changes, y);
+    for (unsigned int j = 0; j < y.n(); ++j)
+    {
+      for (unsigned int k = 0; k < n_loaded; ++k)
+        y(n_motion() + k, j) = of_shapes * changes.shape_force(k, j);
+      for (unsigned int i = 0; i < along.size(); ++i)
+        y(first_reference + i, j) = changes.rate_reference(i, j) / along[i];
+    }
+    return y;
+  }
+
+  StateChanges CycleMap::changes_of_lasting(const DenseMatrix &y) const
+  {
+    const unsigned int n_loaded = loaded->n_loaded, first_reference = n_motion() + n_loaded;
+    const std::vector<double> along = roots_along(*loaded);
+    const double of_shapes = *std::max_element(root_of_flexibility.begin(), root_of_flexibility.end());
+    StateChanges changes;
+    set_motion(y, changes);
+    changes.shape_force.reinit(loaded->rank(), y.n());
+    changes.rate_reference.reinit(along.size(), y.n());
+    for (unsigned int j = 0; j < y.n(); ++j)
+    {
+      for (unsigned int k = 0; k < n_loaded; ++k)
+        changes.shape_force(k, j) = y(n_motion() + k, j) / of_shapes;
+      for (unsigned int i = 0; i < along.size(); ++i)
+        changes.rate_reference(i, j) = along[i] * y(first_reference + i, j);
+    }
+    loaded->feed(changes);
+    return changes;
   }
 
   DenseMatrix CycleMap::monodromy() const
   {
-    const std::vector<unsigned int> lasting = lasting_rows();
-    return rows_at(derivative(unit_starts(lasting)), lasting);
+    const std::vector<StepDerivative> &steps = derivatives_of_steps();
+    const unsigned int n = n_motion() + loaded->n_loaded + 2 * loaded->n_points();
+    n_products += n;
+    std::vector<StateChanges> blocks;
+    for (unsigned int begin = 0; begin < n; begin += columns_of_block)
+      blocks.push_back(changes_of_lasting(unit_columns(n, begin, std::min(n, begin + columns_of_block))));
+    for (const StepDerivative &step : steps)
+      step.advance_many(blocks);
+    DenseMatrix result(n, n);
+    for (unsigned int k = 0; k < blocks.size(); ++k)
+      add_block(result, lasting(blocks[k]), 0, k * columns_of_block);
+    return result;
+  }
+
+  DenseVector CycleMap::rate_of_lasting() const
+  {
+    DenseMatrix column(size(), 1);
+    std::copy(mean_rate.begin(), mean_rate.end(), &column(0, 0));
+    StateChanges changes = changes_of(column, *loaded);
+    const std::vector<unsigned int> of_forces = force_rows(loaded->points);
+    DenseMatrix R(of_forces.size(), 1);
+    for (unsigned int i = 0; i < of_forces.size(); ++i)
+      R(i, 0) = column(of_forces[i], 0) / root_of_flexibility[of_forces[i] - n_motion()];
+    changes.shape_force.reinit(loaded->rank(), 1);
+    loaded->shapes.basis.Tmmult(changes.shape_force, R);
+    return only_column(lasting(changes));
   }
 
   DenseMatrix CycleMap::one_step(const DynamicState &from, const double step) const
@@ -409,14 +508,10 @@ namespace vibrocontact
     DynamicState state = from;
     if (!one->advance(state, drive, *create_contact_solver(solver)).converged)
       throw ConvergenceError("the contact of a step from the equilibrium did not converge");
-    DenseVector change = state.residual_displacement;
-    change -= from.residual_displacement;
-    StepDerivative derivative(*one, pair.poles, change);
+    StepDerivative derivative(*one, pair.poles, state.residual_rate);
     const StepOnPoints on(*one, derivative.points_in_contact());
     derivative.stand_on(on);
-    std::vector<unsigned int> all(size());
-    std::iota(all.begin(), all.end(), 0);
-    StateChanges changes = changes_of(unit_starts(all), on);
+    StateChanges changes = changes_of(unit_columns(size(), 0, size()), on);
     derivative.advance(changes);
     return packed(changes, on);
   }

@@ -3,7 +3,6 @@
 #include <vibrocontact/analyses/limit_cycle/cycle_start.h>
 #include <vibrocontact/analyses/limit_cycle/limit_cycle.h>
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/base/matrix_parts.h>
 #include <vibrocontact/base/number_text.h>
 
 #include <chrono>
@@ -51,8 +50,7 @@ namespace vibrocontact
         return;
       }
       if (parameters.n_multipliers > 0)
-        cycle.stability =
-            cycle_stability(map.monodromy(), entries_at(map.rate(), map.lasting_rows()), cycle.period);
+        cycle.stability = cycle_stability(map.monodromy(), map.rate_of_lasting(), cycle.period);
       if (cycle.stability && cycle.stability->trivial_error > most_change_along)
       {
         cycle.converged = false;
@@ -89,9 +87,9 @@ namespace vibrocontact
     try
     {
       const RootMotion motion(map, pair, equilibrium, root);
-      const DenseMatrix linear =
+      const std::unique_ptr<const DenseMatrix> linear =
           linear_cycle(map.one_step(equilibrium, cycle.period / map.n_steps()), map.n_steps());
-      CycleEquations equations(map, map.pack(equilibrium), linear, parameters.tolerance);
+      CycleEquations equations(map, map.pack(equilibrium), *linear, parameters.tolerance);
       NewtonSettings settings;
       settings.max_iterations = parameters.max_newton_iterations;
       // by harmonics or a given motion first, then by motions that go on for a while

@@ -153,6 +153,7 @@ namespace vibrocontact
       TransientParameters steps;
       steps.integrator = parameters.transient.integrator;
       steps.theta = parameters.transient.theta;
+      steps.residual_theta = parameters.transient.residual_theta;
       steps.reaction = parameters.transient.reaction;
       std::vector<Probe> probes = transient_probes(parameters, on.bodies);
       const PairInTime in_time = prepare_pair_in_time(parameters, on.bodies, on.measured);
@@ -338,7 +339,7 @@ namespace vibrocontact
       entries.add("Limit cycle/Basins", "Starts");
       entries.add_if(parameters.limit_cycle.basins.any(), "Limit cycle/Basins/Starts is above 0",
                      "Limit cycle/Basins", "Size, Time step, Longest time, Border");
-      entries.add("Transient", "Integrator, Reaction");
+      entries.add("Transient", "Integrator, Residual theta, Reaction");
       entries.add_if(!parameters.transient.propagates_exactly(), "Transient/Integrator is theta method",
                      "Transient", "Theta");
       entries.add("Transient/Signals", "Probes");

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vibrocontact
 {
@@ -16,7 +17,7 @@ namespace vibrocontact
   StepOnPoints::StepOnPoints(const ContactStepper &stepper, const std::vector<unsigned int> &points)
       : MovingShapes(on_rows(stepper.matrices_of_step(),
                              rows_of_points(stepper.matrices_of_step().contacts.n_points(), points))),
-        points(points)
+        points(points), lead(stepper.matrices_of_step().lead())
   {
     const StepMatrices &matrices = stepper.matrices_of_step();
     const std::vector<unsigned int> rows = rows_of_points(matrices.contacts.n_points(), points);
@@ -30,7 +31,7 @@ namespace vibrocontact
 
   StepDerivative::StepDerivative(const ContactStepper &stepper,
                                  const std::vector<std::complex<double>> &poles,
-                                 const DenseVector &residual_change)
+                                 const DenseVector &residual_rate)
       : stepper(stepper), poles(poles), force_given(stepper.last_problem().force_given())
   {
     const ContactProblem &problem = stepper.last_problem();
@@ -45,7 +46,7 @@ namespace vibrocontact
     J.assemble(response, factors);
     if (problem.friction_law.any(&FrictionLaw::depends_on_speed))
     {
-      take_speed_dependence(residual_change);
+      take_speed_dependence(residual_rate);
       add_speed_dependence(response);
     }
     try
@@ -70,18 +71,18 @@ namespace vibrocontact
     }
   }
 
-  void StepDerivative::take_speed_dependence(const DenseVector &residual_change)
+  void StepDerivative::take_speed_dependence(const DenseVector &residual_rate)
   {
     const ContactProblem &problem = stepper.last_problem();
     const ContactSolution &solution = stepper.last_solution();
-    const unsigned int n_nearby = problem.n_points(), n_of_grid = residual_change.size() / 3;
+    const unsigned int n_nearby = problem.n_points(), n_of_grid = residual_rate.size() / 3;
     for (unsigned int k = 0; k < points.size(); ++k)
     {
       const unsigned int nearby = J.points()[k], point = points[k];
       Vector2 slip;
       for (unsigned int c = 1; c < 3; ++c)
-        slip[c - 1] = solution.y[contact_row(n_nearby, c, nearby)] -
-                      residual_change[contact_row(n_of_grid, c, point)] / stepper.matrices_of_step().step;
+        slip[c - 1] =
+            solution.y[contact_row(n_nearby, c, nearby)] - residual_rate[contact_row(n_of_grid, c, point)];
       by_speed.push_back(speed_dependence(J.rows_of_points()[k], problem.mu[nearby], solution.R[nearby],
                                           problem.friction_law[nearby], slip));
     }
@@ -91,7 +92,6 @@ namespace vibrocontact
   {
     const StepMatrices &matrices = stepper.matrices_of_step();
     const unsigned int m = points.size(), n_of_grid = matrices.contacts.n_points();
-    const double h = matrices.step;
     for (unsigned int column = 0; column < 3 * m; ++column)
       for (unsigned int k = 0; k < m; ++k)
       {
@@ -101,7 +101,7 @@ namespace vibrocontact
                    (response(c * m + k, column) -
                     matrices.residual_flexibility(contact_row(n_of_grid, c, points[k]),
                                                   contact_row(n_of_grid, column / m, points[column % m])) /
-                        h);
+                        matrices.rate_step());
         for (unsigned int d = 0; d < 2; ++d)
           factors((d + 1) * m + k, column) -= by_speed[k].force[d] * speed;
       }
@@ -189,7 +189,7 @@ namespace vibrocontact
   {
     const unsigned int n = on_points->n_points(), n_columns = moved.n(), n_active = active.size(),
                        n_of_grid = stepper.matrices_of_step().contacts.n_points();
-    const double h = stepper.matrices_of_step().step;
+    const StepMatrices &matrices = stepper.matrices_of_step();
     DenseMatrix x(3 * n_active + (force_given ? 1 : 0), n_columns);
     for (unsigned int j = 0; j < n_columns; ++j)
       for (unsigned int k = 0; k < n_active; ++k)
@@ -204,11 +204,12 @@ namespace vibrocontact
             continue;
           if (!by_speed.empty())
             speed += by_speed[k].direction[c - 1] * value;
-          value -= changes.slip_displacement(row - n, j) / h;
+          value -= changes.rate_reference(row - n, j) / matrices.rate_step();
           if (force_given)
             value += on_points->by_approach[row] * changes.approach[j];
           if (change)
-            value -= change->length * ends->residual_change[contact_row(n_of_grid, c, points[k])] / (h * h);
+            value -=
+                change->length * ends->residual_rate[contact_row(n_of_grid, c, points[k])] / matrices.step;
         }
         const auto row = J.apply(k, 0, 0, 0, gap_and_slip[0], gap_and_slip[1], gap_and_slip[2]);
         for (unsigned int c = 0; c < 3; ++c)
@@ -229,11 +230,40 @@ namespace vibrocontact
     }
   }
 
-  void StepDerivative::add_forces(const DenseMatrix &on_shapes, StateChanges &changes) const
+  DenseMatrix StepDerivative::next_reference(DenseMatrix displacement, const DenseMatrix &before) const
   {
+    const double theta = stepper.matrices_of_step().residual_theta;
+    if (theta == 1)
+      return displacement;
+    displacement *= 1 / theta;
+    displacement.add((theta - 1) / theta, before);
+    return displacement;
+  }
+
+  void StepOnPoints::feed(StateChanges &changes) const
+  {
+    const unsigned int n_columns = changes.n_columns(), n_modes = changes.q.m(),
+                       n_poles = changes.poles.m() / 2;
+    changes.modal_force.reinit(n_modes, n_columns);
+    if (n_modes > 0)
+      shapes.amplitudes.Tmmult(changes.modal_force, changes.shape_force);
+    changes.pole_force.reinit(2 * n_poles, n_columns);
+    if (n_poles == 0)
+      return;
+    into_poles.Tmmult(changes.pole_force, changes.shape_force);
+    // the parts stand as 2 Re, -2 Im
+    for (unsigned int j = 0; j < n_columns; ++j)
+      for (unsigned int k = 0; k < n_poles; ++k)
+      {
+        changes.pole_force(k, j) /= 2;
+        changes.pole_force(n_poles + k, j) /= -2;
+      }
+  }
+
+  void StepDerivative::add_forces(StateChanges &changes) const
+  {
+    on_points->feed(changes);
     const std::vector<ModalStep> &steps = stepper.steps_of_modes();
-    if (!steps.empty())
-      on_points->shapes.amplitudes.Tmmult(changes.modal_force, on_shapes);
     for (unsigned int j = 0; j < changes.n_columns(); ++j)
       for (unsigned int k = 0; k < steps.size(); ++k)
       {
@@ -241,16 +271,11 @@ namespace vibrocontact
         changes.v(k, j) += steps[k].g1[1] * changes.modal_force(k, j);
       }
     const unsigned int n = poles.size();
-    if (n > 0)
-      on_points->into_poles.Tmmult(changes.pole_force, on_shapes);
-    for (unsigned int j = 0; j < changes.n_columns() && n > 0; ++j)
+    for (unsigned int j = 0; j < changes.n_columns(); ++j)
       for (unsigned int k = 0; k < n; ++k)
       {
-        // the parts stand as 2 Re, -2 Im
-        double &real = changes.pole_force(k, j), &imaginary = changes.pole_force(n + k, j);
-        real /= 2;
-        imaginary /= -2;
-        const Complex added = stepper.steps_of_poles().now[k] * Complex(real, imaginary);
+        const Complex added =
+            stepper.steps_of_poles().now[k] * Complex(changes.pole_force(k, j), changes.pole_force(n + k, j));
         changes.poles(k, j) += added.real();
         changes.poles(n + k, j) += added.imag();
       }
@@ -264,10 +289,11 @@ namespace vibrocontact
     DenseMatrix moved = product(on_points->by_displacement, displacements(changes));
     on_points->by_velocity.mmult(moved, velocities(changes), true);
     solve_contact(moved, changes, change, ends);
-    changes.slip_displacement = product(on_points->slip_flexibility, changes.R);
-    DenseMatrix on_shapes(on_points->rank(), changes.n_columns());
-    on_points->shapes.basis.Tmmult(on_shapes, changes.R);
-    add_forces(on_shapes, changes);
+    changes.rate_reference =
+        next_reference(product(on_points->slip_flexibility, changes.R), changes.rate_reference);
+    changes.shape_force.reinit(on_points->rank(), changes.n_columns());
+    on_points->shapes.basis.Tmmult(changes.shape_force, changes.R);
+    add_forces(changes);
   }
 
   DenseMatrix StepDerivative::contact_response() const
@@ -278,9 +304,9 @@ namespace vibrocontact
     add_block(moved, on_points->by_displacement, 0, 0);
     add_block(moved, top_left(on_points->by_velocity, 3 * n, n_loaded), 0, rank);
     StateChanges changes;
-    changes.slip_displacement.reinit(2 * n, n_columns);
+    changes.rate_reference.reinit(2 * n, n_columns);
     for (unsigned int i = 0; i < 2 * n; ++i)
-      changes.slip_displacement(i, first + i) = 1;
+      changes.rate_reference(i, first + i) = 1;
     changes.approach.assign(n_columns, 0.);
     changes.approach.back() = 1;
     solve_contact(moved, changes, nullptr, nullptr);
@@ -307,20 +333,22 @@ namespace vibrocontact
       DenseMatrix before(response.n(), n_columns);
       add_block(before, displacements(changes), 0, 0);
       add_block(before, top_left(velocities(changes), n_loaded, n_columns), rank, 0);
-      add_block(before, changes.slip_displacement, rank + n_loaded, 0);
+      add_block(before, changes.rate_reference, rank + n_loaded, 0);
       for (unsigned int j = 0; j < n_columns; ++j)
         before(rank + n_loaded + n_slips, j) = changes.approach[j];
       const DenseMatrix after = product(response, before);
       // the shapes of gradients are not loaded
-      DenseMatrix on_shapes(rank, n_columns);
-      add_block(on_shapes, top_left(after, n_loaded, n_columns), 0, 0);
+      changes.shape_force.reinit(rank, n_columns);
+      add_block(changes.shape_force, top_left(after, n_loaded, n_columns), 0, 0);
+      DenseMatrix displacement(n_slips, n_columns);
       for (unsigned int j = 0; j < n_columns; ++j)
       {
         for (unsigned int i = 0; i < n_slips; ++i)
-          changes.slip_displacement(i, j) = after(n_loaded + i, j);
+          displacement(i, j) = after(n_loaded + i, j);
         changes.approach[j] = after(n_loaded + n_slips, j);
       }
-      add_forces(on_shapes, changes);
+      changes.rate_reference = next_reference(std::move(displacement), changes.rate_reference);
+      add_forces(changes);
     }
   }
 

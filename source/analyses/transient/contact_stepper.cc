@@ -253,7 +253,7 @@ namespace vibrocontact
         problem.b[here] += constant_response[there] + rigid[there];
         if (c > 0)
           problem.b[here] += pair.force_response(there) * (drive.force - state.force) / h -
-                             reference_of_rate(state, there) / matrices.rate_step +
+                             reference_of_rate(state, there) / matrices.rate_step() +
                              by_approach[there] * state.contact.approach;
         else
           problem.b[here] += pair.force_response(there) * drive.force +
@@ -301,7 +301,7 @@ namespace vibrocontact
         {
           const unsigned int there = contact_row(n, c, points[i]);
           slip[c - 1] = now.y[contact_row(m, c, i)] -
-                        (now.y[place[there]] - reference_of_rate(state, there)) / matrices.rate_step;
+                        (now.y[place[there]] - reference_of_rate(state, there)) / matrices.rate_step();
         }
         speeds[i] = std::hypot(slip[0], slip[1]);
       }
@@ -342,7 +342,7 @@ namespace vibrocontact
       state.residual_change[rows[k]] = solution.y[3 * m + k] - displacement_of_row;
       displacement_of_row = solution.y[3 * m + k];
       if (rows[k] >= n)
-        residual_rate[rows[k]] = (displacement_of_row - reference) / matrices.rate_step;
+        residual_rate[rows[k]] = (displacement_of_row - reference) / matrices.rate_step();
     }
     state.residual_rate = residual_rate;
     for (unsigned int c = 1; c < 3; ++c)

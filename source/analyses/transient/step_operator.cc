@@ -64,12 +64,12 @@ namespace vibrocontact
     result.contacts = contacts;
     result.scheme = scheme;
     result.step = h;
-    result.rate_step = residual_theta * h;
+    result.residual_theta = residual_theta;
     result.speed = speed;
     if (body.half_spaces)
     {
       std::vector<double> upstream = scheme.convection(speed, contacts.only().spacing_x);
-      upstream[0] += 1 / result.rate_step;
+      upstream[0] += 1 / result.rate_step();
       result.half_spaces = body.half_spaces;
       result.half_space_response =
           std::make_shared<HalfSpaceOperator>(contacts.only(), body.half_spaces->pair, upstream);
@@ -107,7 +107,7 @@ namespace vibrocontact
     convert_to_slip_rows(contacts, scheme, speed, A);
     for (unsigned int j = 0; j < 3 * n; ++j)
       for (unsigned int i = n; i < 3 * n; ++i)
-        A(i, j) += result.residual_flexibility(i, j) / result.rate_step;
+        A(i, j) += result.residual_flexibility(i, j) / result.rate_step();
     if (result.residual_gradient.m() > 0)
       A.add(speed, result.residual_gradient);
     add_product(result.by_displacement, result.displacement_gain, shapes.basis, A);
@@ -159,7 +159,7 @@ namespace vibrocontact
       transport.emplace_back();
       for (unsigned int k = 0; k < c.size(); ++k)
         transport.back().emplace_back(std::lower_bound(wet.begin(), wet.end(), point - k) - wet.begin(),
-                                      speed_in_spacings * c[k] + (k == 0 ? 1 / matrices.rate_step : 0));
+                                      speed_in_spacings * c[k] + (k == 0 ? 1 / matrices.rate_step() : 0));
     }
 
     rows = nearby;

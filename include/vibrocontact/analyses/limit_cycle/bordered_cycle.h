@@ -2,6 +2,7 @@
 
 #include <vibrocontact/analyses/limit_cycle/cycle_map.h>
 
+#include <memory>
 #include <vector>
 
 namespace vibrocontact
@@ -29,7 +30,8 @@ namespace vibrocontact
     void vmult(DenseVector &to, const DenseVector &from) const;
   };
 
-  /// I - A^n, A: the derivative of one step at the equilibrium (CycleMap::one_step()), n: the steps of a period. So Phi_x would be if
+  /// The factors of I - A^n, A: the derivative of one step at the equilibrium (CycleMap::one_step()), n: the steps of a period. So Phi_x would be if
   /// all points that slide went on to slide. Contact that sticks for a part of the period changes it in few directions.
-  DenseMatrix linear_cycle(const DenseMatrix &step, unsigned int n_steps);
+  /// Where they are, since a copy would have no pivots. @throws ConvergenceError if it is singular
+  std::unique_ptr<const DenseMatrix> linear_cycle(const DenseMatrix &step, unsigned int n_steps);
 } // namespace vibrocontact

@@ -59,7 +59,7 @@ namespace vibrocontact
     std::shared_ptr<CycleAt> at;
     double value;
     const unsigned int n;
-    DenseMatrix linear;
+    std::unique_ptr<const DenseMatrix> linear;
     BranchPlace tangent;
     PlaceSizes sizes = {};
     DenseVector from_rest, start, rest;

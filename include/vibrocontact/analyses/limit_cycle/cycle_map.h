@@ -19,7 +19,8 @@ namespace vibrocontact
   ///
   /// The state is all that the next step depends on, in units of the root of an energy [sqrt(J)]: w q and v of every mode, real and
   /// imaginary parts of the states of the poles, as if these were modes, then s R of the rows of the points that may touch, s^2 the
-  /// flexibility of the row itself. m is fixed, so that h = T / m changes with T.
+  /// flexibility of the row itself. With a residual theta below 1 r / (s w) follows, r the rates of the residual displacements along the
+  /// surface at these points, w the fastest frequency. m is fixed, so that h = T / m changes with T.
   class CycleMap
   {
   public:
@@ -37,7 +38,7 @@ namespace vibrocontact
              std::shared_ptr<const PatchShapes> shapes = nullptr);
 
     const std::vector<unsigned int> &points_that_may_touch() const { return points; }
-    unsigned int size() const { return n_motion() + 3 * points.size(); }
+    unsigned int size() const { return first_rate() + (has_rates() ? 2 * points.size() : 0); }
     /// of these, modes and poles, which stand first
     unsigned int n_motion() const { return 2 * (pair.n_modes() + pair.n_poles()); }
     unsigned int n_steps() const { return m; }
@@ -55,17 +56,18 @@ namespace vibrocontact
     /// Statuses of all points at the ends of the steps of the last march.
     const std::vector<std::vector<ContactStatus>> &statuses() const { return marched.statuses; }
     // of the last march, rate() of any and the others of one that kept its derivatives:
-    /// What changes of the start, one per column, make of the end.
-    DenseMatrix derivative(const DenseMatrix &starts) const;
+    /// What a change of the start makes of the end.
     DenseVector derivative(const DenseVector &start) const;
     /// Derivative of the end by the period [sqrt(J)/s].
     DenseVector by_period() const;
     /// |Phi_x r - r| / |r|, r: Phi_x times rate(). A disturbance along the motion stays what it is, if the steps are short enough.
     double change_along_motion() const;
-    /// Rows of the state that a change is left in after a period: modes, poles, and forces of the points in contact at its end.
-    std::vector<unsigned int> lasting_rows() const;
-    /// The derivative among these rows, square: the monodromy matrix without rows of zeros, which has its eigenvalues but for zeros.
+    /// The derivative by all of the start that the motion depends on and that lasts a period, square. Its eigenvalues are those of the derivative by the
+    /// state, but for zeros: modes and poles as in the state, then of the forces what they do to the shapes, and the references of the rate
+    /// (ContactStepper::reference_of_rate()) of the points in contact at some time of the period.
     DenseMatrix monodromy() const;
+    /// rate() in terms of the monodromy matrix [sqrt(J)/s].
+    DenseVector rate_of_lasting() const;
     /// Mean change of the state over the first and the last step of the last march, over their length [sqrt(J)/s]: how a motion
     /// that repeats itself goes on.
     const DenseVector &rate() const { return mean_rate; }
@@ -85,10 +87,27 @@ namespace vibrocontact
     /// Changes of states, one per column, on the points of a step, and back.
     StateChanges changes_of(const DenseMatrix &x, const StepOnPoints &on) const;
     DenseMatrix packed(const StateChanges &changes, const StepOnPoints &on) const;
-    /// Rows of the state with the forces of some of the points.
+    /// Modes and poles of changes and of the state, n_motion() rows.
+    void set_motion(const DenseMatrix &x, StateChanges &changes) const;
+    void take_motion(const StateChanges &changes, DenseMatrix &x) const;
+    /// The rows of the monodromy matrix.
+    DenseMatrix lasting(const StateChanges &changes) const;
+    StateChanges changes_of_lasting(const DenseMatrix &y) const;
+    /// root_of_flexibility along the surface of the points of a step, 2 n_points [sqrt(m/N)]
+    std::vector<double> roots_along(const StepOnPoints &on) const;
+    bool has_rates() const { return transient.residual_theta < 1; }
+    unsigned int first_rate() const { return n_motion() + 3 * points.size(); }
+    /// Unit of a row of the rates [sqrt(kg)]. @param row of those along the surface, 2 n
+    unsigned int row_along(const unsigned int row) const { return rows[points.size() + row]; }
+    double unit_of_rate(const unsigned int row) const
+    {
+      return 1 / (fastest * root_of_flexibility[points.size() + row]);
+    }
+    /// Rows of the state with the forces and the rates of some of the points.
     std::vector<unsigned int> force_rows(const std::vector<unsigned int> &some) const;
-    /// One column for each of the rows, which are one in it.
-    DenseMatrix unit_starts(const std::vector<unsigned int> &of_rows) const;
+    std::vector<unsigned int> rate_rows(const std::vector<unsigned int> &some) const;
+    /// On the points of a step, 2 n_points [m/s]
+    std::vector<double> rates_in(const DenseVector &x, const StepOnPoints &on) const;
     /// From now on derivatives are on the points in contact at some time of the march.
     void stand_on_loaded_points();
     /// Of the last march. @throws ConvergenceError if one of its steps has none, or nothing was in contact
@@ -108,6 +127,8 @@ namespace vibrocontact
     const unsigned int m;
     /// of amplitudes [1/s], states of poles and forces [sqrt(m/N)]
     std::vector<double> frequency, unit_of_pole, root_of_flexibility;
+    /// of amplitudes and poles [1/s]
+    double fastest = 0;
     /// of loads that stay, on modes and poles
     DenseVector constant_force;
     std::vector<std::complex<double>> constant_feed;

@@ -16,12 +16,13 @@ namespace vibrocontact
     DenseMatrix q, v, modal_force;
     /// states of the poles and what the contact feeds into them, real parts above imaginary ones; 2 n_poles rows each
     DenseMatrix poles, pole_force;
-    /// residual displacements along the surface on the points of StepOnPoints; 2 n_points rows [m]
-    DenseMatrix slip_displacement;
+    /// residual displacements along the surface that the next rate is taken from (ContactStepper::reference_of_rate()), on the points
+    /// of StepOnPoints; 2 n_points rows [m]
+    DenseMatrix rate_reference;
     /// one per column [m]
     std::vector<double> approach;
-    /// forces on those points, of an end alone; 3 n_points rows [N]
-    DenseMatrix R;
+    /// forces on those points, 3 n_points rows, and on the shapes, rank rows, of an end alone [N]
+    DenseMatrix R, shape_force;
 
     unsigned int n_columns() const { return approach.size(); }
   };
@@ -35,11 +36,15 @@ namespace vibrocontact
     DenseMatrix by_poles, into_poles;
     /// residual displacements along the surface by forces; 2 n_points x 3 n_points [m/N]
     DenseMatrix slip_flexibility;
+    /// ContactStepper::reference_of_rate() is ahead of the residual displacement by what the rate makes of it in this time [s]
+    double lead;
     /// rows of gap and slip per approach; 3 n_points [-, 1/s]
     std::vector<double> by_approach;
 
     StepOnPoints(const ContactStepper &stepper, const std::vector<unsigned int> &points);
     unsigned int n_points() const { return points.size(); }
+    /// modal_force and pole_force of changes <- those of their shape_force
+    void feed(StateChanges &changes) const;
   };
 
   /// What a step went through, as far as its length matters in it.
@@ -50,8 +55,8 @@ namespace vibrocontact
     DenseVector modal_force, next_modal_force;
     /// the same of the poles and what is fed into them; n_poles each
     std::vector<std::complex<double>> poles, pole_force, next_pole_force;
-    /// change of the residual displacements over the step; 3 n of the whole grid [m]
-    DenseVector residual_change;
+    /// of the residual displacements, of the step; 3 n of the whole grid [m/s]
+    DenseVector residual_rate;
   };
 
   /// A change of the length of steps, the same in all columns.
@@ -76,10 +81,10 @@ namespace vibrocontact
   {
   public:
     /// Right after stepper.advance(); stepper and poles are referred to.
-    /// @param poles of the pair [1/s] @param residual_change of the residual displacements over the step; 3 n of the whole grid [m]
+    /// @param poles of the pair [1/s] @param residual_rate of the residual displacements, of the step; 3 n of the whole grid [m/s]
     /// @throws ConvergenceError if the Jacobian is singular
     StepDerivative(const ContactStepper &stepper, const std::vector<std::complex<double>> &poles,
-                   const DenseVector &residual_change);
+                   const DenseVector &residual_rate);
 
     /// of the grid, ascending
     const std::vector<unsigned int> &points_in_contact() const { return points; }
@@ -89,11 +94,11 @@ namespace vibrocontact
     /// changes <- those at the end of the step. @param change and ends of a step that becomes longer; null: it does not
     void advance(StateChanges &changes, const LengthChange *change = nullptr,
                  const StepEnds *ends = nullptr) const;
-    /// The same of blocks of columns, by contact_response(): cheaper for more columns than that has. Leaves R as it was.
+    /// The same of blocks of columns, but for R, by contact_response(): cheaper for more columns than that has.
     void advance_many(std::vector<StateChanges> &blocks) const;
 
   private:
-    void take_speed_dependence(const DenseVector &residual_change);
+    void take_speed_dependence(const DenseVector &residual_rate);
     /// Of force columns among the points in contact, into the tangential rows of the Jacobian.
     void add_speed_dependence(const DenseMatrix &response);
     /// q, v and poles at the end of the step, without the forces there.
@@ -104,13 +109,16 @@ namespace vibrocontact
     DenseMatrix velocities(const StateChanges &changes) const;
     /// Of numbers of the modes that of the shapes, which is zero without modes.
     DenseMatrix of_modes(const DenseMatrix &numbers, unsigned int n_columns) const;
+    /// What the next rate is taken from. @param displacement residual ones at the end of the step @param before the last reference
+    DenseMatrix next_reference(DenseMatrix displacement, const DenseMatrix &before) const;
     /// R and approach at the end of the step. @param moved gaps and slips of modes and poles without the forces there; 3 n_points rows
     void solve_contact(const DenseMatrix &moved, StateChanges &changes, const LengthChange *change,
                        const StepEnds *ends) const;
-    /// What forces on the shapes make of modes and poles at the end of the step.
-    void add_forces(const DenseMatrix &on_shapes, StateChanges &changes) const;
+    /// What the forces on the shapes make of modes and poles at the end of the step.
+    void add_forces(StateChanges &changes) const;
     /// What the contact makes of its surroundings. Columns: displacements of the shapes and velocities of the loaded ones, both without the forces at
-    /// the end of the step, slip displacements and approach before it. Rows: forces on the loaded shapes, slip displacements and approach at its end.
+    /// the end of the step, references of the rate and approach before it. Rows: forces on the loaded shapes, residual displacements along the surface and
+    /// approach at its end.
     DenseMatrix contact_response() const;
 
     const ContactStepper &stepper;

@@ -114,7 +114,7 @@ namespace vibrocontact
     /// Residual displacement that the rate of a step is differenced from [m]; of a normal row, which has no rate, itself.
     double reference_of_rate(const DynamicState &state, const unsigned int row) const
     {
-      return state.residual_displacement[row] + (h - matrices.rate_step) * state.residual_rate[row];
+      return state.residual_displacement[row] + matrices.lead() * state.residual_rate[row];
     }
 
     const ContactPair &pair;

@@ -20,8 +20,14 @@ namespace vibrocontact
   {
     PlacedContacts contacts;
     CreepScheme scheme;
-    /// h, residual theta h [s], V [m/s]
-    double step = 0, rate_step = 0, speed = 0;
+    /// h [s], V [m/s]
+    double step = 0, speed = 0;
+    /// see ContactStepper
+    double residual_theta = 1;
+    /// that the rate of residual displacements is differenced over [s]
+    double rate_step() const { return residual_theta * step; }
+    /// and the time for which the last rate is taken to have gone on [s]
+    double lead() const { return (1 - residual_theta) * step; }
     /// W~ over the step (rest_over_step()) [m/N] and the operator A of ContactStepper; 3 n square, empty of half-spaces alone
     DenseMatrix residual_flexibility, response;
     /// half-spaces alone: W~ and A by their kernels; null: by these matrices
@@ -47,7 +53,7 @@ namespace vibrocontact
   /// A of a time step on some points of the grid, from the residual displacements w = W~ R there and upstream
   /// of them and from the few modal numbers c = basis^T R:
   ///
-  ///   gap = w_n + (basis G c)_n,   slip = (V d/dx + 1 / rate_step) w_t + V d/dx (basis G c)_t + (basis H c)_t
+  ///   gap = w_n + (basis G c)_n,   slip = (V d/dx + 1 / rate_step()) w_t + V d/dx (basis G c)_t + (basis H c)_t
   ///
   /// (G, H: the gains of StepMatrices). y has w behind its 3 n_points() rows: who solves for R then has it
   /// too, without a second product.
