@@ -184,7 +184,7 @@ open(checkpoint, "wb").write(content)
 bar.run("later", "--resume")
 bar.check("later")
 
-rolling = Scene("rolling_transient", "Contact/Grid spacing=2e-3", "Transient/Time step=1e-5", "Transient/End time=4e-3")
+rolling = Scene("rolling_transient", "Contact/Grid spacing=2e-3", "Transient/Time step=1e-5", "Transient/End time=4e-3", "Transient/Residual theta=0.6")
 rolling.kill()
 rolling.more_ranks()
 

@@ -50,6 +50,16 @@ namespace vibrocontact
                          " is given" + known + "how it is thrown: leave it out.");
     }
 
+    void check_rate_of_rests(const Parameters &parameters)
+    {
+      for (const BodyParameters &body : parameters.scene.bodies)
+        if (parameters.transient.residual_theta < 1 && body.is_meshed() &&
+            parameters.modes.at(body.name).stiffness_damping > 0)
+          throw InputError("Transient/Residual theta is below 1, but " + body.name +
+                           "/Modes/Stiffness damping is above 0, so that what the modes leave out follows "
+                           "forces with a delay: set one of them back.");
+    }
+
     bool elements_have_mass(const Parameters &parameters)
     {
       if (parameters.transient.is_reduced())
@@ -181,6 +191,7 @@ namespace vibrocontact
     check_perturbed_body(transient, with_modes);
     check_inertia_of_contact(parameters);
     check_thrown_body(transient, bodies[0]);
+    check_rate_of_rests(parameters);
     check_body_known_by_poles(parameters, bodies[0]);
     check_excited_body(transient, bodies[0]);
     check_loaded_start(parameters);

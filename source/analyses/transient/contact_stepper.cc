@@ -88,8 +88,9 @@ namespace vibrocontact
   bool ContactStepper::closes_another(DynamicState &state, const double force)
   {
     if (!solution.converged ||
-        !proximity.another_within(state, state.moved_since_search + 2 * proximity.motion_of_open_points(
-                                                                            state, *step_operator, solution)))
+        !proximity.another_within(
+            state, state.moved_since_search +
+                       proximity.motion_of_others(state, *step_operator, solution, state.gap_speed)))
       return false;
     const std::vector<unsigned int> &points = step_operator->points();
     step_operator->residual_gaps_of_others(solution.R, residual_of_others);
@@ -315,7 +316,12 @@ namespace vibrocontact
     const StepOperator &A = *step_operator;
     const std::vector<unsigned int> &points = A.points(), &rows = A.residual_rows();
     const unsigned int n = pair.n_points(), m = points.size();
-    proximity.end_step(state, A, solution);
+    A.modal_numbers(solution.R, c_n, c_t);
+    add(c_t, c_n);
+    multiply(matrices.velocity_gain, c_n, velocity);
+    DenseVector shape_velocity = free_velocity;
+    add(velocity, shape_velocity);
+    proximity.end_step(state, A, solution, proximity.gap_speed(shape_velocity));
     double rate = 0, error_of_same = 0, error_of_extrapolated = 0;
     for (unsigned int i = 0; i < m; ++i)
       state.contact.status[points[i]] = solution.status[i];
@@ -352,12 +358,9 @@ namespace vibrocontact
         rate += state.R[there] * state.residual_rate[there];
       }
 
-    A.modal_numbers(solution.R, c_n, c_t);
-    add(c_t, c_n);
-    multiply(matrices.velocity_gain, c_n, velocity);
     if (matrices.shapes.rank() > 0)
     {
-      rate += c_t * free_velocity + c_t * velocity;
+      rate += c_t * shape_velocity;
       if (pair.n_modes() > 0)
         matrices.shapes.amplitudes.Tvmult(state.modal_force, c_n);
     }

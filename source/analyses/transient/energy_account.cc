@@ -189,7 +189,7 @@ namespace vibrocontact
     account.transport += h * (before.transport_power + after.transport_power) / 2 + upwind;
     for (unsigned int i = n; i < 3 * n; ++i)
       account.numerical_rate +=
-          h * after.R[i] * after.residual_rate[i] -
+          h * (before.R[i] * before.residual_rate[i] + after.R[i] * after.residual_rate[i]) / 2 -
           (before.R[i] + after.R[i]) / 2 * (after.residual_displacement[i] - before.residual_displacement[i]);
     add_relaxing(account, pair, before, after);
     const double approach = after.contact.approach - before.contact.approach;

@@ -22,6 +22,37 @@ namespace vibrocontact
     constexpr unsigned int steps_of_a_look = 8;
   } // namespace
 
+  Proximity::Proximity(const ContactPair &pair, const StepMatrices &matrices,
+                       const DenseVector &constant_response, const DenseVector &by_approach)
+      : pair(pair), matrices(matrices), constant_response(constant_response), by_approach(by_approach)
+  {
+    const unsigned int n = pair.n_points(), rank = matrices.shapes.rank();
+    if (rank == 0 || n <= always_nearby)
+      return;
+    DenseMatrix gaps(n, rank);
+    for (unsigned int k = 0; k < rank; ++k)
+      for (unsigned int i = 0; i < n; ++i)
+        gaps(i, k) = matrices.shapes.basis(i, k);
+    const PatchShapes of_gaps = patch_shapes(gaps, patch_shape_tolerance);
+    gap_amplitudes = of_gaps.amplitudes;
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      double square = 0;
+      for (unsigned int k = 0; k < of_gaps.rank(); ++k)
+        square += of_gaps.basis(i, k) * of_gaps.basis(i, k);
+      largest_share = std::max(largest_share, std::sqrt(square));
+    }
+  }
+
+  double Proximity::gap_speed(const DenseVector &shape_velocities) const
+  {
+    if (gap_amplitudes.m() == 0)
+      return 0;
+    DenseVector speeds(gap_amplitudes.m());
+    gap_amplitudes.vmult(speeds, shape_velocities);
+    return largest_share * speeds.l2_norm();
+  }
+
   bool Proximity::another_within(const DynamicState &state, const double distance) const
   {
     auto nearby = state.nearby.begin();
@@ -74,6 +105,10 @@ namespace vibrocontact
     };
     set_change(state.force_change, state.residual_change);
     set_change(state.force_change_before, state.residual_change_before);
+    // rows that were not nearby have no rate yet: theirs begins with a backward difference
+    for (unsigned int i = n; i < 3 * n; ++i)
+      if (state.residual_rate[i] == 0)
+        state.residual_rate[i] = state.residual_change[i] / matrices.step;
     std::vector<double> gap(n);
     for (unsigned int i = 0; i < n; ++i)
       gap[i] = gap_at(i, state, state.residual_displacement[i], shapes, state.contact.approach, state.force);
@@ -140,13 +175,22 @@ namespace vibrocontact
     return any_open ? motion : std::numeric_limits<double>::infinity();
   }
 
-  void Proximity::end_step(DynamicState &state, const StepOperator &nearby,
-                           const ContactSolution &solution) const
+  double Proximity::motion_of_others(const DynamicState &state, const StepOperator &nearby,
+                                     const ContactSolution &solution, const double gap_speed) const
   {
+    // what W~ R and the approach add is not much more than where points are nearby
+    return 2 * motion_of_open_points(state, nearby, solution) + 2 * matrices.step * gap_speed;
+  }
+
+  void Proximity::end_step(DynamicState &state, const StepOperator &nearby, const ContactSolution &solution,
+                           const double gap_speed) const
+  {
+    const double before = state.gap_speed == std::numeric_limits<double>::max() ? 0 : state.gap_speed,
+                 motion = motion_of_others(state, nearby, solution, std::max(before, gap_speed));
     // without open points nobody knows how gaps change; a fallback computes W~ R anew, but not its change
-    const double motion = motion_of_open_points(state, nearby, solution);
     const bool unknown = !std::isfinite(motion) || solution.fallbacks > 0;
-    state.moved_since_search += unknown ? 0 : 2 * motion;
+    state.gap_speed = gap_speed;
+    state.moved_since_search += unknown ? 0 : motion;
     state.steps_since_search = unknown ? longest_without_search : state.steps_since_search + 1;
   }
 } // namespace vibrocontact

@@ -35,6 +35,7 @@ namespace vibrocontact
       file("state/roughness", state.roughness);
       file("state/nearby", state.nearby);
       file("state/moved_since_search", state.moved_since_search);
+      file("state/gap_speed", state.gap_speed);
       file("state/steps_since_search", state.steps_since_search);
       ContactSolution &contact = state.contact;
       file("contact/R", contact.R);
@@ -121,7 +122,7 @@ namespace vibrocontact
     }
 
     /// of what is exchanged
-    constexpr int format = 16;
+    constexpr int format = 17;
 
     std::string file_of(const std::string &folder)
     {

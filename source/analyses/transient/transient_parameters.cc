@@ -40,8 +40,7 @@ namespace vibrocontact
     prm.add_parameter(
         "Residual theta", residual_theta,
         "Of the rate of what the modes leave out along the surface: 1, a backward difference, whose error is "
-        "of first "
-        "order; 0.6, a fifth of that error, while what rings falls to 2/3 in a step. Units: none.",
+        "of first order; 0.6, a fifth of that error, while what rings falls to 2/3 in a step. Units: none.",
         Double(0.55, 1));
     prm.add_parameter(
         "Reaction", reaction,

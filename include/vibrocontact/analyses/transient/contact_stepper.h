@@ -51,7 +51,7 @@ namespace vibrocontact
   ///
   ///   r1 = W~ (R1 - R0) / (theta h) - (1 - theta) / theta r0
   ///
-  /// whose error of first order is (theta - 1/2) h times its derivative; what rings falls by (1 - theta) / theta in a step.
+  /// whose error of first order is (theta - 1/2) h times its derivative; what rings is multiplied by (1 - theta) / theta in a step.
   /// Rests that relax take backward differences, beta (r1 - r0) / h + r1 = W R1, so that W~ above is rest_over_step() and b has
   /// what they keep, the sum of beta W s0 / (h + beta).
   ///
@@ -111,7 +111,8 @@ namespace vibrocontact
     void solve_with_modal_slip_in_friction(const DynamicState &state, ContactSolver &solver);
     void take_over(DynamicState &state, const DenseVector &rigid_slip);
 
-    /// Residual displacement that the rate of a step is differenced from [m]; of a normal row, which has no rate, itself.
+    /// w + (1 - theta) h r: residual displacement that the rate of a step is differenced from [m], r1 = (w1 - reference) / (theta h), and so the next
+    /// one w1 / theta - (1 - theta) / theta times this; of a normal row, which has no rate, itself.
     double reference_of_rate(const DynamicState &state, const unsigned int row) const
     {
       return state.residual_displacement[row] + matrices.lead() * state.residual_rate[row];

@@ -4,6 +4,7 @@
 #include <vibrocontact/coupled_bodies/contact_pair.h>
 
 #include <complex>
+#include <limits>
 #include <vector>
 
 namespace vibrocontact
@@ -45,6 +46,9 @@ namespace vibrocontact
     /// how far open points may have moved since the last look at those that are not nearby [m], and the steps since the last search of
     /// all points
     double moved_since_search = 0;
+    /// speed of the gaps by modes and poles that no point exceeds (Proximity::gap_speed()) at the end of the last step; unknown before the first
+    /// [m/s]
+    double gap_speed = std::numeric_limits<double>::max();
     unsigned int steps_since_search = 0;
   };
 

@@ -20,10 +20,7 @@ namespace vibrocontact
     /// @param constant_response gap and slip without forces, 3 n; @param by_approach rows of gap and slip per approach, 3 n; all
     /// are referred to
     Proximity(const ContactPair &pair, const StepMatrices &matrices, const DenseVector &constant_response,
-              const DenseVector &by_approach)
-        : pair(pair), matrices(matrices), constant_response(constant_response), by_approach(by_approach)
-    {
-    }
+              const DenseVector &by_approach);
 
     /// Whether a point that is not nearby had, at the last look, a gap of at most the distance [m].
     bool another_within(const DynamicState &state, double distance) const;
@@ -36,19 +33,28 @@ namespace vibrocontact
     std::vector<unsigned int> closed_others(const DynamicState &state, const StepOperator &nearby,
                                             const DenseVector &residual, const DenseVector &shapes,
                                             double approach, double force) const;
-    /// How far open nearby points move in a step [m]; infinite if there is none. @param solution of the step
-    double motion_of_open_points(const DynamicState &state, const StepOperator &nearby,
-                                 const ContactSolution &solution) const;
-    /// A step is over, whose state still is that of its beginning.
-    void end_step(DynamicState &state, const StepOperator &nearby, const ContactSolution &solution) const;
+    /// No gap changes faster by displacements of the shapes with these velocities [m/s].
+    double gap_speed(const DenseVector &shape_velocities) const;
+    /// How far points that are not nearby move in a step at most [m]; infinite if nobody knows. @param gap_speed at its faster end
+    double motion_of_others(const DynamicState &state, const StepOperator &nearby,
+                            const ContactSolution &solution, double gap_speed) const;
+    /// A step is over, whose state still is that of its beginning. @param gap_speed at its end
+    void end_step(DynamicState &state, const StepOperator &nearby, const ContactSolution &solution,
+                  double gap_speed) const;
 
   private:
     /// Gap of a point [m]. @param force Drive::force; @param residual W~ R there [m]
     double gap_at(unsigned int point, const DynamicState &state, double residual, const DenseVector &shapes,
                   double approach, double force) const;
+    /// How far open nearby points move in a step [m]; infinite if there is none. @param solution of the step
+    double motion_of_open_points(const DynamicState &state, const StepOperator &nearby,
+                                 const ContactSolution &solution) const;
 
     const ContactPair &pair;
     const StepMatrices &matrices;
     const DenseVector &constant_response, &by_approach;
+    /// shapes of the gaps, orthogonal to each other, by those of the step; and the largest that one point has of shapes of unit length
+    DenseMatrix gap_amplitudes;
+    double largest_share = 0;
   };
 } // namespace vibrocontact
