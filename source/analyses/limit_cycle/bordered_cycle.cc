@@ -14,7 +14,7 @@ namespace vibrocontact
     /// GMRES stops at this share of the residual, and gives up after so many products
     constexpr double linear_tolerance = 1e-4;
     constexpr unsigned int most_products = 100;
-    /// added to I - A^n, which is singular where a root neither grows nor decays and the period is its own
+    /// added to I - A^n, so that a motion which nothing moves or damps leaves no pivot of zero
     constexpr double shift = 1e-8;
 
     // what a preconditioner needs no more of
@@ -121,7 +121,7 @@ namespace vibrocontact
     }
     catch (const dealii::LACExceptions::ExcSingular &)
     {
-      throw ConvergenceError("the linear dynamics over a period do not depend on its length or on the value");
+      throw ConvergenceError("the linear dynamics over a period leave further unknowns undetermined");
     }
     catch (const dealii::SolverControl::NoConvergence &)
     {

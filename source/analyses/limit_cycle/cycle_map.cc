@@ -48,6 +48,18 @@ namespace vibrocontact
       return result;
     }
 
+    /// The points that touch at no end of a step.
+    std::vector<unsigned int> always_open(const std::vector<unsigned int> &points,
+                                          const std::vector<std::vector<ContactStatus>> &statuses)
+    {
+      std::vector<unsigned int> result;
+      for (const unsigned int point : points)
+        if (std::all_of(statuses.begin(), statuses.end(),
+                        [&](const auto &status) { return status[point] == ContactStatus::open; }))
+          result.push_back(point);
+      return result;
+    }
+
     DenseVector only_column(const DenseMatrix &matrix)
     {
       return DenseVector(&matrix(0, 0), &matrix(0, 0) + matrix.m());
@@ -316,13 +328,16 @@ namespace vibrocontact
       if (observe)
         observe(state);
     }
-    const DenseVector end = pack(state);
+    DenseVector end = pack(state);
     // a period later the first step follows the last one
     mean_rate = first;
     mean_rate -= x;
     mean_rate += end;
     mean_rate -= last;
     mean_rate /= 2 * h;
+    if (has_rates())
+      for (const unsigned int row : rate_rows(always_open(points, statuses)))
+        end[row] = mean_rate[row] = 0;
     if (keep_derivatives && no_derivative.empty())
       stand_on_loaded_points();
     marched = {period, x, end, keep_derivatives && no_derivative.empty(), std::move(statuses)};

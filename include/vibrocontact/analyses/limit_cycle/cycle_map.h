@@ -20,7 +20,7 @@ namespace vibrocontact
   /// The state is all that the next step depends on, in units of the root of an energy [sqrt(J)]: w q and v of every mode, real and
   /// imaginary parts of the states of the poles, as if these were modes, then s R of the rows of the points that may touch, s^2 the
   /// flexibility of the row itself. With a residual theta below 1 r / (s w) follows, r the rates of the residual displacements along the
-  /// surface at these points, w the fastest frequency. m is fixed, so that h = T / m changes with T.
+  /// surface at those of these points that touch in the period, w the fastest frequency. m is fixed, so that h = T / m changes with T.
   class CycleMap
   {
   public:
@@ -97,7 +97,7 @@ namespace vibrocontact
     std::vector<double> roots_along(const StepOnPoints &on) const;
     bool has_rates() const { return transient.residual_theta < 1; }
     unsigned int first_rate() const { return n_motion() + 3 * points.size(); }
-    /// Unit of a row of the rates [sqrt(kg)]. @param row of those along the surface, 2 n
+    /// Of a row of the rates, 2 n_points, its row on the grid and its unit [sqrt(kg)].
     unsigned int row_along(const unsigned int row) const { return rows[points.size() + row]; }
     double unit_of_rate(const unsigned int row) const
     {

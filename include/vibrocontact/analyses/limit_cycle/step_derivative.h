@@ -109,7 +109,7 @@ namespace vibrocontact
     DenseMatrix velocities(const StateChanges &changes) const;
     /// Of numbers of the modes that of the shapes, which is zero without modes.
     DenseMatrix of_modes(const DenseMatrix &numbers, unsigned int n_columns) const;
-    /// What the next rate is taken from. @param displacement residual ones at the end of the step @param before the last reference
+    /// What the next rate is taken from, w1 / theta - (1 - theta) / theta times the last reference. @param displacement residual ones at the end of the step @param before the last reference
     DenseMatrix next_reference(DenseMatrix displacement, const DenseMatrix &before) const;
     /// R and approach at the end of the step. @param moved gaps and slips of modes and poles without the forces there; 3 n_points rows
     void solve_contact(const DenseMatrix &moved, StateChanges &changes, const LengthChange *change,
