@@ -226,14 +226,10 @@ namespace vibrocontact
       if (!parameters.scene.runs("stability") || !parameters.stability.is_hysteretic())
         return;
       for (const BodyParameters &body : parameters.scene.bodies)
-      {
-        if (!body.is_meshed())
-          continue;
-        if (parameters.modes.at(body.name).stiffness_damping > 0)
+        if (parameters.stiffness_damping(body) > 0)
           throw InputError(body.name + "/Modes/Stiffness damping is viscous, beside which Stability/Loss = "
                                        "hysteretic takes no body of finite elements: leave it out, or set "
                                        "Loss to viscous.");
-      }
     }
 
     /// What Stability/Roots = of body 1 takes.

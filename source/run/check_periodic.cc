@@ -72,8 +72,6 @@ namespace vibrocontact
     /// Bodies whose flexibilities beside their modes relax at several rates go by poles.
     void check_relaxations(const Parameters &parameters)
     {
-      const auto relaxation = [&](const BodyParameters &body)
-      { return body.is_meshed() ? parameters.modes.at(body.name).stiffness_damping : 0.; };
       const auto has_rest = [&](const BodyParameters &body)
       {
         return body.is_meshed() ? parameters.periodic.is_reduced() || body.description->has_massless_points()
@@ -85,11 +83,12 @@ namespace vibrocontact
         const BodyParameters &body = parameters.scene.bodies[b];
         if (!has_rest(body))
           continue;
-        if (with_rest && relaxation(*with_rest) != relaxation(body) &&
+        if (with_rest && parameters.stiffness_damping(*with_rest) != parameters.stiffness_damping(body) &&
             (parameters.periodic.reference || parameters.periodic.continuation.tells_stability()))
           throw InputError("The flexibilities of " + with_rest->name + " and " + body.name +
-                           " beside their modes relax at two rates, " + number_text(relaxation(*with_rest)) +
-                           " and " + number_text(relaxation(body)) + " s, but " +
+                           " beside their modes relax at two rates, " +
+                           number_text(parameters.stiffness_damping(*with_rest)) + " and " +
+                           number_text(parameters.stiffness_damping(body)) + " s, but " +
                            (parameters.periodic.reference ? "Periodic/Reference is true"
                                                           : "Periodic/Continuation/Stability is not none") +
                            ", which knows one: leave it out, or give both the same Modes/Stiffness damping.");
@@ -166,8 +165,7 @@ namespace vibrocontact
           "Periodic/Law to signorini, Stability to none or " +
           parameters.contact().section + "/Friction coefficient to 0.");
     for (const unsigned int b : vibrating)
-      if (tells_stability && rubs && parameters.scene.bodies[b].is_meshed() &&
-          parameters.modes.at(parameters.scene.bodies[b].name).stiffness_damping > 0)
+      if (tells_stability && rubs && parameters.stiffness_damping(parameters.scene.bodies[b]) > 0)
         throw InputError(parameters.scene.bodies[b].name +
                          "/Modes/Stiffness damping is given, but Periodic/Continuation/Stability is not "
                          "computed for friction at points whose flexibility relaxes: leave one of them out.");

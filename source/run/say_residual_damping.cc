@@ -58,8 +58,7 @@ namespace vibrocontact
         const BodyParameters &body = parameters.scene.bodies[one.k];
         // damping of wheels is given by mode
         const double loss = body.description->is_wheel() ? 0 : body.material_loss_factor();
-        const auto modes = parameters.modes.find(body.name);
-        const double beta = modes == parameters.modes.end() ? 0 : modes->second.stiffness_damping;
+        const double beta = parameters.stiffness_damping(body);
         const double taken = relaxes ? one.relaxation : 0;
         bodies.push_back({one.reduced, one.row, beta, loss, taken});
         any = any || beta > 0 || loss > 0;

@@ -107,6 +107,11 @@ namespace vibrocontact
       return std::any_of(contacts.all.begin(), contacts.all.end(),
                          [](const ContactParameters &one) { return one.replaces_flexibility(); });
     }
+    /// Modes/Stiffness damping of a body [s]; 0 of one without elements.
+    double stiffness_damping(const BodyParameters &body) const
+    {
+      return body.is_meshed() ? modes.at(body.name).stiffness_damping : 0.;
+    }
     /// Largest friction coefficient of the contacts [-].
     double largest_friction() const
     {

@@ -83,7 +83,7 @@ namespace vibrocontact
                            ": give both the same, or follow another entry.");
       }
     for (const BodyParameters &body : bodies)
-      if (body.is_meshed() && parameters.modes.at(body.name).stiffness_damping > 0)
+      if (parameters.stiffness_damping(body) > 0)
         throw InputError(body.name +
                          "/Modes/Stiffness damping is above 0, but in limit cycles what the modes leave "
                          "out follows forces at once: set it to 0.");

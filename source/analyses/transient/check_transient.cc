@@ -50,16 +50,6 @@ namespace vibrocontact
                          " is given" + known + "how it is thrown: leave it out.");
     }
 
-    void check_rate_of_rests(const Parameters &parameters)
-    {
-      for (const BodyParameters &body : parameters.scene.bodies)
-        if (parameters.transient.residual_theta < 1 && body.is_meshed() &&
-            parameters.modes.at(body.name).stiffness_damping > 0)
-          throw InputError("Transient/Residual theta is below 1, but " + body.name +
-                           "/Modes/Stiffness damping is above 0, so that what the modes leave out follows "
-                           "forces with a delay: set one of them back.");
-    }
-
     bool elements_have_mass(const Parameters &parameters)
     {
       if (parameters.transient.is_reduced())
@@ -68,6 +58,16 @@ namespace vibrocontact
         if (body.is_meshed() && !body.description->has_massless_points())
           return true;
       return false;
+    }
+
+    /// Whether a body of a contact yields there beside its modes.
+    bool a_body_yields_in(const Parameters &parameters, const unsigned int contact)
+    {
+      const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
+      const auto [above, below] = parameters.bodies_of_contact(contact);
+      const auto yields = [](const BodyParameters &body)
+      { return !body.description->has_rigid_points() && !body.description->is_rigid(); };
+      return yields(bodies[above]) || yields(bodies[below]);
     }
 
     /// The first body whose points have mass in a contact where nothing yields; null: there is none. @param along_surface there, where
@@ -79,14 +79,45 @@ namespace vibrocontact
       for (unsigned int k = 0; k < parameters.contacts.all.size(); ++k)
       {
         const auto [above, below] = parameters.bodies_of_contact(k);
-        const auto yields = [](const BodyParameters &body)
-        { return !body.description->has_rigid_points() && !body.description->is_rigid(); };
         const bool law_yields = !along_surface && !parameters.contacts.all[k].law()->is_rigid();
-        if (law_yields || yields(bodies[above]) || yields(bodies[below]))
+        if (law_yields || a_body_yields_in(parameters, k))
           continue;
         return &bodies[bodies[above].description->has_rigid_points() ? above : below];
       }
       return nullptr;
+    }
+
+    /// Whether a half-space stands for the flexibility of body b beside its modes.
+    bool is_on_half_space(const Parameters &parameters, const unsigned int b)
+    {
+      for (unsigned int k = 0; k < parameters.contacts.all.size(); ++k)
+      {
+        const auto [above, below] = parameters.bodies_of_contact(k);
+        if ((above == b || below == b) && !parameters.contacts.all[k].half_space_flexibility())
+          return false;
+      }
+      return true;
+    }
+
+    /// What Transient/Residual theta is for: a rest that follows forces at once.
+    void check_rate_of_rests(const Parameters &parameters)
+    {
+      if (parameters.transient.residual_theta == 1)
+        return;
+      bool any_rest = false;
+      for (unsigned int k = 0; k < parameters.contacts.all.size() && parameters.transient.is_reduced(); ++k)
+        any_rest = any_rest || a_body_yields_in(parameters, k);
+      if (!any_rest)
+        throw InputError(
+            "Transient/Residual theta is below 1, but no body yields at its contact points beside "
+            "its modes, so that there is no rate to be taken: leave it out.");
+      const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
+      for (unsigned int b = 0; b < bodies.size(); ++b)
+        if ((bodies[b].is_solid() || bodies[b].is_revolved()) && !bodies[b].rolls() &&
+            parameters.stiffness_damping(bodies[b]) > 0 && !is_on_half_space(parameters, b))
+          throw InputError("Transient/Residual theta is below 1, but " + bodies[b].name +
+                           "/Modes/Stiffness damping is above 0, so that what the modes leave out follows "
+                           "forces with a delay: set one of them back.");
     }
 
     /// Reactions of points with mass do not converge with the step.

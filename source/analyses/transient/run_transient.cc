@@ -238,9 +238,9 @@ namespace vibrocontact
     const DriveFunction &drive = hub.drive;
     if (own.residual_theta < 1 && !pair.relaxing.empty())
       throw InputError(
-          "Transient/Residual theta is below 1, but body " + std::to_string(pair.relaxing.front().body) +
-          " leaves a rest that follows forces with a delay: set it to 1, or take a body without its "
-          "damping.");
+          "Transient/Residual theta is below 1, but what the modes of " +
+          parameters.scene.bodies[pair.relaxing.front().body - 1].name +
+          " leave out follows forces with a delay: set it to 1, or take a body without its damping.");
     if (pair.hub)
     {
       for (Probe &probe : probes)
