@@ -319,9 +319,8 @@ namespace vibrocontact
     A.modal_numbers(solution.R, c_n, c_t);
     add(c_t, c_n);
     multiply(matrices.velocity_gain, c_n, velocity);
-    DenseVector shape_velocity = free_velocity;
-    add(velocity, shape_velocity);
-    proximity.end_step(state, A, solution, proximity.gap_speed(shape_velocity));
+    add(free_velocity, velocity);
+    proximity.end_step(state, A, solution, proximity.gap_speed(velocity));
     double rate = 0, error_of_same = 0, error_of_extrapolated = 0;
     for (unsigned int i = 0; i < m; ++i)
       state.contact.status[points[i]] = solution.status[i];
@@ -360,7 +359,7 @@ namespace vibrocontact
 
     if (matrices.shapes.rank() > 0)
     {
-      rate += c_t * shape_velocity;
+      rate += c_t * velocity;
       if (pair.n_modes() > 0)
         matrices.shapes.amplitudes.Tvmult(state.modal_force, c_n);
     }

@@ -22,35 +22,16 @@ namespace vibrocontact
     constexpr unsigned int steps_of_a_look = 8;
   } // namespace
 
-  Proximity::Proximity(const ContactPair &pair, const StepMatrices &matrices,
-                       const DenseVector &constant_response, const DenseVector &by_approach)
-      : pair(pair), matrices(matrices), constant_response(constant_response), by_approach(by_approach)
-  {
-    const unsigned int n = pair.n_points(), rank = matrices.shapes.rank();
-    if (rank == 0 || n <= always_nearby)
-      return;
-    DenseMatrix gaps(n, rank);
-    for (unsigned int k = 0; k < rank; ++k)
-      for (unsigned int i = 0; i < n; ++i)
-        gaps(i, k) = matrices.shapes.basis(i, k);
-    const PatchShapes of_gaps = patch_shapes(gaps, patch_shape_tolerance);
-    gap_amplitudes = of_gaps.amplitudes;
-    for (unsigned int i = 0; i < n; ++i)
-    {
-      double square = 0;
-      for (unsigned int k = 0; k < of_gaps.rank(); ++k)
-        square += of_gaps.basis(i, k) * of_gaps.basis(i, k);
-      largest_share = std::max(largest_share, std::sqrt(square));
-    }
-  }
-
   double Proximity::gap_speed(const DenseVector &shape_velocities) const
   {
-    if (gap_amplitudes.m() == 0)
+    const unsigned int n = pair.n_points();
+    if (n <= always_nearby)
       return 0;
-    DenseVector speeds(gap_amplitudes.m());
-    gap_amplitudes.vmult(speeds, shape_velocities);
-    return largest_share * speeds.l2_norm();
+    DenseVector speed(n);
+    for (unsigned int k = 0; k < shape_velocities.size(); ++k)
+      for (unsigned int i = 0; i < n; ++i)
+        speed[i] += matrices.shapes.basis(i, k) * shape_velocities[k];
+    return speed.linfty_norm();
   }
 
   bool Proximity::another_within(const DynamicState &state, const double distance) const
@@ -185,8 +166,7 @@ namespace vibrocontact
   void Proximity::end_step(DynamicState &state, const StepOperator &nearby, const ContactSolution &solution,
                            const double gap_speed) const
   {
-    const double before = state.gap_speed == std::numeric_limits<double>::max() ? 0 : state.gap_speed,
-                 motion = motion_of_others(state, nearby, solution, std::max(before, gap_speed));
+    const double motion = motion_of_others(state, nearby, solution, std::max(state.gap_speed, gap_speed));
     // without open points nobody knows how gaps change; a fallback computes W~ R anew, but not its change
     const bool unknown = !std::isfinite(motion) || solution.fallbacks > 0;
     state.gap_speed = gap_speed;

@@ -20,7 +20,10 @@ namespace vibrocontact
     /// @param constant_response gap and slip without forces, 3 n; @param by_approach rows of gap and slip per approach, 3 n; all
     /// are referred to
     Proximity(const ContactPair &pair, const StepMatrices &matrices, const DenseVector &constant_response,
-              const DenseVector &by_approach);
+              const DenseVector &by_approach)
+        : pair(pair), matrices(matrices), constant_response(constant_response), by_approach(by_approach)
+    {
+    }
 
     /// Whether a point that is not nearby had, at the last look, a gap of at most the distance [m].
     bool another_within(const DynamicState &state, double distance) const;
@@ -33,7 +36,7 @@ namespace vibrocontact
     std::vector<unsigned int> closed_others(const DynamicState &state, const StepOperator &nearby,
                                             const DenseVector &residual, const DenseVector &shapes,
                                             double approach, double force) const;
-    /// No gap changes faster by displacements of the shapes with these velocities [m/s].
+    /// Fastest change of a gap by displacements of the shapes with these velocities [m/s]; 0 where all points are always nearby.
     double gap_speed(const DenseVector &shape_velocities) const;
     /// How far points that are not nearby move in a step at most [m]; infinite if nobody knows. @param gap_speed at its faster end
     double motion_of_others(const DynamicState &state, const StepOperator &nearby,
@@ -53,8 +56,5 @@ namespace vibrocontact
     const ContactPair &pair;
     const StepMatrices &matrices;
     const DenseVector &constant_response, &by_approach;
-    /// shapes of the gaps, orthogonal to each other, by those of the step; and the largest that one point has of shapes of unit length
-    DenseMatrix gap_amplitudes;
-    double largest_share = 0;
   };
 } // namespace vibrocontact
