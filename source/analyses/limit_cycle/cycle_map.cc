@@ -2,7 +2,6 @@
 #include <vibrocontact/analyses/transient/step_levels.h>
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/base/matrix_parts.h>
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/point_rows.h>
 
@@ -20,16 +19,6 @@ namespace vibrocontact
 
     /// of all forces
     constexpr double contact_tolerance = 1e-13;
-
-    /// Units to a thousandth of the largest.
-    void raise_small(std::vector<double> &units)
-    {
-      double largest = 0;
-      for (const double unit : units)
-        largest = std::max(largest, unit);
-      for (double &unit : units)
-        unit = std::max(unit, 1e-3 * largest);
-    }
 
     std::vector<std::complex<double>> sum(std::vector<std::complex<double>> a,
                                           const std::vector<std::complex<double>> &b)
@@ -79,16 +68,8 @@ namespace vibrocontact
       : transient(transient), contact(contact), solver(solver), pair(pair), drive(drive), approach(approach),
         points(points),
         shapes(shapes ? std::move(shapes) : std::make_shared<const PatchShapes>(shapes_of_steps(pair))),
-        rows(rows_of_points(pair.n_points(), points)), m(n_steps), frequency(pair.omega)
+        coordinates(pair, points, transient.residual_theta < 1), m(n_steps)
   {
-    trace = rows_at(pair.trace, rows);
-    left_parts.reinit(rows.size(), 2 * pair.n_poles());
-    for (unsigned int k = 0; k < pair.n_poles(); ++k)
-      for (unsigned int i = 0; i < rows.size(); ++i)
-      {
-        left_parts(i, k) = pair.left(rows[i], k).real();
-        left_parts(i, pair.n_poles() + k) = pair.left(rows[i], k).imag();
-      }
     AssertThrow(n_motion() > 0 && !points.empty(), dealii::ExcInternalError());
     constant_force.reinit(pair.n_modes());
     for (unsigned int k = 0; k < pair.n_modes(); ++k)
@@ -96,157 +77,15 @@ namespace vibrocontact
                           pair.force_participation(k) * drive.force;
     for (unsigned int k = 0; k < pair.n_poles(); ++k)
       constant_feed.push_back(pair.pole_load[k] + pair.force_into_pole(k) * drive.force);
-    // motions without frequency and rows that hardly yield count as slow and soft ones do
-    for (unsigned int k = 0; k < pair.n_poles(); ++k)
-      unit_of_pole.push_back(2 * std::abs(pair.poles[k]) * amplitude_per_state(pair, k));
-    for (const double omega : frequency)
-      fastest = std::max(fastest, omega);
-    for (const std::complex<double> &pole : pair.poles)
-      fastest = std::max(fastest, std::abs(pole));
-    raise_small(frequency);
-    raise_small(unit_of_pole);
-    for (unsigned int i = 0; i < rows.size(); ++i)
-    {
-      double flexibility = pair.residual(rows[i], rows[i]);
-      for (unsigned int k = 0; k < pair.n_modes(); ++k)
-        flexibility += std::pow(trace(i, k) / frequency[k], 2);
-      for (unsigned int k = 0; k < pair.n_poles(); ++k)
-        flexibility += 2 * std::abs(pair.right(rows[i], k) * pair.left(rows[i], k) / pair.poles[k]);
-      root_of_flexibility.push_back(std::sqrt(flexibility));
-    }
-    raise_small(root_of_flexibility);
-  }
-
-  std::vector<unsigned int> CycleMap::force_rows(const std::vector<unsigned int> &some) const
-  {
-    std::vector<unsigned int> places;
-    for (const unsigned int point : some)
-      places.push_back(std::lower_bound(points.begin(), points.end(), point) - points.begin());
-    std::vector<unsigned int> result = rows_of_points(points.size(), places);
-    for (unsigned int &row : result)
-      row += n_motion();
-    return result;
-  }
-
-  std::vector<unsigned int> CycleMap::rate_rows(const std::vector<unsigned int> &some) const
-  {
-    std::vector<unsigned int> result = force_rows(some);
-    result.erase(result.begin(), result.begin() + some.size());
-    for (unsigned int &row : result)
-      row += first_rate() - n_motion() - points.size();
-    return result;
-  }
-
-  std::vector<double> CycleMap::rates_in(const DenseVector &x, const StepOnPoints &on) const
-  {
-    std::vector<double> rates;
-    for (const unsigned int row : rate_rows(on.points))
-      rates.push_back(x[row] / unit_of_rate(row - first_rate()));
-    return rates;
-  }
-
-  void CycleMap::take_motion(const StateChanges &changes, DenseMatrix &x) const
-  {
-    const unsigned int n_modes = pair.n_modes(), n_poles = pair.n_poles();
-    for (unsigned int j = 0; j < x.n(); ++j)
-    {
-      for (unsigned int k = 0; k < n_modes; ++k)
-      {
-        x(k, j) = frequency[k] * changes.q(k, j);
-        x(n_modes + k, j) = changes.v(k, j);
-      }
-      for (unsigned int k = 0; k < n_poles; ++k)
-      {
-        x(2 * n_modes + k, j) = unit_of_pole[k] * changes.poles(k, j);
-        x(2 * n_modes + n_poles + k, j) = unit_of_pole[k] * changes.poles(n_poles + k, j);
-      }
-    }
-  }
-
-  void CycleMap::set_motion(const DenseMatrix &x, StateChanges &changes) const
-  {
-    const unsigned int n_modes = pair.n_modes(), n_poles = pair.n_poles();
-    changes.q.reinit(n_modes, x.n());
-    changes.v.reinit(n_modes, x.n());
-    changes.poles.reinit(2 * n_poles, x.n());
-    changes.approach.assign(x.n(), 0.);
-    for (unsigned int j = 0; j < x.n(); ++j)
-    {
-      for (unsigned int k = 0; k < n_modes; ++k)
-      {
-        changes.q(k, j) = x(k, j) / frequency[k];
-        changes.v(k, j) = x(n_modes + k, j);
-      }
-      for (unsigned int k = 0; k < n_poles; ++k)
-      {
-        changes.poles(k, j) = x(2 * n_modes + k, j) / unit_of_pole[k];
-        changes.poles(n_poles + k, j) = x(2 * n_modes + n_poles + k, j) / unit_of_pole[k];
-      }
-    }
-  }
-
-  DenseMatrix CycleMap::packed(const StateChanges &changes, const StepOnPoints &on) const
-  {
-    DenseMatrix x(size(), changes.n_columns());
-    take_motion(changes, x);
-    const std::vector<unsigned int> of_forces = force_rows(on.points);
-    for (unsigned int j = 0; j < x.n(); ++j)
-      for (unsigned int i = 0; i < of_forces.size(); ++i)
-        x(of_forces[i], j) = root_of_flexibility[of_forces[i] - n_motion()] * changes.R(i, j);
-    if (!has_rates())
-      return x;
-    const std::vector<unsigned int> of_rates = rate_rows(on.points);
-    const DenseMatrix displacement = product(on.slip_flexibility, changes.R);
-    for (unsigned int j = 0; j < x.n(); ++j)
-      for (unsigned int i = 0; i < of_rates.size(); ++i)
-        x(of_rates[i], j) = unit_of_rate(of_rates[i] - first_rate()) *
-                            (changes.rate_reference(i, j) - displacement(i, j)) / on.lead;
-    return x;
-  }
-
-  DenseVector CycleMap::pack(const DynamicState &state) const
-  {
-    const unsigned int n_modes = pair.n_modes(), n_poles = pair.n_poles();
-    DenseVector x(size());
-    for (unsigned int k = 0; k < n_modes; ++k)
-    {
-      x[k] = frequency[k] * state.q[k];
-      x[n_modes + k] = state.v[k];
-    }
-    for (unsigned int k = 0; k < n_poles; ++k)
-    {
-      x[2 * n_modes + k] = unit_of_pole[k] * state.z[k].real();
-      x[2 * n_modes + n_poles + k] = unit_of_pole[k] * state.z[k].imag();
-    }
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      x[n_motion() + i] = root_of_flexibility[i] * state.R[rows[i]];
-    for (unsigned int i = first_rate(); i < size(); ++i)
-      x[i] = unit_of_rate(i - first_rate()) * state.residual_rate[row_along(i - first_rate())];
-    return x;
   }
 
   DynamicState CycleMap::unpack(const DenseVector &x) const
   {
-    const unsigned int n_modes = pair.n_modes(), n_poles = pair.n_poles();
-    DynamicState state;
-    for (unsigned int k = 0; k < n_modes; ++k)
-    {
-      state.q.push_back(x[k] / frequency[k]);
-      state.v.push_back(x[n_modes + k]);
-    }
-    for (unsigned int k = 0; k < n_poles; ++k)
-      state.z.emplace_back(x[2 * n_modes + k] / unit_of_pole[k],
-                           x[2 * n_modes + n_poles + k] / unit_of_pole[k]);
-    state.R.reinit(3 * pair.n_points());
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      state.R[rows[i]] = x[n_motion() + i] / root_of_flexibility[i];
-    state.contact.approach = approach;
-    state.hub_acceleration = drive.hub_acceleration;
-    state.force = drive.force;
-    complete(pair, {}, state);
-    for (unsigned int i = first_rate(); i < size(); ++i)
-      state.residual_rate[row_along(i - first_rate())] = x[i] / unit_of_rate(i - first_rate());
-    return state;
+    DynamicState held;
+    held.contact.approach = approach;
+    held.hub_acceleration = drive.hub_acceleration;
+    held.force = drive.force;
+    return coordinates.unpack(x, held);
   }
 
   std::unique_ptr<ContactStepper> CycleMap::stepper_of(const double step) const
@@ -335,9 +174,8 @@ namespace vibrocontact
     mean_rate += end;
     mean_rate -= last;
     mean_rate /= 2 * h;
-    if (has_rates())
-      for (const unsigned int row : rate_rows(always_open(points, statuses)))
-        end[row] = mean_rate[row] = 0;
+    for (const unsigned int row : coordinates.rate_rows(always_open(points, statuses)))
+      end[row] = mean_rate[row] = 0;
     if (keep_derivatives && no_derivative.empty())
       stand_on_loaded_points();
     marched = {period, x, end, keep_derivatives && no_derivative.empty(), std::move(statuses)};
@@ -360,34 +198,6 @@ namespace vibrocontact
       step.stand_on(*loaded);
   }
 
-  StateChanges CycleMap::changes_of(const DenseMatrix &x, const StepOnPoints &on) const
-  {
-    const unsigned int n_rows = rows.size(), n_columns = x.n();
-    StateChanges changes;
-    set_motion(x, changes);
-    DenseMatrix R(n_rows, n_columns);
-    for (unsigned int j = 0; j < n_columns; ++j)
-      for (unsigned int i = 0; i < n_rows; ++i)
-        R(i, j) = x(n_motion() + i, j) / root_of_flexibility[i];
-    changes.modal_force.reinit(pair.n_modes(), n_columns);
-    changes.pole_force.reinit(2 * pair.n_poles(), n_columns);
-    if (pair.n_modes() > 0)
-      trace.Tmmult(changes.modal_force, R);
-    if (pair.n_poles() > 0)
-      left_parts.Tmmult(changes.pole_force, R);
-    const std::vector<unsigned int> on_grid = rows_of_points(pair.n_points(), on.points),
-                                    along(on_grid.begin() + on.n_points(), on_grid.end());
-    changes.rate_reference = product(entries_at(pair.residual, along, rows), R);
-    if (!has_rates())
-      return changes;
-    const std::vector<unsigned int> of_rates = rate_rows(on.points);
-    for (unsigned int j = 0; j < n_columns; ++j)
-      for (unsigned int i = 0; i < of_rates.size(); ++i)
-        changes.rate_reference(i, j) +=
-            on.lead * x(of_rates[i], j) / unit_of_rate(of_rates[i] - first_rate());
-    return changes;
-  }
-
   const std::vector<StepDerivative> &CycleMap::derivatives_of_steps() const
   {
     if (!no_derivative.empty())
@@ -402,28 +212,27 @@ namespace vibrocontact
     const std::vector<StepDerivative> &steps = derivatives_of_steps();
     DenseMatrix column(size(), 1);
     std::copy(start.begin(), start.end(), &column(0, 0));
-    StateChanges changes = changes_of(column, *loaded);
+    StateChanges changes = coordinates.changes_of(column, *loaded);
     for (const StepDerivative &step : steps)
       step.advance(changes);
-    return only_column(packed(changes, *loaded));
+    return only_column(coordinates.packed(changes, *loaded));
   }
 
   DenseVector CycleMap::by_period() const
   {
     const std::vector<StepDerivative> &steps = derivatives_of_steps();
-    StateChanges changes = changes_of(DenseMatrix(size(), 1), *loaded);
+    StateChanges changes = coordinates.changes_of(DenseMatrix(size(), 1), *loaded);
     const LengthChange longer = {modes_by_length, poles_by_length, 1. / m};
     const double share = 1. / marched.period;
     // the rates of the state are what they are; the time for which they go on, and over which they are taken, is longer
-    const std::vector<double> rates = has_rates() ? rates_in(marched.start, *loaded) : std::vector<double>();
-    for (unsigned int i = 0; i < rates.size(); ++i)
-      changes.rate_reference(i, 0) += share * loaded->lead * rates[i];
+    const std::vector<double> ahead = coordinates.ahead(marched.start, *loaded);
+    for (unsigned int i = 0; i < ahead.size(); ++i)
+      changes.rate_reference(i, 0) += share * ahead[i];
     for (unsigned int j = 0; j < m; ++j)
       steps[j].advance(changes, &longer, &ends[j]);
-    DenseVector result = only_column(packed(changes, *loaded));
-    if (has_rates())
-      for (const unsigned int row : rate_rows(loaded->points))
-        result[row] -= share * marched.end[row];
+    DenseVector result = only_column(coordinates.packed(changes, *loaded));
+    for (const unsigned int row : coordinates.rate_rows(loaded->points))
+      result[row] -= share * marched.end[row];
     return result;
   }
 
@@ -442,64 +251,20 @@ namespace vibrocontact
     return {pair, contact, drive, at_rest, *shapes, points, n_harmonics, tolerance};
   }
 
-  std::vector<double> CycleMap::roots_along(const StepOnPoints &on) const
-  {
-    std::vector<double> result;
-    for (const unsigned int row : rate_rows(on.points))
-      result.push_back(root_of_flexibility[points.size() + row - first_rate()]);
-    return result;
-  }
-
-  DenseMatrix CycleMap::lasting(const StateChanges &changes) const
-  {
-    const unsigned int n_loaded = loaded->n_loaded, first_reference = n_motion() + n_loaded;
-    const std::vector<double> along = roots_along(*loaded);
-    const double of_shapes = *std::max_element(root_of_flexibility.begin(), root_of_flexibility.end());
-    DenseMatrix y(first_reference + along.size(), changes.n_columns());
-    take_motion(changes, y);
-    for (unsigned int j = 0; j < y.n(); ++j)
-    {
-      for (unsigned int k = 0; k < n_loaded; ++k)
-        y(n_motion() + k, j) = of_shapes * changes.shape_force(k, j);
-      for (unsigned int i = 0; i < along.size(); ++i)
-        y(first_reference + i, j) = changes.rate_reference(i, j) / along[i];
-    }
-    return y;
-  }
-
-  StateChanges CycleMap::changes_of_lasting(const DenseMatrix &y) const
-  {
-    const unsigned int n_loaded = loaded->n_loaded, first_reference = n_motion() + n_loaded;
-    const std::vector<double> along = roots_along(*loaded);
-    const double of_shapes = *std::max_element(root_of_flexibility.begin(), root_of_flexibility.end());
-    StateChanges changes;
-    set_motion(y, changes);
-    changes.shape_force.reinit(loaded->rank(), y.n());
-    changes.rate_reference.reinit(along.size(), y.n());
-    for (unsigned int j = 0; j < y.n(); ++j)
-    {
-      for (unsigned int k = 0; k < n_loaded; ++k)
-        changes.shape_force(k, j) = y(n_motion() + k, j) / of_shapes;
-      for (unsigned int i = 0; i < along.size(); ++i)
-        changes.rate_reference(i, j) = along[i] * y(first_reference + i, j);
-    }
-    loaded->feed(changes);
-    return changes;
-  }
-
   DenseMatrix CycleMap::monodromy() const
   {
     const std::vector<StepDerivative> &steps = derivatives_of_steps();
-    const unsigned int n = n_motion() + loaded->n_loaded + 2 * loaded->n_points();
+    const unsigned int n = coordinates.n_lasting(*loaded);
     n_products += n;
     std::vector<StateChanges> blocks;
     for (unsigned int begin = 0; begin < n; begin += columns_of_block)
-      blocks.push_back(changes_of_lasting(unit_columns(n, begin, std::min(n, begin + columns_of_block))));
+      blocks.push_back(coordinates.changes_of_lasting(
+          unit_columns(n, begin, std::min(n, begin + columns_of_block)), *loaded));
     for (const StepDerivative &step : steps)
       step.advance_many(blocks);
     DenseMatrix result(n, n);
     for (unsigned int k = 0; k < blocks.size(); ++k)
-      add_block(result, lasting(blocks[k]), 0, k * columns_of_block);
+      add_block(result, coordinates.lasting(blocks[k], *loaded), 0, k * columns_of_block);
     return result;
   }
 
@@ -507,14 +272,7 @@ namespace vibrocontact
   {
     DenseMatrix column(size(), 1);
     std::copy(mean_rate.begin(), mean_rate.end(), &column(0, 0));
-    StateChanges changes = changes_of(column, *loaded);
-    const std::vector<unsigned int> of_forces = force_rows(loaded->points);
-    DenseMatrix R(of_forces.size(), 1);
-    for (unsigned int i = 0; i < of_forces.size(); ++i)
-      R(i, 0) = column(of_forces[i], 0) / root_of_flexibility[of_forces[i] - n_motion()];
-    changes.shape_force.reinit(loaded->rank(), 1);
-    loaded->shapes.basis.Tmmult(changes.shape_force, R);
-    return only_column(lasting(changes));
+    return only_column(coordinates.lasting_of(column, *loaded));
   }
 
   DenseMatrix CycleMap::one_step(const DynamicState &from, const double step) const
@@ -526,9 +284,9 @@ namespace vibrocontact
     StepDerivative derivative(*one, pair.poles, state.residual_rate);
     const StepOnPoints on(*one, derivative.points_in_contact());
     derivative.stand_on(on);
-    StateChanges changes = changes_of(unit_columns(size(), 0, size()), on);
+    StateChanges changes = coordinates.changes_of(unit_columns(size(), 0, size()), on);
     derivative.advance(changes);
-    return packed(changes, on);
+    return coordinates.packed(changes, on);
   }
 
   CycleForces forces_of_period(CycleMap &map, const DenseVector &begin, const double period)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/limit_cycle/cycle_balance.h>
-#include <vibrocontact/analyses/limit_cycle/step_derivative.h>
+#include <vibrocontact/analyses/limit_cycle/cycle_coordinates.h>
 #include <vibrocontact/analyses/transient/transient_parameters.h>
 
 #include <functional>
@@ -17,10 +17,7 @@ namespace vibrocontact
 
   /// The march of the transient over one period T in m equal steps, as a map of the state that it starts from, and its derivative.
   ///
-  /// The state is all that the next step depends on, in units of the root of an energy [sqrt(J)]: w q and v of every mode, real and
-  /// imaginary parts of the states of the poles, as if these were modes, then s R of the rows of the points that may touch, s^2 the
-  /// flexibility of the row itself. With a residual theta below 1 r / (s w) follows, r the rates of the residual displacements along the
-  /// surface at those of these points that touch in the period, w the fastest frequency. m is fixed, so that h = T / m changes with T.
+  /// The state is that of CycleCoordinates, with rates if the residual theta is below 1. m is fixed, so that h = T / m changes with T.
   class CycleMap
   {
   public:
@@ -38,13 +35,13 @@ namespace vibrocontact
              std::shared_ptr<const PatchShapes> shapes = nullptr);
 
     const std::vector<unsigned int> &points_that_may_touch() const { return points; }
-    unsigned int size() const { return first_rate() + (has_rates() ? 2 * points.size() : 0); }
+    unsigned int size() const { return coordinates.size(); }
     /// of these, modes and poles, which stand first
-    unsigned int n_motion() const { return 2 * (pair.n_modes() + pair.n_poles()); }
+    unsigned int n_motion() const { return coordinates.n_motion(); }
     unsigned int n_steps() const { return m; }
     /// V [m/s]
     double speed() const { return drive.creepage.speed; }
-    DenseVector pack(const DynamicState &state) const;
+    DenseVector pack(const DynamicState &state) const { return coordinates.pack(state); }
     DynamicState unpack(const DenseVector &x) const;
     /// Whether only the points are loaded. @param R 3 n of the whole grid
     bool are_known(const DenseVector &R) const;
@@ -62,9 +59,8 @@ namespace vibrocontact
     DenseVector by_period() const;
     /// |Phi_x r - r| / |r|, r: Phi_x times rate(). A disturbance along the motion stays what it is, if the steps are short enough.
     double change_along_motion() const;
-    /// The derivative by all of the start that the motion depends on and that lasts a period, square. Its eigenvalues are those of the derivative by the
-    /// state, but for zeros: modes and poles as in the state, then of the forces what they do to the shapes, and the references of the rate
-    /// (ContactStepper::reference_of_rate()) of the points in contact at some time of the period.
+    /// The derivative by all of the start that the motion depends on and that lasts a period (CycleCoordinates), square. Its eigenvalues
+    /// are those of the derivative by the state, but for zeros.
     DenseMatrix monodromy() const;
     /// rate() in terms of the monodromy matrix [sqrt(J)/s].
     DenseVector rate_of_lasting() const;
@@ -84,30 +80,6 @@ namespace vibrocontact
     mutable unsigned long n_products = 0;
 
   private:
-    /// Changes of states, one per column, on the points of a step, and back.
-    StateChanges changes_of(const DenseMatrix &x, const StepOnPoints &on) const;
-    DenseMatrix packed(const StateChanges &changes, const StepOnPoints &on) const;
-    /// Modes and poles of changes and of the state, n_motion() rows.
-    void set_motion(const DenseMatrix &x, StateChanges &changes) const;
-    void take_motion(const StateChanges &changes, DenseMatrix &x) const;
-    /// The rows of the monodromy matrix.
-    DenseMatrix lasting(const StateChanges &changes) const;
-    StateChanges changes_of_lasting(const DenseMatrix &y) const;
-    /// root_of_flexibility along the surface of the points of a step, 2 n_points [sqrt(m/N)]
-    std::vector<double> roots_along(const StepOnPoints &on) const;
-    bool has_rates() const { return transient.residual_theta < 1; }
-    unsigned int first_rate() const { return n_motion() + 3 * points.size(); }
-    /// Of a row of the rates, 2 n_points, its row on the grid and its unit [sqrt(kg)].
-    unsigned int row_along(const unsigned int row) const { return rows[points.size() + row]; }
-    double unit_of_rate(const unsigned int row) const
-    {
-      return 1 / (fastest * root_of_flexibility[points.size() + row]);
-    }
-    /// Rows of the state with the forces and the rates of some of the points.
-    std::vector<unsigned int> force_rows(const std::vector<unsigned int> &some) const;
-    std::vector<unsigned int> rate_rows(const std::vector<unsigned int> &some) const;
-    /// On the points of a step, 2 n_points [m/s]
-    std::vector<double> rates_in(const DenseVector &x, const StepOnPoints &on) const;
     /// From now on derivatives are on the points in contact at some time of the march.
     void stand_on_loaded_points();
     /// Of the last march. @throws ConvergenceError if one of its steps has none, or nothing was in contact
@@ -122,13 +94,8 @@ namespace vibrocontact
     const double approach;
     const std::vector<unsigned int> points;
     const std::shared_ptr<const PatchShapes> shapes;
-    /// on the grid; 3 n_points, by component
-    const std::vector<unsigned int> rows;
+    const CycleCoordinates coordinates;
     const unsigned int m;
-    /// of amplitudes [1/s], states of poles and forces [sqrt(m/N)]
-    std::vector<double> frequency, unit_of_pole, root_of_flexibility;
-    /// of amplitudes and poles [1/s]
-    double fastest = 0;
     /// of loads that stay, on modes and poles
     DenseVector constant_force;
     std::vector<std::complex<double>> constant_feed;
@@ -143,8 +110,6 @@ namespace vibrocontact
     March marched;
     std::unique_ptr<ContactStepper> stepper;
     std::unique_ptr<StepOnPoints> loaded;
-    /// Psi on the rows; left shapes of the poles there, real parts beside imaginary ones
-    DenseMatrix trace, left_parts;
     std::vector<StepDerivative> derivatives;
     /// why they are not there; empty: they are, or were not asked for
     std::string no_derivative;
