@@ -85,22 +85,29 @@ namespace vibrocontact
     problem.b.reinit(step_operator->n_rows());
   }
 
+  void ContactStepper::set_end_of_shapes()
+  {
+    step_operator->modal_numbers(solution.R, c_n, c_t);
+    add(c_t, c_n);
+    multiply(matrices.displacement_gain, c_n, displacement);
+    multiply(matrices.velocity_gain, c_n, velocity);
+    add(free_displacement, displacement);
+    add(free_velocity, velocity);
+  }
+
   bool ContactStepper::closes_another(DynamicState &state, const double force)
   {
-    if (!solution.converged ||
-        !proximity.another_within(
-            state, state.moved_since_search +
-                       proximity.motion_of_others(state, *step_operator, solution, state.gap_speed)))
+    if (step_operator->other_points().empty())
+      return false;
+    proximity.set_gaps(state, displacement, solution.approach, force, gaps);
+    proximity.note_motion(state, *step_operator, solution);
+    if (!solution.converged || !proximity.may_close_another(state, *step_operator, gaps))
       return false;
     const std::vector<unsigned int> &points = step_operator->points();
     step_operator->residual_gaps_of_others(solution.R, residual_of_others);
     add_kept(state, force, step_operator->other_points(), residual_of_others.begin());
-    step_operator->modal_numbers(solution.R, c_n, c_t);
-    add(c_t, c_n);
-    multiply(matrices.displacement_gain, c_n, displacement);
-    add(free_displacement, displacement);
-    std::vector<unsigned int> closed = proximity.closed_others(state, *step_operator, residual_of_others,
-                                                               displacement, solution.approach, force);
+    std::vector<unsigned int> closed =
+        proximity.look_at_others(state, *step_operator, residual_of_others, gaps);
     if (closed.empty())
       return false;
     closed.insert(closed.end(), points.begin(), points.end());
@@ -113,23 +120,6 @@ namespace vibrocontact
     return true;
   }
 
-  void ContactStepper::find_nearby(DynamicState &state)
-  {
-    const bool search_is_due = proximity.search_is_due(state);
-    if (!search_is_due && !proximity.another_within(state, state.moved_since_search))
-      return;
-    set_displacement(state);
-    // what rests keep is not in the forces alone
-    if (!search_is_due && kept.empty())
-    {
-      take_points(state.nearby);
-      proximity.look_at_others(state, *step_operator, displacement);
-      if (!proximity.another_within(state, 0))
-        return;
-    }
-    proximity.search(state, displacement);
-  }
-
   const ContactSolution &ContactStepper::advance(DynamicState &state, const Drive &drive,
                                                  ContactSolver &solver)
   {
@@ -139,10 +129,12 @@ namespace vibrocontact
       state.contact.y.reinit(3 * pair.n_points());
       state.contact.status.assign(pair.n_points(), ContactStatus::open);
     }
-    for (unsigned int i = 0; i < drive.gap.size(); ++i)
-      state.contact.y[i] += drive.gap[i] - (state.roughness.empty() ? 0 : state.roughness[i]);
     state.roughness = drive.gap;
-    find_nearby(state);
+    if (proximity.search_is_due(state))
+    {
+      set_displacement(state);
+      proximity.search(state, displacement);
+    }
 
     const DenseVector rigid = rigid_slip(pair.interface.contacts, scheme, drive.creepage);
     unsigned int iterations = 0;
@@ -156,6 +148,7 @@ namespace vibrocontact
       else
         solver.solve(problem, solution);
       iterations += solution.iterations;
+      set_end_of_shapes();
     } while (closes_another(state, drive.force));
     solution.iterations = iterations;
     take_over(state, rigid);
@@ -316,11 +309,7 @@ namespace vibrocontact
     const StepOperator &A = *step_operator;
     const std::vector<unsigned int> &points = A.points(), &rows = A.residual_rows();
     const unsigned int n = pair.n_points(), m = points.size();
-    A.modal_numbers(solution.R, c_n, c_t);
-    add(c_t, c_n);
-    multiply(matrices.velocity_gain, c_n, velocity);
-    add(free_velocity, velocity);
-    proximity.end_step(state, A, solution, proximity.gap_speed(velocity));
+    proximity.end_step(state, A, solution, gaps);
     double rate = 0, error_of_same = 0, error_of_extrapolated = 0;
     for (unsigned int i = 0; i < m; ++i)
       state.contact.status[points[i]] = solution.status[i];

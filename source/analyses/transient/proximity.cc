@@ -1,6 +1,8 @@
 #include <vibrocontact/analyses/transient/proximity.h>
 #include <vibrocontact/contact/point_rows.h>
 
+#include <deal.II/lac/lapack_templates.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -22,57 +24,25 @@ namespace vibrocontact
     constexpr unsigned int steps_of_a_look = 8;
   } // namespace
 
-  double Proximity::gap_speed(const DenseVector &shape_velocities) const
-  {
-    const unsigned int n = pair.n_points();
-    if (n <= always_nearby)
-      return 0;
-    DenseVector speed(n);
-    for (unsigned int k = 0; k < shape_velocities.size(); ++k)
-      for (unsigned int i = 0; i < n; ++i)
-        speed[i] += matrices.shapes.basis(i, k) * shape_velocities[k];
-    return speed.linfty_norm();
-  }
-
-  bool Proximity::another_within(const DynamicState &state, const double distance) const
-  {
-    auto nearby = state.nearby.begin();
-    for (unsigned int i = 0; i < pair.n_points(); ++i)
-      if (nearby != state.nearby.end() && *nearby == i)
-        ++nearby;
-      else if (state.contact.y[i] <= distance)
-        return true;
-    return false;
-  }
-
   bool Proximity::search_is_due(const DynamicState &state) const
   {
     return state.nearby.empty() || state.steps_since_search >= longest_without_search;
   }
 
-  double Proximity::gap_at(const unsigned int point, const DynamicState &state, const double residual,
-                           const DenseVector &shapes, const double approach, const double force) const
+  void Proximity::set_gaps(const DynamicState &state, const DenseVector &shapes, const double approach,
+                           const double force, DenseVector &gaps) const
   {
-    double gap = constant_response[point] + residual + pair.force_response(point) * force -
-                 approach * by_approach[point];
-    if (!state.roughness.empty())
-      gap += state.roughness[point];
-    for (unsigned int k = 0; k < shapes.size(); ++k)
-      gap += matrices.shapes.basis(point, k) * shapes[k];
-    return gap;
-  }
-
-  void Proximity::look_at_others(DynamicState &state, const StepOperator &nearby,
-                                 const DenseVector &shapes) const
-  {
-    const std::vector<unsigned int> &others = nearby.other_points();
-    DenseVector residual;
-    nearby.residual_gaps_of_others(on_points(state.R, nearby.points()), residual);
-    for (unsigned int i = 0; i < others.size(); ++i)
-      state.contact.y[others[i]] =
-          gap_at(others[i], state, residual[i], shapes, state.contact.approach, state.force);
-    state.moved_since_search = 0;
-    state.steps_since_search += steps_of_a_look;
+    const DenseMatrix &basis = matrices.shapes.basis;
+    gaps.reinit(pair.n_points());
+    for (unsigned int i = 0; i < gaps.size(); ++i)
+      gaps[i] = constant_response[i] + state.residual_displacement[i] + pair.force_response(i) * force -
+                approach * by_approach[i] + (state.roughness.empty() ? 0. : state.roughness[i]);
+    const dealii::types::blas_int n_points = gaps.size(), n_rows = basis.m(), n_shapes = shapes.size(),
+                                  one = 1;
+    const double unit = 1;
+    if (n_shapes > 0)
+      dealii::gemv("N", &n_points, &n_shapes, &unit, &basis(0, 0), &n_rows, shapes.data(), &one, &unit,
+                   gaps.data(), &one);
   }
 
   void Proximity::search(DynamicState &state, const DenseVector &shapes) const
@@ -90,11 +60,10 @@ namespace vibrocontact
     for (unsigned int i = n; i < 3 * n; ++i)
       if (state.residual_rate[i] == 0)
         state.residual_rate[i] = state.residual_change[i] / matrices.step;
-    std::vector<double> gap(n);
-    for (unsigned int i = 0; i < n; ++i)
-      gap[i] = gap_at(i, state, state.residual_displacement[i], shapes, state.contact.approach, state.force);
+    DenseVector gap;
+    set_gaps(state, shapes, state.contact.approach, state.force, gap);
 
-    std::vector<double> sorted(gap);
+    std::vector<double> sorted(gap.begin(), gap.end());
     std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
     const double least = std::max(0., *std::min_element(gap.begin(), gap.end())),
                  threshold = least + nearby_share * std::max(0., sorted[n / 2] - least);
@@ -110,7 +79,6 @@ namespace vibrocontact
     std::vector<unsigned int> found;
     for (unsigned int i = 0; i < n; ++i)
     {
-      state.contact.y[i] = gap[i];
       if (is_nearby(i))
         found.push_back(i);
     }
@@ -125,52 +93,57 @@ namespace vibrocontact
         ++next;
       else
         state.contact.y[n + i] = state.contact.y[2 * n + i] = 0;
-    state.moved_since_search = 0;
+    state.moved_since_look = 0;
     state.steps_since_search = 0;
   }
 
-  std::vector<unsigned int> Proximity::closed_others(const DynamicState &state, const StepOperator &nearby,
-                                                     const DenseVector &residual, const DenseVector &shapes,
-                                                     const double approach, const double force) const
+  void Proximity::note_motion(DynamicState &state, const StepOperator &nearby,
+                              const ContactSolution &solution) const
+  {
+    const std::vector<unsigned int> &rows = nearby.residual_rows();
+    const unsigned int n = nearby.n_points();
+    // forces are at the nearby points, where their own displacement is largest; that of closed ones is what modes leave it, so that
+    // without open ones nobody knows
+    double motion = n == pair.n_points() ? 0 : std::numeric_limits<double>::infinity();
+    for (unsigned int i = 0; i < n; ++i)
+      if (solution.R[i] == 0)
+        motion = 0;
+    for (unsigned int k = 0; k < rows.size(); ++k)
+      motion = std::max(motion, std::abs(solution.y[3 * n + k] - state.residual_displacement[rows[k]]));
+    state.moved_since_look += 2 * motion;
+  }
+
+  bool Proximity::may_close_another(const DynamicState &state, const StepOperator &nearby,
+                                    const DenseVector &gaps) const
+  {
+    const std::vector<unsigned int> &others = nearby.other_points();
+    return std::any_of(others.begin(), others.end(),
+                       [&](const unsigned int i) { return gaps[i] <= state.moved_since_look; });
+  }
+
+  std::vector<unsigned int> Proximity::look_at_others(DynamicState &state, const StepOperator &nearby,
+                                                      const DenseVector &residual, DenseVector &gaps) const
   {
     const std::vector<unsigned int> &others = nearby.other_points();
     std::vector<unsigned int> closed;
     for (unsigned int i = 0; i < others.size(); ++i)
-      if (gap_at(others[i], state, residual[i], shapes, approach, force) < 0)
+    {
+      gaps[others[i]] += residual[i] - state.residual_displacement[others[i]];
+      state.residual_displacement[others[i]] = residual[i];
+      if (gaps[others[i]] < 0)
         closed.push_back(others[i]);
+    }
+    state.moved_since_look = 0;
+    state.steps_since_search += steps_of_a_look;
     return closed;
   }
 
-  double Proximity::motion_of_open_points(const DynamicState &state, const StepOperator &nearby,
-                                          const ContactSolution &solution) const
-  {
-    const std::vector<unsigned int> &points = nearby.points();
-    double motion = 0;
-    bool any_open = points.size() == pair.n_points();
-    for (unsigned int i = 0; i < points.size(); ++i)
-      if (solution.R[i] == 0)
-      {
-        any_open = true;
-        motion = std::max(motion, std::abs(solution.y[i] - state.contact.y[points[i]]));
-      }
-    return any_open ? motion : std::numeric_limits<double>::infinity();
-  }
-
-  double Proximity::motion_of_others(const DynamicState &state, const StepOperator &nearby,
-                                     const ContactSolution &solution, const double gap_speed) const
-  {
-    // what W~ R and the approach add is not much more than where points are nearby
-    return 2 * motion_of_open_points(state, nearby, solution) + 2 * matrices.step * gap_speed;
-  }
-
   void Proximity::end_step(DynamicState &state, const StepOperator &nearby, const ContactSolution &solution,
-                           const double gap_speed) const
+                           const DenseVector &gaps) const
   {
-    const double motion = motion_of_others(state, nearby, solution, std::max(state.gap_speed, gap_speed));
-    // without open points nobody knows how gaps change; a fallback computes W~ R anew, but not its change
-    const bool unknown = !std::isfinite(motion) || solution.fallbacks > 0;
-    state.gap_speed = gap_speed;
-    state.moved_since_search += unknown ? 0 : motion;
-    state.steps_since_search = unknown ? longest_without_search : state.steps_since_search + 1;
+    for (const unsigned int i : nearby.other_points())
+      state.contact.y[i] = gaps[i];
+    // a fallback computes W~ R anew, but not its change
+    state.steps_since_search = solution.fallbacks > 0 ? longest_without_search : state.steps_since_search + 1;
   }
 } // namespace vibrocontact

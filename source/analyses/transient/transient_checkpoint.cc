@@ -34,8 +34,7 @@ namespace vibrocontact
       file("state/transport_power", state.transport_power);
       file("state/roughness", state.roughness);
       file("state/nearby", state.nearby);
-      file("state/moved_since_search", state.moved_since_search);
-      file("state/gap_speed", state.gap_speed);
+      file("state/moved_since_look", state.moved_since_look);
       file("state/steps_since_search", state.steps_since_search);
       ContactSolution &contact = state.contact;
       file("contact/R", contact.R);
@@ -122,7 +121,7 @@ namespace vibrocontact
     }
 
     /// of what is exchanged
-    constexpr int format = 17;
+    constexpr int format = 18;
 
     std::string file_of(const std::string &folder)
     {

@@ -89,13 +89,14 @@ namespace vibrocontact
   private:
     /// displacement <- of the shapes at the beginning of the step
     void set_displacement(const DynamicState &state);
-    /// The nearby points of the step (Proximity).
-    void find_nearby(DynamicState &state);
     /// Adds to displacements at some rows what rests that relax keep of their forces before the step. @param force
     /// Drive::force at its end
     void add_kept(const DynamicState &state, double force, const std::vector<unsigned int> &rows,
                   double *to) const;
-    /// Whether the solution closes points that are not nearby; then they are nearby as well.
+    /// displacement, velocity, c_n and c_t <- those at the end of the step
+    void set_end_of_shapes();
+    /// gaps <- those at the end of the step, whose shapes are set. Whether the solution closes points that are not nearby; then they
+    /// are nearby as well.
     bool closes_another(DynamicState &state, double force);
     /// Operator and friction of the nearby points into the problem.
     void take_points(const std::vector<unsigned int> &points);
@@ -109,6 +110,7 @@ namespace vibrocontact
     void set_problem(const DynamicState &state, const Drive &drive, const DenseVector &rigid_slip);
     /// Solves it with mu at the slip of rolling and modes, without the rate of the residual displacements.
     void solve_with_modal_slip_in_friction(const DynamicState &state, ContactSolver &solver);
+    /// state <- that at the end of the step, whose shapes and gaps are set.
     void take_over(DynamicState &state, const DenseVector &rigid_slip);
 
     /// w + (1 - theta) h r: residual displacement that the rate of a step is differenced from [m], r1 = (w1 - reference) / (theta h), and so the next
@@ -143,10 +145,10 @@ namespace vibrocontact
     DenseVector q, v;
     /// poles without them; n_poles
     std::vector<std::complex<double>> z;
-    /// their shapes, those that forces add, and basis^T R of normal and tangential forces (c_n: also of all);
-    /// rank
+    /// their shapes; those that forces add while the problem is set, at the end of the step all; and basis^T R of normal and
+    /// tangential forces (c_n: also of all); rank
     DenseVector free_displacement, free_velocity, displacement, velocity, c_n, c_t;
-    /// (W~ R)_n of the points that are not nearby
-    DenseVector residual_of_others;
+    /// of the points that are not nearby at the end of the step: gaps, on the whole grid (Proximity::set_gaps()), and (W~ R)_n
+    DenseVector gaps, residual_of_others;
   };
 } // namespace vibrocontact

@@ -4,7 +4,6 @@
 #include <vibrocontact/coupled_bodies/contact_pair.h>
 
 #include <complex>
-#include <limits>
 #include <vector>
 
 namespace vibrocontact
@@ -16,8 +15,8 @@ namespace vibrocontact
     /// modal amplitudes [m sqrt(kg)] and velocities; n_modes
     std::vector<double> q, v;
     /// forces on body 1 [N]; residual displacements, W~ R where nothing relaxes [m], without what the given force answers
-    /// at rest (ContactPair::force_response()), kept at the nearby points and their neighbours up- and downstream;
-    /// 3 n
+    /// at rest (ContactPair::force_response()), kept at the nearby points and their neighbours up- and downstream, the gaps' rows
+    /// of all others as at the last look at them (Proximity); 3 n
     DenseVector R, residual_displacement;
     /// rate of the residual displacements along the surface at the same points, as the last step had it in its slip [m/s]; 3 n
     DenseVector residual_rate;
@@ -37,18 +36,15 @@ namespace vibrocontact
     /// Drive::hub_acceleration and Drive::force at this instant
     double hub_acceleration = 0, force = 0;
     /// how the contact was solved at this instant: status, gap and slip, approach. At points that are not
-    /// nearby, the gap is that of the last look at them (Proximity; roughness kept up to date), the slip is zero.
+    /// nearby, the gap has W~ R of the last look at them (Proximity), the slip is zero.
     ContactSolution contact;
-    /// roughness that the gap holds [m]; n, empty: none
+    /// roughness at the end of the last step [m]; n, empty: none
     std::vector<double> roughness;
     /// points in the contact problem of a step, ascending; empty: to be found
     std::vector<unsigned int> nearby;
-    /// how far open points may have moved since the last look at those that are not nearby [m], and the steps since the last search of
-    /// all points
-    double moved_since_search = 0;
-    /// speed of the gaps by modes and poles that no point exceeds (Proximity::gap_speed()) at the end of the last step; unknown before the first
-    /// [m/s]
-    double gap_speed = std::numeric_limits<double>::max();
+    /// how far W~ R may have moved points that are not nearby since the last look at them [m], and the steps since the last search
+    /// of all points
+    double moved_since_look = 0;
     unsigned int steps_since_search = 0;
   };
 

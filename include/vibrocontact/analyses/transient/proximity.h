@@ -10,10 +10,10 @@ namespace vibrocontact
   /// Which points of the grid enter the contact problem of a step, DynamicState::nearby: those loaded or with a small gap, and what
   /// earlier searches found so as long as these are few.
   ///
-  /// Gaps of the other points are known from the last look at them, in DynamicState::contact. Open nearby points show how far
-  /// gaps have changed since, taken twice: when any other point could have closed, the others are looked at again, and all points
-  /// are searched when one of them is closed, when looks come often, and after some steps in any case, which also computes
-  /// W~ R anew.
+  /// Gaps of the other points follow the shapes and the approach in every step. What W~ R adds is known from the last look at them; the
+  /// nearby points, where the forces are, show how far it has moved since, taken twice. When any other point could have closed, they
+  /// are looked at again, and all points are searched when one of them is closed, when looks come often, and after some
+  /// steps in any case, which also computes W~ R anew.
   class Proximity
   {
   public:
@@ -25,34 +25,26 @@ namespace vibrocontact
     {
     }
 
-    /// Whether a point that is not nearby had, at the last look, a gap of at most the distance [m].
-    bool another_within(const DynamicState &state, double distance) const;
     bool search_is_due(const DynamicState &state) const;
     /// Gaps of all points at the beginning of a step, and from them the nearby ones. @param shapes their amplitudes then
     void search(DynamicState &state, const DenseVector &shapes) const;
-    /// Gaps of the others at the beginning of a step. @param nearby of DynamicState::nearby
-    void look_at_others(DynamicState &state, const StepOperator &nearby, const DenseVector &shapes) const;
-    /// Other points that are closed at the end of a step. @param residual (W~ R)_n of the others [m]
-    std::vector<unsigned int> closed_others(const DynamicState &state, const StepOperator &nearby,
-                                            const DenseVector &residual, const DenseVector &shapes,
-                                            double approach, double force) const;
-    /// Fastest change of a gap by displacements of the shapes with these velocities [m/s]; 0 where all points are always nearby.
-    double gap_speed(const DenseVector &shape_velocities) const;
-    /// How far points that are not nearby move in a step at most [m]; infinite if nobody knows. @param gap_speed at its faster end
-    double motion_of_others(const DynamicState &state, const StepOperator &nearby,
-                            const ContactSolution &solution, double gap_speed) const;
-    /// A step is over, whose state still is that of its beginning. @param gap_speed at its end
+    /// Gaps of the points that are not nearby [m], but for what W~ R has moved since the last look at them. (Those of the nearby points
+    /// have W~ R of the beginning of the step.) @param shapes displacements of the shapes @param force Drive::force
+    void set_gaps(const DynamicState &state, const DenseVector &shapes, double approach, double force,
+                  DenseVector &gaps) const;
+    /// Adds how far W~ R may have moved other points in a step, whose state still is that of its beginning.
+    void note_motion(DynamicState &state, const StepOperator &nearby, const ContactSolution &solution) const;
+    /// Whether other points may be closed. @param gaps set_gaps() at the end of a step whose motion was noted
+    bool may_close_another(const DynamicState &state, const StepOperator &nearby,
+                           const DenseVector &gaps) const;
+    /// Takes W~ R of the other points at the end of a step [m] into account. @return those that are closed
+    std::vector<unsigned int> look_at_others(DynamicState &state, const StepOperator &nearby,
+                                             const DenseVector &residual, DenseVector &gaps) const;
+    /// A step is over. @param gaps of the other points at its end
     void end_step(DynamicState &state, const StepOperator &nearby, const ContactSolution &solution,
-                  double gap_speed) const;
+                  const DenseVector &gaps) const;
 
   private:
-    /// Gap of a point [m]. @param force Drive::force; @param residual W~ R there [m]
-    double gap_at(unsigned int point, const DynamicState &state, double residual, const DenseVector &shapes,
-                  double approach, double force) const;
-    /// How far open nearby points move in a step [m]; infinite if there is none. @param solution of the step
-    double motion_of_open_points(const DynamicState &state, const StepOperator &nearby,
-                                 const ContactSolution &solution) const;
-
     const ContactPair &pair;
     const StepMatrices &matrices;
     const DenseVector &constant_response, &by_approach;
