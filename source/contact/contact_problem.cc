@@ -75,8 +75,7 @@ namespace vibrocontact
 
   ContactResidual::ContactResidual(const ContactProblem &problem, const double tangential_factor)
       : rho_normal(1 / problem.A->mean_diagonal(0)),
-        rho_tangential(tangential_rho(problem, tangential_factor)), tangential_factor(tangential_factor),
-        problem(problem)
+        rho_tangential(tangential_rho(problem, tangential_factor)), problem(problem)
   {
     if (!(rho_normal > 0 && rho_tangential > 0 && std::isfinite(rho_normal) && std::isfinite(rho_tangential)))
     {
@@ -87,21 +86,18 @@ namespace vibrocontact
            << " N s/m; material, load, creepages or spacing of the contact are out of all proportion.";
       throw ConvergenceError(text.str());
     }
-  }
-
-  double ContactResidual::rho_normal_of(const unsigned int point) const
-  {
-    const double compliance = problem.A->diagonal(0, point);
-    return compliance > 0 ? 1 / compliance : rho_normal;
-  }
-
-  double ContactResidual::rho_tangential_of(const unsigned int point) const
-  {
     const unsigned int n_tangential = problem.n_components() - 1;
-    double compliance = 0;
-    for (unsigned int c = 1; c <= n_tangential; ++c)
-      compliance += problem.A->diagonal(c, point);
-    return compliance > 0 ? n_tangential * tangential_factor / compliance : rho_tangential;
+    rho_of_points.reserve(problem.n_points());
+    for (unsigned int i = 0; i < problem.n_points(); ++i)
+    {
+      const double normal = problem.A->diagonal(0, i);
+      double tangential = 0;
+      for (unsigned int c = 1; c <= n_tangential; ++c)
+        tangential += problem.A->diagonal(c, i);
+      rho_of_points.push_back(
+          {normal > 0 ? 1 / normal : rho_normal,
+           tangential > 0 ? n_tangential * tangential_factor / tangential : rho_tangential});
+    }
   }
 
   double ContactResidual::evaluate(const DenseVector &R, const DenseVector &y, DenseVector &projected,

@@ -124,15 +124,21 @@ namespace vibrocontact
                     std::vector<ContactStatus> &status) const;
 
     /// of a point [N/m], [N s/m]
-    double rho_normal_of(unsigned int point) const;
-    double rho_tangential_of(unsigned int point) const;
+    double rho_normal_of(const unsigned int point) const { return rho_of_points[point].normal; }
+    double rho_tangential_of(const unsigned int point) const { return rho_of_points[point].tangential; }
 
     /// those of the mean diagonal, of points without compliance of their own
     const double rho_normal, rho_tangential;
 
   private:
-    const double tangential_factor;
+    struct Rho
+    {
+      double normal, tangential;
+    };
+
     const ContactProblem &problem;
+    /// asked for in every iteration
+    std::vector<Rho> rho_of_points;
   };
 
   /// Points with a force that is not zero.
