@@ -16,14 +16,10 @@ namespace vibrocontact
     const auto place = [&](const unsigned int period)
     { return last - std::size_t(std::llround((result.n_periods - period) * samples)); };
 
-    // vertex of the parabola through an extreme sample and its neighbours
     const auto extreme = [&](const std::size_t i)
     {
       const std::vector<double> &y = signal.values;
-      if (i == 0 || i == last)
-        return y[i];
-      const double slope = (y[i + 1] - y[i - 1]) / 2, bend = y[i + 1] - 2 * y[i] + y[i - 1];
-      return bend == 0 ? y[i] : y[i] - slope * slope / (2 * bend);
+      return i == 0 || i == last ? y[i] : extreme_between_samples(y[i - 1], y[i], y[i + 1]);
     };
     std::vector<double> amplitudes;
     for (unsigned int p = 0; p < result.n_periods; ++p)

@@ -4,6 +4,13 @@
 
 namespace vibrocontact
 {
+  /// Of a largest or smallest sample and its neighbours the vertex of the parabola through them.
+  inline double extreme_between_samples(const double before, const double extreme, const double after)
+  {
+    const double slope = (after - before) / 2, bend = after - 2 * extreme + before;
+    return bend == 0 ? extreme : extreme - slope * slope / (2 * bend);
+  }
+
   /// How steady an oscillation is over its last periods.
   struct CycleMeasure
   {

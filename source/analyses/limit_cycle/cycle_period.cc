@@ -1,4 +1,5 @@
 #include <vibrocontact/analyses/limit_cycle/cycle_period.h>
+#include <vibrocontact/numerics/cycle_measure.h>
 
 #include <algorithm>
 #include <array>
@@ -16,8 +17,14 @@ namespace vibrocontact
 
   double CycleSignal::amplitude() const
   {
+    const std::size_t n = values.size();
+    const auto extreme = [&](const std::size_t i)
+    {
+      return is_smooth ? extreme_between_samples(values[(i + n - 1) % n], values[i], values[(i + 1) % n])
+                       : values[i];
+    };
     const auto [least, largest] = std::minmax_element(values.begin(), values.end());
-    return (*largest - *least) / 2;
+    return (extreme(largest - values.begin()) - extreme(least - values.begin())) / 2;
   }
 
   double CycleSignal::rms() const
@@ -41,7 +48,7 @@ namespace vibrocontact
     period.creepage_power.name = "creepage_power_W";
     period.power_into_body_1.name = "power_into_body_1_W";
     for (const Probe &probe : probes)
-      period.probes.push_back({probe.name + "_velocity_m_s", {}});
+      period.probes.push_back({probe.name + "_velocity_m_s", {}, true});
     return period;
   }
 

@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/periodic/response_curve.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/numerics/cycle_measure.h>
 
 #include <deal.II/base/timer.h>
 
@@ -56,14 +57,10 @@ namespace vibrocontact
         {
           const double *const u = balance.row_samples(p * body.rows_per_point);
           const unsigned int top = std::max_element(u, u + count) - u;
-          double most = u[top];
-          if (balance.trial().n_derivatives() > 0)
-          {
-            const double before = u[(top + count - 1) % count], behind = u[(top + 1) % count],
-                         bend = 2 * most - before - behind;
-            if (bend > 0)
-              most += (behind - before) * (behind - before) / (8 * bend);
-          }
+          const double most =
+              balance.trial().n_derivatives() == 0
+                  ? u[top]
+                  : extreme_between_samples(u[(top + count - 1) % count], u[top], u[(top + 1) % count]);
           result = std::max(result, most - body.gap[p]);
         }
         return result;

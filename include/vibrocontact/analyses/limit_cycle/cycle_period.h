@@ -14,6 +14,8 @@ namespace vibrocontact
     /// with its unit, as column of a table
     std::string name;
     std::vector<double> values;
+    /// without corners, as velocities are and contact forces are not: extremes may lie between samples
+    bool is_smooth = false;
 
     double mean() const;
     /// half the distance from least to largest
