@@ -50,7 +50,8 @@ namespace
       EXPECT_TRUE(found.converged) << found.message;
       EXPECT_TRUE(found.stability && found.stability->is_stable());
       // no other harmonic is in it to first order of the pull, and the velocity is 2
-      return {map.unpack(found.state), root, found.period, found.stability && found.stability->is_unstable()};
+      return {k + 1, map.unpack(found.state), root, found.period,
+              found.stability && found.stability->is_unstable()};
     }
   };
 

@@ -12,9 +12,9 @@ namespace vibrocontact
     /// of a cycle in a motion, to be worth a word
     constexpr double least_part = 0.02;
 
-    Json between_json(const std::array<unsigned int, 2> &between, const std::vector<unsigned int> &numbers)
+    Json between_json(const std::array<unsigned int, 2> &between, const std::vector<CycleOfBasin> &cycles)
     {
-      return {numbers[between[0]], numbers[between[1]]};
+      return {cycles[between[0]].number, cycles[between[1]].number};
     }
 
     double frequency_of(const Json &basins, const Json &number)
@@ -58,13 +58,13 @@ namespace vibrocontact
     }
   } // namespace
 
-  Json path_json(const BasinPath &path, const std::vector<unsigned int> &numbers)
+  Json path_json(const BasinPath &path, const std::vector<CycleOfBasin> &cycles)
   {
-    Json json = {{"between", between_json(path.between, numbers)},
+    Json json = {{"between", between_json(path.between, cycles)},
                  {"share", path.share},
                  {"decided", path.winner.has_value()}};
     if (path.winner)
-      json["winner"] = numbers[*path.winner];
+      json["winner"] = cycles[*path.winner].number;
     if (!path.message.empty())
       json["message"] = path.message;
     json["time_s"] = path.time.empty() ? 0 : path.time.back();
@@ -73,12 +73,12 @@ namespace vibrocontact
     return json;
   }
 
-  Json border_json(const BasinBorder &border, const std::vector<unsigned int> &numbers)
+  Json border_json(const BasinBorder &border, const std::vector<CycleOfBasin> &cycles)
   {
-    return {{"between", between_json(border.between, numbers)},
+    return {{"between", between_json(border.between, cycles)},
             {"from", border.low},
             {"to", border.high},
-            {"winners", between_json(border.winners, numbers)},
+            {"winners", between_json(border.winners, cycles)},
             {"dividing_parts", border.dividing}};
   }
 
@@ -118,11 +118,11 @@ namespace vibrocontact
     return table;
   }
 
-  Table paths_table(const std::vector<BasinPath> &paths, const std::vector<unsigned int> &numbers)
+  Table paths_table(const std::vector<BasinPath> &paths, const std::vector<CycleOfBasin> &cycles)
   {
     std::vector<std::string> columns = {"start", "time_s"};
-    for (const unsigned int number : numbers)
-      columns.push_back("part_of_cycle_" + std::to_string(number));
+    for (const CycleOfBasin &cycle : cycles)
+      columns.push_back("part_of_cycle_" + std::to_string(cycle.number));
     Table table(columns, {"Motions that start between limit cycles, window by window; start: row of "
                           "limit_cycle_basins.csv, from 1 on; time_s: end of the window",
                           "part_of_cycle: velocity of its motion over that of the cycle itself"});

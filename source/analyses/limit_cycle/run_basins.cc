@@ -59,7 +59,7 @@ namespace vibrocontact
   } // namespace
 
   void run_basins(const AnalysisRun &on, const CycleScene &scene, const TransientParameters &steps,
-                  const std::vector<CycleOfBasin> &cycles, const std::vector<unsigned int> &numbers)
+                  const std::vector<CycleOfBasin> &cycles)
   {
     const BasinParameters &own = on.parameters.limit_cycle.basins;
     if (cycles.size() < 2)
@@ -79,7 +79,7 @@ namespace vibrocontact
     {
       BasinMarch march(*window, *scene.pair, scene.at_rest, cycles, own);
       for (unsigned int k = 0; k < cycles.size(); ++k)
-        basins["cycles"].push_back({{"number", numbers[k]},
+        basins["cycles"].push_back({{"number", cycles[k].number},
                                     {"frequency_Hz", 1 / cycles[k].period},
                                     {"velocity_m_s", march.velocities[k]}});
       for (const char *const list : {"starts", "borders"})
@@ -100,12 +100,12 @@ namespace vibrocontact
           {
             print(path, cycles);
             paths.push_back(path);
-            basins["starts"].push_back(path_json(path, numbers));
+            basins["starts"].push_back(path_json(path, cycles));
             if (!path.winner)
               refuse("limit cycle", undecided_text(path, cycles, own), on.results);
           }
           for (const BasinBorder &border : between.borders)
-            basins["borders"].push_back(border_json(border, numbers));
+            basins["borders"].push_back(border_json(border, cycles));
           progress.advance();
         }
         on.save_sometimes();
@@ -120,7 +120,7 @@ namespace vibrocontact
         [&]
         {
           starts_table(basins).write(on.folder + "/limit_cycle_basins.csv");
-          paths_table(paths, numbers).write(on.folder + "/limit_cycle_basin_paths.csv");
+          paths_table(paths, cycles).write(on.folder + "/limit_cycle_basin_paths.csv");
         });
   }
 } // namespace vibrocontact

@@ -198,7 +198,6 @@ namespace vibrocontact
       if (!in_time.wrong.empty())
         refuse("limit cycle", in_time.wrong, on.results);
       std::vector<CycleOfBasin> found;
-      std::vector<unsigned int> numbers;
       Progress progress("limit cycles", std::max<std::size_t>(1, roots.size()));
       const std::size_t n_loaded = loaded_points(at_rest.R, pair.n_points()).size();
       for (std::size_t k = 0; k < roots.size(); ++k)
@@ -242,9 +241,8 @@ namespace vibrocontact
                 cycle_table(*period).write(name + ".csv");
                 harmonics_table(*period, 1 / cycle.period).write(name + "_harmonics.csv");
               });
-          found.push_back({map->unpack(cycle.state), cycle.root, cycle.period,
-                           cycle.stability && cycle.stability->is_unstable()});
-          numbers.push_back(k + 1);
+          found.push_back({static_cast<unsigned int>(k + 1), map->unpack(cycle.state), cycle.root,
+                           cycle.period, cycle.stability && cycle.stability->is_unstable()});
           CycleForces by_steps;
           if (!own.harmonics.empty())
             by_steps = forces_of_period(*map, cycle.state, cycle.period);
@@ -308,7 +306,7 @@ namespace vibrocontact
       if (own.basins.any())
       {
         on.save();
-        run_basins(on, scene, steps, found, numbers);
+        run_basins(on, scene, steps, found);
       }
     }
 

@@ -17,6 +17,8 @@ namespace vibrocontact
   /// A cycle as one that motions start from and go to.
   struct CycleOfBasin
   {
+    /// in the results
+    unsigned int number = 0;
     /// at its begin
     DynamicState state;
     StabilityRoot root;

@@ -10,7 +10,6 @@ namespace vibrocontact
 {
   /// Which of the cycles found motions go to that start between them (Limit cycle/Basins), said start by start, into the object
   /// `limit_cycle_basins` of the results, limit_cycle_basins.csv and limit_cycle_basin_paths.csv. Starts from which none wins are refused.
-  /// @param numbers of the cycles in the results
   void run_basins(const AnalysisRun &on, const CycleScene &scene, const TransientParameters &steps,
-                  const std::vector<CycleOfBasin> &cycles, const std::vector<unsigned int> &numbers);
+                  const std::vector<CycleOfBasin> &cycles);
 } // namespace vibrocontact
