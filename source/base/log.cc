@@ -1,5 +1,6 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/run_communicator.h>
+#include <vibrocontact/base/wall_clock.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -28,11 +29,6 @@ namespace vibrocontact
     {
       return !dealii::Utilities::MPI::job_supports_mpi() ||
              dealii::Utilities::MPI::this_mpi_process(run_communicator()) == 0;
-    }
-
-    double seconds_since(const std::chrono::steady_clock::time_point &begin)
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     }
 
     std::string padded(const std::string &name)
@@ -137,7 +133,7 @@ namespace vibrocontact
     end_block();
     title = new_title;
     heading.clear();
-    block_begin = std::chrono::steady_clock::now();
+    block_begin = WallClock::now();
   }
 
   void Log::end_block()
@@ -266,8 +262,8 @@ namespace vibrocontact
   };
 
   Progress::Progress(const std::string &what, const double n_steps, const double expected)
-      : log(run_log()), what(what), total(n_steps), expected(expected),
-        begin(std::chrono::steady_clock::now()), outer(log.current_progress.exchange(this))
+      : log(run_log()), what(what), total(n_steps), expected(expected), begin(WallClock::now()),
+        outer(log.current_progress.exchange(this))
   {
     if (!is_first_rank())
       return;

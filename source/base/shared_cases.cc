@@ -1,11 +1,11 @@
 #include <vibrocontact/base/failure.h>
 #include <vibrocontact/base/shared_cases.h>
+#include <vibrocontact/base/wall_clock.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 
 namespace vibrocontact
@@ -117,15 +117,15 @@ namespace vibrocontact
     for (unsigned int taken = 0; taken < n_chunks;)
     {
       std::vector<SolvedCase> own;
-      const auto begin = std::chrono::steady_clock::now();
+      const auto begin = WallClock::now();
       unsigned int number = 0, n_solved = 0;
       taken = n_chunks;
       while ((number = counter.advance()) < n_chunks)
       {
         solve_chunk(number, [&](SolvedCase &&solved) { own.push_back(std::move(solved)); });
-        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
         // nothing more to be taken: the others come as well
-        if (is_first && ++n_solved >= chunks_between_meetings && passed.count() > seconds_between_meetings)
+        if (is_first && ++n_solved >= chunks_between_meetings &&
+            seconds_since(begin) > seconds_between_meetings)
           taken = std::min(taken, counter.set(n_chunks));
       }
       std::vector<SolvedCase> all;

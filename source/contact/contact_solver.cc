@@ -1,8 +1,8 @@
 #include <vibrocontact/base/named_table.h>
+#include <vibrocontact/base/wall_clock.h>
 #include <vibrocontact/contact/contact_solver.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -31,9 +31,9 @@ namespace vibrocontact
 
   ContactSolution ContactSolver::solved(const ContactProblem &problem, ContactSolution start)
   {
-    const auto begin = std::chrono::steady_clock::now();
+    const auto begin = WallClock::now();
     solve(problem, start);
-    start.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    start.seconds = seconds_since(begin);
     return start;
   }
 

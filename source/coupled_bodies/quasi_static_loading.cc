@@ -1,11 +1,11 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/base/wall_clock.h>
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/coupled_bodies/quasi_static_loading.h>
 #include <vibrocontact/coupled_bodies/sprung_operator.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace vibrocontact
@@ -211,7 +211,7 @@ namespace vibrocontact
 
   bool LoadedContact::load(const std::array<double, 3> &loads)
   {
-    const auto begin = std::chrono::steady_clock::now();
+    const auto begin = WallClock::now();
     LoadedState next = now;
     next.solves = next.iterations = 0;
     reason.clear();
@@ -227,7 +227,7 @@ namespace vibrocontact
     if (!found)
       return false;
     account(next);
-    next.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    next.seconds = seconds_since(begin);
     now = std::move(next);
     return true;
   }

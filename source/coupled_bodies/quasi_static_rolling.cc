@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/shared_cases.h>
+#include <vibrocontact/base/wall_clock.h>
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/friction_of_speed.h>
 #include <vibrocontact/coupled_bodies/grid_error.h>
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 
 namespace vibrocontact
@@ -221,7 +221,7 @@ namespace vibrocontact
         std::string failure;
         const auto solve_from = [&](ContactSolution state)
         {
-          const auto begin = std::chrono::steady_clock::now();
+          const auto begin = WallClock::now();
           failure.clear();
           try
           {
@@ -235,7 +235,7 @@ namespace vibrocontact
             failure = error.what();
             state = no_solution(problem);
           }
-          state.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+          state.seconds = seconds_since(begin);
           return state;
         };
         ContactSolution solution = solve_from(continues ? last.solution : ContactSolution());

@@ -8,6 +8,7 @@
 #include <vibrocontact/base/memory.h>
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/base/version.h>
+#include <vibrocontact/base/wall_clock.h>
 #include <vibrocontact/output/answers.h>
 #include <vibrocontact/output/figures.h>
 #include <vibrocontact/output/run_record.h>
@@ -24,7 +25,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 
 namespace vibrocontact
@@ -35,13 +35,10 @@ namespace vibrocontact
     class Clock
     {
     public:
-      double seconds() const
-      {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-      }
+      double seconds() const { return seconds_since(begin); }
 
     private:
-      const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+      const WallClock::time_point begin = WallClock::now();
     };
 
     void print_text(const Tables &tables, const CommandLine &command_line)

@@ -3,12 +3,12 @@
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
+#include <vibrocontact/base/wall_clock.h>
 #include <vibrocontact/numerics/least_squares.h>
 #include <vibrocontact/numerics/lsce.h>
 #include <vibrocontact/numerics/vector_fitting.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace vibrocontact
@@ -181,7 +181,7 @@ namespace vibrocontact
     Identification identify_once(const IdentificationParameters &parameters, const Spectra &data,
                                  const EntryMap &map, const std::string &method, const unsigned int n_pairs)
     {
-      const auto begin = std::chrono::steady_clock::now();
+      const auto begin = WallClock::now();
       Identification result;
       result.method = method;
       result.n_asked = n_pairs;
@@ -234,7 +234,7 @@ namespace vibrocontact
         else
           result.errors_before_repair = before.errors;
       }
-      result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      result.seconds = seconds_since(begin);
       return result;
     }
   } // namespace

@@ -4,9 +4,9 @@
 #include <vibrocontact/base/memory.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/run_communicator.h>
+#include <vibrocontact/base/wall_clock.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 namespace vibrocontact
@@ -62,7 +62,7 @@ namespace vibrocontact
     std::vector<BalancedCycle> result;
     for (const unsigned int n_harmonics : parameters.harmonics)
     {
-      const auto begin = std::chrono::steady_clock::now();
+      const auto begin = WallClock::now();
       BalancedCycle one;
       one.n_harmonics = n_harmonics;
       one.message = memory_shortage("harmonic balance with " + std::to_string(n_harmonics) + " harmonics",
@@ -105,7 +105,7 @@ namespace vibrocontact
       {
         one.message = error.what();
       }
-      one.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      one.seconds = seconds_since(begin);
       result.push_back(one);
     }
     return result;

@@ -3,9 +3,9 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/base/wall_clock.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -157,7 +157,7 @@ namespace vibrocontact
 
   BasinPath BasinMarch::follow(const std::array<unsigned int, 2> &between, const double share)
   {
-    const auto begin = std::chrono::steady_clock::now();
+    const auto begin = WallClock::now();
     BasinPath path;
     path.between = between;
     path.share = share;
@@ -182,7 +182,7 @@ namespace vibrocontact
     {
       path.message = error.what();
     }
-    path.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    path.seconds = seconds_since(begin);
     return path;
   }
 

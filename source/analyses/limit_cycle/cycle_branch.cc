@@ -2,10 +2,10 @@
 #include <vibrocontact/analyses/limit_cycle/cycle_branch.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/base/wall_clock.h>
 #include <vibrocontact/numerics/newton_method.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -150,7 +150,7 @@ namespace vibrocontact
       bool correct(const double step, CycleBranchPoint &point, BranchPlace &z, bool &at_limit,
                    unsigned int &iterations, std::string &reason)
       {
-        const auto begin = std::chrono::steady_clock::now();
+        const auto begin = WallClock::now();
         const PlaceSizes in = sizes();
         z = last;
         const BranchPlace secant = in_sizes(way);
@@ -193,7 +193,7 @@ namespace vibrocontact
         cycle.newton_iterations = result.iterations;
         point.value = z[n + 1];
         look_at(equations.last(), point);
-        cycle.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        cycle.seconds = seconds_since(begin);
         return true;
       }
 

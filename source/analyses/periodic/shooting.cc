@@ -1,10 +1,10 @@
 #include <vibrocontact/analyses/periodic/shooting.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/wall_clock.h>
 #include <vibrocontact/numerics/least_squares.h>
 #include <vibrocontact/numerics/newton_method.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -13,13 +13,6 @@ namespace vibrocontact
 {
   namespace
   {
-    using Clock = std::chrono::steady_clock;
-
-    double since(const Clock::time_point begin)
-    {
-      return std::chrono::duration<double>(Clock::now() - begin).count();
-    }
-
     std::vector<double> difference(const std::vector<double> &a, const std::vector<double> &b)
     {
       std::vector<double> d(a.size());
@@ -162,7 +155,7 @@ namespace vibrocontact
                          const std::vector<double> &start, const double tolerance,
                          const unsigned int max_iterations)
   {
-    const Clock::time_point begin = Clock::now();
+    const WallClock::time_point begin = WallClock::now();
     ShootingSolution solution;
     solution.phase = phase;
     solution.state = start;
@@ -192,7 +185,7 @@ namespace vibrocontact
     map->integrate(solution.orbit, [&](const double weight, const MotionSample &s)
                    { squares += weight * s.energy * s.energy; });
     solution.energy_norm = std::sqrt(squares / map->period());
-    solution.seconds = since(begin);
+    solution.seconds = seconds_since(begin);
     return solution;
   }
 
@@ -200,7 +193,7 @@ namespace vibrocontact
                          const HarmonicForce &force, const ShootingSettings &settings,
                          const ShootingStart &start)
   {
-    const Clock::time_point begin = Clock::now();
+    const WallClock::time_point begin = WallClock::now();
     const bool doubles = settings.n_steps == 0;
     unsigned int n_steps = doubles ? first_steps(body, law, force) : settings.n_steps;
     double accuracy = 1e-9;
@@ -251,7 +244,7 @@ namespace vibrocontact
       if (n_steps > 1u << 18)
         throw ConvergenceError("The time reference did not converge under refinement of its steps.");
     }
-    solution.seconds = since(begin);
+    solution.seconds = seconds_since(begin);
     return solution;
   }
 

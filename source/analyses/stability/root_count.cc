@@ -1,13 +1,13 @@
 #include <vibrocontact/analyses/stability/root_count.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/base/wall_clock.h>
 #include <vibrocontact/coupled_bodies/contact_receptance.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/lac/lapack_templates.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 
@@ -141,7 +141,7 @@ namespace vibrocontact
         throw InputError("Stability/Second count needs modes with damping, but " + pair.labels[k] +
                          " has none: give the body a loss factor, or set it to false.");
     }
-    const auto begin = std::chrono::steady_clock::now();
+    const auto begin = WallClock::now();
     RootCount result;
     const ContactReceptance F(pair, scheme, equilibrium, loss);
     double turn =
@@ -151,7 +151,7 @@ namespace vibrocontact
     const double winding = turn / (loss ? 2 * dealii::numbers::PI : dealii::numbers::PI);
     result.unstable = std::lround(winding);
     result.remainder = winding - result.unstable;
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result.seconds = seconds_since(begin);
     return result;
   }
 } // namespace vibrocontact

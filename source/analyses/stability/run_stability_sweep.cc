@@ -10,13 +10,13 @@
 #include <vibrocontact/base/failure.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/run_communicator.h>
+#include <vibrocontact/base/wall_clock.h>
 #include <vibrocontact/run/say_residual_damping.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <functional>
 #include <map>
@@ -73,11 +73,10 @@ namespace vibrocontact
 
       SolvedCase solve(const SweepCase &one)
       {
-        const auto begin = std::chrono::steady_clock::now();
+        const auto begin = WallClock::now();
         SolvedCase solved = equilibrium;
         solved.result.roots = variants->roots(one.parameters().scene.bodies[0]);
-        solved.result.seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        solved.result.seconds = seconds_since(begin);
         return solved;
       }
     };

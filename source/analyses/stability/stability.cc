@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/stability/stability.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/wall_clock.h>
 #include <vibrocontact/coupled_bodies/exact_roots.h>
 #include <vibrocontact/coupled_bodies/inertial_contact.h>
 #include <vibrocontact/coupled_bodies/suspended_pair.h>
@@ -7,7 +8,6 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace vibrocontact
 {
@@ -246,13 +246,13 @@ namespace vibrocontact
     const ContactPair &moving = suspended ? *suspended : pair;
     const auto linearise = [&](StabilityResult &&result, const RollingEquilibrium &about)
     {
-      const auto begin = std::chrono::steady_clock::now();
+      const auto begin = WallClock::now();
       result.suspended = suspended;
       result.roots =
           roots_about ? roots_about(about) : all_roots(moving, scheme, about, parameters.options(), loss);
       if (result.roots.empty())
         throw ConvergenceError("No root of the linearised contact oscillates or grows: keep more modes.");
-      result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      result.seconds = seconds_since(begin);
       if (parameters.second_count)
         result.second_count = count_unstable_roots(pair, scheme, about, result.roots, loss);
       if (parameters.upper_frequency > 0)

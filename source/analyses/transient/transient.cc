@@ -3,12 +3,12 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/label_text.h>
 #include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/base/wall_clock.h>
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/friction_of_speed.h>
 #include <vibrocontact/numerics/doubled_step.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <sstream>
@@ -249,11 +249,6 @@ namespace vibrocontact
 
   namespace
   {
-    double seconds_since(const std::chrono::steady_clock::time_point &begin)
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    }
-
     /// What the time scheme took from the modes or gave them, as a relative error of velocities and forces: half of its
     /// share in the energy that there was [-]. A scheme that damps as it steps is seen here where two steps agree by far
     /// too little of it (the fronts that theta = 1 wipes out at any step).
@@ -345,7 +340,7 @@ namespace vibrocontact
 
   void TransientMarch::follow()
   {
-    const auto begin = std::chrono::steady_clock::now();
+    const auto begin = WallClock::now();
     Companion &run = *companion;
     while (run.sums.converged && !coarse->is_over() && run.state.time < sums.time * (1 - 1e-12))
       coarse->step();
@@ -377,7 +372,7 @@ namespace vibrocontact
 
   void TransientMarch::advance_part(const unsigned int n_steps)
   {
-    const auto begin = std::chrono::steady_clock::now();
+    const auto begin = WallClock::now();
     const double before = sums.seconds;
     prepare();
     const double estimate_before = companion ? companion->errors.seconds : 0;
