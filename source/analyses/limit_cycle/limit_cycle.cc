@@ -4,21 +4,14 @@
 #include <vibrocontact/analyses/limit_cycle/limit_cycle.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/base/wall_clock.h>
 
-#include <chrono>
 #include <cmath>
 
 namespace vibrocontact
 {
   namespace
   {
-    using Clock = std::chrono::steady_clock;
-
-    double seconds_since(const Clock::time_point begin)
-    {
-      return std::chrono::duration<double>(Clock::now() - begin).count();
-    }
-
     /// periods that are marched where Newton's method led nowhere, before it begins again
     constexpr unsigned int periods_between[] = {0, 12, 36, 108};
     /// what is left of a change over a period where rounding may be the reason
@@ -35,7 +28,7 @@ namespace vibrocontact
 
   void judge_cycle(CycleMap &map, const LimitCycleParameters &parameters, LimitCycle &cycle)
   {
-    const auto begin = Clock::now();
+    const auto begin = WallClock::now();
     cycle.message.clear();
     try
     {
@@ -73,7 +66,7 @@ namespace vibrocontact
                               const StabilityRoot &root, const LimitCycleParameters &parameters,
                               const DynamicState *const from)
   {
-    const auto begin = Clock::now();
+    const auto begin = WallClock::now();
     LimitCycle cycle;
     cycle.root = root;
     cycle.n_steps = map.n_steps();
@@ -84,6 +77,11 @@ namespace vibrocontact
                       number_text(cycle.period) + " s: take a shorter one";
       return cycle;
     }
+    // who starts from a motion knows more of it
+    const std::string where_else =
+        from ? ""
+             : " (shorter steps may lead elsewhere, or the motion that a transient ends with: Limit "
+               "cycle/Start)";
     try
     {
       const RootMotion motion(map, pair, equilibrium, root);
@@ -118,7 +116,7 @@ namespace vibrocontact
         if (cycle.converged && motion.velocity_in(cycle.state) < 1e-3 * start->velocity)
         {
           cycle.converged = false;
-          cycle.message = "Newton's method led to the equilibrium";
+          cycle.message = "Newton's method led to the equilibrium" + where_else;
         }
         else if (!cycle.converged)
           cycle.message =
@@ -127,7 +125,7 @@ namespace vibrocontact
               (result.iterations == settings.max_iterations
                    ? " after as many iterations as Limit cycle/Max Newton iterations allows"
                : cycle.residual < nearly_closed ? ", near what rounding permits: raise Limit cycle/Tolerance"
-                                                : "") +
+                                                : where_else) +
               (equations.failure.empty() ? "" : ": " + equations.failure);
         if (cycle.converged)
           break;
