@@ -139,14 +139,6 @@ namespace vibrocontact
     return result;
   }
 
-  std::vector<double> CycleCoordinates::ahead(const DenseVector &x, const StepOnPoints &on) const
-  {
-    std::vector<double> result;
-    for (const unsigned int row : rate_rows(on.points))
-      result.push_back(on.lead * x[row] / units[row]);
-    return result;
-  }
-
   void CycleCoordinates::take_motion(const StateChanges &changes, DenseMatrix &x) const
   {
     add_block(x, changes.q, 0, 0);

@@ -221,17 +221,18 @@ namespace vibrocontact
   DenseVector CycleMap::by_period() const
   {
     const std::vector<StepDerivative> &steps = derivatives_of_steps();
-    StateChanges changes = coordinates.changes_of(DenseMatrix(size(), 1), *loaded);
     const LengthChange longer = {modes_by_length, poles_by_length, 1. / m};
     const double share = 1. / marched.period;
-    // the rates of the state are what they are; the time for which they go on, and over which they are taken, is longer
-    const std::vector<double> ahead = coordinates.ahead(marched.start, *loaded);
-    for (unsigned int i = 0; i < ahead.size(); ++i)
-      changes.rate_reference(i, 0) += share * ahead[i];
+    const std::vector<unsigned int> of_rates = coordinates.rate_rows(loaded->points);
+    // the rates of the state are what they are, but go on for longer: as larger ones would; and they are taken over a longer time
+    DenseMatrix column(size(), 1);
+    for (const unsigned int row : of_rates)
+      column(row, 0) = share * marched.start[row];
+    StateChanges changes = coordinates.changes_of(column, *loaded);
     for (unsigned int j = 0; j < m; ++j)
       steps[j].advance(changes, &longer, &ends[j]);
     DenseVector result = only_column(coordinates.packed(changes, *loaded));
-    for (const unsigned int row : coordinates.rate_rows(loaded->points))
+    for (const unsigned int row : of_rates)
       result[row] -= share * marched.end[row];
     return result;
   }

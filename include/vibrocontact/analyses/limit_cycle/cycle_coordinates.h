@@ -30,8 +30,6 @@ namespace vibrocontact
     DynamicState unpack(const DenseVector &x, DynamicState held) const;
     /// Rows of the state with the rates of some of the points; none without rates.
     std::vector<unsigned int> rate_rows(const std::vector<unsigned int> &some) const;
-    /// How far references of the rate are ahead of residual displacements, on the points of a step; none without rates [m].
-    std::vector<double> ahead(const DenseVector &x, const StepOnPoints &on) const;
 
     /// Changes of states, one per column, on the points of a step, and back.
     StateChanges changes_of(const DenseMatrix &x, const StepOnPoints &on) const;
