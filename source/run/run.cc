@@ -31,16 +31,6 @@ namespace vibrocontact
 {
   namespace
   {
-    /// What the run has taken so far.
-    class Clock
-    {
-    public:
-      double seconds() const { return seconds_since(begin); }
-
-    private:
-      const WallClock::time_point begin = WallClock::now();
-    };
-
     void print_text(const Tables &tables, const CommandLine &command_line)
     {
       const std::string text =
@@ -70,12 +60,13 @@ namespace vibrocontact
     /// @param resume whether an earlier run in the folder is continued
     void run_analyses(const Tables &tables, const Parameters &parameters, const MeshedBodies &bodies,
                       const std::optional<MeasuredData> &measured, const std::vector<SweepCases> &sweeps,
-                      RunRecord &record, Results &results, const bool resume, const Clock &clock)
+                      RunRecord &record, Results &results, const bool resume,
+                      const WallClock::time_point begin)
     {
       const auto save = [&]
       {
         results.reductions = reductions_json(bodies);
-        record.save(results, clock.seconds());
+        record.save(results, seconds_since(begin));
       };
       const SweepCases nothing_swept;
       for (const Analysis &analysis : tables.analyses)
@@ -99,7 +90,7 @@ namespace vibrocontact
                              resume,
                              results,
                              save,
-                             [&] { record.save_sometimes(results, clock.seconds()); },
+                             [&] { record.save_sometimes(results, seconds_since(begin)); },
                              tables.recorders};
         if (!swept || sweep->beside_run)
           analysis.run(on);
@@ -130,23 +121,23 @@ namespace vibrocontact
     /// The end of the record: final results, then the figures, which read them, then the time with these and the
     /// answers, last of all.
     void finish(const std::vector<Analysis> &analyses, const bool figures, RunRecord &record,
-                Results &results, const Clock &clock)
+                Results &results, const WallClock::time_point begin)
     {
       results.complete = results.stopped_by == 0;
       results.peak_memory = peak_memory_of_ranks();
-      record.save(results, clock.seconds());
+      record.save(results, seconds_since(begin));
       if (figures && results.complete)
       {
-        const Clock drawing;
+        const WallClock::time_point drawing = WallClock::now();
         draw_figures(record.folder);
-        results.figures_seconds = drawing.seconds();
+        results.figures_seconds = seconds_since(drawing);
       }
       run_log().block("Results");
       run_log().value("folder", record.folder);
       run_log().value("status", results.stopped_by != 0 ? "not converged: interrupted, --resume continues"
                                 : results.converged()   ? "converged"
                                                         : "not converged");
-      run_log().value("wall time", time_text(clock.seconds()));
+      run_log().value("wall time", time_text(seconds_since(begin)));
       const std::vector<Answer> said = answers(kinds_of_answers(analyses), results.analyses, record.folder);
       for (const Answer &answer : said)
       {
@@ -155,13 +146,13 @@ namespace vibrocontact
           run_log().line(line);
       }
       results.answers = answers_json(said);
-      record.save(results, clock.seconds());
+      record.save(results, seconds_since(begin));
     }
   } // namespace
 
   int run(const Tables &tables, const CommandLine &command_line)
   {
-    const Clock clock;
+    const WallClock::time_point begin = WallClock::now();
     run_log().set_screen(!command_line.quiet);
     if (command_line.help || command_line.version || command_line.parameters)
     {
@@ -241,7 +232,7 @@ namespace vibrocontact
     RunRecord record(folder, file, used, command_line.resume ? &results : nullptr);
     try
     {
-      run_analyses(tables, parameters, bodies, measured, sweeps, record, results, command_line.resume, clock);
+      run_analyses(tables, parameters, bodies, measured, sweeps, record, results, command_line.resume, begin);
     }
     catch (const MachineError &)
     {
@@ -256,7 +247,7 @@ namespace vibrocontact
       else
       {
         results.failures.push_back({"", error.what()});
-        record.save(results, clock.seconds());
+        record.save(results, seconds_since(begin));
       }
       throw InputError(file.located(error.what()));
     }
@@ -271,7 +262,7 @@ namespace vibrocontact
       results.failures.push_back({"", error.what()});
       try
       {
-        record.save(results, clock.seconds());
+        record.save(results, seconds_since(begin));
       }
       catch (const OutputError &)
       {
@@ -280,7 +271,7 @@ namespace vibrocontact
     }
     results.reductions = reductions_json(bodies);
     write_track_fits(bodies, folder);
-    finish(tables.analyses, parameters.output.figures, record, results, clock);
+    finish(tables.analyses, parameters.output.figures, record, results, begin);
     if (results.stopped_by != 0)
       return 128 + results.stopped_by;
     return results.converged() ? 0 : 2;
