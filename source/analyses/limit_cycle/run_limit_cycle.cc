@@ -7,6 +7,7 @@
 #include <vibrocontact/analyses/limit_cycle/run_branch.h>
 #include <vibrocontact/analyses/limit_cycle/run_limit_cycle.h>
 #include <vibrocontact/analyses/stability/pair_in_time.h>
+#include <vibrocontact/analyses/transient/check_transient.h>
 #include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/analyses/transient/transient_probes.h>
 #include <vibrocontact/base/collective.h>
@@ -337,7 +338,9 @@ namespace vibrocontact
       entries.add("Limit cycle/Basins", "Starts");
       entries.add_if(parameters.limit_cycle.basins.any(), "Limit cycle/Basins/Starts is above 0",
                      "Limit cycle/Basins", "Size, Time step, Longest time, Border");
-      entries.add("Transient", "Integrator, Residual theta, Reaction");
+      entries.add("Transient", "Integrator, Reaction");
+      entries.add_if(yields_beside_modes(parameters), "a body yields at contact points beside its modes",
+                     "Transient", "Residual theta");
       entries.add_if(!parameters.transient.propagates_exactly(), "Transient/Integrator is theta method",
                      "Transient", "Theta");
       entries.add("Transient/Signals", "Probes");

@@ -99,18 +99,11 @@ namespace vibrocontact
       return true;
     }
 
-    /// What Transient/Residual theta is for: a rest that follows forces at once.
+    /// Transient/Residual theta is for a rest that follows forces at once.
     void check_rate_of_rests(const Parameters &parameters)
     {
       if (parameters.transient.residual_theta == 1)
         return;
-      bool any_rest = false;
-      for (unsigned int k = 0; k < parameters.contacts.all.size() && parameters.transient.is_reduced(); ++k)
-        any_rest = any_rest || a_body_yields_in(parameters, k);
-      if (!any_rest)
-        throw InputError(
-            "Transient/Residual theta is below 1, but no body yields at its contact points beside "
-            "its modes, so that there is no rate to be taken: leave it out.");
       const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
       for (unsigned int b = 0; b < bodies.size(); ++b)
         if ((bodies[b].is_solid() || bodies[b].is_revolved()) && !bodies[b].rolls() &&
@@ -127,7 +120,7 @@ namespace vibrocontact
       if (!contact_points_have_mass(parameters))
       {
         const BodyParameters *const sticking = body_with_rigid_points(parameters, true);
-        if (parameters.scene.runs("limit cycle") && sticking && transient.reaction != "end of step")
+        if (parameters.scene.runs("limit cycle") && sticking && !transient.reacts_at_end_of_step())
           throw InputError(
               "The contact of " + sticking->name + ", of type " + sticking->type +
               ", yields nowhere along its surface, where friction makes it stick: in limit cycles "
@@ -141,7 +134,7 @@ namespace vibrocontact
                                            ", yields nowhere, and its points have mass: "
                                      : "",
                         softer = body ? "give Contact/Normal law one that yields" : "set Model to reduced";
-      if (transient.reaction != "end of step")
+      if (!transient.reacts_at_end_of_step())
         throw InputError(
             (elements ? "Transient/Model is finite elements, whose contact points have mass: " : rigid) +
             "there reactions weighted as other forces ring with growing amplitude; set Transient/Reaction to "
@@ -195,6 +188,14 @@ namespace vibrocontact
   bool contact_points_have_mass(const Parameters &parameters)
   {
     return elements_have_mass(parameters) || body_with_rigid_points(parameters);
+  }
+
+  bool yields_beside_modes(const Parameters &parameters)
+  {
+    for (unsigned int k = 0; k < parameters.contacts.all.size(); ++k)
+      if (a_body_yields_in(parameters, k))
+        return true;
+    return false;
   }
 
   void check_load_over_time(const TransientParameters &transient, const std::string &source)

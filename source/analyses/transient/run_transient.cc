@@ -357,8 +357,10 @@ namespace vibrocontact
       entries.add_if(own.error_tolerance > 0, "Transient/Error tolerance is above 0", section,
                      "Shortest time step");
       entries.add_if(!own.propagates_exactly(), "Transient/Integrator is theta method", section, "Theta");
-      entries.add_if(rubs && own.is_reduced(), "there is friction and Transient/Model is reduced", section,
-                     "Residual theta");
+      entries.add_if(rubs && own.is_reduced() && yields_beside_modes(parameters),
+                     "there is friction, Transient/Model is reduced and a body yields at contact points "
+                     "beside its modes",
+                     section, "Residual theta");
       entries.add_if(own.starts_undeformed(), "Transient/Initial state is undeformed", section,
                      "Initial gap, Initial velocity");
       entries.add_if(!own.perturbed_mode.empty(), "there is a Transient/Perturbed mode", section,

@@ -22,7 +22,7 @@ namespace vibrocontact
   std::vector<ModalStep> modal_steps(const TransientParameters &parameters, const ContactPair &pair,
                                      const double h)
   {
-    const ReactionWeighting weighting = parameters.reaction == "end of step"
+    const ReactionWeighting weighting = parameters.reacts_at_end_of_step()
                                             ? ReactionWeighting::end_of_step
                                             : ReactionWeighting::as_other_forces;
     std::vector<ModalStep> steps;
@@ -36,7 +36,7 @@ namespace vibrocontact
   StepWeights pole_steps(const TransientParameters &parameters, const ContactPair &pair, const double h)
   {
     const ForceInterpolation interpolation =
-        parameters.reaction == "end of step" ? ForceInterpolation::constant : ForceInterpolation::linear;
+        parameters.reacts_at_end_of_step() ? ForceInterpolation::constant : ForceInterpolation::linear;
     return parameters.propagates_exactly() ? step_weights(pair, h, interpolation)
                                            : theta_weights(pair, h, interpolation, parameters.theta);
   }

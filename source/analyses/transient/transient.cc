@@ -263,7 +263,7 @@ namespace vibrocontact
                          const ContactPair &pair)
     {
       return pair.relaxing.empty() && (parameters.propagates_exactly() || parameters.theta == 0.5) &&
-             parameters.reaction == "as other forces" &&
+             !parameters.reacts_at_end_of_step() &&
              std::all_of(contact.all.begin(), contact.all.end(),
                          [](const ContactParameters &one) { return one.friction == 0; });
     }

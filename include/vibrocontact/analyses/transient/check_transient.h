@@ -14,4 +14,7 @@ namespace vibrocontact
   /// Whether the transient moves contact points with mass: finite elements other than those of a bar with a massless contact
   /// node, or bodies all of whose flexibility has mass (an oscillator) where nothing else yields.
   bool contact_points_have_mass(const Parameters &parameters);
+
+  /// Whether a body yields at contact points beside its modes.
+  bool yields_beside_modes(const Parameters &parameters);
 } // namespace vibrocontact

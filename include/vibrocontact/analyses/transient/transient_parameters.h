@@ -30,6 +30,7 @@ namespace vibrocontact
     double residual_theta = 1;
     /// "as other forces" or "end of step", see ReactionWeighting
     std::string reaction = "as other forces";
+    bool reacts_at_end_of_step() const { return reaction == "end of step"; }
     /// "quasi-static": the equilibrium of section Rolling, at rest in the moving frame; "undeformed": bodies
     /// without stress, apart by initial_gap, body 1 moving with initial_velocity; "quasi-static loading": the end of the history
     /// of section Loading
