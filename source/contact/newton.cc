@@ -149,7 +149,7 @@ namespace vibrocontact
         for (unsigned int c = 0; c < components; ++c)
           dR[c * n + i] = -force[c];
       }
-      problem->A->vmult(dy, dR, changed);
+      problem->A->vmult_change(dy, dR, changed);
       rhs.reinit(J.size());
       double sum = 0;
       for (unsigned int k = 0; k < m; ++k)

@@ -23,8 +23,7 @@ namespace vibrocontact
     /// of a right-hand side, that a solution in single precision may leave
     constexpr double largest_single_defect = 1e-3;
 
-    template <typename Number>
-    bool factorise_lu(dealii::LAPACKFullMatrix<Number> &matrix)
+    bool factorise_lu(DenseMatrix &matrix)
     {
       try
       {
@@ -163,13 +162,9 @@ namespace vibrocontact
       used->status.push_back(now[i]);
     used->rows = J.rows_of_points();
     J.assemble(response, used->lu);
-    if (n_problems > 1 && J.size() >= few_unknowns)
-    {
-      used->single_lu = in_single_precision(used->lu);
-      if (factorise_lu(used->single_lu))
-        return true;
-      used->single_lu.reinit(0);
-    }
+    if (n_problems > 1 && J.size() >= few_unknowns &&
+        used->single_lu.factorise(in_single_precision(used->lu)))
+      return true;
     if (factorise_lu(used->lu))
       return true;
     kept.pop_back();
@@ -255,7 +250,7 @@ namespace vibrocontact
   bool NewtonFactorisation::solve_by_lu(DenseVector &x)
   {
     Factors &f = *used;
-    if (f.single_lu.m() == 0)
+    if (f.single_lu.empty())
     {
       f.lu.solve(x);
       return true;
@@ -278,7 +273,7 @@ namespace vibrocontact
       f.lu.reinit(0);
       return true;
     }
-    f.single_lu.reinit(0);
+    f.single_lu.clear();
     x = right_side;
     if (!factorise_lu(f.lu))
       return false;

@@ -1,4 +1,7 @@
 #include <vibrocontact/contact/secant_pairs.h>
+#include <vibrocontact/numerics/wide_loops.h>
+
+#include <deal.II/lac/lapack_templates.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +12,20 @@ namespace vibrocontact
   {
     /// differences that the later ones leave so little of say nothing new
     constexpr double least_share = 1e-3;
+
+    // of some hundred numbers deal.II's own operations ask first whether to share the work out
+
+    double scalar_product(const DenseVector &a, const DenseVector &b)
+    {
+      return wide_dot(a.begin(), b.begin(), a.size());
+    }
+
+    /// x += factor y
+    void add_multiple(DenseVector &x, const double factor, const DenseVector &y)
+    {
+      const dealii::types::blas_int n = x.size(), one = 1;
+      dealii::axpy(&n, &factor, y.begin(), &one, x.begin(), &one);
+    }
   } // namespace
 
   void SecantPairs::add(const DenseVector &difference, const DenseVector &step)
@@ -18,7 +35,7 @@ namespace vibrocontact
     pairs[latest].difference = difference;
     pairs[latest].step = step;
     for (unsigned int k = 0; k < n; ++k)
-      products[latest][k] = products[k][latest] = difference * pairs[k].difference;
+      products[latest][k] = products[k][latest] = scalar_product(difference, pairs[k].difference);
   }
 
   DenseVector SecantPairs::take_known_part(DenseVector &residual) const
@@ -29,7 +46,7 @@ namespace vibrocontact
     for (unsigned int age = 0; age < n; ++age)
     {
       const unsigned int k = (latest + most_pairs - age) % most_pairs;
-      double rest = products[k][k], right = residual * pairs[k].difference;
+      double rest = products[k][k], right = scalar_product(residual, pairs[k].difference);
       for (unsigned int i = 0; i < size; ++i)
       {
         double entry = products[k][places[i]];
@@ -54,8 +71,8 @@ namespace vibrocontact
     }
     for (unsigned int i = 0; i < size; ++i)
     {
-      residual.add(-w[i], pairs[places[i]].difference);
-      known.add(w[i], pairs[places[i]].step);
+      add_multiple(residual, -w[i], pairs[places[i]].difference);
+      add_multiple(known, w[i], pairs[places[i]].step);
     }
     return known;
   }

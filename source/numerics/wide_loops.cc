@@ -1,5 +1,7 @@
 #include <vibrocontact/numerics/wide_loops.h>
 
+#include <type_traits>
+
 namespace vibrocontact
 {
   namespace
@@ -7,6 +9,8 @@ namespace vibrocontact
     // eight numbers, in one, two or four registers; the second type may stand anywhere in memory
     using Wide = double __attribute__((vector_size(64)));
     using LooseWide = double __attribute__((vector_size(64), aligned(8), may_alias));
+    using WideSingle = float __attribute__((vector_size(64)));
+    using LooseWideSingle = float __attribute__((vector_size(64), aligned(4), may_alias));
     using Indices = long long __attribute__((vector_size(64)));
 
 #define VIBROCONTACT_BODY inline __attribute__((always_inline))
@@ -18,6 +22,14 @@ namespace vibrocontact
     VIBROCONTACT_BODY LooseWide &at(double *p)
     {
       return *reinterpret_cast<LooseWide *>(p);
+    }
+    VIBROCONTACT_BODY const LooseWideSingle &at(const float *p)
+    {
+      return *reinterpret_cast<const LooseWideSingle *>(p);
+    }
+    VIBROCONTACT_BODY LooseWideSingle &at(float *p)
+    {
+      return *reinterpret_cast<LooseWideSingle *>(p);
     }
     VIBROCONTACT_BODY double sum_of(const Wide &a)
     {
@@ -84,39 +96,45 @@ namespace vibrocontact
         y[k] = values[k - i];
     }
 
+    /// as many numbers as a register holds
+    template <typename Number>
+    constexpr std::size_t lanes = 64 / sizeof(Number);
+
     /// B registers of y at once, so that their sums do not wait for each other
-    template <unsigned int B>
-    VIBROCONTACT_BODY void columns_block(double *y, const double *columns, const std::size_t stride,
-                                         const unsigned int *listed, const double *factors,
+    template <unsigned int B, typename Number>
+    VIBROCONTACT_BODY void columns_block(Number *y, const Number *columns, const std::size_t stride,
+                                         const unsigned int *listed, const Number *factors,
                                          const std::size_t n_listed)
     {
-      Wide s[B];
+      std::conditional_t<std::is_same_v<Number, double>, Wide, WideSingle> s[B];
       for (unsigned int k = 0; k < B; ++k)
-        s[k] = at(y + 8 * k);
+        s[k] = at(y + lanes<Number> * k);
       for (std::size_t j = 0; j < n_listed; ++j)
       {
-        const double *column = columns + (listed == nullptr ? j : listed[j]) * stride;
+        const Number *column = columns + (listed == nullptr ? j : listed[j]) * stride;
         for (unsigned int k = 0; k < B; ++k)
-          s[k] += factors[j] * at(column + 8 * k);
+          s[k] += factors[j] * at(column + lanes<Number> * k);
       }
       for (unsigned int k = 0; k < B; ++k)
-        at(y + 8 * k) = s[k];
+        at(y + lanes<Number> * k) = s[k];
     }
 
-    VIBROCONTACT_BODY void add_columns_body(double *y, const double *columns, const std::size_t n,
+    template <typename Number>
+    VIBROCONTACT_BODY void add_columns_body(Number *y, const Number *columns, const std::size_t n,
                                             const std::size_t stride, const unsigned int *listed,
-                                            const double *factors, const std::size_t n_listed)
+                                            const Number *factors, const std::size_t n_listed)
     {
+      constexpr std::size_t width = lanes<Number>;
       std::size_t i = 0;
-      for (; i + 104 <= n; i += 104)
+      for (; i + 13 * width <= n; i += 13 * width)
         columns_block<13>(y + i, columns + i, stride, listed, factors, n_listed);
-      for (; i + 64 <= n; i += 64)
+      for (; i + 8 * width <= n; i += 8 * width)
         columns_block<8>(y + i, columns + i, stride, listed, factors, n_listed);
-      for (; i + 32 <= n; i += 32)
+      for (; i + 4 * width <= n; i += 4 * width)
         columns_block<4>(y + i, columns + i, stride, listed, factors, n_listed);
-      for (; i + 16 <= n; i += 16)
+      for (; i + 2 * width <= n; i += 2 * width)
         columns_block<2>(y + i, columns + i, stride, listed, factors, n_listed);
-      for (; i < n; i += 8)
+      for (; i < n; i += width)
         columns_block<1>(y + i, columns + i, stride, listed, factors, n_listed);
     }
 
@@ -234,6 +252,10 @@ namespace vibrocontact
                           (double *y, const double *columns, std::size_t n, std::size_t stride,
                            const unsigned int *listed, const double *factors, std::size_t n_listed),
                           (y, columns, n, stride, listed, factors, n_listed))
+    VIBROCONTACT_VARIANTS(void, add_single_columns, add_columns_body,
+                          (float *y, const float *columns, std::size_t n, std::size_t stride,
+                           const unsigned int *listed, const float *factors, std::size_t n_listed),
+                          (y, columns, n, stride, listed, factors, n_listed))
     VIBROCONTACT_VARIANTS(void, rotate, rotate_body, (double *p, const double *e, std::size_t n), (p, e, n))
     VIBROCONTACT_VARIANTS(void, spectra, spectra_body,
                           (double *y, const double *const *h, const double *const *x, std::size_t n_blocks,
@@ -262,6 +284,7 @@ namespace vibrocontact
       decltype(&dot_128) dot;
       decltype(&polynomial_128) polynomial;
       decltype(&add_columns_128) add_columns;
+      decltype(&add_single_columns_128) add_single_columns;
       decltype(&rotate_128) rotate;
       decltype(&spectra_128) spectra;
       Recursion recursion[4], real_recursion[4];
@@ -275,6 +298,7 @@ namespace vibrocontact
                 dot_512,
                 polynomial_512,
                 add_columns_512,
+                add_single_columns_512,
                 rotate_512,
                 spectra_512,
                 {recursion_1_512, recursion_2_512, recursion_3_512, recursion_4_512},
@@ -284,6 +308,7 @@ namespace vibrocontact
                 dot_256,
                 polynomial_256,
                 add_columns_256,
+                add_single_columns_256,
                 rotate_256,
                 spectra_256,
                 {recursion_1_256, recursion_2_256, recursion_3_256, recursion_4_256},
@@ -292,6 +317,7 @@ namespace vibrocontact
               dot_128,
               polynomial_128,
               add_columns_128,
+              add_single_columns_128,
               rotate_128,
               spectra_128,
               {recursion_1_128, recursion_2_128, recursion_3_128, recursion_4_128},
@@ -326,6 +352,12 @@ namespace vibrocontact
                         const double *factors, const std::size_t n_columns)
   {
     loops.add_columns(y, columns, n, stride, nullptr, factors, n_columns);
+  }
+
+  void wide_add_columns(float *y, const float *columns, const std::size_t n, const std::size_t stride,
+                        const unsigned int *listed, const float *factors, const std::size_t n_listed)
+  {
+    loops.add_single_columns(y, columns, n, stride, listed, factors, n_listed);
   }
 
   void wide_recursion(double *p, const double *e, const double *w, const double *c, const double *q,

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/contact/newton_jacobian.h>
 #include <vibrocontact/contact/secant_pairs.h>
+#include <vibrocontact/numerics/single_factors.h>
 
 #include <memory>
 
@@ -56,8 +57,8 @@ namespace vibrocontact
       NewtonJacobian::Rows rows;
       /// J itself until the first solution by single_lu was tried with it, then empty or factorised
       DenseMatrix lu;
-      /// size 0: lu serves
-      SingleMatrix single_lu;
+      /// empty: lu serves
+      SingleFactors single_lu;
       /// points (among the active ones) with another status than when lu was made
       std::vector<unsigned int> changed;
       /// Z, size x t changed; D, t changed x size; I + D Z, factorised

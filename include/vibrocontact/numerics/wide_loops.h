@@ -16,6 +16,12 @@ namespace vibrocontact
     return (n + wide_width - 1) / wide_width * wide_width;
   }
 
+  /// the same of numbers in single precision
+  inline std::size_t padded_single(const std::size_t n)
+  {
+    return (n + 2 * wide_width - 1) / (2 * wide_width) * (2 * wide_width);
+  }
+
   /// Memory on cache lines, which wide registers read in one go.
   template <typename T>
   struct AlignedAllocator
@@ -33,6 +39,7 @@ namespace vibrocontact
     bool operator!=(const AlignedAllocator &) const { return false; }
   };
   using AlignedVector = std::vector<double, AlignedAllocator<double>>;
+  using AlignedSingleVector = std::vector<float, AlignedAllocator<float>>;
 
   /// avx512, avx2 or sse2: what this machine runs
   const char *wide_loops_name();
@@ -51,6 +58,10 @@ namespace vibrocontact
   /// y += sum of factor_j * column_j over all columns, column j at columns + j * stride; @param n padded length
   void wide_add_columns(double *y, const double *columns, std::size_t n, std::size_t stride,
                         const double *factors, std::size_t n_columns);
+
+  /// The same in single precision. @param n padded_single(); @param listed null: all columns
+  void wide_add_columns(float *y, const float *columns, std::size_t n, std::size_t stride,
+                        const unsigned int *listed, const float *factors, std::size_t n_listed);
 
   /// One step of complex states of some shapes under forces at few points (n_points <= 4), and what they then show:
   ///

@@ -43,6 +43,17 @@ namespace vibrocontact
       return result;
     }
 
+    /// Columns of padded length, one behind the other.
+    AlignedSingleVector single_precision_columns(const DenseMatrix &matrix)
+    {
+      const std::size_t stride = padded_single(matrix.m());
+      AlignedSingleVector result(stride * matrix.n());
+      for (unsigned int j = 0; j < matrix.n(); ++j)
+        for (unsigned int i = 0; i < matrix.m(); ++i)
+          result[stride * j + i] = static_cast<float>(matrix(i, j));
+      return result;
+    }
+
     // into += left middle right^T
     void add_product(const DenseMatrix &left, const DenseMatrix &middle, const DenseMatrix &right,
                      DenseMatrix &into)
@@ -225,18 +236,18 @@ namespace vibrocontact
 
   void StepOperator::take_single_precision() const
   {
-    single_columns = in_single_precision(residual_columns);
-    single_forces.reinit(residual_columns.n());
-    single_rows.reinit(residual_columns.m());
+    single_columns = single_precision_columns(residual_columns);
+    single_rows.resize(padded_single(residual_columns.m()));
     if (basis.n() == 0)
       return;
-    DenseMatrix gains(2 * basis.n(), basis.n());
+    DenseMatrix gains(2 * basis.n(), basis.n()), transposed(basis.n(), basis.m());
     add_block(gains, matrices.displacement_gain, 0, 0);
     add_block(gains, matrices.velocity_gain, basis.n(), 0);
-    single_basis = in_single_precision(basis);
-    single_motion = in_single_precision(product(by_motion, gains));
-    single_numbers.reinit(basis.n());
-    single_moved.reinit(by_motion.m());
+    basis.transpose(transposed);
+    single_basis = single_precision_columns(transposed);
+    single_motion = single_precision_columns(product(by_motion, gains));
+    single_numbers.resize(padded_single(basis.n()));
+    single_moved.resize(padded_single(by_motion.m()));
   }
 
   DenseMatrix StepOperator::columns_at_points(const DenseMatrix &matrix,
@@ -287,24 +298,43 @@ namespace vibrocontact
       y[i] += along_path[i];
   }
 
+  bool StepOperator::changes_in_single_precision() const
+  {
+    return n_points() >= least_points_in_single && !matrices.half_spaces && !has_gradient();
+  }
+
   void StepOperator::vmult_change(DenseVector &y, const DenseVector &change,
                                   const std::vector<unsigned int> &sources) const
   {
-    const unsigned int m = n_points();
-    if (m < least_points_in_single || matrices.half_spaces || has_gradient() ||
-        sources.size() * few_sources <= m)
+    if (sources.empty() || !changes_in_single_precision())
       return vmult(y, change, sources);
-    if (single_columns.m() == 0)
+    if (single_columns.empty())
       take_single_precision();
+    const unsigned int m = n_points();
+    single_listed.clear();
+    single_forces.clear();
+    for (unsigned int c = 0; c < 3; ++c)
+      for (const unsigned int source : sources)
+      {
+        single_listed.push_back(contact_row(m, c, source));
+        single_forces.push_back(static_cast<float>(change[single_listed.back()]));
+      }
+    const auto add_listed = [&](const AlignedSingleVector &columns, AlignedSingleVector &sum)
+    {
+      std::fill(sum.begin(), sum.end(), 0.F);
+      wide_add_columns(sum.data(), columns.data(), sum.size(), sum.size(), single_listed.data(),
+                       single_forces.data(), single_listed.size());
+    };
     y.reinit(3 * m + rows.size(), true);
-    std::copy(change.begin(), change.end(), single_forces.begin());
-    single_columns.vmult(single_rows, single_forces);
-    std::copy(single_rows.begin(), single_rows.end(), y.begin() + 3 * m);
+    add_listed(single_columns, single_rows);
+    std::copy_n(single_rows.begin(), rows.size(), y.begin() + 3 * m);
     transport_residual(y.data() + 3 * m, y.data());
     if (basis.n() == 0)
       return;
-    single_basis.Tvmult(single_numbers, single_forces);
-    single_motion.vmult(single_moved, single_numbers);
+    add_listed(single_basis, single_numbers);
+    std::fill(single_moved.begin(), single_moved.end(), 0.F);
+    wide_add_columns(single_moved.data(), single_motion.data(), single_moved.size(), single_moved.size(),
+                     nullptr, single_numbers.data(), basis.n());
     for (unsigned int i = 0; i < 3 * m; ++i)
       y[i] += single_moved[i];
   }

@@ -201,7 +201,8 @@ namespace vibrocontact
       }
       forces = then_forces;
       add_step(result.energy, pair, law, scheme, state, now, next, then);
-      state = next;
+      // the one before is where the next one is made
+      std::swap(state, next);
       now = then;
     }
 

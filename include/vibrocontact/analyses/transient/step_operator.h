@@ -5,6 +5,7 @@
 #include <vibrocontact/coupled_bodies/contact_pair.h>
 #include <vibrocontact/coupled_bodies/hub.h>
 #include <vibrocontact/coupled_bodies/moving_shapes.h>
+#include <vibrocontact/numerics/wide_loops.h>
 #include <vibrocontact/propagators/modal_step.h>
 #include <vibrocontact/propagators/step_weights.h>
 
@@ -114,6 +115,8 @@ namespace vibrocontact
     /// Of a matrix of the grid rows at the nearby points' columns.
     DenseMatrix columns_at_points(const DenseMatrix &matrix, const std::vector<unsigned int> &of_rows) const;
     void take_single_precision() const;
+    /// whether vmult_change has columns in single precision
+    bool changes_in_single_precision() const;
     /// y = columns R, with few sources by their columns alone
     void multiply_columns(const DenseMatrix &columns, const DenseVector &R,
                           const std::vector<unsigned int> &sources, DenseVector &y) const;
@@ -126,10 +129,12 @@ namespace vibrocontact
     DenseMatrix residual_columns, gradient_columns;
     /// W~ from the points to the normal rows of the others; empty until it is needed, and of half-spaces alone
     mutable DenseMatrix columns_of_others;
-    /// what vmult_change takes in single precision: columns of W~, basis, and by_motion [G; H], what the shapes' numbers move; empty
-    /// until it is needed
-    mutable SingleMatrix single_columns, single_basis, single_motion;
-    mutable SingleVector single_forces, single_rows, single_numbers, single_moved;
+    /// what vmult_change takes in single precision, columns of padded length one behind the other: of W~ and of basis^T for each
+    /// force, and of by_motion [G; H], what the shapes' numbers move; empty until it is needed
+    mutable AlignedSingleVector single_columns, single_basis, single_motion;
+    /// those of the changes and what they lead to
+    mutable std::vector<unsigned int> single_listed;
+    mutable AlignedSingleVector single_forces, single_rows, single_numbers, single_moved;
     mutable DenseVector residual, along_path, c_normal, c_tangential, displacement, velocity, motion;
   };
 } // namespace vibrocontact
