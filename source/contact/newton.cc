@@ -149,6 +149,7 @@ namespace vibrocontact
         for (unsigned int c = 0; c < components; ++c)
           dR[c * n + i] = -force[c];
       }
+      // of a direction alone: take_step() multiplies again, as exactly as the tolerance asks for
       problem->A->vmult_change(dy, dR, changed);
       rhs.reinit(J.size());
       double sum = 0;

@@ -162,8 +162,7 @@ namespace vibrocontact
       used->status.push_back(now[i]);
     used->rows = J.rows_of_points();
     J.assemble(response, used->lu);
-    if (n_problems > 1 && J.size() >= few_unknowns &&
-        used->single_lu.factorise(in_single_precision(used->lu)))
+    if (n_problems > 1 && J.size() >= few_unknowns && used->single_lu.factorise(used->lu))
       return true;
     if (factorise_lu(used->lu))
       return true;
@@ -258,10 +257,7 @@ namespace vibrocontact
     const bool is_first = f.lu.m() > 0;
     if (is_first)
       right_side = x;
-    single.reinit(x.size(), true);
-    std::copy(x.begin(), x.end(), single.begin());
-    f.single_lu.solve(single);
-    std::copy(single.begin(), single.end(), x.begin());
+    f.single_lu.solve(x);
     if (!is_first)
       return true;
 

@@ -13,16 +13,18 @@ namespace vibrocontact
     /// differences that the later ones leave so little of say nothing new
     constexpr double least_share = 1e-3;
 
-    // of some hundred numbers deal.II's own operations ask first whether to share the work out
+    // deal.II's own operations first decide about threads, which costs more than some hundred products
 
     double scalar_product(const DenseVector &a, const DenseVector &b)
     {
+      AssertDimension(a.size(), b.size());
       return wide_dot(a.begin(), b.begin(), a.size());
     }
 
     /// x += factor y
     void add_multiple(DenseVector &x, const double factor, const DenseVector &y)
     {
+      AssertDimension(x.size(), y.size());
       const dealii::types::blas_int n = x.size(), one = 1;
       dealii::axpy(&n, &factor, y.begin(), &one, x.begin(), &one);
     }

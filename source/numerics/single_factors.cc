@@ -11,6 +11,7 @@ namespace vibrocontact
   {
     using Integer = dealii::types::blas_int;
 
+    /// unknowns; of 312 all widths from 32 to 104 take the same time, and wider ones longer to invert
     constexpr Integer block = 48;
     constexpr float unit = 1, zero = 0, minus = -1;
     constexpr Integer one = 1;
@@ -24,11 +25,16 @@ namespace vibrocontact
     }
   } // namespace
 
-  bool SingleFactors::factorise(const SingleMatrix &matrix)
+  bool SingleFactors::factorise(const DenseMatrix &matrix)
   {
+    AssertDimension(matrix.m(), matrix.n());
     n = matrix.m();
-    lu.assign(&matrix(0, 0), &matrix(0, 0) + matrix.n_elements());
+    lu.resize(matrix.n_elements());
     pivots.resize(n);
+    single.resize(n);
+    for (Integer j = 0; j < n; ++j)
+      for (Integer i = 0; i < n; ++i)
+        lu[std::size_t(j) * n + i] = static_cast<float>(matrix(i, j));
     Integer info = 0;
     dealii::getrf(&n, &n, lu.data(), &n, pivots.data(), &info);
     if (info != 0)
@@ -54,12 +60,16 @@ namespace vibrocontact
         Integer info = 0;
         dealii::trtrs(is_upper ? "U" : "L", "N", is_upper ? "N" : "U", &width, &width,
                       &lu[std::size_t(first) * n + first], &n, inverse, &width, &info);
+        Assert(info == 0, dealii::ExcInternalError());
       }
   }
 
-  void SingleFactors::solve(SingleVector &values) const
+  void SingleFactors::solve(DenseVector &values) const
   {
-    float *const x = values.data();
+    Assert(!empty(), dealii::ExcNotInitialized());
+    AssertDimension(values.size(), single.size());
+    std::copy(values.begin(), values.end(), single.begin());
+    float *const x = single.data();
     for (Integer i = 0; i < n; ++i)
       std::swap(x[i], x[pivots[i] - 1]);
     const float *inverse = inverses.data();
@@ -83,5 +93,6 @@ namespace vibrocontact
         dealii::gemv("N", &first, &width, &minus, &lu[std::size_t(first) * n], &n, x + first, &one, &unit, x,
                      &one);
     }
+    std::copy(single.begin(), single.end(), values.begin());
   }
 } // namespace vibrocontact

@@ -354,10 +354,10 @@ namespace vibrocontact
     loops.add_columns(y, columns, n, stride, nullptr, factors, n_columns);
   }
 
-  void wide_add_columns(float *y, const float *columns, const std::size_t n, const std::size_t stride,
-                        const unsigned int *listed, const float *factors, const std::size_t n_listed)
+  void wide_add_columns(float *y, const float *columns, const std::size_t n, const unsigned int *listed,
+                        const float *factors, const std::size_t n_listed)
   {
-    loops.add_single_columns(y, columns, n, stride, listed, factors, n_listed);
+    loops.add_single_columns(y, columns, n, n, listed, factors, n_listed);
   }
 
   void wide_recursion(double *p, const double *e, const double *w, const double *c, const double *q,

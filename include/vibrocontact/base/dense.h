@@ -9,9 +9,8 @@ namespace vibrocontact
   /// steps.
   using DenseMatrix = dealii::LAPACKFullMatrix<double>;
   using DenseVector = dealii::Vector<double>;
-  /// of corrections, whose products are bound by memory
+  /// of preconditioners
   using SingleMatrix = dealii::LAPACKFullMatrix<float>;
-  using SingleVector = dealii::Vector<float>;
 
   /// Factorises a symmetric matrix in place by Cholesky. Returns false if it is not positive definite (or not
   /// finite): deal.II's own function throws what no caller expects.

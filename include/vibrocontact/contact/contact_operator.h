@@ -26,8 +26,8 @@ namespace vibrocontact
     /// along.
     virtual void vmult(DenseVector &y, const DenseVector &R,
                        const std::vector<unsigned int> &sources) const = 0;
-    /// the same of a small change of R, whose product single precision may give where it is faster: its rounding is 1e-7 of the
-    /// change
+    /// the same of a change of R, whose product single precision may give where it is faster: its rounding is 1e-7 of what the
+    /// change moves, where hundreds of forces change a few times that
     virtual void vmult_change(DenseVector &y, const DenseVector &change,
                               const std::vector<unsigned int> &sources) const
     {

@@ -99,7 +99,6 @@ namespace vibrocontact
     /// whether the next step has to have a matrix of its own
     bool is_distrusted = false;
     std::vector<unsigned int> flipped;
-    SingleVector single;
     /// of the last solve; none: of another problem or another matrix
     DenseVector last_residual, last_direction, right_side;
     bool direction_taken = false;

@@ -6,7 +6,7 @@
 
 namespace vibrocontact
 {
-  /// Inner loops of the propagators, compiled for AVX-512, for AVX2 and for any x86-64; which one runs is
+  /// Inner loops of propagators and of contacts in time, compiled for AVX-512, for AVX2 and for any x86-64; which one runs is
   /// chosen when the program starts. Arrays whose length is called padded have it in multiples of wide_width,
   /// with zeros behind their end.
   constexpr std::size_t wide_width = 8;
@@ -17,9 +17,11 @@ namespace vibrocontact
   }
 
   /// the same of numbers in single precision
+  constexpr std::size_t wide_width_single = 16;
+
   inline std::size_t padded_single(const std::size_t n)
   {
-    return (n + 2 * wide_width - 1) / (2 * wide_width) * (2 * wide_width);
+    return (n + wide_width_single - 1) / wide_width_single * wide_width_single;
   }
 
   /// Memory on cache lines, which wide registers read in one go.
@@ -59,9 +61,10 @@ namespace vibrocontact
   void wide_add_columns(double *y, const double *columns, std::size_t n, std::size_t stride,
                         const double *factors, std::size_t n_columns);
 
-  /// The same in single precision. @param n padded_single(); @param listed null: all columns
-  void wide_add_columns(float *y, const float *columns, std::size_t n, std::size_t stride,
-                        const unsigned int *listed, const float *factors, std::size_t n_listed);
+  /// y += sum over the listed columns of factor_j * column_j in single precision, sums among them
+  /// @param columns column j begins at columns + j * n; @param n padded_single(); @param listed null: the first n_listed
+  void wide_add_columns(float *y, const float *columns, std::size_t n, const unsigned int *listed,
+                        const float *factors, std::size_t n_listed);
 
   /// One step of complex states of some shapes under forces at few points (n_points <= 4), and what they then show:
   ///

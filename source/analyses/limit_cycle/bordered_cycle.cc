@@ -17,16 +17,10 @@ namespace vibrocontact
     /// added to I - A^n, so that a motion which nothing moves or damps leaves no pivot of zero
     constexpr double shift = 1e-8;
 
-    // what a preconditioner needs no more of
-    using SingleMatrix = dealii::LAPACKFullMatrix<float>;
-
-    /// matrix^exponent by squares, exponent > 0
+    /// matrix^exponent by squares, exponent > 0: a preconditioner needs no more than single precision
     SingleMatrix power(const DenseMatrix &matrix, unsigned int exponent)
     {
-      SingleMatrix square(matrix.m(), matrix.n()), result;
-      for (unsigned int j = 0; j < matrix.n(); ++j)
-        for (unsigned int i = 0; i < matrix.m(); ++i)
-          square(i, j) = matrix(i, j);
+      SingleMatrix square = in_single_precision(matrix), result;
       for (; exponent > 0; exponent /= 2)
       {
         if (exponent % 2 == 1)

@@ -322,8 +322,8 @@ namespace vibrocontact
     const auto add_listed = [&](const AlignedSingleVector &columns, AlignedSingleVector &sum)
     {
       std::fill(sum.begin(), sum.end(), 0.F);
-      wide_add_columns(sum.data(), columns.data(), sum.size(), sum.size(), single_listed.data(),
-                       single_forces.data(), single_listed.size());
+      wide_add_columns(sum.data(), columns.data(), sum.size(), single_listed.data(), single_forces.data(),
+                       single_listed.size());
     };
     y.reinit(3 * m + rows.size(), true);
     add_listed(single_columns, single_rows);
@@ -333,8 +333,8 @@ namespace vibrocontact
       return;
     add_listed(single_basis, single_numbers);
     std::fill(single_moved.begin(), single_moved.end(), 0.F);
-    wide_add_columns(single_moved.data(), single_motion.data(), single_moved.size(), single_moved.size(),
-                     nullptr, single_numbers.data(), basis.n());
+    wide_add_columns(single_moved.data(), single_motion.data(), single_moved.size(), nullptr,
+                     single_numbers.data(), basis.n());
     for (unsigned int i = 0; i < 3 * m; ++i)
       y[i] += single_moved[i];
   }

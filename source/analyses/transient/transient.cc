@@ -201,7 +201,7 @@ namespace vibrocontact
       }
       forces = then_forces;
       add_step(result.energy, pair, law, scheme, state, now, next, then);
-      // the one before is where the next one is made
+      // the next step overwrites the other one
       std::swap(state, next);
       now = then;
     }

@@ -132,7 +132,7 @@ namespace vibrocontact
     /// what vmult_change takes in single precision, columns of padded length one behind the other: of W~ and of basis^T for each
     /// force, and of by_motion [G; H], what the shapes' numbers move; empty until it is needed
     mutable AlignedSingleVector single_columns, single_basis, single_motion;
-    /// those of the changes and what they lead to
+    /// columns of the forces that change, the forces, and rows, shapes' numbers and rows that these move by them
     mutable std::vector<unsigned int> single_listed;
     mutable AlignedSingleVector single_forces, single_rows, single_numbers, single_moved;
     mutable DenseVector residual, along_path, c_normal, c_tangential, displacement, velocity, motion;
