@@ -201,7 +201,7 @@ namespace vibrocontact
     grid.spacing_x = grid.spacing_y = spacing;
     grid.x_first = (offset_x - n_x) * spacing;
     grid.y_first = (offset_y - n_y) * spacing;
-    grid.traction = quadrature == "consistent" ? TractionShape::bilinear : TractionShape::constant;
+    grid.traction = has_consistent_quadrature() ? TractionShape::bilinear : TractionShape::constant;
     if (strip_length > 0)
     {
       grid.n_y = 1;

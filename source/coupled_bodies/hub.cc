@@ -1,3 +1,4 @@
+#include <vibrocontact/base/named_table.h>
 #include <vibrocontact/coupled_bodies/hub.h>
 
 #include <algorithm>
@@ -74,24 +75,22 @@ namespace vibrocontact
   const std::vector<HubKind> &hub_kinds()
   {
     static const std::vector<HubKind> kinds = {
-        {"held", false, "it stays at its place in the equilibrium"},
-        {"massless", false, "it follows, the normal force stays as given"},
-        {"suspended", true, "its mass moves on the primary suspension"},
-        {"axle", true, "it moves with the axle and its second wheel on the primary suspension"}};
+        {"held", true, false, false, false, "it stays at its place in the equilibrium"},
+        {"massless", false, true, false, false, "it follows, the normal force stays as given"},
+        {"suspended", false, false, true, false, "its mass moves on the primary suspension"},
+        {"axle", false, false, false, true,
+         "it moves with the axle and its second wheel on the primary suspension"}};
     return kinds;
   }
 
-  bool hub_has_mass(const std::string &hub)
+  const HubKind &hub_kind(const std::string &name)
   {
-    return std::any_of(hub_kinds().begin(), hub_kinds().end(),
-                       [&](const HubKind &kind) { return kind.name == hub && kind.has_mass; });
+    static const HubKind of_half_spaces = {"none", false, false, false, false, "half-spaces have no hub"};
+    return name == of_half_spaces.name ? of_half_spaces : find_named(hub_kinds(), name, "hub");
   }
 
-  std::string hub_text(const std::string &hub)
+  std::string hub_text(const std::string &name)
   {
-    for (const HubKind &kind : hub_kinds())
-      if (kind.name == hub)
-        return hub + ": " + kind.text;
-    return "none: half-spaces have no hub";
+    return name + ": " + hub_kind(name).text;
   }
 } // namespace vibrocontact

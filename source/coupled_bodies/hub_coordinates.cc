@@ -187,7 +187,7 @@ namespace vibrocontact
 
   HubCoordinates hub_coordinates(const RollingParameters &rolling, const ContactPair &pair)
   {
-    return rolling.hub == "axle" ? axle_hub(pair, rolling.suspension, rolling.axle)
-                                 : suspended_hub(rolling.suspension);
+    return hub_kind(rolling.hub).has_axle ? axle_hub(pair, rolling.suspension, rolling.axle)
+                                          : suspended_hub(rolling.suspension);
   }
 } // namespace vibrocontact

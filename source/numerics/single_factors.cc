@@ -1,3 +1,4 @@
+#include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/numerics/single_factors.h>
 
 #include <deal.II/lac/lapack_templates.h>
@@ -29,14 +30,11 @@ namespace vibrocontact
   {
     AssertDimension(matrix.m(), matrix.n());
     n = matrix.m();
-    lu.resize(matrix.n_elements());
+    lu = in_single_precision(matrix);
     pivots.resize(n);
     single.resize(n);
-    for (Integer j = 0; j < n; ++j)
-      for (Integer i = 0; i < n; ++i)
-        lu[std::size_t(j) * n + i] = static_cast<float>(matrix(i, j));
     Integer info = 0;
-    dealii::getrf(&n, &n, lu.data(), &n, pivots.data(), &info);
+    dealii::getrf(&n, &n, &lu(0, 0), &n, pivots.data(), &info);
     if (info != 0)
     {
       clear();
@@ -58,8 +56,8 @@ namespace vibrocontact
         for (Integer i = 0; i < width; ++i)
           inverse[i * width + i] = 1;
         Integer info = 0;
-        dealii::trtrs(is_upper ? "U" : "L", "N", is_upper ? "N" : "U", &width, &width,
-                      &lu[std::size_t(first) * n + first], &n, inverse, &width, &info);
+        dealii::trtrs(is_upper ? "U" : "L", "N", is_upper ? "N" : "U", &width, &width, &lu(first, first), &n,
+                      inverse, &width, &info);
         Assert(info == 0, dealii::ExcInternalError());
       }
   }
@@ -79,8 +77,7 @@ namespace vibrocontact
       const Integer end = std::min(n, first + block), width = end - first, below = n - end;
       apply(inverse, first, width, x);
       if (below > 0)
-        dealii::gemv("N", &below, &width, &minus, &lu[std::size_t(first) * n + end], &n, x + first, &one,
-                     &unit, x + end, &one);
+        dealii::gemv("N", &below, &width, &minus, &lu(end, first), &n, x + first, &one, &unit, x + end, &one);
     }
     inverse = inverses.data() + inverses.size();
     while (first > 0)
@@ -90,8 +87,7 @@ namespace vibrocontact
       const Integer width = std::min(block, n - first);
       apply(inverse, first, width, x);
       if (first > 0)
-        dealii::gemv("N", &first, &width, &minus, &lu[std::size_t(first) * n], &n, x + first, &one, &unit, x,
-                     &one);
+        dealii::gemv("N", &first, &width, &minus, &lu(0, first), &n, x + first, &one, &unit, x, &one);
     }
     std::copy(single.begin(), single.end(), values.begin());
   }

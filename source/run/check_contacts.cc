@@ -153,8 +153,9 @@ namespace vibrocontact
                            ": its friction forces have no direction; give it a Sliding velocity or set " +
                            contact.section + "/Friction coefficient to 0.");
         const bool under_hub = placed.all[k].above == 0 || placed.all[k].below == 0;
-        if ((scene.runs("stability") || scene.runs("limit cycle")) && parameters.rolling.hub == "massless" &&
-            under_hub && !placed.all[k].frame.has_usual_axes())
+        if ((scene.runs("stability") || scene.runs("limit cycle")) &&
+            hub_kind(parameters.rolling.hub).keeps_force && under_hub &&
+            !placed.all[k].frame.has_usual_axes())
           throw InputError("Rolling/Hub is massless, but the normal of contact " + contact.name +
                            " is inclined, so that its motion would slip there, which stability and limit "
                            "cycle do not linearise: set "
@@ -175,7 +176,7 @@ namespace vibrocontact
         throw InputError(
             entry + ", but " + section + "/Model is " + model +
             ", which takes the local flexibility from the elements themselves: set it to reduced.");
-      if (contact.half_space_flexibility() && contact.quadrature == "consistent")
+      if (contact.half_space_flexibility() && contact.has_consistent_quadrature())
         throw InputError(entry + ", which knows tractions that are constant on each cell only: set " +
                          contact.section + "/Quadrature to lumped.");
       for (const BodyParameters *const one : joined)
@@ -208,7 +209,7 @@ namespace vibrocontact
                          ", which lies below the contact, but is body 1, above; "
                          "list it second in Bodies.");
       for (const BodyParameters *const body : bodies)
-        if (contact.quadrature == "consistent" && body->description->lies_on_half_space())
+        if (contact.has_consistent_quadrature() && body->description->lies_on_half_space())
           throw InputError(
               contact.section + "/Quadrature is consistent, but the half-space under the contact of " +
               body->name + " knows tractions that are constant on each cell only: set it to lumped.");
@@ -317,7 +318,7 @@ namespace vibrocontact
   {
     const auto refuse = [&](const std::string &asked)
     { throw InputError(what + ", which does not take " + asked + "."); };
-    if (hub_has_mass(parameters.hub()))
+    if (hub_kind(parameters.hub()).has_mass())
       refuse("a hub with mass: set Rolling/Hub to held or massless");
     for (const ContactParameters &contact : parameters.contacts.all)
       if (contact.law_of_friction()->depends_on_speed())

@@ -22,20 +22,21 @@ namespace vibrocontact
   void check_hub(const Parameters &parameters)
   {
     const RollingParameters &rolling = parameters.rolling;
-    const std::string is = "Rolling/Hub is " + rolling.hub;
-    if (!hub_has_mass(rolling.hub) && rolling.suspension.any())
+    const HubKind &hub = hub_kind(rolling.hub);
+    const std::string is = "Rolling/Hub is " + hub.name;
+    if (!hub.has_mass() && rolling.suspension.any())
       throw InputError("Section Rolling/Suspension carries a suspended hub or an axle, but " + is +
                        ": set it to suspended or axle, or leave the section out.");
-    if (rolling.hub != "axle" && rolling.axle.any())
+    if (!hub.has_axle && rolling.axle.any())
       throw InputError("Section Rolling/Axle describes an axle, but " + is +
                        ": set it to axle or leave the section out.");
-    if (rolling.hub == "held")
+    if (hub.keeps_place)
       return;
     const BodyParameters &body = parameters.scene.bodies[0];
     if (!parameters.has_hub())
       throw InputError(is + ", but body 1, " + body.name +
                        ", is a half-space, which has no hub: leave the entry out.");
-    if (!hub_has_mass(rolling.hub))
+    if (!hub.has_mass())
       return;
     if (body.rolls() && body.is_revolved())
       throw InputError(is + ", but " + body.name +
@@ -45,7 +46,7 @@ namespace vibrocontact
       throw InputError(is + ", but body 1, " + body.name +
                        ", is known at its contact points alone, by poles, which do not say what its hub's "
                        "acceleration does to it: set it to held or massless.");
-    if (rolling.hub == "axle")
+    if (hub.has_axle)
       check_axle(parameters, body);
     else if (!(rolling.suspension.mass > 0))
       throw InputError(is + ", but Rolling/Suspension/Unsprung mass is 0: give the mass of "

@@ -81,7 +81,7 @@ namespace vibrocontact
             throw InputError(body.name + "/Rail/Model is periodic, which the analysis \"" + analysis +
                              "\" does not take; set it to solid or leave the analysis out.");
         for (const ContactParameters &one : parameters.contacts.all)
-          if (parameters.has_contact() && one.quadrature == "consistent")
+          if (parameters.has_contact() && one.has_consistent_quadrature())
             throw InputError(one.section + "/Quadrature is consistent, but " + body.name +
                              "/Rail/Model is periodic, which knows tractions that are constant on each cell "
                              "only: set it to lumped.");
@@ -246,7 +246,7 @@ namespace vibrocontact
       if (!body.is_revolved() || body.rolls())
         throw InputError(is + "which is for a wheel with Model = harmonics that does not rotate, but " +
                          body.name + " is none: set Roots to all.");
-      if (parameters.rolling.hub != "held" || !parameters.scene.contacts.empty() ||
+      if (!hub_kind(parameters.rolling.hub).keeps_place || !parameters.scene.contacts.empty() ||
           parameters.sweeps.at("stability").sweeps(ParameterSweep::lateral_position))
         throw InputError(is +
                          "which takes a held hub in one contact that stays in its place: set Roots to all.");

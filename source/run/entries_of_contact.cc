@@ -210,14 +210,14 @@ namespace vibrocontact
 
   void add_hub(EntriesRead &entries, const Parameters &parameters)
   {
-    entries.add_if(parameters.hub() != "none", "body 1 has a hub", "Rolling", "Hub");
-    entries.add_if(parameters.hub() == "suspended", "Rolling/Hub is suspended", "Rolling/Suspension",
-                   "Unsprung mass");
-    entries.add_if(parameters.hub() == "axle", "Rolling/Hub is axle", "Rolling/Axle",
+    const HubKind &hub = hub_kind(parameters.hub());
+    entries.add_if(hub.exists(), "body 1 has a hub", "Rolling", "Hub");
+    entries.add_if(hub.has_unsprung_mass, "Rolling/Hub is suspended", "Rolling/Suspension", "Unsprung mass");
+    entries.add_if(hub.has_axle, "Rolling/Hub is axle", "Rolling/Axle",
                    "Length, Radius, Inner radius, Box distance, Box mass, Upper frequency");
-    entries.add_if(parameters.hub() == "axle", "Rolling/Hub is axle", "Rolling/Axle/Material",
+    entries.add_if(hub.has_axle, "Rolling/Hub is axle", "Rolling/Axle/Material",
                    "Young modulus, Poisson ratio, Density, Loss factor");
-    entries.add_if(hub_has_mass(parameters.hub()), "Rolling/Hub is suspended or axle", "Rolling/Suspension",
+    entries.add_if(hub.has_mass(), "Rolling/Hub is suspended or axle", "Rolling/Suspension",
                    "Stiffness x, Stiffness y, Stiffness z, Damping x, Damping y, Damping z");
   }
 

@@ -18,7 +18,7 @@ namespace vibrocontact
   {
     ContactParameters &contact = contacts.all[contact_number];
     // hats beside the edge of a face would reach beyond it
-    if (contact.quadrature == "consistent" || !contact.frame().has_usual_axes())
+    if (contact.has_consistent_quadrature() || !contact.frame().has_usual_axes())
       return;
     const ContactGrid asked = contact_grid(contact_number);
     const auto [above, below] = bodies_of_contact(contact_number);

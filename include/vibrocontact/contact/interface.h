@@ -90,6 +90,7 @@ namespace vibrocontact
     /// @param coefficient in place of the entry's, as in a sweep [-]
     std::shared_ptr<const FrictionLaw> law_of_friction(double coefficient) const;
     std::shared_ptr<const FrictionLaw> law_of_friction() const { return law_of_friction(friction); }
+    bool has_consistent_quadrature() const { return quadrature == "consistent"; }
     bool half_space_flexibility() const { return local_flexibility == "half-space"; }
     /// Whether the local flexibility is another than the elements', so that modes have to carry the rest.
     bool replaces_flexibility() const { return half_space_flexibility() || !coupling; }

@@ -132,18 +132,28 @@ namespace vibrocontact
     void act(const DenseVector &by, DenseVector &q, DenseVector &v) const;
   };
 
-  /// What Rolling/Hub can be.
+  /// What becomes of the hub of body 1 in a motion about the equilibrium.
   struct HubKind
   {
     std::string name;
-    /// whether it moves with a mass of its own (HubCoordinates)
-    bool has_mass;
+    /// it stays where it is in the equilibrium
+    bool keeps_place;
+    /// it follows, so that the normal force stays as given
+    bool keeps_force;
+    /// it moves with Rolling/Suspension/Unsprung mass, or with section Rolling/Axle (HubCoordinates)
+    bool has_unsprung_mass, has_axle;
     /// for the terminal
     std::string text;
-  };
-  const std::vector<HubKind> &hub_kinds();
 
-  bool hub_has_mass(const std::string &hub);
-  /// Its name and words for the terminal; those of "none" for half-spaces.
-  std::string hub_text(const std::string &hub);
+    bool has_mass() const { return has_unsprung_mass || has_axle; }
+    /// half-spaces have none
+    bool exists() const { return keeps_place || keeps_force || has_mass(); }
+  };
+
+  /// What Rolling/Hub can be.
+  const std::vector<HubKind> &hub_kinds();
+  /// One of them by its name, or that of half-spaces, "none".
+  const HubKind &hub_kind(const std::string &name);
+  /// Its name and words for the terminal.
+  std::string hub_text(const std::string &name);
 } // namespace vibrocontact

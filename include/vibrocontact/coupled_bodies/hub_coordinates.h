@@ -47,6 +47,6 @@ namespace vibrocontact
   HubCoordinates axle_hub(const ContactPair &pair, const SuspensionParameters &suspension,
                           const AxleParameters &axle);
 
-  /// As RollingParameters::hub says. @pre hub_has_mass()
+  /// As RollingParameters::hub says. @pre a hub with mass
   HubCoordinates hub_coordinates(const RollingParameters &rolling, const ContactPair &pair);
 } // namespace vibrocontact

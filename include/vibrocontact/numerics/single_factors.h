@@ -25,7 +25,7 @@ namespace vibrocontact
     void invert_blocks();
 
     dealii::types::blas_int n = 0;
-    std::vector<float> lu;
+    SingleMatrix lu;
     std::vector<dealii::types::blas_int> pivots;
     /// one behind the other, those of L, then those of U
     std::vector<float> inverses;

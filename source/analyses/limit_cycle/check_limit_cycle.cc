@@ -18,7 +18,7 @@ namespace vibrocontact
       throw InputError(lists + ", but Contact/Friction coefficient is 0, so that nothing slides or sticks: "
                                "give a friction coefficient.");
     const std::string but = lists + ", which does not take ";
-    if (hub_has_mass(parameters.hub()))
+    if (hub_kind(parameters.hub()).has_mass())
       throw InputError(but + "a hub with mass: set Rolling/Hub to held or massless.");
     for (const ContactParameters &contact : parameters.contacts.all)
       if (contact.law_of_friction()->jump() > 0)

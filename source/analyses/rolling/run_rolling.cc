@@ -168,7 +168,7 @@ namespace vibrocontact
         if (!contacts.all[c].name.empty())
           results.analyses["quasi_static_rolling"]["contacts"][contacts.all[c].name]["cases"].push_back(
               rolling_case_json(result, result.contacts[c]));
-      if (parameters.hub() == "suspended")
+      if (hub_kind(parameters.hub()).has_unsprung_mass)
         cases.back()["suspension_deflection_m"] = deflection(result, parameters.rolling.suspension);
       judge(result, k, cases.back(), results);
       save();

@@ -201,6 +201,7 @@ namespace vibrocontact
                             const std::function<void(StabilityResult &&, const RollingEquilibrium &)> &found)
   {
     unsigned int number = 0;
+    const HubKind &hub = hub_kind(rolling.hub);
     const auto take = [&](const RollingResult &equilibrium, const ContactProblem &problem)
     {
       if (!equilibrium.solution.converged)
@@ -215,10 +216,10 @@ namespace vibrocontact
       result.approach = equilibrium.solution.approach;
       result.contacts = equilibrium.contacts;
       result.hub = rolling.hub;
-      found(std::move(result), rolling_equilibrium(equilibrium.solution, problem.friction_law,
-                                                   problem.normal_law, rolling.creepage.speed,
-                                                   rolling.hub == "massless" ||
-                                                       (rolling.hub == "none" && problem.force_given())));
+      found(std::move(result),
+            rolling_equilibrium(equilibrium.solution, problem.friction_law, problem.normal_law,
+                                rolling.creepage.speed,
+                                hub.keeps_force || (!hub.exists() && problem.force_given())));
     };
     quasi_static_rolling(
         rolling, contact, solver, static_interface(pair),
@@ -236,7 +237,7 @@ namespace vibrocontact
     // the preload is no part of the linearisation
     std::shared_ptr<const ContactPair> suspended;
     std::optional<HystereticLoss> own_loss;
-    if (hub_has_mass(rolling.hub))
+    if (hub_kind(rolling.hub).has_mass())
     {
       if (loss)
         loss = &own_loss.emplace(*loss);

@@ -178,7 +178,7 @@ namespace vibrocontact
       check_load_over_time(transient, transient.normal_force.empty() && transient.hub_displacement.empty()
                                           ? ""
                                           : "section Transient");
-      if (transient.release && !hub_has_mass(parameters.hub()))
+      if (transient.release && !hub_kind(parameters.hub()).has_mass())
         throw InputError("Transient/Release takes the driving force off the hub, but Rolling/Hub is " +
                          parameters.hub() +
                          ", which has no mass that could spring back: set it to suspended.");

@@ -9,16 +9,17 @@ namespace vibrocontact
 {
   std::string transient_hub(const std::string &hub, const LoadOverTime &load)
   {
-    if (load.hub_displacement && (hub == "massless" || hub_has_mass(hub)))
+    const HubKind &kind = hub_kind(hub);
+    if (load.hub_displacement && (kind.keeps_force || kind.has_mass()))
       throw InputError(load.name + " moves a held hub, but Rolling/Hub is " + hub +
                        ": give Normal force over time, or set Rolling/Hub to held.");
-    return load.normal_force && hub == "held" ? "massless" : hub;
+    return load.normal_force && kind.keeps_place ? "massless" : hub;
   }
 
   std::string transient_hub_text(const std::string &hub, const LoadOverTime &load)
   {
     const std::string applied = transient_hub(hub, load);
-    if (load.name.empty() || applied == "none")
+    if (load.name.empty() || !hub_kind(applied).exists())
       return hub_text(applied);
     return load.hub_displacement ? "held: moved by " + load.name
                                  : applied + ": moved by the load " + load.name +
@@ -65,7 +66,8 @@ namespace vibrocontact
     HubMotion motion{held, [](const DriveFunction &given) { return given; }, drive};
     const Drive start = drive(0);
     const bool by_force = start.normal_force > 0;
-    if (!loaded && (hub == "none" || (hub == "held" && !by_force) || (hub == "massless" && by_force)))
+    const HubKind &kind = hub_kind(hub);
+    if (!loaded && (!kind.exists() || (kind.keeps_place && !by_force) || (kind.keeps_force && by_force)))
       return motion;
     const PlacedContacts &contacts = held->interface.contacts;
     if (loaded)
@@ -76,7 +78,7 @@ namespace vibrocontact
     motion.place = equilibrium.approach;
     motion.normal_force = force[2];
     const double place = motion.place, normal_force = motion.normal_force;
-    const bool driven = load.normal_force, by_displacement = hub != "massless", suspended = hub_has_mass(hub);
+    const bool driven = load.normal_force, by_displacement = !kind.keeps_force, suspended = kind.has_mass();
     if (suspended)
     {
       RollingParameters own = rolling;
