@@ -6,6 +6,7 @@
 #include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/krylov_schur.h>
 #include <vibrocontact/reduction/orient_modes.h>
+#include <vibrocontact/reduction/own_values.h>
 #include <vibrocontact/reduction/projected_matrix.h>
 
 #include <deal.II/base/mpi.h>
@@ -29,11 +30,9 @@ namespace vibrocontact
     {
       Vector diagonal(system.locally_owned, system.communicator);
       MatGetDiagonal(system.mass, diagonal);
-      const PetscScalar *values = nullptr;
-      VecGetArrayRead(diagonal, &values);
-      const unsigned int n_own = std::count_if(values, values + diagonal.locally_owned_size(),
-                                               [](const PetscScalar m) { return m > 0; });
-      VecRestoreArrayRead(diagonal, &values);
+      const std::vector<double> masses = own_values(diagonal);
+      const unsigned int n_own =
+          std::count_if(masses.begin(), masses.end(), [](const double m) { return m > 0; });
       return dealii::Utilities::MPI::sum(n_own, system.communicator);
     }
 
@@ -91,14 +90,7 @@ namespace vibrocontact
       for (unsigned int first = 0; first < modes.shapes.size(); first += block_size)
       {
         const unsigned int n = std::min<unsigned int>(block_size, modes.shapes.size() - first);
-        std::vector<double> columns;
-        for (unsigned int k = 0; k < n; ++k)
-        {
-          const PetscScalar *values = nullptr;
-          VecGetArrayRead(modes.shapes[first + k], &values);
-          columns.insert(columns.end(), values, values + n_rows);
-          VecRestoreArrayRead(modes.shapes[first + k], &values);
-        }
+        const std::vector<double> columns = own_values(modes.shapes, first, n);
         const auto inertia = block_product(system.mass, columns, n),
                    elastic = block_product(system.stiffness, columns, n);
         for (unsigned int k = 0; k < n; ++k)

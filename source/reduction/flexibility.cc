@@ -4,6 +4,7 @@
 #include <vibrocontact/reduction/block_product.h>
 #include <vibrocontact/reduction/conjugate_gradients.h>
 #include <vibrocontact/reduction/flexibility.h>
+#include <vibrocontact/reduction/own_values.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -47,15 +48,6 @@ namespace vibrocontact
       return "The contact compliance of body '" + body +
              "' is not symmetric and positive definite: its mesh has badly shaped cells or its "
              "material numbers are out of range; mend those.";
-    }
-
-    std::vector<double> own_values(const Vector &v)
-    {
-      const PetscScalar *values = nullptr;
-      VecGetArrayRead(v, &values);
-      std::vector<double> result(values, values + v.locally_owned_size());
-      VecRestoreArrayRead(v, &values);
-      return result;
     }
 
     void broadcast(DenseMatrix &matrix, MPI_Comm communicator)
@@ -165,11 +157,9 @@ namespace vibrocontact
     std::vector<std::vector<double>> rows(end - begin, std::vector<double>(n));
     for (unsigned int k = 0; k < n; ++k)
     {
-      const PetscScalar *values = nullptr;
-      VecGetArrayRead(phi[k], &values);
+      const std::vector<double> values = own_values(phi[k]);
       for (unsigned int i = 0; i < rows.size(); ++i)
         rows[i][k] = values[i];
-      VecRestoreArrayRead(phi[k], &values);
     }
     for (const auto dof : trace_dofs)
       if (dof >= begin && dof < end)

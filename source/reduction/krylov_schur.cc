@@ -3,6 +3,7 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/reduction/block_product.h>
 #include <vibrocontact/reduction/krylov_schur.h>
+#include <vibrocontact/reduction/own_values.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 
 namespace vibrocontact
 {
@@ -122,13 +122,7 @@ namespace vibrocontact
     if (n_known > 0)
     {
       const auto known = Teuchos::rcp(new Epetra_MultiVector(map, n_known));
-      for (unsigned int k = 0; k < n_known; ++k)
-      {
-        const PetscScalar *values = nullptr;
-        VecGetArrayRead(modes.shapes[modes.n_rigid_modes + k], &values);
-        std::copy_n(values, map.NumMyElements(), (*known)[k]);
-        VecRestoreArrayRead(modes.shapes[modes.n_rigid_modes + k], &values);
-      }
+      set_values(own_values(modes.shapes, modes.n_rigid_modes, n_known), *known);
       problem->setAuxVecs(known);
     }
     problem->setProblem();
@@ -163,20 +157,14 @@ namespace vibrocontact
                              ".");
     for (int i = 0; i < solution.numVecs; ++i)
     {
-      const double lambda = 1 / solution.Evals[i].realpart;
-      if (!(lambda > 0))
-        throw ConvergenceError("Body '" + system.body + "': a mode has the squared frequency " +
-                               number_text(lambda) +
-                               " (rad/s)^2, which is not positive; is the body held, and does its mesh have "
-                               "cells of reasonable shape?");
-      modes.omega.push_back(std::sqrt(lambda));
       modes.shapes.emplace_back(system.locally_owned, system.communicator);
       PetscScalar *values = nullptr;
       VecGetArray(modes.shapes.back(), &values);
       std::copy_n((*solution.Evecs)[i], map.NumMyElements(), values);
       VecRestoreArray(modes.shapes.back(), &values);
     }
-
-    sort(modes);
+    // Not by the values that were found: of two equal ones rounding may make a complex pair in the projected problem, and
+    // then Anasazi puts its vectors into another order than its values.
+    take_frequencies_of_shapes(system, n_first, modes);
   }
 } // namespace vibrocontact

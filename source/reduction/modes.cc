@@ -1,8 +1,13 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/reduction/block_product.h>
 #include <vibrocontact/reduction/modes.h>
+#include <vibrocontact/reduction/own_values.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <sstream>
 #include <utility>
@@ -87,5 +92,39 @@ namespace vibrocontact
     }
     modes.omega = std::move(omega);
     modes.shapes = std::move(shapes);
+  }
+
+  void take_frequencies_of_shapes(const SecondOrderSystem &system, const unsigned int first, Modes &modes)
+  {
+    constexpr unsigned int block_size = 16;
+    modes.omega.resize(first);
+    for (unsigned int begin = first; begin < modes.shapes.size(); begin += block_size)
+    {
+      const unsigned int n = std::min<unsigned int>(block_size, modes.shapes.size() - begin);
+      const std::vector<double> shapes = own_values(modes.shapes, begin, n),
+                                elastic = block_product(system.stiffness, shapes, n),
+                                inertial = block_product(system.mass, shapes, n);
+      // of each shape, phi^T K phi and phi^T M phi
+      std::vector<double> products(2 * n);
+      const std::size_t n_rows = shapes.size() / n;
+      for (unsigned int k = 0; k < n; ++k)
+      {
+        const auto shape = shapes.begin() + k * n_rows;
+        products[2 * k] = std::inner_product(shape, shape + n_rows, elastic.begin() + k * n_rows, 0.);
+        products[2 * k + 1] = std::inner_product(shape, shape + n_rows, inertial.begin() + k * n_rows, 0.);
+      }
+      dealii::Utilities::MPI::sum(products, system.communicator, products);
+      for (unsigned int k = 0; k < n; ++k)
+      {
+        const double square = products[2 * k] / products[2 * k + 1];
+        if (!(square > 0))
+          throw ConvergenceError("Body '" + system.body + "': a mode has the squared frequency " +
+                                 number_text(square) +
+                                 " (rad/s)^2, which is not positive; is the body held, and does its mesh "
+                                 "have cells of reasonable shape?");
+        modes.omega.push_back(std::sqrt(square));
+      }
+    }
+    sort(modes);
   }
 } // namespace vibrocontact

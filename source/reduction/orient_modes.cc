@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/reduction/orient_modes.h>
+#include <vibrocontact/reduction/own_values.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -28,16 +29,6 @@ namespace vibrocontact
       return all;
     }
 
-    std::vector<double> local_values(const Vector &v)
-    {
-      std::vector<double> result(v.locally_owned_size());
-      const PetscScalar *values = nullptr;
-      VecGetArrayRead(v, &values);
-      std::copy_n(values, result.size(), result.begin());
-      VecRestoreArrayRead(v, &values);
-      return result;
-    }
-
     // For every dof the dof of the same direction next to the mirror image in the plane x = 0; on the host.
     class MirrorImages
     {
@@ -51,7 +42,7 @@ namespace vibrocontact
         direction = gather_on_host(system.dof_direction, communicator);
         Vector diagonal(system.locally_owned, communicator);
         MatGetDiagonal(system.mass, diagonal);
-        mass = gather_on_host(local_values(diagonal), communicator);
+        mass = gather_on_host(own_values(diagonal), communicator);
         if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
           return;
         using Entry = std::pair<dealii::Point<3>, unsigned int>;
@@ -79,8 +70,8 @@ namespace vibrocontact
       // all ranks.
       double angle(const Vector &a, const Vector &b) const
       {
-        const auto u = gather_on_host(local_values(a), communicator),
-                   v = gather_on_host(local_values(b), communicator);
+        const auto u = gather_on_host(own_values(a), communicator),
+                   v = gather_on_host(own_values(b), communicator);
         double saa = 0, sbb = 0, sab = 0;
         for (unsigned int i = 0; i < image.size(); ++i)
           if (mass[i] > 0)
@@ -142,10 +133,10 @@ namespace vibrocontact
     size = dealii::Utilities::MPI::max(size, system.communicator);
     Vector diagonal(system.locally_owned, system.communicator);
     MatGetDiagonal(system.mass, diagonal);
-    const auto mass = local_values(diagonal);
+    const auto mass = own_values(diagonal);
     for (auto &shape : modes.shapes)
     {
-      const auto u = local_values(shape);
+      const auto u = own_values(shape);
       for (unsigned int field = 0; field < 20; ++field)
       {
         std::array<double, 3> sums{}; // projection, |probe|^2, |u|^2

@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/reduction/own_values.h>
 #include <vibrocontact/reduction/wheel_labels.h>
 
 #include <deal.II/base/mpi.h>
@@ -96,8 +97,7 @@ namespace vibrocontact
     AssertThrow(system.dof_position.size() == n_local, dealii::ExcInternalError());
     dealii::PETScWrappers::MPI::Vector diagonal(system.locally_owned, system.communicator);
     MatGetDiagonal(system.mass, diagonal);
-    const PetscScalar *masses = nullptr;
-    VecGetArrayRead(diagonal, &masses);
+    const std::vector<double> masses = own_values(diagonal);
 
     const double huge = std::numeric_limits<double>::max();
     double r_min = huge, r_max = 0, y_min = huge, y_max = -huge;
@@ -116,7 +116,6 @@ namespace vibrocontact
         y_max = std::max(y_max, p[1]);
       }
     }
-    VecRestoreArrayRead(diagonal, &masses);
     const MPI_Comm communicator = system.communicator;
     r_min = dealii::Utilities::MPI::min(r_min, communicator);
     r_max = dealii::Utilities::MPI::max(r_max, communicator);
@@ -133,8 +132,7 @@ namespace vibrocontact
     for (const auto &shape : modes.shapes)
     {
       std::vector<Ring> rings(n_rings);
-      const PetscScalar *u = nullptr;
-      VecGetArrayRead(shape, &u);
+      const std::vector<double> u = own_values(shape);
       const auto add = [&](Ring &ring, const Polar &node, const double value)
       {
         const Complex turn(node.cosine, -node.sine);
@@ -171,7 +169,6 @@ namespace vibrocontact
           ring.mass += node.mass;
         }
       }
-      VecRestoreArrayRead(shape, &u);
       static_assert(sizeof(Ring) == stride * sizeof(double));
       MPI_Allreduce(MPI_IN_PLACE, rings.data(), n_rings * stride, MPI_DOUBLE, MPI_SUM, communicator);
 

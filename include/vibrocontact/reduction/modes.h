@@ -58,4 +58,9 @@ namespace vibrocontact
 
   /// By ascending frequency; equal ones stay in their order.
   void sort(Modes &modes);
+
+  /// The frequencies of the shapes from number `first` on by Rayleigh's quotient, w^2 = phi^T K phi / phi^T M phi; then all
+  /// sorted. Collective.
+  /// @throws ConvergenceError where a shape's is not positive
+  void take_frequencies_of_shapes(const SecondOrderSystem &system, unsigned int first, Modes &modes);
 } // namespace vibrocontact

@@ -1,0 +1,27 @@
+#include <vibrocontact/reduction/own_values.h>
+
+namespace vibrocontact
+{
+  using Vector = dealii::PETScWrappers::MPI::Vector;
+
+  std::vector<double> own_values(const Vector &vector)
+  {
+    const PetscScalar *values = nullptr;
+    VecGetArrayRead(vector, &values);
+    const std::vector<double> result(values, values + vector.locally_owned_size());
+    VecRestoreArrayRead(vector, &values);
+    return result;
+  }
+
+  std::vector<double> own_values(const std::vector<Vector> &vectors, const unsigned int first,
+                                 const unsigned int n)
+  {
+    std::vector<double> result;
+    for (unsigned int k = first; k < first + n; ++k)
+    {
+      const std::vector<double> values = own_values(vectors[k]);
+      result.insert(result.end(), values.begin(), values.end());
+    }
+    return result;
+  }
+} // namespace vibrocontact
