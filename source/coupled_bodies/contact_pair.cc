@@ -351,17 +351,29 @@ namespace vibrocontact
   void add_residual_displacement(const DenseMatrix &W, const HalfSpaces *const alone, const DenseVector &R,
                                  DenseVector &result)
   {
+    add_residual_displacements(W, alone, {&R}, {&result});
+  }
+
+  void add_residual_displacements(const DenseMatrix &W, const HalfSpaces *const alone,
+                                  const std::vector<const DenseVector *> &R,
+                                  const std::vector<DenseVector *> &results)
+  {
+    AssertDimension(R.size(), results.size());
     if (alone)
     {
       DenseVector displacement;
-      alone->flexibility.vmult(displacement, R, loaded_points(R, alone->flexibility.n_points()));
-      result += displacement;
+      for (std::size_t k = 0; k < R.size(); ++k)
+      {
+        alone->flexibility.vmult(displacement, *R[k], loaded_points(*R[k], alone->flexibility.n_points()));
+        *results[k] += displacement;
+      }
       return;
     }
-    const dealii::types::blas_int n = R.size(), one = 1;
-    for (unsigned int j = 0; j < R.size(); ++j)
-      if (R[j] != 0)
-        dealii::axpy(&n, R.begin() + j, &W(0, j), &one, result.data(), &one);
+    const dealii::types::blas_int n = W.m(), one = 1;
+    for (unsigned int j = 0; j < W.n(); ++j)
+      for (std::size_t k = 0; k < R.size(); ++k)
+        if ((*R[k])[j] != 0)
+          dealii::axpy(&n, R[k]->begin() + j, &W(0, j), &one, results[k]->data(), &one);
   }
 
   DenseMatrix rest_over_step(const ContactPair &pair, const double h)

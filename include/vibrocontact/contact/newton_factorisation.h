@@ -55,6 +55,8 @@ namespace vibrocontact
       std::vector<unsigned int> points;
       std::vector<ContactStatus> status;
       NewtonJacobian::Rows rows;
+      /// A among these points, shared by all factors of them
+      std::shared_ptr<const DenseMatrix> response;
       /// J itself until the first solution by single_lu was tried with it, then empty or factorised
       DenseMatrix lu;
       /// empty: lu serves
@@ -74,18 +76,16 @@ namespace vibrocontact
     bool factorise(const ContactProblem &problem, const NewtonJacobian &J,
                    const std::vector<ContactStatus> &now);
     /// Takes points that have changed their status into the factors in use.
-    bool update(const ContactOperator &of, const NewtonJacobian &J);
-    /// response <- A among the points
-    void take_response(const ContactOperator &of, const std::vector<unsigned int> &points);
+    bool update(const NewtonJacobian &J);
+    /// A among the points: that of kept factors of the same ones, or extracted.
+    std::shared_ptr<const DenseMatrix> response_of(const ContactOperator &of,
+                                                   const std::vector<unsigned int> &points) const;
     bool solve_by_factors(DenseVector &x);
     bool solve_by_lu(DenseVector &x);
 
     /// of all factors: their operator and the kind of load
     std::weak_ptr<const ContactOperator> A;
     bool force_given = false;
-    /// A among some points
-    DenseMatrix response;
-    std::vector<unsigned int> response_points;
     std::vector<std::unique_ptr<Factors>> kept;
     /// those in use; null: none
     Factors *used = nullptr;

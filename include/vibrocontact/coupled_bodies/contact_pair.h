@@ -151,6 +151,10 @@ namespace vibrocontact
   /// result += W R, 3 n [m]. @param alone half-spaces, whose kernels stand in place of W; or null
   void add_residual_displacement(const DenseMatrix &W, const HalfSpaces *alone, const DenseVector &R,
                                  DenseVector &result);
+  /// Of several forces at once, so that W is read once.
+  void add_residual_displacements(const DenseMatrix &W, const HalfSpaces *alone,
+                                  const std::vector<const DenseVector *> &R,
+                                  const std::vector<DenseVector *> &results);
 
   /// W~ + Psi diag(w^-2) Psi^T - 2 Re right diag(1 / lambda) left^T: what a static analysis sees; 3 n square [m/N].
   /// @throws InputError if a body can move freely

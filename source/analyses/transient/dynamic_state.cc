@@ -4,16 +4,36 @@
 
 namespace vibrocontact
 {
+  namespace
+  {
+    // of what the rests have followed so far
+    void add_relaxing_displacement(const ContactPair &pair, DynamicState &state)
+    {
+      for (unsigned int k = 0; k < pair.relaxing.size(); ++k)
+      {
+        DenseVector behind = state.relaxed[k];
+        behind -= forces_on_rest(pair, k, state);
+        add_residual_displacement(pair.relaxing[k].flexibility, nullptr, behind, state.residual_displacement);
+      }
+    }
+  } // namespace
+
   void set_residual_displacement(const ContactPair &pair, DynamicState &state)
   {
     state.residual_displacement.reinit(state.R.size());
     add_residual_displacement(pair.residual, pair.half_spaces.get(), state.R, state.residual_displacement);
-    for (unsigned int k = 0; k < pair.relaxing.size(); ++k)
-    {
-      DenseVector behind = state.relaxed[k];
-      behind -= forces_on_rest(pair, k, state);
-      add_residual_displacement(pair.relaxing[k].flexibility, nullptr, behind, state.residual_displacement);
-    }
+    add_relaxing_displacement(pair, state);
+  }
+
+  void set_residual_displacement_and_changes(const ContactPair &pair, DynamicState &state)
+  {
+    for (DenseVector *const displacement :
+         {&state.residual_displacement, &state.residual_change, &state.residual_change_before})
+      displacement->reinit(state.R.size());
+    add_residual_displacements(
+        pair.residual, pair.half_spaces.get(), {&state.R, &state.force_change, &state.force_change_before},
+        {&state.residual_displacement, &state.residual_change, &state.residual_change_before});
+    add_relaxing_displacement(pair, state);
   }
 
   void set_powers(const DenseVector &R, const DenseVector &slip, const DenseVector &rigid_slip,

@@ -48,14 +48,7 @@ namespace vibrocontact
   void Proximity::search(DynamicState &state, const DenseVector &shapes) const
   {
     const unsigned int n = pair.n_points();
-    set_residual_displacement(pair, state);
-    const auto set_change = [&](const DenseVector &of_forces, DenseVector &change)
-    {
-      change = 0;
-      add_residual_displacement(pair.residual, pair.half_spaces.get(), of_forces, change);
-    };
-    set_change(state.force_change, state.residual_change);
-    set_change(state.force_change_before, state.residual_change_before);
+    set_residual_displacement_and_changes(pair, state);
     // rows that were not nearby have no rate yet: theirs begins with a backward difference
     for (unsigned int i = n; i < 3 * n; ++i)
       if (state.residual_rate[i] == 0)
