@@ -25,7 +25,7 @@ def wheel(name, pairs, ranks=1, contact={"Contact_at": "support"}, sweep=(), mar
                 section("Rail", entries(Model="periodic", Pole_pairs=pairs, **contact))),
         section("Contact", entries(Friction_coefficient=friction, Grid_spacing=2.5e-3, Lateral_position=-10e-3)),
         section("Rolling", entries(Hub_displacement=0.2e-3, Speed=10, Lateral_creepage=-0.01)),
-        section("Limit cycle", entries(Time_step=1e-5, Roots=920, Harmonics="5, 20")) + "\n" +
+        section("Limit cycle", entries(Time_step=5e-6, Roots=920, Harmonics="5, 20")) + "\n" +
         section("Transient", entries(Integrator="exact propagator")) if cycles
         else section("Transient", entries(Time_step=1e-5, End_time=march, Perturbed_mode="wheel:axial(0,2)", Perturbation=1e-9)) if march
         else section("Stability", entries(Loss="hysteretic"), *swept)])
@@ -81,7 +81,7 @@ for ranks in (1, 2):
 
 # where the fastest root ends, without time going by
 for ranks in (1, 2):
-    search, _ = wheel(f"cycle_{ranks}", 24, ranks, cycles=True)
+    search, _ = wheel(f"cycle_{ranks}", 16, ranks, cycles=True)
     cycle = search["limit_cycle"][0]
     if ranks == 1:
         alone = cycle

@@ -31,10 +31,10 @@ def cycles_of_waves(name, roots):
         section("wheel", "set Type = wheel", section("Wheel", entries(Model="harmonics", Element_degree=2, Rotation="true")),
                 section("Modes", entries(Upper_frequency=2000))),
         section("rail", "set Type = rail", section("Material", entries(Loss_factor=0.02)),
-                section("Rail", entries(Model="periodic", Contact_at="support"))),
+                section("Rail", entries(Model="periodic", Pole_pairs=16, Contact_at="support"))),
         section("Contact", entries(Friction_coefficient=0.3, Grid_spacing=2.5e-3, Lateral_position=-10e-3)),
         section("Rolling", entries(Hub_displacement=0.2e-3, Speed=10, Lateral_creepage=-0.01)),
-        section("Limit cycle", entries(Time_step=1e-5, Roots=roots, Harmonics="5, 20"), section("Basins", entries(Starts=1, Border=1, Time_step=2e-5))),
+        section("Limit cycle", entries(Time_step=5e-6, Roots=roots, Harmonics="5, 20"), section("Basins", entries(Starts=1, Border=1, Time_step=2e-5))),
         section("Transient", entries(Integrator="exact propagator"))])
     return run(name, text)
 

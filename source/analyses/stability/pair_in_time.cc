@@ -21,6 +21,17 @@ namespace vibrocontact
     /// of growth, by the poles; below this share of omega it counts as growth of that share
     constexpr double good_growth = 0.02, wrong_growth = 0.03, least_growth = 1e-5;
 
+    /// digits of what the poles are fitted for: how they follow the rail elsewhere hangs on every digit of it, also on those that
+    /// rounding has made of the roots
+    constexpr int digits_of_frequency = 4, digits_of_error = 2;
+
+    /// @param value positive
+    double rounded(const double value, const int digits)
+    {
+      const double unit = std::pow(10., std::floor(std::log10(value)) + 1 - digits);
+      return unit * std::round(value / unit);
+    }
+
     /// Relative.
     double error_of_growth(const StabilityRoot &exact, const StabilityRoot &in_time)
     {
@@ -76,7 +87,7 @@ namespace vibrocontact
 
     void add_band(std::vector<FrequencyBand> &bands, const double frequency)
     {
-      const double omega = 2 * dealii::numbers::PI * frequency;
+      const double omega = 2 * dealii::numbers::PI * rounded(frequency, digits_of_frequency);
       if (!band_about(bands, frequency))
         bands.push_back({(1 - half_band) * omega, (1 + half_band) * omega});
     }
@@ -113,7 +124,8 @@ namespace vibrocontact
             const double error = error_of_growth(root, *other);
             if (error <= good_growth)
               return;
-            band_about(bands, root.frequency)->aimed_error *= std::max(0.3, good_growth / (2 * error));
+            double &aimed = band_about(bands, root.frequency)->aimed_error;
+            aimed = rounded(aimed * std::max(0.3, good_growth / (2 * error)), digits_of_error);
             any = true;
           });
       return any;
