@@ -18,6 +18,8 @@ namespace vibrocontact
     /// of a factorisation, in steps of Newton's method
     constexpr unsigned int price = 60;
     constexpr unsigned int most_kept = 24;
+    /// sets of points whose entries of A are at hand
+    constexpr unsigned int most_responses = 2;
     /// unknowns below which single precision saves nothing
     constexpr unsigned int few_unknowns = 100;
     /// of a right-hand side, that a solution in single precision may leave
@@ -54,9 +56,10 @@ namespace vibrocontact
 
   void NewtonFactorisation::forget()
   {
+    A.reset();
     kept.clear();
     used = nullptr;
-    n_problems = 0;
+    n_problems = n_solves = 0;
     excess = 0;
     last_direction.reinit(0);
   }
@@ -74,9 +77,11 @@ namespace vibrocontact
     n_solves = 0;
     is_distrusted = false;
     // a problem by itself has factors in double precision; those that follow have their own, which solve in half the time
-    if (n_problems == 2 && used && used->lu.m() >= few_unknowns)
+    if (n_problems == 2)
     {
-      kept.clear();
+      kept.erase(std::remove_if(kept.begin(), kept.end(),
+                                [](const auto &one) { return one->lu.m() >= few_unknowns; }),
+                 kept.end());
       used = nullptr;
     }
     is_earlier = used != nullptr;
@@ -100,6 +105,15 @@ namespace vibrocontact
     return best;
   }
 
+  std::vector<unsigned int> NewtonFactorisation::changed_points(const std::vector<ContactStatus> &now) const
+  {
+    std::vector<unsigned int> result;
+    for (unsigned int k = 0; k < used->points.size(); ++k)
+      if (now[used->points[k]] != used->status[k])
+        result.push_back(k);
+    return result;
+  }
+
   bool NewtonFactorisation::wants_another(const double gain) const
   {
     if (is_distrusted)
@@ -116,47 +130,62 @@ namespace vibrocontact
     if (A.lock() != problem.A || force_given != problem.force_given())
     {
       forget();
+      responses.clear();
       n_problems = 1;
       A = problem.A;
       force_given = problem.force_given();
     }
-    if (used && (n_solves == 0 || used->points != J.points()))
+    if (n_solves == 0 || (used && (used->points != J.points() || changed_points(now).size() > max_changed)))
     {
       Factors *const before = used;
       used = nearest(J);
       if (used != before)
         last_direction.reinit(0);
-      is_earlier = true;
+      is_earlier = used != nullptr;
     }
     if (used && !wants_another(gain))
     {
       used->last_used = n_problems;
-      flipped.clear();
-      for (unsigned int k = 0; k < used->points.size(); ++k)
-        if (now[used->points[k]] != used->status[k])
-          flipped.push_back(k);
-      if (flipped == used->changed || (flipped.size() <= max_changed && update(J)))
+      flipped = changed_points(now);
+      if (flipped == used->changed)
         return true;
+      if (flipped.size() <= max_changed)
+      {
+        if (update(*problem.A, J))
+          return true;
+        // what a change makes singular serves nobody
+        kept.erase(
+            std::find_if(kept.begin(), kept.end(), [&](const auto &one) { return one.get() == used; }));
+        used = nullptr;
+      }
     }
     ++factorisations;
     return factorise(problem, J, now);
   }
 
-  std::shared_ptr<const DenseMatrix>
-  NewtonFactorisation::response_of(const ContactOperator &of, const std::vector<unsigned int> &points) const
+  const DenseMatrix &NewtonFactorisation::response_of(const ContactOperator &of,
+                                                      const std::vector<unsigned int> &points)
   {
-    for (const std::unique_ptr<Factors> &one : kept)
-      if (one->points == points)
-        return one->response;
-    auto response = std::make_shared<DenseMatrix>();
-    of.extract(points, *response);
-    return response;
+    const auto known = std::find_if(responses.begin(), responses.end(),
+                                    [&](const Response &one) { return one.points == points; });
+    if (known != responses.end())
+      std::rotate(responses.begin(), known, known + 1);
+    else
+    {
+      Response found;
+      found.points = points;
+      of.extract(points, found.matrix);
+      if (responses.size() == most_responses)
+        responses.pop_back();
+      responses.insert(responses.begin(), std::move(found));
+    }
+    return responses.front().matrix;
   }
 
   bool NewtonFactorisation::factorise(const ContactProblem &problem, const NewtonJacobian &J,
                                       const std::vector<ContactStatus> &now)
   {
-    const std::shared_ptr<const DenseMatrix> response = response_of(*problem.A, J.points());
+    const DenseMatrix &response = response_of(*problem.A, J.points());
     last_direction.reinit(0);
     is_earlier = is_distrusted = false;
     excess = 0;
@@ -170,8 +199,7 @@ namespace vibrocontact
     for (const unsigned int i : used->points)
       used->status.push_back(now[i]);
     used->rows = J.rows_of_points();
-    used->response = response;
-    J.assemble(*response, used->lu);
+    J.assemble(response, used->lu);
     if (n_problems > 1 && J.size() >= few_unknowns && used->single_lu.factorise(used->lu))
       return true;
     if (factorise_lu(used->lu))
@@ -181,9 +209,10 @@ namespace vibrocontact
     return false;
   }
 
-  bool NewtonFactorisation::update(const NewtonJacobian &J)
+  bool NewtonFactorisation::update(const ContactOperator &of, const NewtonJacobian &J)
   {
     Factors &f = *used;
+    const DenseMatrix &response = response_of(of, f.points);
     const unsigned int m = f.points.size(), size = J.size(), n_flipped = flipped.size(),
                        t = J.n_components() - 1;
     DenseMatrix Z(size, t * n_flipped);
@@ -206,7 +235,7 @@ namespace vibrocontact
         }
         std::copy(column.begin(), column.end(), &Z(0, t * i + c));
       }
-      J.assemble_difference(k, f.rows[k], *f.response, f.differences, t * i);
+      J.assemble_difference(k, f.rows[k], response, f.differences, t * i);
     }
     f.columns = Z;
     f.changed = flipped;

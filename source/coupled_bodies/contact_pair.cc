@@ -359,6 +359,11 @@ namespace vibrocontact
                                   const std::vector<DenseVector *> &results)
   {
     AssertDimension(R.size(), results.size());
+    for (std::size_t k = 0; k < R.size() && !alone; ++k)
+    {
+      AssertDimension(R[k]->size(), W.n());
+      AssertDimension(results[k]->size(), W.m());
+    }
     if (alone)
     {
       DenseVector displacement;

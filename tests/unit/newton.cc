@@ -109,25 +109,81 @@ TEST(Newton, NotANumberStaysOutside)
   }
 }
 
-// A block of 10 by 10 points that stays pressed while its sliding velocity goes to and fro: the problems of one period after the
-// other are the same. What the solver keeps has to give the forces of one that keeps nothing, and to serve once more.
+namespace
+{
+  /// A block of 10 by 10 points that stays pressed, whose sliding velocity goes to and fro.
+  class SlidingBlock
+  {
+  public:
+    SlidingBlock()
+    {
+      ContactGrid grid;
+      grid.n_x = grid.n_y = 10;
+      grid.spacing_x = grid.spacing_y = 1e-3;
+      DenseMatrix A = half_space_compliance(grid, {{210e9, 0.3}, {70e9, 0.33}});
+      n = grid.n_points();
+      // slip: displacements over a step of 1e-4 s
+      for (unsigned int j = 0; j < 3 * n; ++j)
+        for (unsigned int i = n; i < 3 * n; ++i)
+          A(i, j) *= 1e4;
+      problem.title = "to and fro";
+      problem.A = std::make_shared<DenseContactOperator>(std::move(A));
+      problem.b.reinit(3 * n);
+      problem.mu.assign(n, 0.3);
+      problem.approach = 1e-5;
+    }
+
+    const ContactProblem &at(const double angle)
+    {
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        problem.b[n + i] = 0.02 * (1 + 0.1 * std::sin(1. * i)) * std::cos(angle);
+        problem.b[2 * n + i] = 0.1 + 0.11 * std::sin(angle) + 0.005 * std::cos(2. * i);
+      }
+      return problem;
+    }
+
+  private:
+    unsigned int n = 0;
+    ContactProblem problem;
+  };
+} // namespace
+
+// Factors of a problem by itself are in double precision; the next one makes its own in single precision, which serve from then on.
+TEST(Newton, FactorsOfTheFirstProblemServeItAlone)
+{
+  SlidingBlock block;
+  ContactSolverParameters parameters;
+  parameters.tolerance = 1e-9;
+  NewtonSolver solver(parameters);
+  ContactSolution state;
+  unsigned int factorisations[4];
+  for (unsigned int k = 0; k < 4; ++k)
+  {
+    solver.solve(block.at(0.3 + 1e-6 * k), state);
+    ASSERT_TRUE(state.converged) << k;
+    factorisations[k] = state.factorisations;
+  }
+  EXPECT_GT(factorisations[0], 0u);
+  EXPECT_EQ(factorisations[1], 1u);
+  EXPECT_EQ(factorisations[2] + factorisations[3], 0u);
+  // a renewed solver does as a new one
+  solver.renew();
+  ContactSolution again = state, fresh = state;
+  solver.solve(block.at(0.31), again);
+  NewtonSolver(parameters).solve(block.at(0.31), fresh);
+  EXPECT_EQ(again.factorisations, fresh.factorisations);
+  EXPECT_EQ(again.iterations, fresh.iterations);
+  for (unsigned int row = 0; row < again.R.size(); ++row)
+    EXPECT_EQ(again.R[row], fresh.R[row]) << row;
+}
+
+// The problems of one period after the other are the same. What the solver keeps has to give the forces of one that keeps nothing,
+// and to serve once more.
 TEST(Newton, MatricesServeAgainWhereAMotionComesBack)
 {
-  ContactGrid grid;
-  grid.n_x = grid.n_y = 10;
-  grid.spacing_x = grid.spacing_y = 1e-3;
-  DenseMatrix A = half_space_compliance(grid, {{210e9, 0.3}, {70e9, 0.33}});
-  const unsigned int n = grid.n_points(), period = 24;
-  // slip: displacements over a step of 1e-4 s
-  for (unsigned int j = 0; j < 3 * n; ++j)
-    for (unsigned int i = n; i < 3 * n; ++i)
-      A(i, j) *= 1e4;
-  ContactProblem problem;
-  problem.title = "to and fro";
-  problem.A = std::make_shared<DenseContactOperator>(std::move(A));
-  problem.b.reinit(3 * n);
-  problem.mu.assign(n, 0.3);
-  problem.approach = 1e-5;
+  constexpr unsigned int period = 24;
+  SlidingBlock block;
   ContactSolverParameters parameters;
   parameters.tolerance = 1e-9;
   NewtonSolver solver(parameters);
@@ -135,12 +191,7 @@ TEST(Newton, MatricesServeAgainWhereAMotionComesBack)
   unsigned int factorisations[6] = {};
   for (unsigned int k = 0; k < 6 * period; ++k)
   {
-    const double angle = 2 * M_PI * k / period;
-    for (unsigned int i = 0; i < n; ++i)
-    {
-      problem.b[n + i] = 0.02 * (1 + 0.1 * std::sin(1. * i)) * std::cos(angle);
-      problem.b[2 * n + i] = 0.1 + 0.11 * std::sin(angle) + 0.005 * std::cos(2. * i);
-    }
+    const ContactProblem &problem = block.at(2 * M_PI * k / period);
     solver.solve(problem, state);
     ASSERT_TRUE(state.converged) << k;
     EXPECT_EQ(state.fallbacks, 0u) << k;

@@ -116,3 +116,47 @@ TEST(Proximity, NoPointClosesUnnoticed)
   EXPECT_GT(n_both, 50u);
   EXPECT_GT(n_left, 50u);
 }
+
+// W~ of forces and of their last two changes by one pass over W~ is what a pass for each gives.
+TEST(Proximity, DisplacementsAndTheirChangesAreThoseOfTheirOwnForces)
+{
+  ContactPair pair = body_over_two_bumps();
+  RelaxingRest rest;
+  rest.body = 1;
+  rest.flexibility = pair.residual;
+  rest.flexibility *= 0.1;
+  rest.relaxation = 1e-4;
+  pair.relaxing = {rest};
+  DynamicState state;
+  const unsigned int n_rows = 3 * n_points;
+  for (DenseVector *const x : {&state.R, &state.force_change, &state.force_change_before})
+    x->reinit(n_rows);
+  state.relaxed = {DenseVector(n_rows)};
+  for (unsigned int row = 0; row < n_rows; row += 2)
+  {
+    state.R[row] = 10 + row;
+    state.force_change[row] = std::cos(1. * row);
+    state.force_change_before[row] = std::sin(1. * row);
+    state.relaxed[0][row] = 5;
+  }
+  DynamicState expected = state;
+  set_residual_displacement(pair, expected);
+  for (auto [forces, displacement] :
+       {std::pair(&state.force_change, &expected.residual_change),
+        std::pair(&state.force_change_before, &expected.residual_change_before)})
+  {
+    displacement->reinit(n_rows);
+    pair.residual.vmult(*displacement, *forces);
+  }
+  set_residual_displacement_and_changes(pair, state);
+  for (unsigned int row = 0; row < n_rows; ++row)
+  {
+    EXPECT_EQ(state.residual_displacement[row], expected.residual_displacement[row]) << row;
+    EXPECT_NEAR(state.residual_change[row], expected.residual_change[row],
+                1e-14 * expected.residual_change.linfty_norm());
+    EXPECT_NEAR(state.residual_change_before[row], expected.residual_change_before[row],
+                1e-14 * expected.residual_change_before.linfty_norm());
+  }
+  EXPECT_GT(expected.residual_change.linfty_norm(), 0.);
+  EXPECT_NE(expected.residual_change[0], expected.residual_change_before[0]);
+}

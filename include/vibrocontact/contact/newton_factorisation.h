@@ -27,6 +27,7 @@ namespace vibrocontact
   ///
   /// Many unknowns of time steps are solved for in single precision, which halves the memory that a step reads: residuals are
   /// those of the problem, in double precision. A matrix whose first solution shows that this is too coarse has double precision.
+  /// So have those of the first problem of an operator, which are not kept for the next one.
   class NewtonFactorisation
   {
   public:
@@ -55,8 +56,6 @@ namespace vibrocontact
       std::vector<unsigned int> points;
       std::vector<ContactStatus> status;
       NewtonJacobian::Rows rows;
-      /// A among these points, shared by all factors of them
-      std::shared_ptr<const DenseMatrix> response;
       /// J itself until the first solution by single_lu was tried with it, then empty or factorised
       DenseMatrix lu;
       /// empty: lu serves
@@ -72,20 +71,29 @@ namespace vibrocontact
 
     /// The kept factors nearest to J, or null.
     Factors *nearest(const NewtonJacobian &J) const;
+    /// Those in use: which of their points have another status now than when they were made.
+    std::vector<unsigned int> changed_points(const std::vector<ContactStatus> &now) const;
     bool wants_another(double gain) const;
     bool factorise(const ContactProblem &problem, const NewtonJacobian &J,
                    const std::vector<ContactStatus> &now);
     /// Takes points that have changed their status into the factors in use.
-    bool update(const NewtonJacobian &J);
-    /// A among the points: that of kept factors of the same ones, or extracted.
-    std::shared_ptr<const DenseMatrix> response_of(const ContactOperator &of,
-                                                   const std::vector<unsigned int> &points) const;
+    bool update(const ContactOperator &of, const NewtonJacobian &J);
+    /// A among the points, until the next call with others.
+    const DenseMatrix &response_of(const ContactOperator &of, const std::vector<unsigned int> &points);
     bool solve_by_factors(DenseVector &x);
     bool solve_by_lu(DenseVector &x);
 
     /// of all factors: their operator and the kind of load
     std::weak_ptr<const ContactOperator> A;
     bool force_given = false;
+    /// A among some points
+    struct Response
+    {
+      std::vector<unsigned int> points;
+      DenseMatrix matrix;
+    };
+    /// the last ones asked for, the latest first
+    std::vector<Response> responses;
     std::vector<std::unique_ptr<Factors>> kept;
     /// those in use; null: none
     Factors *used = nullptr;

@@ -6,7 +6,7 @@ namespace vibrocontact
 {
   namespace
   {
-    // of what the rests have followed so far
+    // of rests that relax: W of each times what it is behind its forces by
     void add_relaxing_displacement(const ContactPair &pair, DynamicState &state)
     {
       for (unsigned int k = 0; k < pair.relaxing.size(); ++k)

@@ -57,7 +57,7 @@ namespace vibrocontact
 
   /// Residual displacements of its forces, and of what the rests have followed so far.
   void set_residual_displacement(const ContactPair &pair, DynamicState &state);
-  /// And what the last changes of the forces have changed of them at once, W~ force_change.
+  /// The same, and W~ force_change and W~ force_change_before, by one pass over W~.
   void set_residual_displacement_and_changes(const ContactPair &pair, DynamicState &state);
   /// Powers of forces and slips on the same points. @param rate R . du/dt of the tangential displacements [W]
   void set_powers(const DenseVector &R, const DenseVector &slip, const DenseVector &rigid_slip,
