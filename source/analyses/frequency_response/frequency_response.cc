@@ -3,6 +3,7 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -174,5 +175,12 @@ namespace vibrocontact
       result.push_back(spacing == "linear" ? first + t * (last - first) : first * std::pow(last / first, t));
     }
     return result;
+  }
+
+  std::complex<double> FrequencyResponseParameters::shown(const std::complex<double> &receptance,
+                                                          const double frequency) const
+  {
+    return is_mobility() ? receptance * std::complex<double>(0, 2 * dealii::numbers::PI * frequency)
+                         : receptance;
   }
 } // namespace vibrocontact

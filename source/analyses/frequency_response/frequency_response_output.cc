@@ -30,15 +30,6 @@ namespace vibrocontact
           action(label(points[i]), label(points[j]), i * points.size() + j);
     }
 
-    /// what is shown: mobility or receptance
-    std::complex<double> shown(const FrequencyResponseParameters &parameters,
-                               const std::complex<double> &receptance, const double frequency)
-    {
-      return parameters.quantity == "mobility"
-                 ? receptance * std::complex<double>(0, 2 * dealii::numbers::PI * frequency)
-                 : receptance;
-    }
-
     /// what differences of an entry are compared with: the entry at driving points, the geometric mean of
     /// both driving points at transfers, which may vanish by symmetry
     double scale(const Receptance &response, const unsigned int index)
@@ -50,13 +41,12 @@ namespace vibrocontact
     std::vector<std::string> pair_columns(const FrequencyResponseParameters &parameters,
                                           const ResponseVariant &variant)
     {
-      const std::string unit = parameters.quantity == "mobility" ? "_m_Ns" : "_m_N";
       std::vector<std::string> columns;
       for_each_pair(parameters, variant,
                     [&](const std::string &response, const std::string &force, unsigned int)
                     {
                       for (const char *part : {"_real", "_imag"})
-                        columns.push_back(response + "_" + force + part + unit);
+                        columns.push_back(response + "_" + force + part + parameters.unit_ending());
                     });
       return columns;
     }
@@ -67,7 +57,7 @@ namespace vibrocontact
       for_each_pair(parameters, variant,
                     [&](const std::string &, const std::string &, const unsigned int index)
                     {
-                      const auto value = shown(parameters, variant.response[k][index], variant.frequency[k]);
+                      const auto value = parameters.shown(variant.response[k][index], variant.frequency[k]);
                       row.push_back(value.real());
                       row.push_back(value.imag());
                     });
@@ -181,7 +171,7 @@ namespace vibrocontact
           {
             x.push_back(std::log(variant.frequency[k]));
             y.push_back(
-                std::log(std::abs(shown(parameters, variant.response[k][index], variant.frequency[k]))));
+                std::log(std::abs(parameters.shown(variant.response[k][index], variant.frequency[k]))));
           }
           // the best so far on the way up or down is an extremum once the curve has turned by `share`
           unsigned int high = 0, low = 0;

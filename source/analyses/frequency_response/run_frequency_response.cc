@@ -45,12 +45,11 @@ namespace vibrocontact
       }
     }
 
-    Table extrema_table(const nlohmann::ordered_json &extrema, const std::string &quantity,
+    Table extrema_table(const nlohmann::ordered_json &extrema, const FrequencyResponseParameters &parameters,
                         const std::string &body)
     {
-      Table table(
-          {"point", "kind", "frequency_Hz", quantity == "mobility" ? "mobility_m_Ns" : "receptance_m_N"},
-          {"Maxima and minima of the driving points of " + body + " over frequency"});
+      Table table({"point", "kind", "frequency_Hz", parameters.quantity + parameters.unit_ending()},
+                  {"Maxima and minima of the driving points of " + body + " over frequency"});
       for (const char *kind : {"maxima", "minima"})
         for (const auto &one : extrema[kind])
           table.add_row({one["point"].get<std::string>(), std::string(kind[1] == 'a' ? "maximum" : "minimum"),
@@ -132,7 +131,7 @@ namespace vibrocontact
         result.update({{"speed_m_s", speed}, {"rotation_rad_s", rotation}});
       const auto extrema = extrema_json(parameters, main);
       result.update(extrema);
-      result["extrema_table"] = write(extrema_table(extrema, parameters.quantity, name), "_extrema");
+      result["extrema_table"] = write(extrema_table(extrema, parameters, name), "_extrema");
       print_extrema(extrema);
       const bool has_modes = body.reduction.request().modes.any();
       if (has_modes)
@@ -189,7 +188,7 @@ namespace vibrocontact
       const auto extrema = extrema_json(parameters, main);
       result.update(extrema);
       result["extrema_table"] =
-          write(extrema_table(extrema, parameters.quantity, body.name), "frequency_response", "_extrema");
+          write(extrema_table(extrema, parameters, body.name), "frequency_response", "_extrema");
       print_extrema(extrema);
       result["decay_rates_table"] = write(response.decay_rates(body.name), "decay_rates");
       result["decay_rate_bands_table"] = write(response.decay_rate_bands(body.name), "decay_rate_bands");

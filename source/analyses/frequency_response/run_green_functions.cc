@@ -79,24 +79,24 @@ namespace vibrocontact
       return data.labels[entry.response] + "_" + data.labels[entry.reference];
     }
 
-    Table response_table(const FrequencyData &data, const std::string &quantity, const std::string &title)
+    Table response_table(const FrequencyData &data, const FrequencyResponseParameters &asked,
+                         const std::string &title)
     {
-      const bool mobility = quantity == "mobility";
       std::vector<std::string> columns = {"frequency_Hz"};
       for (const FrequencyData::Entry &entry : data.entries)
         for (const char *part : {"_real", "_imag"})
-          columns.push_back(pair_name(data, entry) + part + (mobility ? "_m_Ns" : "_m_N"));
+          columns.push_back(pair_name(data, entry) + part + asked.unit_ending());
       Table table(
           columns,
-          {title, quantity + " of the first point under a unit force e^{+j w t} at the second; z towards the "
-                             "axle, x forward along the circle"});
+          {title, asked.quantity +
+                      " of the first point under a unit force e^{+j w t} at the second; z towards the "
+                      "axle, x forward along the circle"});
       for (unsigned int l = 0; l < data.frequency.size(); ++l)
       {
         std::vector<Table::Cell> row = {data.frequency[l]};
         for (const FrequencyData::Entry &entry : data.entries)
         {
-          const Complex value =
-              entry.values[l] * (mobility ? Complex(0, 2 * M_PI * data.frequency[l]) : Complex(1));
+          const Complex value = asked.shown(entry.values[l], data.frequency[l]);
           row.push_back(value.real());
           row.push_back(value.imag());
         }
@@ -228,9 +228,9 @@ namespace vibrocontact
     result["labels"] = body.names.labels;
     for (const FrequencyData::Entry &entry : body.names.entries)
       result["entries"].push_back(pair_name(body.names, entry));
-    result["table"] = write(response_table(shown, asked.quantity,
-                                           "Green's functions of " + own.name + ", method " + asked.method),
-                            "frequency_response");
+    result["table"] =
+        write(response_table(shown, asked, "Green's functions of " + own.name + ", method " + asked.method),
+              "frequency_response");
     result["poles"] = write(poles_table(pole_fit(body), body.names, "Poles of " + own.name), "poles");
     if (asked.impulse_time > 0)
       result["impulse_response"] =

@@ -169,11 +169,10 @@ namespace vibrocontact
 
   Table TrackResponse::beside_regular(const std::string &body) const
   {
-    const bool mobility = parameters.quantity == "mobility";
     std::vector<std::string> columns = {"frequency_Hz"};
     for (const ResponsePoint &point : parameters.parsed_points())
       for (const char *track : {"", "_regular"})
-        columns.push_back(point.name + "_" + "zxy"[point.component] + track + (mobility ? "_m_Ns" : "_m_N"));
+        columns.push_back(point.name + "_" + "zxy"[point.component] + track + parameters.unit_ending());
     Table table(columns, {"Magnitude of the " + parameters.quantity + " of " + body +
                           " at its points, beside that on equal supports without end (regular)"});
     for (const auto &[frequency, points] : beside)
@@ -181,7 +180,7 @@ namespace vibrocontact
       std::vector<Table::Cell> row = {frequency};
       for (const auto &both : points)
         for (const std::complex<double> &one : both)
-          row.push_back(std::abs(one) * (mobility ? 2 * dealii::numbers::PI * frequency : 1.));
+          row.push_back(std::abs(parameters.shown(one, frequency)));
       table.add_row(row);
     }
     return table;

@@ -199,10 +199,7 @@ namespace vibrocontact
             heights.push_back(at.value);
             rates.push_back(at.first);
           }
-        PaperMethod method(form, model,
-                           parameters.initial_state == "at rest" ? state_at_rest(model)
-                                                                 : state_in_equilibrium(model),
-                           row.time_step);
+        PaperMethod method(form, model, parameters.first_state(model), row.time_step);
         History history;
         history.u.resize(row.n_steps);
         history.q.resize(row.n_steps);

@@ -33,8 +33,7 @@ namespace vibrocontact
   {
     results.impulse.assign(n_points, 0.);
     last_force.assign(n_points, 0.);
-    const auto state =
-        parameters.initial_state == "at rest" ? state_at_rest(model) : state_in_equilibrium(model);
+    const auto state = parameters.first_state(model);
     std::vector<double> displacement(model.n_rows(), 0.);
     for (unsigned int i = 0; i < model.n_rows(); ++i)
       for (unsigned int k = 0; k < model.n_poles(); ++k)

@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/modal_convolution/modal_convolution_parameters.h>
 #include <vibrocontact/base/named_table.h>
+#include <vibrocontact/propagators/propagator.h>
 
 namespace vibrocontact
 {
@@ -97,5 +98,10 @@ namespace vibrocontact
       throw InputError(
           "Modal convolution/Friction is true, but Method is event located, which finds touches and "
           "releases only: take modal recursion or a convolution.");
+  }
+
+  std::vector<std::complex<double>> ModalConvolutionParameters::first_state(const BodyInContact &model) const
+  {
+    return initial_state == "at rest" ? state_at_rest(model) : state_in_equilibrium(model);
   }
 } // namespace vibrocontact

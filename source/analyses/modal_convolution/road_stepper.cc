@@ -91,10 +91,8 @@ namespace vibrocontact
         throw InputError(
             "Modal convolution/Memory asks for more than 200 million samples of the Green's functions: "
             "give a shorter one or take the modal recursion.");
-      return create_propagator(parameters.method, model,
-                               parameters.initial_state == "at rest" ? state_at_rest(model)
-                                                                     : state_in_equilibrium(model),
-                               settings, *parameters.methods);
+      return create_propagator(parameters.method, model, parameters.first_state(model), settings,
+                               *parameters.methods);
     }
 
     /// S with what the normal law yields on its diagonal: its one compliance if it is linear. Constant forces only need some, so

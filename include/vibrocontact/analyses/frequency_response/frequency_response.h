@@ -2,6 +2,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <complex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -58,5 +59,10 @@ namespace vibrocontact
     /// whether `bodies` names it, or none
     bool asks_for(const std::string &body) const;
     std::vector<double> frequencies() const;
+    bool is_mobility() const { return quantity == "mobility"; }
+    /// of the names of columns
+    const char *unit_ending() const { return is_mobility() ? "_m_Ns" : "_m_N"; }
+    /// The quantity that a receptance is shown as. @param frequency [Hz]
+    std::complex<double> shown(const std::complex<double> &receptance, double frequency) const;
   };
 } // namespace vibrocontact

@@ -5,11 +5,15 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <complex>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace vibrocontact
 {
+  struct BodyInContact;
+
   /// `subsection Modal convolution`
   struct ModalConvolutionParameters
   {
@@ -49,5 +53,7 @@ namespace vibrocontact
     bool is_convolution() const;
     /// whether the Method is the theta method
     bool takes_theta() const;
+    /// States of the poles that a motion begins with.
+    std::vector<std::complex<double>> first_state(const BodyInContact &model) const;
   };
 } // namespace vibrocontact
