@@ -5,8 +5,8 @@
 #include <vibrocontact/reduction/block_product.h>
 #include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/krylov_schur.h>
+#include <vibrocontact/reduction/locally_owned_values.h>
 #include <vibrocontact/reduction/orient_modes.h>
-#include <vibrocontact/reduction/own_values.h>
 #include <vibrocontact/reduction/projected_matrix.h>
 
 #include <deal.II/base/mpi.h>
@@ -30,7 +30,7 @@ namespace vibrocontact
     {
       Vector diagonal(system.locally_owned, system.communicator);
       MatGetDiagonal(system.mass, diagonal);
-      const std::vector<double> masses = own_values(diagonal);
+      const std::vector<double> masses = locally_owned_values(diagonal);
       const unsigned int n_own =
           std::count_if(masses.begin(), masses.end(), [](const double m) { return m > 0; });
       return dealii::Utilities::MPI::sum(n_own, system.communicator);
@@ -90,7 +90,7 @@ namespace vibrocontact
       for (unsigned int first = 0; first < modes.shapes.size(); first += block_size)
       {
         const unsigned int n = std::min<unsigned int>(block_size, modes.shapes.size() - first);
-        const std::vector<double> columns = own_values(modes.shapes, first, n);
+        const std::vector<double> columns = locally_owned_values(modes.shapes, first, n);
         const auto inertia = block_product(system.mass, columns, n),
                    elastic = block_product(system.stiffness, columns, n);
         for (unsigned int k = 0; k < n; ++k)

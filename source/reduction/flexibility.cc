@@ -4,7 +4,7 @@
 #include <vibrocontact/reduction/block_product.h>
 #include <vibrocontact/reduction/conjugate_gradients.h>
 #include <vibrocontact/reduction/flexibility.h>
-#include <vibrocontact/reduction/own_values.h>
+#include <vibrocontact/reduction/locally_owned_values.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -157,7 +157,7 @@ namespace vibrocontact
     std::vector<std::vector<double>> rows(end - begin, std::vector<double>(n));
     for (unsigned int k = 0; k < n; ++k)
     {
-      const std::vector<double> values = own_values(phi[k]);
+      const std::vector<double> values = locally_owned_values(phi[k]);
       for (unsigned int i = 0; i < rows.size(); ++i)
         rows[i][k] = values[i];
     }
@@ -206,7 +206,7 @@ namespace vibrocontact
 
   void Flexibility::vmult(Vector &u, const Vector &f)
   {
-    std::vector<double> values = own_values(f);
+    std::vector<double> values = locally_owned_values(f);
     vmult(values, 1);
     PetscScalar *place = nullptr;
     VecGetArray(u, &place);
@@ -220,8 +220,8 @@ namespace vibrocontact
     std::vector<std::vector<double>> shapes, forces;
     for (unsigned int i = 0; i < n_rigid; ++i)
     {
-      shapes.push_back(own_values(phi[i]));
-      forces.push_back(own_values(inertia[i]));
+      shapes.push_back(locally_owned_values(phi[i]));
+      forces.push_back(locally_owned_values(inertia[i]));
     }
     // column -= sum_i b_i (a_i . column)
     const auto project =

@@ -3,7 +3,7 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/reduction/block_product.h>
 #include <vibrocontact/reduction/krylov_schur.h>
-#include <vibrocontact/reduction/own_values.h>
+#include <vibrocontact/reduction/locally_owned_values.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -122,7 +122,7 @@ namespace vibrocontact
     if (n_known > 0)
     {
       const auto known = Teuchos::rcp(new Epetra_MultiVector(map, n_known));
-      set_values(own_values(modes.shapes, modes.n_rigid_modes, n_known), *known);
+      set_values(locally_owned_values(modes.shapes, modes.n_rigid_modes, n_known), *known);
       problem->setAuxVecs(known);
     }
     problem->setProblem();

@@ -1,8 +1,8 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/reduction/block_product.h>
+#include <vibrocontact/reduction/locally_owned_values.h>
 #include <vibrocontact/reduction/modes.h>
-#include <vibrocontact/reduction/own_values.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -101,7 +101,7 @@ namespace vibrocontact
     for (unsigned int begin = first; begin < modes.shapes.size(); begin += block_size)
     {
       const unsigned int n = std::min<unsigned int>(block_size, modes.shapes.size() - begin);
-      const std::vector<double> shapes = own_values(modes.shapes, begin, n),
+      const std::vector<double> shapes = locally_owned_values(modes.shapes, begin, n),
                                 elastic = block_product(system.stiffness, shapes, n),
                                 inertial = block_product(system.mass, shapes, n);
       // of each shape, phi^T K phi and phi^T M phi

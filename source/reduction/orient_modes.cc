@@ -1,6 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/reduction/locally_owned_values.h>
 #include <vibrocontact/reduction/orient_modes.h>
-#include <vibrocontact/reduction/own_values.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -42,7 +42,7 @@ namespace vibrocontact
         direction = gather_on_host(system.dof_direction, communicator);
         Vector diagonal(system.locally_owned, communicator);
         MatGetDiagonal(system.mass, diagonal);
-        mass = gather_on_host(own_values(diagonal), communicator);
+        mass = gather_on_host(locally_owned_values(diagonal), communicator);
         if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
           return;
         using Entry = std::pair<dealii::Point<3>, unsigned int>;
@@ -70,8 +70,8 @@ namespace vibrocontact
       // all ranks.
       double angle(const Vector &a, const Vector &b) const
       {
-        const auto u = gather_on_host(own_values(a), communicator),
-                   v = gather_on_host(own_values(b), communicator);
+        const auto u = gather_on_host(locally_owned_values(a), communicator),
+                   v = gather_on_host(locally_owned_values(b), communicator);
         double saa = 0, sbb = 0, sab = 0;
         for (unsigned int i = 0; i < image.size(); ++i)
           if (mass[i] > 0)
@@ -133,10 +133,10 @@ namespace vibrocontact
     size = dealii::Utilities::MPI::max(size, system.communicator);
     Vector diagonal(system.locally_owned, system.communicator);
     MatGetDiagonal(system.mass, diagonal);
-    const auto mass = own_values(diagonal);
+    const auto mass = locally_owned_values(diagonal);
     for (auto &shape : modes.shapes)
     {
-      const auto u = own_values(shape);
+      const auto u = locally_owned_values(shape);
       for (unsigned int field = 0; field < 20; ++field)
       {
         std::array<double, 3> sums{}; // projection, |probe|^2, |u|^2

@@ -1,6 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
-#include <vibrocontact/reduction/own_values.h>
+#include <vibrocontact/reduction/locally_owned_values.h>
 #include <vibrocontact/reduction/wheel_labels.h>
 
 #include <deal.II/base/mpi.h>
@@ -97,7 +97,7 @@ namespace vibrocontact
     AssertThrow(system.dof_position.size() == n_local, dealii::ExcInternalError());
     dealii::PETScWrappers::MPI::Vector diagonal(system.locally_owned, system.communicator);
     MatGetDiagonal(system.mass, diagonal);
-    const std::vector<double> masses = own_values(diagonal);
+    const std::vector<double> masses = locally_owned_values(diagonal);
 
     const double huge = std::numeric_limits<double>::max();
     double r_min = huge, r_max = 0, y_min = huge, y_max = -huge;
@@ -132,7 +132,7 @@ namespace vibrocontact
     for (const auto &shape : modes.shapes)
     {
       std::vector<Ring> rings(n_rings);
-      const std::vector<double> u = own_values(shape);
+      const std::vector<double> u = locally_owned_values(shape);
       const auto add = [&](Ring &ring, const Polar &node, const double value)
       {
         const Complex turn(node.cosine, -node.sine);

@@ -1,10 +1,10 @@
-#include <vibrocontact/reduction/own_values.h>
+#include <vibrocontact/reduction/locally_owned_values.h>
 
 namespace vibrocontact
 {
   using Vector = dealii::PETScWrappers::MPI::Vector;
 
-  std::vector<double> own_values(const Vector &vector)
+  std::vector<double> locally_owned_values(const Vector &vector)
   {
     const PetscScalar *values = nullptr;
     VecGetArrayRead(vector, &values);
@@ -13,13 +13,13 @@ namespace vibrocontact
     return result;
   }
 
-  std::vector<double> own_values(const std::vector<Vector> &vectors, const unsigned int first,
-                                 const unsigned int n)
+  std::vector<double> locally_owned_values(const std::vector<Vector> &vectors, const unsigned int first,
+                                           const unsigned int n)
   {
     std::vector<double> result;
     for (unsigned int k = first; k < first + n; ++k)
     {
-      const std::vector<double> values = own_values(vectors[k]);
+      const std::vector<double> values = locally_owned_values(vectors[k]);
       result.insert(result.end(), values.begin(), values.end());
     }
     return result;
