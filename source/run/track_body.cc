@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace vibrocontact
 {
@@ -43,6 +44,33 @@ namespace vibrocontact
           lines.values.back()(i / 6, i % 6) = {track.real(k, i), track.imaginary(k, i)};
       }
       return lines;
+    }
+
+    /// Where they stand in the order of frequencies.
+    void add_lines(const DirectResponse &lines, TrackReduction &into)
+    {
+      std::vector<double> all = into.frequency;
+      all.insert(all.end(), lines.frequency.begin(), lines.frequency.end());
+      std::sort(all.begin(), all.end());
+      DenseMatrix real(all.size(), 36), imaginary(real);
+      const auto put = [&](const auto &from)
+      {
+        for (unsigned int k = 0; k < from.frequency.size(); ++k)
+        {
+          const unsigned int place =
+              std::lower_bound(all.begin(), all.end(), from.frequency[k]) - all.begin();
+          for (unsigned int i = 0; i < 36; ++i)
+          {
+            real(place, i) = from.real(k, i);
+            imaginary(place, i) = from.imaginary(k, i);
+          }
+        }
+      };
+      put(into);
+      put(lines);
+      into.frequency = all;
+      into.real = real;
+      into.imaginary = imaginary;
     }
 
     Table table_of(const TrackReduction &track, const ReceptanceFit &fit, const std::string &title)
@@ -107,22 +135,14 @@ namespace vibrocontact
     return *made;
   }
 
-  void TrackBody::solve_at(const std::vector<double> &frequency, TrackReduction &into)
+  DirectResponse TrackBody::solved(const std::vector<double> &frequency)
   {
+    dealii::Timer timer;
     const TrackInContact &track = this->track();
-    const unsigned int before = into.frequency.size();
-    DenseMatrix real(before + frequency.size(), 36), imaginary(real);
-    std::vector<double> all = into.frequency;
-    all.insert(all.end(), frequency.begin(), frequency.end());
-    std::sort(all.begin(), all.end());
-    const auto place = [&](const double f)
-    { return std::lower_bound(all.begin(), all.end(), f) - all.begin(); };
-    for (unsigned int k = 0; k < before; ++k)
-      for (unsigned int i = 0; i < 36; ++i)
-      {
-        real(place(into.frequency[k]), i) = into.real(k, i);
-        imaginary(place(into.frequency[k]), i) = into.imaginary(k, i);
-      }
+    DirectResponse result;
+    result.frequency = frequency;
+    result.real.reinit(frequency.size(), 36);
+    result.imaginary.reinit(frequency.size(), 36);
     const auto solve = [&](const unsigned int k)
     {
       const ComplexMatrix R = track.receptance(two_pi * frequency[k]);
@@ -143,15 +163,35 @@ namespace vibrocontact
           const std::vector<double> numbers = outcome();
           for (unsigned int i = 0; i < 36; ++i)
           {
-            real(place(frequency[k]), i) = numbers[2 * i];
-            imaginary(place(frequency[k]), i) = numbers[2 * i + 1];
+            result.real(k, i) = numbers[2 * i];
+            result.imaginary(k, i) = numbers[2 * i + 1];
           }
           progress.advance();
         },
         communicator);
-    into.frequency = all;
-    into.real = real;
-    into.imaginary = imaginary;
+    result.seconds = timer.wall_time();
+    return result;
+  }
+
+  const DirectResponse &TrackBody::lines_in_bands(const std::vector<double> &frequency)
+  {
+    if (in_bands && in_bands->frequency == frequency)
+      return *in_bands;
+    std::ostringstream lines_key;
+    lines_key.precision(17);
+    lines_key << own_key << "\nlines in bands";
+    for (const double f : frequency)
+      lines_key << ' ' << f;
+    in_bands = cache.load_direct(parameters.name, lines_key.str());
+    if (in_bands)
+      run_log().line(parameters.name + ": receptance in " + std::to_string(frequency.size() / lines_of_band) +
+                     " bands found in the cache");
+    else
+    {
+      in_bands = solved(frequency);
+      cache.save(parameters.name, lines_key.str(), *in_bands);
+    }
+    return *in_bands;
   }
 
   const TrackReduction &TrackBody::reduction(const bool with_lines)
@@ -198,7 +238,7 @@ namespace vibrocontact
     for (unsigned int k = 0; k < first_frequencies; ++k)
       first.push_back(lowest_frequency *
                       std::pow(rail().fitted_up_to / lowest_frequency, k / (first_frequencies - 1.)));
-    solve_at(first, into);
+    add_lines(solved(first), into);
     while (into.frequency.size() < n_frequencies)
     {
       std::vector<std::vector<std::complex<double>>> values;
@@ -213,7 +253,7 @@ namespace vibrocontact
           frequencies_between(into.frequency, values, std::max(left / 3, std::min(left, 8u)));
       if (more.empty())
         return;
-      solve_at(more, into);
+      add_lines(solved(more), into);
     }
   }
 
@@ -287,7 +327,7 @@ namespace vibrocontact
       }
     std::sort(more.begin(), more.end());
     more.erase(std::unique(more.begin(), more.end()), more.end());
-    solve_at(more, next.lines);
+    add_lines(lines_in_bands(more), next.lines);
     next.fit = passive_receptance_fit(receptance_lines(next.lines), next.bands, next.lines.at_rest,
                                       next.lines.at_once, rail().n_pole_pairs);
     if (!next.fit.passive)

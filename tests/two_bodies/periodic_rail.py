@@ -79,7 +79,8 @@ for ranks in (1, 2):
     energy = moving["transient"]["energy"]
     check.near("energy imbalance", energy["imbalance_J"], 0, 1e-3, energy["friction_J"])
 
-# where the fastest root ends, without time going by
+# where the fastest root ends, without time going by; with few points of 2.5 mm, longer steps may miss the bound on a disturbance along
+# the motion
 for ranks in (1, 2):
     search, _ = wheel(f"cycle_{ranks}", 16, ranks, cycles=True)
     cycle = search["limit_cycle"][0]
@@ -99,7 +100,7 @@ check.near("roots beside the rail", len(search["limit_cycle_search"]["roots_besi
 _, folder_f = wheel("too_few_pairs", 5, march=1e-4, friction=0.283)
 with open(f"{folder_f}/results.json", encoding="utf-8") as file:
     refused = json.load(file).get("not_converged", [])
-check.near("too few poles are refused", any("raise the rail's Pole pairs" in one["message"] for one in refused), True, 1e-9)
+check.near("too few poles are refused", any("change the rail's Pole pairs" in one["message"] for one in refused), True, 1e-9)
 
 # a contact half a span beyond mid-span stands over a support; the mean over the sweep is that of its cases
 offset, _ = wheel("offset", 24, contact={"Contact_at": "mid-span", "Contact_offset": 0.3}, sweep=[0.28, 0.3])

@@ -14,7 +14,8 @@ namespace vibrocontact
 {
   /// Reductions kept between runs, one HDF5 file each: `<folder>/<body>-static-<hash>.h5`,
   /// `...-modes-<hash>.h5` and, with the key of the modes, `...-shapes-<hash>.h5`, `...-section-<hash>.h5` and `...-flow-<hash>.h5`; for the
-  /// frequency response `...-response-<hash>.h5` and `...-direct-<hash>.h5`; for periodic rails `...-track-<hash>.h5`.
+  /// frequency response `...-response-<hash>.h5` and `...-direct-<hash>.h5`; for periodic rails `...-track-<hash>.h5` and
+  /// `...-direct-<hash>.h5` of the bands that poles in time follow.
   ///
   /// The key is everything that determines the contents, as text; the hash is of key and formulation version
   /// and names the file, the whole key stands in it and is compared. A file that is damaged or belongs to

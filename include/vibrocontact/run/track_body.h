@@ -76,7 +76,10 @@ namespace vibrocontact
     const ReceptanceFit &fit();
     ReducedBody by(const ReceptanceFit &poles);
     void solve_all_frequencies(TrackReduction &into);
-    void solve_at(const std::vector<double> &frequency, TrackReduction &into);
+    /// R at these frequencies.
+    DirectResponse solved(const std::vector<double> &frequency);
+    /// The same, which the next fit of poles in time asks for again, in this run or the next one.
+    const DirectResponse &lines_in_bands(const std::vector<double> &frequency);
 
     const ContactGrid grid;
     const std::string own_key;
@@ -86,6 +89,7 @@ namespace vibrocontact
     std::unique_ptr<LocalPolynomials> local;
     std::optional<TrackReduction> reduced;
     std::optional<ReceptanceFit> fitted;
+    std::optional<DirectResponse> in_bands;
 
     /// Poles in time, the lines that they follow and what they follow closely.
     struct InTime

@@ -21,13 +21,14 @@ namespace vibrocontact
     /// of growth, by the poles; below this share of omega it counts as growth of that share
     constexpr double good_growth = 0.02, wrong_growth = 0.03, least_growth = 1e-5;
 
-    /// digits of what the poles are fitted for: how they follow the rail elsewhere hangs on every digit of it, also on those that
-    /// rounding has made of the roots
+    /// digits of what the poles are fitted for: outside the bands the fit changes with every digit of their ends, which are kept
+    /// free of the roots' rounding
     constexpr int digits_of_frequency = 4, digits_of_error = 2;
 
-    /// @param value positive
+    /// To so many significant digits. @param value positive
     double rounded(const double value, const int digits)
     {
+      Assert(value > 0, dealii::ExcMessage("Only positive numbers have digits to round to."));
       const double unit = std::pow(10., std::floor(std::log10(value)) + 1 - digits);
       return unit * std::round(value / unit);
     }
@@ -87,6 +88,10 @@ namespace vibrocontact
 
     void add_band(std::vector<FrequencyBand> &bands, const double frequency)
     {
+      if (frequency == 0)
+        throw ConvergenceError(
+            "By the poles of the periodic rail a motion grows without oscillation, which the "
+            "rail itself does not have: change its Pole pairs.");
       const double omega = 2 * dealii::numbers::PI * rounded(frequency, digits_of_frequency);
       if (!band_about(bands, frequency))
         bands.push_back({(1 - half_band) * omega, (1 + half_band) * omega});
@@ -148,11 +153,11 @@ namespace vibrocontact
             if (!(error <= worst))
             {
               worst = error;
-              pair.wrong = "By the poles of the periodic rail " + root.label + " at " +
-                           number_text(root.frequency) + " Hz " +
-                           (other ? "grows by " + number_text(other->growth) : "does not grow") +
-                           " instead of " + number_text(root.growth) +
-                           " 1/s: raise the rail's Pole pairs, or lower Fitted up to.";
+              pair.wrong =
+                  "By the poles of the periodic rail " + root.label + " at " + number_text(root.frequency) +
+                  " Hz " + (other ? "grows by " + number_text(other->growth) : "does not grow") +
+                  " instead of " + number_text(root.growth) +
+                  " 1/s: change the rail's Pole pairs (16 to 24 mostly serve), or lower Fitted up to.";
             }
             json.push_back({{"case", c},
                             {"label", root.label},
