@@ -48,7 +48,7 @@ TEST(ModesMpi, FreeBlockHasSixRigidModes)
   EXPECT_LT(modes.residual, 1e-6);
 }
 
-// Anasazi mixes up which value belongs to which vector where rounding makes complex pairs, once in some hundred rings: shapes
+// Anasazi mixes up which value belongs to which vector where rounding makes complex pairs, once in some hundred to a thousand rings: shapes
 // in any order and of any size have to find their frequencies.
 TEST(ModesMpi, ShapesTellTheirFrequencies)
 {
