@@ -105,13 +105,19 @@ namespace vibrocontact
     return best;
   }
 
-  std::vector<unsigned int> NewtonFactorisation::changed_points(const std::vector<ContactStatus> &now) const
+  bool NewtonFactorisation::find_flipped(const std::vector<ContactStatus> &now)
   {
-    std::vector<unsigned int> result;
+    flipped.clear();
     for (unsigned int k = 0; k < used->points.size(); ++k)
       if (now[used->points[k]] != used->status[k])
-        result.push_back(k);
-    return result;
+        flipped.push_back(k);
+    return flipped.size() <= max_changed;
+  }
+
+  void NewtonFactorisation::drop_used()
+  {
+    kept.erase(std::find_if(kept.begin(), kept.end(), [&](const auto &one) { return one.get() == used; }));
+    used = nullptr;
   }
 
   bool NewtonFactorisation::wants_another(const double gain) const
@@ -135,10 +141,12 @@ namespace vibrocontact
       A = problem.A;
       force_given = problem.force_given();
     }
-    if (n_solves == 0 || (used && (used->points != J.points() || changed_points(now).size() > max_changed)))
+    if (n_solves == 0 || (used && !(used->points == J.points() && find_flipped(now))))
     {
       Factors *const before = used;
       used = nearest(J);
+      if (used)
+        find_flipped(now);
       if (used != before)
         last_direction.reinit(0);
       is_earlier = used != nullptr;
@@ -146,17 +154,13 @@ namespace vibrocontact
     if (used && !wants_another(gain))
     {
       used->last_used = n_problems;
-      flipped = changed_points(now);
       if (flipped == used->changed)
         return true;
       if (flipped.size() <= max_changed)
       {
         if (update(*problem.A, J))
           return true;
-        // what a change makes singular serves nobody
-        kept.erase(
-            std::find_if(kept.begin(), kept.end(), [&](const auto &one) { return one.get() == used; }));
-        used = nullptr;
+        drop_used();
       }
     }
     ++factorisations;
@@ -204,8 +208,7 @@ namespace vibrocontact
       return true;
     if (factorise_lu(used->lu))
       return true;
-    kept.pop_back();
-    used = nullptr;
+    drop_used();
     return false;
   }
 

@@ -71,8 +71,10 @@ namespace vibrocontact
 
     /// The kept factors nearest to J, or null.
     Factors *nearest(const NewtonJacobian &J) const;
-    /// Those in use: which of their points have another status now than when they were made.
-    std::vector<unsigned int> changed_points(const std::vector<ContactStatus> &now) const;
+    /// flipped <- points of those in use that have another status now than when they were made; whether they are few.
+    bool find_flipped(const std::vector<ContactStatus> &now);
+    /// They are singular, by themselves or with what has changed.
+    void drop_used();
     bool wants_another(double gain) const;
     bool factorise(const ContactProblem &problem, const NewtonJacobian &J,
                    const std::vector<ContactStatus> &now);
