@@ -80,13 +80,6 @@ namespace vibrocontact
       constexpr unsigned int block_size = 16;
       const PetscInt n_rows = system.locally_owned.n_elements();
       Vector mass_shape(system.locally_owned, system.communicator), force(mass_shape);
-      const auto put = [n_rows](Vector &v, const double *const values)
-      {
-        PetscScalar *place = nullptr;
-        VecGetArray(v, &place);
-        std::copy_n(values, n_rows, place);
-        VecRestoreArray(v, &place);
-      };
       for (unsigned int first = 0; first < modes.shapes.size(); first += block_size)
       {
         const unsigned int n = std::min<unsigned int>(block_size, modes.shapes.size() - first);
@@ -96,8 +89,8 @@ namespace vibrocontact
         for (unsigned int k = 0; k < n; ++k)
         {
           const unsigned int i = first + k;
-          put(mass_shape, inertia.data() + k * n_rows);
-          put(force, elastic.data() + k * n_rows);
+          set_locally_owned_values(inertia.data() + k * n_rows, mass_shape);
+          set_locally_owned_values(elastic.data() + k * n_rows, force);
           const double norm = std::sqrt(mass_shape * modes.shapes[i]);
           modes.shapes[i] /= norm;
           mass_shape /= norm;

@@ -208,10 +208,7 @@ namespace vibrocontact
   {
     std::vector<double> values = locally_owned_values(f);
     vmult(values, 1);
-    PetscScalar *place = nullptr;
-    VecGetArray(u, &place);
-    std::copy(values.begin(), values.end(), place);
-    VecRestoreArray(u, &place);
+    set_locally_owned_values(values.data(), u);
   }
 
   void Flexibility::vmult(std::vector<double> &columns, const unsigned int n_columns)

@@ -158,10 +158,7 @@ namespace vibrocontact
     for (int i = 0; i < solution.numVecs; ++i)
     {
       modes.shapes.emplace_back(system.locally_owned, system.communicator);
-      PetscScalar *values = nullptr;
-      VecGetArray(modes.shapes.back(), &values);
-      std::copy_n((*solution.Evecs)[i], map.NumMyElements(), values);
-      VecRestoreArray(modes.shapes.back(), &values);
+      set_locally_owned_values((*solution.Evecs)[i], modes.shapes.back());
     }
     // Not by the values that were found: of two equal ones rounding may make a complex pair in the projected problem, and
     // then Anasazi puts its vectors into another order than its values.

@@ -1,5 +1,7 @@
 #include <vibrocontact/reduction/locally_owned_values.h>
 
+#include <algorithm>
+
 namespace vibrocontact
 {
   using Vector = dealii::PETScWrappers::MPI::Vector;
@@ -23,5 +25,13 @@ namespace vibrocontact
       result.insert(result.end(), values.begin(), values.end());
     }
     return result;
+  }
+
+  void set_locally_owned_values(const double *const values, Vector &vector)
+  {
+    PetscScalar *place = nullptr;
+    VecGetArray(vector, &place);
+    std::copy_n(values, vector.locally_owned_size(), place);
+    VecRestoreArray(vector, &place);
   }
 } // namespace vibrocontact

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <sstream>
 
 namespace vibrocontact
 {
@@ -162,6 +163,16 @@ namespace vibrocontact
       return is_short ? nullptr : std::move(solver);
     }
   } // namespace
+
+  std::string key_at(const std::string &key, const std::vector<double> &frequency)
+  {
+    std::ostringstream text;
+    text.precision(17);
+    text << key << "frequencies";
+    for (const double f : frequency)
+      text << ' ' << f;
+    return text.str();
+  }
 
   DirectResponse solve_directly(const SecondOrderSystem &system, const std::vector<TraceRow> &points,
                                 const std::vector<double> &frequency, const std::function<void()> &advance,

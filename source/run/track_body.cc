@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace vibrocontact
 {
@@ -177,19 +176,15 @@ namespace vibrocontact
   {
     if (in_bands && in_bands->frequency == frequency)
       return *in_bands;
-    std::ostringstream lines_key;
-    lines_key.precision(17);
-    lines_key << own_key << "\nlines in bands";
-    for (const double f : frequency)
-      lines_key << ' ' << f;
-    in_bands = cache.load_direct(parameters.name, lines_key.str());
+    const std::string lines_key = key_at(own_key, frequency);
+    in_bands = cache.load_direct(parameters.name, lines_key);
     if (in_bands)
       run_log().line(parameters.name + ": receptance in " + std::to_string(frequency.size() / lines_of_band) +
                      " bands found in the cache");
     else
     {
       in_bands = solved(frequency);
-      cache.save(parameters.name, lines_key.str(), *in_bands);
+      cache.save(parameters.name, lines_key, *in_bands);
     }
     return *in_bands;
   }

@@ -47,6 +47,9 @@ namespace vibrocontact
     double seconds = 0;
   };
 
+  /// Of direct responses in the cache: the key of a body with every frequency [Hz] in full.
+  std::string key_at(const std::string &key, const std::vector<double> &frequency);
+
   /// @param wheel damped by mode: its damping ratios are added to D as 2 zeta w^2
   /// @param basis if given, takes the modes and Ritz vectors themselves
   ResponseReduction reduce_response(const SecondOrderSystem &system, Flexibility &flexibility,

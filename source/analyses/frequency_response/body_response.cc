@@ -209,12 +209,8 @@ namespace vibrocontact
       throw InputError("Frequency response: the damping of " + request.body +
                        " is given by mode, so that its unreduced equations have none; leave Check "
                        "frequencies out and set Method to modal.");
-    std::ostringstream own_key;
-    own_key.precision(17);
-    own_key << key << "frequencies";
-    for (const double f : frequency)
-      own_key << " " << f;
-    auto found = cache.load_direct(request.body, own_key.str());
+    const std::string own_key = key_at(key, frequency);
+    auto found = cache.load_direct(request.body, own_key);
     if (found)
       run_log().line(request.body + ": direct solutions found in the cache");
     else
@@ -222,7 +218,7 @@ namespace vibrocontact
       Progress progress("direct solutions of " + request.body, frequency.size());
       found = solve_directly(
           body.reduction.system(), points(), frequency, [&] { progress.advance(); }, turning_axes());
-      cache.save(request.body, own_key.str(), *found);
+      cache.save(request.body, own_key, *found);
     }
     run_log().value("direct solutions took", found->seconds / frequency.size(), "s per frequency");
     return {"direct", 0, frequency, receptances(*found), turning_axes() == 0};
