@@ -46,7 +46,7 @@ namespace vibrocontact
     {
       if (places[i][0] < 1e-9 * bar.length)
         contact_end = i;
-      if (bar.far_end == "held" && places[i][0] > (1 - 1e-9) * bar.length)
+      if (bar.far_end_is_held() && places[i][0] > (1 - 1e-9) * bar.length)
         constraints.add_line(i);
     }
     constraints.close();
@@ -130,14 +130,14 @@ namespace vibrocontact
     }
 
     system->total_mass = material.density * bar.section * bar.length;
-    if (bar.far_end == "free")
+    if (!bar.far_end_is_held())
     {
       PETScWrappers::MPI::Vector motion(system->locally_owned, communicator);
       motion = 1. / std::sqrt(double(dof_handler.n_dofs()));
       system->rigid_motions.push_back(motion);
       system->n_rigid_modes = 1;
     }
-    system->follows_hub = bar.far_end == "held";
+    system->follows_hub = bar.far_end_is_held();
     for (const auto dof : system->locally_owned)
     {
       system->dof_position.emplace_back(0., 0., (above ? 1 : -1) * places[dof][0]);

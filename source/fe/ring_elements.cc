@@ -120,7 +120,7 @@ namespace vibrocontact
       add(stiffness, weight * ring.bending(), sum(at.w[2], at.v[1], -1));
       add(stiffness, weight * ring.membrane() + t, strain);
       add(stiffness, t, turn);
-      const double inside = ring.pressure_law == "follower" ? t : 0;
+      const double inside = ring.pressure_follows() ? t : 0;
       add(stiffness, weight * ring.radial_stiffness - inside, w);
       add(stiffness, weight * ring.circumferential_stiffness - inside, v);
       add(stiffness, -inside, w, at.v[1]);

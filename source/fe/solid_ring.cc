@@ -61,7 +61,7 @@ namespace vibrocontact
             std::vector<Point<2>> line;
             for (const Point<1> &p : gauss.get_points())
               line.push_back(along == 0 ? Point<2>(p[0], 0.5) : Point<2>(0.5, p[0]));
-            const double pressure = ring.pressure_law == "follower" ? ring.pressure * ring.width : 0;
+            const double pressure = ring.pressure_follows() ? ring.pressure * ring.width : 0;
             integrate(cell, Quadrature<2>(line, gauss.get_weights()), matrix,
                       [&](const FEValues<2> &values, const unsigned int q)
                       {

@@ -71,7 +71,7 @@ namespace vibrocontact
     std::vector<double> result;
     if (!has_pads() || !(sleeper_spacing > 0))
       return result;
-    const double first = contact_at == "support" ? 0 : 0.5;
+    const double first = is_over_support() ? 0 : 0.5;
     const int n = std::ceil(length / sleeper_spacing) + 1;
     for (int k = -n; k <= n; ++k)
       if (std::abs((k + first) * sleeper_spacing) + pad_length / 2 <= length / 2 * (1 + 1e-9))

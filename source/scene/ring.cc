@@ -158,7 +158,7 @@ namespace vibrocontact
   RingParameters::Order RingParameters::order(const unsigned int n, const double rotation) const
   {
     const double B = bending(), k = membrane(), t = tension(), c = line_density() * rotation * rotation,
-                 fixed = pressure_law == "follower" ? 0 : t, m = n;
+                 fixed = pressure_follows() ? 0 : t, m = n;
     return {(B + k + t + c) * m * m + circumferential_stiffness + fixed,
             B * m * m * m * m + (t + c) * m * m + k + radial_stiffness + fixed,
             B * m * m * m + (k + t + fixed + 2 * c) * m};

@@ -55,7 +55,7 @@ namespace vibrocontact
   {
     PeriodicTrack track;
     track.spacing = rail.sleeper_spacing;
-    track.first_support = (rail.contact_at == "support" ? 0 : rail.sleeper_spacing / 2) - rail.contact_offset;
+    track.first_support = (rail.is_over_support() ? 0 : rail.sleeper_spacing / 2) - rail.contact_offset;
     track.support.pad_stiffness = {{rail.pad_stiffness_x, rail.pad_stiffness_y, rail.pad_stiffness_z}};
     track.support.pad_loss = rail.pad_loss_factor;
     track.support.pad_length = rail.pad_length;
@@ -84,7 +84,7 @@ namespace vibrocontact
     {
       track.own = irregular_supports(
           {supports.n_supports, supports.pad_scatter, supports.spacing_scatter, supports.scatter_seed},
-          rail.sleeper_spacing, rail.contact_at == "support");
+          rail.sleeper_spacing, rail.is_over_support());
       for (OwnSupport &support : track.own)
         support.place -= rail.contact_offset;
       track.beyond = supports.beyond == "free end"    ? TrackEnds::free

@@ -21,6 +21,7 @@ namespace vibrocontact
     unsigned int divisions = 20, degree = 3;
     /// "free" or "held"
     std::string far_end = "held";
+    bool far_end_is_held() const { return far_end == "held"; }
     /// M = s M_consistent + (1 - s) M_lumped (row sums). Two-node elements of length h carry waves of wave number k at the
     /// frequency c k (1 + (2 s - 1) (k h)^2 / 24), which the theta method with steps dt lowers by (c k dt)^2 / 12: both
     /// cancel for s = 1/2 + (c dt / h)^2, at c dt = h to all orders (one-point integration of the mass)

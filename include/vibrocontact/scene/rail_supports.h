@@ -19,6 +19,7 @@ namespace vibrocontact
     double length = 12;
     /// where the contact stands: mid-span or support
     std::string contact_at = "mid-span";
+    bool is_over_support() const { return contact_at == "support"; }
     /// distance of the supports and length of a pad [m]
     double sleeper_spacing = 0.6, pad_length = 0.15;
     /// stiffness of one pad in x, y, z [N/m]; all zero: a free rail

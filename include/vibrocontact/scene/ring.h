@@ -41,6 +41,7 @@ namespace vibrocontact
     double pressure = 2e5;
     /// "follower" or "fixed direction" (as printed)
     std::string pressure_law = "follower";
+    bool pressure_follows() const { return pressure_law == "follower"; }
     /// of every motion at rest [-]
     double damping_ratio = 0.05;
     /// whether it turns with the speed of the road
