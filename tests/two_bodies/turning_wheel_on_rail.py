@@ -25,7 +25,7 @@ def wheel(name, rotation, speed, pairs=24, ranks=1, damping=1):
     return [row for row in table(run(name, text, ranks, may_doubt=True)[1], "stability.csv") if row["receptance"] == "exact"]
 
 
-# With few contact points of 2.5 mm, steps of 1e-5 s miss the bound on a disturbance along the motion by luck; 16 pairs of poles follow
+# With few contact points of 2.5 mm, rounding decides whether steps of 1e-5 s keep the bound on a disturbance along the motion; 16 pairs of poles follow
 # the rail in time better than 24.
 def cycles_of_waves(name, roots):
     text = "\n".join([
