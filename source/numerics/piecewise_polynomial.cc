@@ -204,7 +204,7 @@ namespace vibrocontact
       {
         result[i] = (2 * x[i] - ends[k] - ends[k + 1]) * 0.5 * per_half;
         ++i;
-      } while (i < m && (x[i] < ends[k + 1] || k + 1 == pieces.size()));
+      } while (i < m && (x[i] >= ends[k] || k == 0) && (x[i] < ends[k + 1] || k + 1 == pieces.size()));
       wide_polynomial(pieces[k].data(), n, result + first, result + first, i - first);
     }
   }

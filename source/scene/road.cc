@@ -346,8 +346,15 @@ namespace vibrocontact
   void Road::heights(const double t, double *result) const
   {
     const double r = loading(t), s = distance(t);
+    std::fill_n(result, places.size(), 0.);
+    if (!profile.empty())
+    {
+      for (unsigned int i = 0; i < places.size(); ++i)
+        result[i] = s + places[i];
+      profile.values(result, places.size(), result);
+    }
     for (unsigned int i = 0; i < places.size(); ++i)
-      result[i] = r * (indentation + (profile.empty() ? 0. : profile.value(s + places[i]))) - shapes[i];
+      result[i] = r * (indentation + result[i]) - shapes[i];
   }
 
   double Road::profile_height(const unsigned int point, const double t) const

@@ -37,7 +37,7 @@ namespace vibrocontact
     PiecewisePolynomial integral() const;
 
     double value(double x) const;
-    /// at m ascending places
+    /// at m places, fast where neighbours lie on one piece
     void values(const double *x, std::size_t m, double *result) const;
     Value at(double x) const;
     /// At the end of one piece and the beginning of the next, of the one or the other; x may be off it by rounding.

@@ -113,9 +113,16 @@ namespace vibrocontact
 
   bool ModalConvolution::advance(const unsigned int n_steps, const Observer &observe)
   {
+    // heights, displacements and forces of so many steps stay in the cache
+    const unsigned long steps_at_once =
+        std::clamp(32768 / n_points / road_look_interval, 1u, 256u) * road_look_interval;
     const unsigned int n = std::min<unsigned long>(n_steps, last_step - results.steps);
-    if (n > 0)
-      events ? advance_events(n, observe) : advance_steps(n, observe);
+    if (n > 0 && events)
+      advance_events(n, observe);
+    else if (n > 0)
+      stepper->begin_block();
+    for (const unsigned long end = events ? 0 : results.steps + n; results.steps < end;)
+      advance_steps(std::min(end - results.steps, steps_at_once - results.steps % steps_at_once), observe);
     if (n > 0 && second)
       advance_second_march();
     return results.steps < last_step;
@@ -218,6 +225,8 @@ namespace vibrocontact
       for (unsigned int i = 0; i < n_points; ++i)
       {
         const unsigned int before = k * n_points + i, now = before + n_points;
+        if (forces[now] == 0 && forces[before] == 0)
+          continue;
         const auto impulse = [&](const std::vector<double> &force)
         { return time_step * (linear ? 0.5 * (force[now] + force[before]) : force[now]); };
         results.impulse[i] += impulse(forces);

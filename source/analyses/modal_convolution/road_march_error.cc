@@ -217,12 +217,13 @@ namespace vibrocontact
 
   void ModalConvolution::look_between_steps(const unsigned int n_steps)
   {
-    constexpr unsigned int every = 16;
+    constexpr unsigned int every = road_look_interval;
     if (!road.has_profile() || n_steps < 4)
       return;
     const double begin = processor_seconds();
     std::vector<double> between(n_points);
-    for (unsigned long k = (results.steps / every + 1) * every - results.steps; k + 3 <= n_steps; k += every)
+    // in the middle between multiples, where blocks end
+    for (unsigned long k = (every + every / 2 - results.steps % every) % every; k + 3 <= n_steps; k += every)
     {
       // somewhere between the ends of the steps, never twice at the same place
       const double golden = 0.6180339887498949 * (results.steps + k), x = golden - std::floor(golden);
@@ -268,12 +269,12 @@ namespace vibrocontact
       yields.push_back(!law[i].is_rigid());
     for (unsigned int k = 0; k < n_steps; ++k)
     {
+      const double belt = -time_step * road.sliding_speed();
       double normal = 0, lost = 0, along = 0;
       for (unsigned int i = 0; i < n_points; ++i)
       {
         const unsigned int before = k * n_points + i, now = before + n_points;
         rows[i] = forces[now];
-        const double belt = -time_step * road.sliding_speed();
         if (has_friction)
         {
           rows[n_points + i] = tangential_forces[now];
@@ -281,14 +282,14 @@ namespace vibrocontact
                                ? tangential_forces[now]
                                : 0.5 * (tangential_forces[now] + tangential_forces[before]));
         }
+        if (forces[now] == 0 && (impulses || forces[before] == 0))
+          continue;
         if (!impulses)
         {
           const std::vector<double> &moves = yields[i] ? heights : displacements;
           normal += 0.5 * (forces[before] + forces[now]) * (moves[now] - moves[before]);
           continue;
         }
-        if (forces[now] == 0)
-          continue;
         // the impulse stands at the beginning of the step: by central differences about it
         double older = k > 0 ? displacements[before - n_points] : older_displacement[i],
                gap = k > 0 ? older - heights[before - n_points] : older_gap[i];

@@ -167,6 +167,14 @@ namespace vibrocontact
     check_force_interpolation(parameters, model, n_points, laws.normal);
   }
 
+  void RoadStepper::begin_block()
+  {
+    for (unsigned int i = 0; i < n && problem.friction_law; ++i)
+      problem.mu[i] = problem.friction_law[i].at_rest();
+    solver->renew();
+    solution = ContactSolution();
+  }
+
   void RoadStepper::run(const unsigned int n_steps, const double *heights, double *displacements,
                         double *forces)
   {
@@ -181,11 +189,6 @@ namespace vibrocontact
   void RoadStepper::run_steps(const unsigned int n_steps, const double *heights, double *displacements,
                               double *forces, double *tangential_displacements, double *tangential_forces)
   {
-    // little is left of the steps before, and nothing that a resumed run, which begins with a block too, has not
-    for (unsigned int i = 0; i < n && problem.friction_law; ++i)
-      problem.mu[i] = problem.friction_law[i].at_rest();
-    solver->renew();
-    ContactSolution solution;
     const double *const free = propagator->free_displacement();
     double *const b = problem.b.data();
     const bool has_friction = tangential_forces != nullptr, rolls = rolling_speed != 0;
@@ -213,12 +216,14 @@ namespace vibrocontact
         throw ConvergenceError("The contact of a step did not converge, relative residual " +
                                std::to_string(solution.residual) + ".");
       const double *const R = solution.R.data(), *const y = solution.y.data();
+      std::copy(R, R + n, forces);
+      unsigned long closed = 0;
       for (unsigned int i = 0; i < n; ++i)
       {
-        forces[i] = R[i];
         displacements[i] = y[i] + heights[i];
-        closed_points += forces[i] > 0;
+        closed += R[i] > 0;
       }
+      closed_points += closed;
       for (unsigned int i = 0; has_friction && i < n; ++i)
       {
         const double slip = y[n + i];

@@ -120,6 +120,9 @@ namespace vibrocontact
       double square_integral = 0;
     };
 
+    /// every so many steps the road is looked at between two
+    static constexpr unsigned int road_look_interval = 16;
+
     void check_number_of_pieces() const;
     void begin_second_march(const ContactSolverParameters &solver, const BodyInContact &model,
                             const RoadLaws &laws);

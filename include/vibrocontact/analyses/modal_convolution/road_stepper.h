@@ -20,6 +20,8 @@ namespace vibrocontact
                 unsigned int n_points, unsigned long n_steps, const RoadLaws &laws, double sliding_speed,
                 double speed);
 
+    /// Leaves nothing of the steps before that a resumed run, which begins with a block too, has not.
+    void begin_block();
     /// Without friction. @param heights, displacements, forces n_points per step
     void run(unsigned int n_steps, const double *heights, double *displacements, double *forces);
     /// @param tangential_displacements, tangential_forces as the others; null without friction. With it the line that the
@@ -47,6 +49,7 @@ namespace vibrocontact
                                   const std::vector<double> &forces_before) const;
 
     const unsigned int n;
+    ContactSolution solution;
     /// the last 0 of a body without gradients
     const double step, sliding_speed, rolling_speed;
     ContactProblem problem;
