@@ -1,98 +1,11 @@
 #include <vibrocontact/contact/contact_operator.h>
-
-#include <fftw3.h>
+#include <vibrocontact/contact/fourier_product.h>
 
 #include <algorithm>
-#include <complex>
 #include <numeric>
 
 namespace vibrocontact
 {
-  /// Cyclic convolution with the nine kernels on a grid padded to at least twice the size.
-  struct HalfSpaceOperator::FourierProduct
-  {
-    using Spectrum = std::vector<std::complex<double>>;
-
-    /// @param points_x, points_y size of the rectangle of sources and targets
-    FourierProduct(const HalfSpaceOperator &op, const unsigned int points_x, const unsigned int points_y)
-        : points_x(points_x), points_y(points_y), n_x(fast_size(2 * points_x - 1)),
-          n_y(fast_size(2 * points_y - 1)), n_k(n_x / 2 + 1), real(fftw_alloc_real(std::size_t(n_x) * n_y)),
-          complex(reinterpret_cast<std::complex<double> *>(fftw_alloc_complex(std::size_t(n_k) * n_y))),
-          forward(
-              fftw_plan_dft_r2c_2d(n_y, n_x, real, reinterpret_cast<fftw_complex *>(complex), FFTW_ESTIMATE)),
-          backward(
-              fftw_plan_dft_c2r_2d(n_y, n_x, reinterpret_cast<fftw_complex *>(complex), real, FFTW_ESTIMATE))
-    {
-      const int last_x = points_x - 1, last_y = points_y - 1;
-      const double scale = 1. / (double(n_x) * n_y);
-      for (unsigned int k = 0; k < 9; ++k)
-      {
-        std::fill(real, real + std::size_t(n_x) * n_y, 0.);
-        for (int dy = -last_y; dy <= last_y; ++dy)
-          for (int dx = -last_x; dx <= last_x; ++dx)
-            real[((dy + n_y) % n_y) * n_x + (dx + n_x) % n_x] = scale * op.kernel(k / 3, k % 3, dx, dy);
-        fftw_execute(forward);
-        kernel[k].assign(complex, complex + std::size_t(n_k) * n_y);
-      }
-    }
-
-    ~FourierProduct()
-    {
-      fftw_destroy_plan(forward);
-      fftw_destroy_plan(backward);
-      fftw_free(real);
-      fftw_free(complex);
-    }
-
-    /// @param first_x, first_y grid indices of the rectangle's first point
-    void vmult(const ContactGrid &grid, const unsigned int first_x, const unsigned int first_y,
-               DenseVector &y, const DenseVector &R)
-    {
-      const unsigned int n = grid.n_points(), first = grid.index(first_x, first_y);
-      const std::size_t n_spectrum = std::size_t(n_k) * n_y;
-      for (unsigned int c = 0; c < 3; ++c)
-      {
-        std::fill(real, real + std::size_t(n_x) * n_y, 0.);
-        for (unsigned int j = 0; j < points_y; ++j)
-          std::copy_n(R.begin() + c * n + first + j * grid.n_x, points_x, real + std::size_t(j) * n_x);
-        fftw_execute(forward);
-        force[c].assign(complex, complex + n_spectrum);
-      }
-      for (unsigned int c = 0; c < 3; ++c)
-      {
-        for (std::size_t k = 0; k < n_spectrum; ++k)
-          complex[k] = kernel[3 * c][k] * force[0][k] + kernel[3 * c + 1][k] * force[1][k] +
-                       kernel[3 * c + 2][k] * force[2][k];
-        fftw_execute(backward);
-        for (unsigned int j = 0; j < points_y; ++j)
-          std::copy_n(real + std::size_t(j) * n_x, points_x, y.begin() + c * n + first + j * grid.n_x);
-      }
-    }
-
-    const unsigned int points_x, points_y;
-
-  private:
-    /// smallest even product of 2, 3, 5 that is not below n
-    static int fast_size(const int n)
-    {
-      for (int size = n + n % 2;; size += 2)
-      {
-        int rest = size;
-        for (const int factor : {2, 3, 5})
-          while (rest % factor == 0)
-            rest /= factor;
-        if (rest == 1)
-          return size;
-      }
-    }
-
-    const int n_x, n_y, n_k;
-    double *const real;
-    std::complex<double> *const complex;
-    const fftw_plan forward, backward;
-    Spectrum kernel[9], force[3];
-  };
-
   namespace
   {
     /// one influence matrix per offset; first_x may lie upstream of the grid's own offsets
@@ -150,8 +63,18 @@ namespace vibrocontact
     if (std::size_t(9) * n * sources.size() < direct_below)
       return vmult_direct(y, R, sources);
     if (!whole)
-      whole = std::make_unique<FourierProduct>(*this, grid.n_x, grid.n_y);
-    whole->vmult(grid, 0, 0, y, R);
+      whole = fourier_product(grid.n_x, grid.n_y);
+    whole->vmult(y.data(), R.data(), grid.n_x, n);
+  }
+
+  std::unique_ptr<FourierProduct> HalfSpaceOperator::fourier_product(const unsigned int points_x,
+                                                                     const unsigned int points_y) const
+  {
+    const FourierProduct::Size size = {points_x, points_y};
+    return std::make_unique<FourierProduct>(
+        [this](const unsigned int row, const unsigned int column, const int offset_x, const int offset_y)
+        { return kernel(row, column, offset_x, offset_y); },
+        3, size, size);
   }
 
   void HalfSpaceOperator::vmult_among(DenseVector &y, const DenseVector &R,
@@ -167,11 +90,13 @@ namespace vibrocontact
       low_y = std::min(low_y, point / grid.n_x);
       high_y = std::max(high_y, point / grid.n_x);
     }
-    if (!part || part->points_x != high_x - low_x + 1 || part->points_y != high_y - low_y + 1)
-      part = std::make_unique<FourierProduct>(*this, high_x - low_x + 1, high_y - low_y + 1);
+    const unsigned int points_x = high_x - low_x + 1, points_y = high_y - low_y + 1,
+                       first = grid.index(low_x, low_y);
+    if (!part || part->sources.x != points_x || part->sources.y != points_y)
+      part = fourier_product(points_x, points_y);
     if (y.size() != R.size())
       y.reinit(R.size());
-    part->vmult(grid, low_x, low_y, y, R);
+    part->vmult(y.data() + first, R.data() + first, grid.n_x, n_points());
   }
 
   void HalfSpaceOperator::vmult_direct(DenseVector &y, const DenseVector &R,

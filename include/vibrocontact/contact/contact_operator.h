@@ -10,6 +10,8 @@
 
 namespace vibrocontact
 {
+  class FourierProduct;
+
   /// The constant linear part A of the discrete contact problem, y = A R + b (Delassus operator of the step).
   ///
   /// R: forces on body 1 (N, Tx, Ty) [N]; y: (gap [m], slip_x, slip_y [m/s]); contact_row() order. Without friction, or
@@ -96,7 +98,7 @@ namespace vibrocontact
                      const std::vector<unsigned int> &sources) const override;
 
   private:
-    struct FourierProduct;
+    std::unique_ptr<FourierProduct> fourier_product(unsigned int points_x, unsigned int points_y) const;
 
     double kernel(const unsigned int row, const unsigned int column, const int offset_x,
                   const int offset_y) const
