@@ -1,7 +1,7 @@
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/bodies/patch_shapes.h>
 #include <vibrocontact/coupled_bodies/patch_receptance.h>
-#include <vibrocontact/coupled_bodies/patch_shapes.h>
 #include <vibrocontact/numerics/complex_eigenvectors.h>
 
 #include <algorithm>

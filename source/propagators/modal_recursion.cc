@@ -3,7 +3,6 @@
 #include <vibrocontact/propagators/step_weights.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace vibrocontact
 {
@@ -16,9 +15,9 @@ namespace vibrocontact
 
   ModalRecursion::ModalRecursion(const BodyInContact &model, const std::vector<Complex> &state,
                                  const PropagatorSettings &settings, const StepWeights &weights)
-      : n_poles(model.n_poles()), n_states(padded(model.n_poles())), n_padded(padded(model.n_rows())),
-        p(2 * n_states), e(2 * n_states), w(2 * n_states * model.n_rows()), c(2 * n_states * model.n_rows()),
-        constant(model.n_rows(), 0.), fall(model, settings.time_step)
+      : n_poles(model.n_poles()), n_states(padded(model.n_poles())), p(2 * n_states), e(2 * n_states),
+        w(2 * n_states * model.n_rows()), c(2 * n_states * model.n_rows()), constant(model.n_rows(), 0.),
+        fall(model, settings.time_step)
   {
     const unsigned int n = model.n_rows();
     one_step = one_step_compliance(model, weights);
@@ -44,21 +43,21 @@ namespace vibrocontact
     }
     if (n > few)
     {
-      columns.resize(2 * n_states * n_padded);
-      u.resize(n_padded);
+      u.resize(padded(n));
       bool complex_shapes = false;
-      for (std::size_t k = 0; k < n_states; ++k)
-        for (unsigned int i = 0; i < n; ++i)
+      for (std::size_t at = 0; at < c.size(); ++at)
+        complex_shapes = complex_shapes || (at / n_states % 2 == 1 && c[at] != 0);
+      DenseMatrix right(n, complex_shapes ? 2 * n_states : n_states), left(n, 2 * n_states);
+      for (unsigned int i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < 2 * n_states; ++k)
         {
-          columns[k * n_padded + i] = c[2 * n_states * i + k];
-          columns[(n_states + k) * n_padded + i] = -c[2 * n_states * i + n_states + k];
-          complex_shapes = complex_shapes || c[2 * n_states * i + n_states + k] != 0;
+          left(i, k) = w[2 * n_states * i + k];
+          if (k < right.n())
+            right(i, k) = k < n_states ? c[2 * n_states * i + k] : -c[2 * n_states * i + k];
         }
-      all.resize(complex_shapes ? 2 * n_states : n_states);
-      std::iota(all.begin(), all.end(), 0u);
-      listed.resize(n);
-      factors.resize(n);
+      many = rows_and_states(right, left);
       c.clear();
+      w.clear();
       show_many();
       return;
     }
@@ -113,7 +112,7 @@ namespace vibrocontact
   void ModalRecursion::show_many()
   {
     std::copy(constant.begin(), constant.end(), u.begin());
-    wide_add_columns(u.data(), columns.data(), n_padded, all.data(), p.data(), all.size());
+    many.show.add_to(u.data(), p.data());
     std::copy(u.begin(), u.begin() + free.size(), free.begin());
     fall.add_to(free.data());
   }
@@ -133,15 +132,8 @@ namespace vibrocontact
       fall.add_to(free.data());
       return;
     }
-    unsigned int n_listed = 0;
-    for (unsigned int j = 0; j < n; ++j)
-      if (q[j] != 0)
-      {
-        listed[n_listed] = j;
-        factors[n_listed++] = q[j];
-      }
     wide_rotate(p.data(), e.data(), n_states);
-    wide_add_columns(p.data(), w.data(), 2 * n_states, listed.data(), factors.data(), n_listed);
+    many.load.add_sparse_to(p.data(), q);
     show_many();
   }
 

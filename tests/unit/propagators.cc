@@ -11,6 +11,7 @@
 #include <vibrocontact/propagators/modal_step.h>
 #include <vibrocontact/propagators/propagator_types.h>
 #include <vibrocontact/propagators/step_weights.h>
+#include <vibrocontact/propagators/thin_product.h>
 
 #include <gtest/gtest.h>
 
@@ -381,6 +382,53 @@ TEST(ActiveSet, AgreesWithNewton)
     }
     if (n == 3)
       EXPECT_LT(corrections, 200);
+  }
+}
+
+TEST(ThinProduct, FewShapesGiveTheSame)
+{
+  // shapes that turn slowly from row to row, amplitudes of any size
+  const unsigned int n = 120, m = 90;
+  DenseMatrix right(n, m), left(n, m), uneven(n, m);
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int k = 0; k < m; ++k)
+    {
+      const double size = std::pow(10., k % 7 - 3.);
+      right(i, k) = size * std::sin(0.002 * k * i + k);
+      left(i, k) = std::cos(0.002 * k * i - k) / size;
+      uneven(i, k) = std::sin(i * i + 3. * k * k);
+    }
+  for (const auto &[one, other] : {std::pair(right, left), {uneven, uneven}})
+  {
+    RowsAndStates through = rows_and_states(one, other);
+    std::vector<double> states(padded(m), 0.), forces(n, 0.), u(padded(n), 1.);
+    for (unsigned int k = 0; k < m; ++k)
+      states[k] = std::sin(5. + k) * std::pow(10., 3. - k % 7);
+    for (unsigned int i = 30; i < 60; ++i)
+      forces[i] = std::cos(3. + i);
+    std::vector<double> after = states;
+    through.show.add_to(u.data(), states.data());
+    through.load.add_sparse_to(after.data(), forces.data());
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      double exact = 1, size = 0;
+      for (unsigned int k = 0; k < m; ++k)
+      {
+        exact += one(i, k) * states[k];
+        size += std::abs(one(i, k) * states[k]);
+      }
+      EXPECT_NEAR(u[i], exact, 1e-11 * size);
+    }
+    for (unsigned int k = 0; k < m; ++k)
+    {
+      double exact = states[k], largest = 0;
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        exact += other(i, k) * forces[i];
+        largest = std::max(largest, std::abs(other(i, k)));
+      }
+      EXPECT_NEAR(after[k], exact, 1e-12 * (30 * largest + std::abs(exact)));
+    }
   }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <vibrocontact/bodies/patch_shapes.h>
 #include <vibrocontact/contact/creep.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
-#include <vibrocontact/coupled_bodies/patch_shapes.h>
 
 #include <vector>
 

@@ -2,6 +2,7 @@
 
 #include <vibrocontact/numerics/wide_loops.h>
 #include <vibrocontact/propagators/step_weights.h>
+#include <vibrocontact/propagators/thin_product.h>
 
 namespace vibrocontact
 {
@@ -14,7 +15,7 @@ namespace vibrocontact
   /// Nothing grows with time, in contrast to the paper's Eqs 18, 19, 46 and 47. One state per shape serves all
   /// points; constant loads only move the origin of the states (z - z_static) and cost nothing, but for those that a free
   /// body falls under. Cost: 4 numbers read per state and point, 1 if right shapes are real and left ones proportional to
-  /// them (real modes); forces that are zero are skipped if there are more than four points.
+  /// them (real modes). More than four points go through the few shapes that they move in; forces that are zero are skipped.
   class ModalRecursion final : public Propagator
   {
   public:
@@ -30,17 +31,16 @@ namespace vibrocontact
     void keep_real_shapes(const BodyInContact &model);
 
     unsigned int n_poles;
-    /// padded number of states and of rows
-    std::size_t n_states, n_padded;
-    /// real parts, then imaginary parts: p, factor; w and 2 right of each row
+    /// padded number of states
+    std::size_t n_states;
+    /// real parts, then imaginary parts: p, factor; of few rows w and 2 right of each row
     AlignedVector p, e, w, c;
-    /// many rows: 2 right by columns, one per real and one per imaginary part of a state; u_free
-    AlignedVector columns, u;
+    /// of many rows
+    RowsAndStates many;
+    AlignedVector u;
     /// few rows, right shapes real and left ones proportional to them: the shapes, p holds 2 p then
     bool real_shapes = false;
     std::vector<double> constant;
     FreeFall fall;
-    std::vector<unsigned int> all, listed;
-    std::vector<double> factors;
   };
 } // namespace vibrocontact

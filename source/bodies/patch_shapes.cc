@@ -1,4 +1,4 @@
-#include <vibrocontact/coupled_bodies/patch_shapes.h>
+#include <vibrocontact/bodies/patch_shapes.h>
 
 #include <algorithm>
 
