@@ -5,6 +5,7 @@
 #include <vibrocontact/contact/few_points.h>
 #include <vibrocontact/contact/fixed_point.h>
 #include <vibrocontact/contact/newton.h>
+#include <vibrocontact/contact/projected_jacobi.h>
 
 namespace vibrocontact
 {
@@ -99,6 +100,16 @@ namespace vibrocontact
               ""};
     }
 
+    ContactSolverEntry projected_jacobi()
+    {
+      return {"projected jacobi",
+              "steps that shrink errors tenfold at least, a product with the matrix each",
+              make<ProjectedJacobi>,
+              ProjectedJacobi::takes,
+              "many rigid points evenly apart on a tread, without friction and with a given approach,",
+              "Tolerance"};
+    }
+
     ContactSolverEntry few_points()
     {
       return {
@@ -130,11 +141,12 @@ namespace vibrocontact
     {
       ContactSolverEntry row = newton();
       row.name = "automatic";
-      row.help = "the first of active set, few points and semi-smooth newton that takes the problem";
+      row.help = "the first of active set, projected jacobi, few points and semi-smooth newton that takes "
+                 "the problem";
       row.create = [](const ContactSolverParameters &parameters) -> std::unique_ptr<ContactSolver>
       {
-        return std::make_unique<FirstThatTakes>(ContactSolvers{active_set(), few_points(), newton()},
-                                                parameters);
+        return std::make_unique<FirstThatTakes>(
+            ContactSolvers{active_set(), projected_jacobi(), few_points(), newton()}, parameters);
       };
       return row;
     }
@@ -142,7 +154,8 @@ namespace vibrocontact
 
   const ContactSolvers &contact_solvers()
   {
-    static const ContactSolvers table = {automatic(), active_set(), few_points(), newton(), fixed_point()};
+    static const ContactSolvers table = {automatic(),  active_set(), projected_jacobi(),
+                                         few_points(), newton(),     fixed_point()};
     return table;
   }
 

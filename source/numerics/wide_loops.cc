@@ -1,5 +1,6 @@
 #include <vibrocontact/numerics/wide_loops.h>
 
+#include <algorithm>
 #include <type_traits>
 
 namespace vibrocontact
@@ -208,6 +209,33 @@ namespace vibrocontact
       }
     }
 
+    VIBROCONTACT_BODY void jacobi_body(double *x, double *c, const double *y, const double *b, const double d,
+                                       const std::size_t n, double &change, double &size)
+    {
+      const double factor = -1 / d;
+      Wide changes = {}, sizes = {};
+      std::size_t i = 0;
+      for (; i + 8 <= n; i += 8)
+      {
+        const Wide before = at(x + i), others = at(y + i) - d * before, next = factor * (at(b + i) + others),
+                   projected = next > 0 ? next : Wide{}, difference = projected - before;
+        at(c + i) = others;
+        at(x + i) = projected;
+        changes += difference * difference;
+        sizes += projected * projected;
+      }
+      change = sum_of(changes);
+      size = sum_of(sizes);
+      for (; i < n; ++i)
+      {
+        c[i] = y[i] - d * x[i];
+        const double projected = std::max(0., factor * (b[i] + c[i])), difference = projected - x[i];
+        x[i] = projected;
+        change += difference * difference;
+        size += projected * projected;
+      }
+    }
+
     VIBROCONTACT_BODY void spectra_body(double *y, const double *const *h, const double *const *x,
                                         const std::size_t n_blocks, const std::size_t n)
     {
@@ -261,6 +289,10 @@ namespace vibrocontact
                           (double *y, const double *const *h, const double *const *x, std::size_t n_blocks,
                            std::size_t n),
                           (y, h, x, n_blocks, n))
+    VIBROCONTACT_VARIANTS(void, jacobi, jacobi_body,
+                          (double *x, double *c, const double *y, const double *b, double d, std::size_t n,
+                           double &change, double &size),
+                          (x, c, y, b, d, n, change, size))
 #define VIBROCONTACT_RECURSION(N)                                                                            \
   VIBROCONTACT_VARIANTS(void, recursion_##N, recursion_body<N>,                                              \
                         (double *p, const double *e, const double *w, const double *c, const double *q,      \
@@ -287,6 +319,7 @@ namespace vibrocontact
       decltype(&add_single_columns_128) add_single_columns;
       decltype(&rotate_128) rotate;
       decltype(&spectra_128) spectra;
+      decltype(&jacobi_128) jacobi;
       Recursion recursion[4], real_recursion[4];
     };
 
@@ -301,6 +334,7 @@ namespace vibrocontact
                 add_single_columns_512,
                 rotate_512,
                 spectra_512,
+                jacobi_512,
                 {recursion_1_512, recursion_2_512, recursion_3_512, recursion_4_512},
                 {real_recursion_1_512, real_recursion_2_512, real_recursion_3_512, real_recursion_4_512}};
       if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
@@ -311,6 +345,7 @@ namespace vibrocontact
                 add_single_columns_256,
                 rotate_256,
                 spectra_256,
+                jacobi_256,
                 {recursion_1_256, recursion_2_256, recursion_3_256, recursion_4_256},
                 {real_recursion_1_256, real_recursion_2_256, real_recursion_3_256, real_recursion_4_256}};
       return {"sse2",
@@ -320,6 +355,7 @@ namespace vibrocontact
               add_single_columns_128,
               rotate_128,
               spectra_128,
+              jacobi_128,
               {recursion_1_128, recursion_2_128, recursion_3_128, recursion_4_128},
               {real_recursion_1_128, real_recursion_2_128, real_recursion_3_128, real_recursion_4_128}};
     }
@@ -375,6 +411,12 @@ namespace vibrocontact
   void wide_rotate(double *p, const double *e, const std::size_t n)
   {
     loops.rotate(p, e, n);
+  }
+
+  void wide_jacobi_step(double *x, double *c, const double *y, const double *b, const double d,
+                        const std::size_t n, double &change, double &size)
+  {
+    loops.jacobi(x, c, y, b, d, n, change, size);
   }
 
   void wide_multiply_spectra(double *y, const double *const *h, const double *const *x,

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """modal_convolution.py PROGRAM MPIRUN PARAMETER_FILES: an interrupted modal convolution equals an uninterrupted one.
 
-A tyre on three points by each stepping method, also with friction, and the event-located oscillator are stopped by SIGTERM at random moments of their
+A tyre on three points by each stepping method, also with friction, one on hundreds by FFT, and the event-located oscillator are stopped by SIGTERM at random moments of their
 march, resumed, and compared: histories and impulses bit for bit, also on two ranks. Further: an end before the checkpoint.
 """
 import json, os, random, signal, subprocess, sys, time
@@ -68,6 +68,8 @@ check("tyre_three_points", "friction", short, "Modal convolution/Friction=true",
       "tyre/Ring/Tread tangential stiffness=1e5")
 check("tyre_three_points", "falling", short, "Modal convolution/Friction=true", "Road/Sliding speed=0.05",
       "tyre/Ring/Tread tangential stiffness=1e5", "Contact/Static friction ratio=1.4", "Modal convolution/Method=theta method")
+check("tyre_rolling", "products", "Modal convolution/End time=0.25", "tyre/Ring/Contact points=200",
+      "tyre/Ring/Contact spacing=6e-4", "tyre/Ring/Tread stiffness=20160")
 check("oscillator_on_sine", "spring", "Modal convolution/Method=modal recursion", "Contact/Normal law=exponential penalty", "Contact/Penalty amplitude=1e3",
       "Contact/Penalty exponent=300", "Modal convolution/Force shape=constant", "Modal convolution/End time=2")
 check("oscillator_on_sine", "events", "Modal convolution/End time=20")

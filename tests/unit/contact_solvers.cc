@@ -3,6 +3,7 @@
 
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/contact_solvers.h>
+#include <vibrocontact/contact/even_line_operator.h>
 
 #include <gtest/gtest.h>
 
@@ -21,6 +22,18 @@ namespace
     parameters.force_change = 1e-15;
     return create_contact_solver(parameters)->solved(problem);
   }
+
+  /// The same with a matrix of points evenly apart on a tread.
+  ContactProblem on_even_line(ContactProblem problem, const unsigned int seed)
+  {
+    const unsigned int n = problem.n_points();
+    DenseMatrix matrix(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        matrix(i, j) = problem.A->mean_diagonal(0) * ((i == j) + 0.01 * std::cos(double(seed) + i - j));
+    problem.A = EvenLineOperator::of(matrix);
+    return problem;
+  }
 } // namespace
 
 TEST(ContactSolvers, AllThatTakeAProblemFindTheSameForces)
@@ -36,6 +49,8 @@ TEST(ContactSolvers, AllThatTakeAProblemFindTheSameForces)
         yields ? create_normal_law("exponential penalty", {30., 2e4}) : create_normal_law("signorini"), seed);
     problem.normal_force = force_given ? 50. : 0.;
     problem.approach = seed % 2 * 2e-5;
+    if (n_components == 1 && seed % 4 < 2)
+      problem = on_even_line(std::move(problem), seed);
     const ContactSolution reference = solved("semi-smooth newton", problem);
     ASSERT_TRUE(reference.converged) << seed << " " << reference.residual;
     for (const ContactSolverEntry &entry : contact_solvers())
@@ -66,7 +81,7 @@ TEST(ContactSolvers, AllThatTakeAProblemFindTheSameForces)
   EXPECT_GT(touching, 200u);
   EXPECT_EQ(taken.size(), contact_solvers().size());
   for (const auto &[name, times] : taken)
-    EXPECT_GT(times, 30u) << name;
+    EXPECT_GT(times, 15u) << name;
 }
 
 // What a row keeps belongs to an operator: problems in turn are as good as each by itself.
@@ -81,8 +96,9 @@ TEST(ContactSolvers, AnotherOperatorIsSeen)
     const auto solver = create_contact_solver(parameters);
     for (unsigned int k = 0; k < 12; ++k)
     {
-      const ContactProblem problem =
-          random_contact(1 + k / 2 % 4, 1, 0., create_normal_law("signorini"), k / 2);
+      ContactProblem problem = random_contact(1 + k / 2 % 4, 1, 0., create_normal_law("signorini"), k / 2);
+      if (entry.takes && !entry.takes(problem))
+        problem = on_even_line(std::move(problem), k);
       solver->prepare(problem);
       const ContactSolution s = solver->solved(problem), alone = solved(entry.name, problem);
       DenseVector difference = s.R;

@@ -32,8 +32,13 @@ namespace
   /// The ring on the deterministic road (doc/theory.md, corrections to the tyre paper).
   struct Tyre
   {
-    Tyre(const double tread, const double indentation, const bool rolling)
+    Tyre(const double tread, const double indentation, const bool rolling, const unsigned int n_points = 3)
     {
+      if (n_points > 3)
+      {
+        ring.n_points = n_points;
+        ring.spacing = 0.1 / n_points;
+      }
       ring.tread_stiffness = tread;
       ring.residual = tread > 0;
       road.profile = "ISO 8608";
@@ -60,7 +65,7 @@ namespace
   };
 
   Outcome run(const Tyre &tyre, const std::string &method, const std::string &shape, const double step,
-              const unsigned int every, const double end = 0.2, const std::string &solver = "active set")
+              const unsigned int every, const double end = 0.2, const std::string &solver = "automatic")
   {
     ModalConvolutionParameters parameters;
     parameters.method = method;
@@ -128,6 +133,22 @@ TEST(ModalConvolution, ThreeRigidPointsRestAndRolling)
     EXPECT_LT(std::abs(fine.impulse[0] - exact.impulse[0]),
               std::abs(coarse.impulse[0] - exact.impulse[0]) / 2);
   }
+}
+
+// Hundreds of points by FFT and in few shapes: the forces of the matrix.
+TEST(ModalConvolution, ProductsGiveTheSameAsTheMatrix)
+{
+  const Tyre tyre(2e4, 4e-3, true, 200);
+  const Outcome by_products = run(tyre, "modal recursion", "linear", 20e-6, 1, 0.05),
+                by_matrix = run(tyre, "modal recursion", "linear", 20e-6, 1, 0.05, "active set");
+  ASSERT_EQ(by_products.forces.size(), by_matrix.forces.size());
+  double error = 0;
+  for (std::size_t k = 0; k < by_matrix.forces.size(); ++k)
+    error = std::max(error, std::abs(by_products.forces[k] - by_matrix.forces[k]));
+  EXPECT_LT(error, 1e-9 * by_matrix.largest);
+  // another solver
+  EXPECT_GT(error, 0);
+  EXPECT_LT(by_products.residual, 1e-10);
 }
 
 TEST(ModalConvolution, CommonSolverGivesTheSame)

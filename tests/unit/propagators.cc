@@ -4,7 +4,9 @@
 #include <vibrocontact/analyses/modal_convolution/road_contact.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/active_set.h>
+#include <vibrocontact/contact/even_line_operator.h>
 #include <vibrocontact/contact/newton.h>
+#include <vibrocontact/contact/projected_jacobi.h>
 #include <vibrocontact/numerics/phi_functions.h>
 #include <vibrocontact/numerics/piecewise_polynomial.h>
 #include <vibrocontact/numerics/wide_loops.h>
@@ -383,6 +385,126 @@ TEST(ActiveSet, AgreesWithNewton)
     if (n == 3)
       EXPECT_LT(corrections, 200);
   }
+}
+
+namespace
+{
+  /// unit diagonal and a kernel that turns and falls, not the same to both sides
+  DenseMatrix even_line(const unsigned int n, const double coupling)
+  {
+    DenseMatrix matrix(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+      {
+        const double distance = double(i) - double(j);
+        matrix(i, j) = (i == j) + coupling * std::cos(0.1 * distance) * std::exp(-0.05 * std::abs(distance)) +
+                       coupling * std::sin(0.03 * distance) * std::exp(-0.1 * std::abs(distance));
+      }
+    return matrix;
+  }
+
+  std::vector<unsigned int> places_of(const DenseVector &values)
+  {
+    std::vector<unsigned int> places;
+    for (unsigned int i = 0; i < values.size(); ++i)
+      if (values[i] != 0)
+        places.push_back(i);
+    return places;
+  }
+} // namespace
+
+TEST(EvenLine, ProductsAreThoseOfTheMatrix)
+{
+  const unsigned int n = 200;
+  const DenseMatrix matrix = even_line(n, 0.01);
+  const auto line = EvenLineOperator::of(matrix);
+  ASSERT_TRUE(line);
+  std::vector<unsigned int> some = {3, 70, 71, 199};
+  DenseMatrix block;
+  line->extract(some, block);
+  for (unsigned int i = 0; i < some.size(); ++i)
+    for (unsigned int j = 0; j < some.size(); ++j)
+      EXPECT_NEAR(block(i, j), matrix(some[i], some[j]), 1e-15);
+  // sources at either end, all over and none
+  for (const auto &[begin, end] : {std::pair(0u, 5u), {190u, 200u}, {97u, 98u}, {0u, 200u}, {7u, 7u}})
+  {
+    DenseVector R(n), product, exact(n);
+    for (unsigned int i = begin; i < end; ++i)
+      R[i] = std::sin(1. + i);
+    line->vmult(product, R, places_of(R));
+    matrix.vmult(exact, R);
+    for (unsigned int i = 0; i < n; ++i)
+      EXPECT_NEAR(product[i], exact[i], 1e-14) << begin << " " << i;
+  }
+  DenseMatrix other = matrix;
+  other(17, 90) += 1e-9;
+  EXPECT_FALSE(EvenLineOperator::of(other));
+}
+
+TEST(EvenLine, FactorIsThatOfTheWorstErrors)
+{
+  // power iteration of what a step leaves of an error, on a part of the line
+  const unsigned int n = 200;
+  for (const double coupling : {1e-3, 0.01, 0.03})
+  {
+    const DenseMatrix matrix = even_line(n, coupling);
+    const double factor = EvenLineOperator::of(matrix)->jacobi_factor();
+    DenseVector error(n), left(n), image(n);
+    for (unsigned int i = 0; i < n; ++i)
+      error[i] = std::sin(1. + i * i);
+    double longest = 0;
+    for (unsigned int k = 0; k < 200; ++k)
+    {
+      error /= error.l2_norm();
+      // transposed after it: singular values
+      matrix.vmult(image, error);
+      left = error;
+      left.add(-1 / matrix(0, 0), image);
+      longest = left.l2_norm();
+      matrix.Tvmult(image, left);
+      error = left;
+      error.add(-1 / matrix(0, 0), image);
+    }
+    EXPECT_LE(longest, factor * (1 + 1e-6));
+    EXPECT_GT(longest, 0.8 * factor);
+    EXPECT_LT(factor, 30 * coupling);
+  }
+}
+
+TEST(ProjectedJacobi, AgreesWithTheActiveSet)
+{
+  const unsigned int n = 200;
+  ContactProblem dense = road_contact_problem(even_line(n, 2e-3), n, {}, 1.), products = dense;
+  products.A = EvenLineOperator::of(even_line(n, 2e-3));
+  EXPECT_TRUE(ProjectedJacobi::takes(products));
+  EXPECT_FALSE(ActiveSetSolver::takes(products));
+  EXPECT_FALSE(ProjectedJacobi::takes(dense));
+  ActiveSetSolver direct;
+  ProjectedJacobi iterated;
+  ContactSolution exact, found;
+  for (unsigned int step = 0; step < 60; ++step)
+  {
+    // lifted off at last
+    for (unsigned int i = 0; i < n; ++i)
+      dense.b[i] = products.b[i] =
+          std::pow((i - 100.) / 60, 2) - 0.5 + 0.2 * std::sin(0.3 * step + 0.2 * i) + (step > 55) * 2.;
+    direct.solve(dense, exact);
+    iterated.solve(products, found);
+    EXPECT_TRUE(found.converged);
+    EXPECT_LT(found.iterations, 12u);
+    double difference = 0, size = 0;
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      difference += std::pow(found.R[i] - exact.R[i], 2);
+      size += std::pow(exact.R[i], 2);
+      EXPECT_NEAR(found.y[i], exact.y[i], 1e-8);
+      EXPECT_EQ(found.y[i] * found.R[i], 0);
+    }
+    EXPECT_LE(std::sqrt(difference), 1e-10 * std::sqrt(size)) << step;
+    EXPECT_EQ(size > 0, step <= 55);
+  }
+  products.b[3] = std::nan("");
+  EXPECT_THROW(iterated.solve(products, found), ConvergenceError);
 }
 
 TEST(ThinProduct, FewShapesGiveTheSame)

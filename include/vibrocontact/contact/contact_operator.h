@@ -52,6 +52,9 @@ namespace vibrocontact
     }
     /// whether vmult costs much less than a dense product, so that iterative solvers pay for many points
     virtual bool fast_product() const = 0;
+    /// Norm of I - A / mean_diagonal(0), of an operator with one component: by how much each step of Jacobi's iteration
+    /// shrinks an error at least. 1 if nothing is known.
+    virtual double jacobi_factor() const { return 1; }
   };
 
   /// A as a stored matrix: bodies from finite elements, or problems read from a file.

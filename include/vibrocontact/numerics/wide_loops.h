@@ -66,6 +66,14 @@ namespace vibrocontact
   void wide_add_columns(float *y, const float *columns, std::size_t n, const unsigned int *listed,
                         const float *factors, std::size_t n_listed);
 
+  /// A step of Jacobi's iteration for 0 <= x perp b + A x >= 0, of a matrix with the diagonal d, any n:
+  ///
+  ///   c_i = y_i - d x_i,       x_i <- max(0, -(b_i + c_i) / d)        y = A x before
+  ///
+  /// @param change, size sums of squares of the changes of x and of x afterwards
+  void wide_jacobi_step(double *x, double *c, const double *y, const double *b, double d, std::size_t n,
+                        double &change, double &size);
+
   /// One step of complex states of some shapes under forces at few points (n_points <= 4), and what they then show:
   ///
   ///   p_k <- e_k p_k + sum_j w_jk q_j,       u_i = Re sum_k c_ik p_k

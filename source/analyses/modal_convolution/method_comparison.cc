@@ -163,7 +163,7 @@ namespace vibrocontact
         own.end_time = row.time_step * row.n_steps;
         own.memory = memory * own.time_step;
         own.force_shape = shape;
-        own.contact_solver = "active set";
+        own.contact_solver = "automatic";
         ModalConvolution run(own, {}, model, road);
         History history;
         history.u.resize(row.n_steps * n);

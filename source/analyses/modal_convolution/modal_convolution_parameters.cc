@@ -39,11 +39,12 @@ namespace vibrocontact
     prm.add_parameter("Initial state", initial_state,
                       "at rest (undeformed) or equilibrium (under the loads, without contact). Units: none.",
                       Selection("at rest|equilibrium"));
-    prm.add_parameter("Contact solver", contact_solver,
-                      "active set, or common: the solver of section Contact/Solver, which all contact with "
-                      "friction or with a "
-                      "normal law that yields has anyway. Units: none.",
-                      Selection("active set|common"));
+    prm.add_parameter(
+        "Contact solver", contact_solver,
+        "automatic (active set; projected Jacobi for hundreds of points evenly apart on a "
+        "tread), active set, or common: the solver of section Contact/Solver, which all contact "
+        "with friction or with a normal law that yields has anyway. Units: none.",
+        Selection("automatic|active set|common"));
     prm.add_parameter("Friction", friction,
                       "Whether the contact points rub along the road, by Contact/Friction law, with "
                       "Road/Sliding speed. Units: none.",
@@ -74,7 +75,7 @@ namespace vibrocontact
 
   void ModalConvolutionParameters::check() const
   {
-    if (is_event_located() && (memory > 0 || force_shape != "impulse" || contact_solver != "active set"))
+    if (is_event_located() && (memory > 0 || force_shape != "impulse" || contact_solver != "automatic"))
       throw InputError(
           std::string("Modal convolution/") +
           (memory > 0                 ? "Memory"

@@ -1,5 +1,7 @@
 #include <vibrocontact/analyses/modal_convolution/road_contact.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/contact/even_line_operator.h>
+#include <vibrocontact/contact/projected_jacobi.h>
 #include <vibrocontact/numerics/least_squares.h>
 
 #include <algorithm>
@@ -26,6 +28,18 @@ namespace vibrocontact
     for (unsigned int i = 0; i < n; ++i)
       problem.mu.push_back(laws.friction ? laws.friction[i].at_rest() : 0.);
     return problem;
+  }
+
+  void use_even_line(ContactProblem &problem, const DenseMatrix &matrix)
+  {
+    // below it the kept inverse of the closed points takes less time
+    constexpr unsigned int fewest_points = 128;
+    if (problem.n_components() > 1 || problem.n_points() < fewest_points)
+      return;
+    ContactProblem by_products = problem;
+    by_products.A = EvenLineOperator::of(matrix);
+    if (by_products.A && ProjectedJacobi::takes(by_products))
+      problem.A = by_products.A;
   }
 
   void check_road_friction(const DenseMatrix &compliance)

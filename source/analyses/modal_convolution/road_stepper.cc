@@ -161,7 +161,9 @@ namespace vibrocontact
     if (is_common)
       check_unique_forces(first_block(compliance, n), "in '" + problem.title + "'");
     else
-      own.method = "active set";
+      own.method = parameters.contact_solver;
+    if (own.method == "automatic" || own.method == "projected jacobi")
+      use_even_line(problem, compliance);
     solver = create_contact_solver(own);
     solver->prepare(problem);
     check_force_interpolation(parameters, model, n_points, laws.normal);

@@ -28,8 +28,8 @@ namespace vibrocontact
     double memory = 0;
     /// at rest or equilibrium (under the loads)
     std::string initial_state = "at rest";
-    /// active set, or common: the solver of section Contact/Solver, which friction and laws that yield have anyway
-    std::string contact_solver = "active set";
+    /// automatic, active set, or common: the solver of section Contact/Solver, which friction and laws that yield have anyway
+    std::string contact_solver = "automatic";
     /// along the road, by Contact/Friction law
     bool friction = false;
     /// [s], 0: every step
