@@ -106,7 +106,8 @@ namespace vibrocontact
               "steps that shrink errors tenfold at least, a product with the matrix each",
               make<ProjectedJacobi>,
               ProjectedJacobi::takes,
-              "many rigid points evenly apart on a tread, without friction and with a given approach,",
+              "rigid points evenly apart on a body that is alike everywhere and yields a tenth of their "
+              "tread at most, without friction and with a given approach,",
               "Tolerance"};
     }
 

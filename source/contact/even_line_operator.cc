@@ -19,7 +19,8 @@ namespace vibrocontact
     /// How far the eigenvalues of a line without ends, sum_k kernel(k) e^(-j k phi), are from its diagonal at most, over it.
     double largest_departure(const std::vector<double> &kernel)
     {
-      // far more phases than the kernel has entries: between two of them the sum hardly changes
+      // so many phases for each entry of the kernel that the sum is at most 2 % larger between two of them: 1 / cos(pi / 16)
+      // (Ehlich & Zeller, Math. Z. 86 (1964) 41)
       std::vector<double> samples(padded(8 * kernel.size()), 0.);
       std::copy(kernel.begin(), kernel.end(), samples.begin());
       samples[kernel.size() / 2] = 0;
@@ -31,7 +32,7 @@ namespace vibrocontact
       double largest = 0;
       for (const std::complex<double> &value : lines)
         largest = std::max(largest, std::abs(value));
-      return largest / kernel[kernel.size() / 2];
+      return largest / std::cos(M_PI / 16) / kernel[kernel.size() / 2];
     }
   } // namespace
 

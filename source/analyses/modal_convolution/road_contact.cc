@@ -30,10 +30,8 @@ namespace vibrocontact
     return problem;
   }
 
-  void use_even_line(ContactProblem &problem, const DenseMatrix &matrix)
+  void use_even_line(ContactProblem &problem, const DenseMatrix &matrix, const unsigned int fewest_points)
   {
-    // below it the kept inverse of the closed points takes less time
-    constexpr unsigned int fewest_points = 128;
     if (problem.n_components() > 1 || problem.n_points() < fewest_points)
       return;
     ContactProblem by_products = problem;

@@ -15,6 +15,9 @@ namespace vibrocontact
 {
   namespace
   {
+    /// of fewer points the kept inverse over the closed ones takes less time than products by FFT
+    constexpr unsigned int points_worth_products = 128;
+
     DenseMatrix first_block(const DenseMatrix &matrix, const unsigned int size)
     {
       DenseMatrix block(size, size);
@@ -162,8 +165,10 @@ namespace vibrocontact
       check_unique_forces(first_block(compliance, n), "in '" + problem.title + "'");
     else
       own.method = parameters.contact_solver;
-    if (own.method == "automatic" || own.method == "projected jacobi")
-      use_even_line(problem, compliance);
+    if (own.method == "automatic")
+      use_even_line(problem, compliance, points_worth_products);
+    else if (own.method == "projected jacobi")
+      use_even_line(problem, compliance, 1);
     solver = create_contact_solver(own);
     solver->prepare(problem);
     check_force_interpolation(parameters, model, n_points, laws.normal);

@@ -44,10 +44,10 @@ namespace vibrocontact
   ContactProblem road_contact_problem(const DenseMatrix &matrix, unsigned int n_points, const RoadLaws &laws,
                                       double time_step, double speed = 0);
 
-  /// Hands a frictionless problem of many points to products by FFT in place of its matrix, if it may: the points are
-  /// evenly apart on a body that is alike everywhere, and their tread yields far more than the body (contact/projected_jacobi.h).
-  /// @param matrix that of the problem
-  void use_even_line(ContactProblem &problem, const DenseMatrix &matrix);
+  /// Gives a problem without friction products by FFT in place of its matrix where ProjectedJacobi takes it then: the points are
+  /// evenly apart on a body that is alike everywhere, and their tread yields far more than the body.
+  /// @param matrix that of the problem @param fewest_points left as it is if it has less
+  void use_even_line(ContactProblem &problem, const DenseMatrix &matrix, unsigned int fewest_points);
 
   /// @param compliance M
   /// @throws InputError if the tangential motion of the points has no compliance
