@@ -18,7 +18,8 @@ namespace vibrocontact
   bool ProjectedJacobi::takes(const ContactProblem &problem)
   {
     return problem.n_components() == 1 && !problem.force_given() &&
-           problem.normal_law.all(&NormalLaw::is_rigid) && problem.A->jacobi_factor() <= largest_factor;
+           problem.normal_law.all(&NormalLaw::is_rigid) && problem.A->mean_diagonal(0) > 0 &&
+           problem.A->jacobi_factor() <= largest_factor;
   }
 
   void ProjectedJacobi::begin_with_earlier_ones()

@@ -10,7 +10,8 @@ namespace vibrocontact
   class FourierProduct;
 
   /// A of normal forces on points in a line, evenly apart, of bodies that are alike everywhere along it (a ring on its
-  /// road): entries depend on the distance between points alone, A_ij = kernel(i - j), not nearly always on its sign.
+  /// road): entries depend on the distance between points alone, A_ij = kernel(i - j);
+  /// kernel(-k) may differ from kernel(k).
   class EvenLineOperator : public ContactOperator
   {
   public:

@@ -22,7 +22,7 @@ namespace vibrocontact
     /// @param row, column components; @param offset_x, offset_y of the target from the source, in points
     using Kernel = std::function<double(unsigned int row, unsigned int column, int offset_x, int offset_y)>;
 
-    /// @param sources, targets rectangles of the grid; @param shift_x, shift_y first target less first source
+    /// @param n_components at most three @param sources, targets rectangles of the grid; @param shift_x, shift_y first target less first source
     FourierProduct(const Kernel &kernel, unsigned int n_components, const Size &sources, const Size &targets,
                    int shift_x = 0, int shift_y = 0);
     ~FourierProduct();

@@ -22,7 +22,7 @@ namespace vibrocontact
     explicit ProjectedJacobi(const ContactSolverParameters &parameters = {}) : tolerance(parameters.tolerance)
     {
     }
-    /// A shrinks distances tenfold, b is given
+    /// Rigid points without friction, the approach given, and I - A / d shrinks distances tenfold: then A is positive definite.
     static bool takes(const ContactProblem &problem);
     /// Open gaps are those of the iteration before: right to the tolerance times what the forces move.
     /// @throws ConvergenceError if b is not finite

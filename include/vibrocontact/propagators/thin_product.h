@@ -37,8 +37,9 @@ namespace vibrocontact
   };
 
   /// Two ways between the rows of a body and its states through few shapes. Rows that are near to each other move in few
-  /// independent ways: what states and rows have to do with each other is then a product of two thin matrices (bodies/patch_shapes.h), each state to
-  /// 1e-14 of its largest row; the one matrix where two would take more work.
+  /// independent ways: what states and rows have to do with each other is then a product of two thin matrices
+  /// (bodies/patch_shapes.h). Singular values below 1e-14 of the largest are left out, each state's largest row counting as one.
+  /// Of fewer than 32 rows or states, and where two matrices would take more work, it stays one.
   struct RowsAndStates
   {
     /// displacements += right states, states += left^T forces

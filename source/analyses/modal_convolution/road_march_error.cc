@@ -199,7 +199,8 @@ namespace vibrocontact
   {
     const double begin = results.steps * time_step, end = (results.steps + n_steps) * time_step;
     for (unsigned int i = 0; i < n_points; ++i)
-      for (double t = road.next_step_up(i, begin); residual[i] == 0 && t <= end; t = road.next_step_up(i, t))
+      for (double t = residual[i] == 0 ? road.next_step_up(i, begin) : HUGE_VAL; t <= end;
+           t = road.next_step_up(i, t))
       {
         const unsigned int step = std::min<double>(n_steps - 1, std::floor((t - begin) / time_step));
         // forces of this step and of the next, whichever has its end behind the step of the road

@@ -164,7 +164,11 @@ namespace vibrocontact
     if (is_common)
       check_unique_forces(first_block(compliance, n), "in '" + problem.title + "'");
     else
+    {
+      // section Contact/Solver is not this contact's
       own.method = parameters.contact_solver;
+      own.tolerance = ContactSolverParameters().tolerance;
+    }
     if (own.method == "automatic")
       use_even_line(problem, compliance, points_worth_products);
     else if (own.method == "projected jacobi")
