@@ -12,15 +12,6 @@ namespace vibrocontact
 {
   namespace
   {
-    DenseMatrix transposed(const DenseMatrix &a)
-    {
-      DenseMatrix result(a.n(), a.m());
-      for (unsigned int j = 0; j < a.n(); ++j)
-        for (unsigned int i = 0; i < a.m(); ++i)
-          result(j, i) = a(i, j);
-      return result;
-    }
-
     DenseMatrix independent_null_space(const DenseMatrix &columns, const unsigned int N)
     {
       std::optional<DenseMatrix> basis = null_space(columns, N);

@@ -17,15 +17,6 @@ namespace vibrocontact
     /// F has to see what the eigenvalues see
     constexpr double shape_tolerance = 1e-11;
 
-    ComplexMatrix transposed(const ComplexMatrix &matrix)
-    {
-      ComplexMatrix result(matrix.n(), matrix.m());
-      for (unsigned int j = 0; j < matrix.n(); ++j)
-        for (unsigned int i = 0; i < matrix.m(); ++i)
-          result(j, i) = matrix(i, j);
-      return result;
-    }
-
     /// left (diag(inertia s^2 + damping s + stiffness) + s into stretch)^-1 right; poles have no inertia, damping 1 and stiffness
     /// -lambda
     struct ModalSum

@@ -1,3 +1,4 @@
+#include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/bodies/patch_shapes.h>
 #include <vibrocontact/propagators/thin_product.h>
 
@@ -10,15 +11,6 @@ namespace vibrocontact
   {
     /// smaller matrices are not worth a decomposition
     constexpr unsigned int fewest = 32;
-
-    DenseMatrix transposed(const DenseMatrix &matrix)
-    {
-      DenseMatrix result(matrix.n(), matrix.m());
-      for (unsigned int i = 0; i < matrix.m(); ++i)
-        for (unsigned int j = 0; j < matrix.n(); ++j)
-          result(j, i) = matrix(i, j);
-      return result;
-    }
 
     /// The matrix as basis times amplitudes, or as it is.
     std::vector<DenseMatrix> thin_factors(const DenseMatrix &matrix)

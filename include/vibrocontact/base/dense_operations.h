@@ -22,6 +22,16 @@ namespace vibrocontact
     return c;
   }
 
+  template <typename Number>
+  dealii::LAPACKFullMatrix<Number> transposed(const dealii::LAPACKFullMatrix<Number> &matrix)
+  {
+    dealii::LAPACKFullMatrix<Number> result(matrix.n(), matrix.m());
+    for (unsigned int j = 0; j < matrix.n(); ++j)
+      for (unsigned int i = 0; i < matrix.m(); ++i)
+        result(j, i) = matrix(i, j);
+    return result;
+  }
+
   /// The same numbers in single precision.
   inline SingleMatrix in_single_precision(const DenseMatrix &matrix)
   {
