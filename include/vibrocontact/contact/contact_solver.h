@@ -25,6 +25,9 @@ namespace vibrocontact
     std::string asks_for = {};
     /// entries of the section that it reads
     std::string entries = "Tolerance, Force change, Max Newton iterations, Max fixed point iterations";
+    /// from so many points on it is faster by products alone, where these are fast and it converges (projected_jacobi.h); 0: it
+    /// takes the matrix
+    unsigned int points_by_products = 0;
   };
   using ContactSolvers = std::vector<ContactSolverEntry>;
 

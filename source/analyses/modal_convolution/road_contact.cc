@@ -30,9 +30,9 @@ namespace vibrocontact
     return problem;
   }
 
-  void use_even_line(ContactProblem &problem, const DenseMatrix &matrix, const unsigned int fewest_points)
+  void use_even_line(ContactProblem &problem, const DenseMatrix &matrix)
   {
-    if (problem.n_components() > 1 || problem.n_points() < fewest_points)
+    if (problem.n_components() > 1)
       return;
     ContactProblem by_products = problem;
     by_products.A = EvenLineOperator::of(matrix);

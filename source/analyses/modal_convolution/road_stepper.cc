@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/modal_convolution/road_contact.h>
 #include <vibrocontact/analyses/modal_convolution/road_stepper.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/named_table.h>
 #include <vibrocontact/contact/active_set.h>
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/friction_of_speed.h>
@@ -15,9 +16,6 @@ namespace vibrocontact
 {
   namespace
   {
-    /// of fewer points the kept inverse over the closed ones takes less time than products by FFT
-    constexpr unsigned int points_worth_products = 128;
-
     DenseMatrix first_block(const DenseMatrix &matrix, const unsigned int size)
     {
       DenseMatrix block(size, size);
@@ -169,10 +167,9 @@ namespace vibrocontact
       own.method = parameters.contact_solver;
       own.tolerance = ContactSolverParameters().tolerance;
     }
-    if (own.method == "automatic")
-      use_even_line(problem, compliance, points_worth_products);
-    else if (own.method == "projected jacobi")
-      use_even_line(problem, compliance, 1);
+    const unsigned int fewest = find_named(*own.methods, own.method, "contact solver").points_by_products;
+    if (fewest > 0 && n >= fewest)
+      use_even_line(problem, compliance);
     solver = create_contact_solver(own);
     solver->prepare(problem);
     check_force_interpolation(parameters, model, n_points, laws.normal);

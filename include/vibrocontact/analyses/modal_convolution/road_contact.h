@@ -46,8 +46,8 @@ namespace vibrocontact
 
   /// Gives a problem without friction products by FFT in place of its matrix where ProjectedJacobi takes it then: the points are
   /// evenly apart on a body that is alike everywhere, and their tread yields far more than the body.
-  /// @param matrix that of the problem @param fewest_points left as it is if it has less
-  void use_even_line(ContactProblem &problem, const DenseMatrix &matrix, unsigned int fewest_points);
+  /// @param matrix that of the problem
+  void use_even_line(ContactProblem &problem, const DenseMatrix &matrix);
 
   /// @param compliance M
   /// @throws InputError if the tangential motion of the points has no compliance
