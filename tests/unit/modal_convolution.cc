@@ -244,6 +244,35 @@ TEST(ModalConvolution, MethodsOfManyRigidPoints)
   }
 }
 
+// A step of the road on the end of a block is seen as any other, whatever rounding makes of its time.
+TEST(ModalConvolution, StepsOfTheRoadBetweenBlocks)
+{
+  const BodyInContact model = paper_oscillator();
+  ModalConvolutionParameters parameters;
+  parameters.time_step = 1e-4;
+  parameters.end_time = 0.02;
+  parameters.error_estimate = false;
+  for (unsigned int step = 20; step < 60; ++step)
+  {
+    RoadParameters steps_up;
+    steps_up.profile = "expression";
+    steps_up.expression = "if(s<" + std::to_string(step) + "*1e-4,0,1e-5)";
+    steps_up.speed = 1;
+    const Road road(steps_up, {0.}, {0.}, parameters.end_time);
+    for (const unsigned int block : {1u, 1000u})
+    {
+      ModalConvolution motion(parameters, {}, model, road);
+      EXPECT_THROW(
+          {
+            while (motion.advance(block))
+              ;
+          },
+          InputError)
+          << step << " " << block;
+    }
+  }
+}
+
 TEST(ModalConvolution, RowsOfTheComparison)
 {
   EXPECT_EQ(read_comparison_rows("1e-4:2000:1900, 1e-5:20000:19000 ", "Rows").size(), 2);

@@ -113,19 +113,22 @@ namespace vibrocontact
 
   bool ModalConvolution::advance(const unsigned int n_steps, const Observer &observe)
   {
-    // heights, displacements and forces of so many steps stay in the cache
-    const unsigned long steps_at_once =
-        std::clamp(32768 / n_points / road_look_interval, 1u, 256u) * road_look_interval;
     const unsigned int n = std::min<unsigned long>(n_steps, last_step - results.steps);
-    if (n > 0 && events)
-      advance_events(n, observe);
-    else if (n > 0)
-      stepper->begin_block();
-    for (const unsigned long end = events ? 0 : results.steps + n; results.steps < end;)
-      advance_steps(std::min(end - results.steps, steps_at_once - results.steps % steps_at_once), observe);
+    if (n > 0)
+      events ? advance_events(n, observe) : advance_block_of_steps(n, observe);
     if (n > 0 && second)
       advance_second_march();
     return results.steps < last_step;
+  }
+
+  void ModalConvolution::advance_block_of_steps(const unsigned int n_steps, const Observer &observe)
+  {
+    // heights, displacements and forces of so many steps, a quarter of a megabyte each, stay in the cache
+    const unsigned long at_once =
+        std::clamp(32768 / n_points / road_look_interval, 1u, 256u) * road_look_interval;
+    stepper->begin_block();
+    for (const unsigned long end = results.steps + n_steps; results.steps < end;)
+      advance_steps(std::min(end - results.steps, at_once - results.steps % at_once), observe);
   }
 
   void ModalConvolution::advance_steps(const unsigned int n_steps, const Observer &observe)

@@ -197,15 +197,17 @@ namespace vibrocontact
 
   void ModalConvolution::check_steps_of_the_road(const unsigned int n_steps) const
   {
-    const double begin = results.steps * time_step, end = (results.steps + n_steps) * time_step;
+    // the last step of those before is looked at once more: only now the force that follows it is known
+    const unsigned long again = results.steps > 0;
+    const double begin = (results.steps - again) * time_step, end = (results.steps + n_steps) * time_step;
     for (unsigned int i = 0; i < n_points; ++i)
       for (double t = residual[i] == 0 ? road.next_step_up(i, begin) : HUGE_VAL; t <= end;
            t = road.next_step_up(i, t))
       {
-        const unsigned int step = std::min<double>(n_steps - 1, std::floor((t - begin) / time_step));
-        // forces of this step and of the next, whichever has its end behind the step of the road
-        const unsigned int next = std::min(step + 1, n_steps - 1);
-        if (!(forces[(step + 1) * n_points + i] > 0 || forces[(next + 1) * n_points + i] > 0))
+        // the first line that is not before it, whatever rounding makes of its time, and the next one
+        const double at = std::ceil((t - begin) / time_step - 1e-6) - again;
+        const unsigned int line = std::clamp(at, 0., double(n_steps)), next = std::min(line + 1, n_steps);
+        if (!(forces[line * n_points + i] > 0 || forces[next * n_points + i] > 0))
           continue;
         std::ostringstream text;
         text << "The road steps up at " << road.distance(t) << " m under contact point " << i << " (t = " << t

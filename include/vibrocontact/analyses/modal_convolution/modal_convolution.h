@@ -41,7 +41,7 @@ namespace vibrocontact
     std::vector<double> tangential_impulse;
     double dissipation = 0;
     unsigned long sticking_points = 0;
-    /// sums over the steps: closed points, corrections of the closed set; largest residual of the contact
+    /// sums over the steps: closed points, iterations of the contact solver; largest residual of the contact
     unsigned long closed_points = 0, corrections = 0;
     double residual = 0;
     /// whether that can be other than zero: one point by a closed form has none
@@ -137,6 +137,7 @@ namespace vibrocontact
     void account(unsigned int n_steps);
     void show_modal_work(const double *displacement, const double *height);
     void watch_impulses(unsigned int k, double &jump);
+    void advance_block_of_steps(unsigned int n_steps, const Observer &observe);
     void advance_steps(unsigned int n_steps, const Observer &observe);
     void advance_events(unsigned int n_steps, const Observer &observe);
     void find_events(unsigned int n_steps, const double *force);
