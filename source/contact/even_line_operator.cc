@@ -80,14 +80,17 @@ namespace vibrocontact
     }
     begin = begin / coarseness * coarseness;
     end = std::min(n, (end + coarseness - 1) / coarseness * coarseness);
-    if (products.size() > most_products)
-      products.clear();
-    std::unique_ptr<FourierProduct> &product = products[{begin, end - begin}];
-    if (!product)
-      product = std::make_unique<FourierProduct>(
+    auto found = products.find({begin, end - begin});
+    if (found == products.end())
+    {
+      if (products.size() == most_products)
+        products.clear();
+      auto product = std::make_unique<FourierProduct>(
           [this](unsigned int, unsigned int, const int offset, int) { return kernel[offset + n - 1]; }, 1,
           FourierProduct::Size{end - begin, 1}, FourierProduct::Size{n, 1}, -int(begin));
-    product->vmult(y.data(), force + begin, n, n);
+      found = products.emplace(std::pair(begin, end - begin), std::move(product)).first;
+    }
+    found->second->vmult(y.data(), force + begin, n, n);
   }
 
   void EvenLineOperator::extract(const std::vector<unsigned int> &points, DenseMatrix &block) const

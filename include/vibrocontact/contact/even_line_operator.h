@@ -10,8 +10,7 @@ namespace vibrocontact
   class FourierProduct;
 
   /// A of normal forces on points in a line, evenly apart, of bodies that are alike everywhere along it (a ring on its
-  /// road): entries depend on the distance between points alone, A_ij = kernel(i - j);
-  /// kernel(-k) may differ from kernel(k).
+  /// road): A_ij = kernel(i - j), where kernel(-k) may differ from kernel(k).
   class EvenLineOperator : public ContactOperator
   {
   public:

@@ -15,7 +15,8 @@ namespace vibrocontact
   /// Nothing grows with time, in contrast to the paper's Eqs 18, 19, 46 and 47. One state per shape serves all
   /// points; constant loads only move the origin of the states (z - z_static) and cost nothing, but for those that a free
   /// body falls under. Cost: 4 numbers read per state and point, 1 if right shapes are real and left ones proportional to
-  /// them (real modes). More than four points go through the few shapes that they move in; forces that are zero are skipped.
+  /// them (real modes). Of many points it is less (thin_product.h); of more than four, forces that are zero are
+  /// skipped.
   class ModalRecursion final : public Propagator
   {
   public:
