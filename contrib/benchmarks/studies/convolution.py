@@ -109,8 +109,8 @@ def tread(bench):
     finest, finest_motion, _ = march(bench, TYRE, 1e-6, end, {METHOD: "theta method", SHAPE: "linear"}, repetitions=1)
     other, other_motion, _ = march(bench, TYRE, 1e-6, end, {METHOD: DEFAULT, SHAPE: "linear"}, repetitions=1)
     points = []
-    variants = [(DEFAULT, shape, solver) for shape in ("constant", "linear") for solver in ("active set", "common")]
-    variants += [(method, "linear", "active set") for method in METHODS[1:-1]]
+    variants = [(DEFAULT, shape, solver) for shape in ("constant", "linear") for solver in ("automatic", "common")]
+    variants += [(method, "linear", "automatic") for method in METHODS[1:-1]]
     for method, shape, solver in variants:
         for step in (2e-5,) if bench.quick else (4e-5, 2e-5, 1e-5):
             entries = {METHOD: method, SHAPE: shape, SOLVER: solver}
@@ -120,7 +120,7 @@ def tread(bench):
             truth, true_motion = (other, other_motion) if method == "theta method" else (finest, finest_motion)
             points.append(Point(f"{method}, {shape}, {solver}, step {step:g} s", f"{method}, {shape}, {solver}", seconds,
                                 rms_error(motion["force_N"], true_motion["force_N"]),
-                                method == DEFAULT and (shape, solver) == ("linear", "active set") and step == 2e-5, entries,
+                                method == DEFAULT and (shape, solver) == ("linear", "automatic") and step == 2e-5, entries,
                                 {"impulse and rms force": error(found, truth)}))
     return points
 
@@ -158,7 +158,7 @@ STUDIES = [
           truth="the theta method in steps of 1e-6 s, another integrator; for the theta method itself modal recursion in "
                 "such steps.",
           cost="processor time of 0.05 s of motion [s]", error="contact forces, rms error over rms [-]",
-          floor=1e-6, choices={METHOD: METHODS[:-1], SHAPE: ["constant", "linear"], SOLVER: ["active set", "common"]}, measure=tread,
+          floor=1e-6, choices={METHOD: METHODS[:-1], SHAPE: ["constant", "linear"], SOLVER: ["automatic", "common"]}, measure=tread,
           further={"impulse and rms force": "impulses, rms force: relative error [-]"}),
     Study("convolution_many", "Hundreds of points of a rolling tyre",
           truth="the active set with its kept inverse; for that itself products to 1e-13: they share the poles and their steps, not the contact.",
