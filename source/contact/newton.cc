@@ -130,6 +130,8 @@ namespace vibrocontact
       J.linearise(*problem, *residual, s.R, s.y);
       const std::vector<unsigned int> &points = J.points();
       const unsigned int m = points.size();
+      if (m == 0)
+        kept.leave_direction();
       if (problem->force_given() && m == 0)
         return false; // nothing touches: no force answers to the approach
 

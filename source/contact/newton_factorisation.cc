@@ -1,48 +1,47 @@
-#include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/contact/newton_factorisation.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <numeric>
 
 namespace vibrocontact
 {
   namespace
   {
-    /// more changed points than this are factorised
-    constexpr unsigned int max_changed = 24;
+    /// more changed points than this are factorised; of matrices that are condensed, which cost less, more than so many new ones
+    constexpr unsigned int max_changed = 24, max_new_of_condensed = 8;
     /// of the residual that a step leaves: factors of this problem have to reduce it by ten at a stroke, those of an earlier one
     /// are mended by secants
     constexpr double largest_gain_alone = 0.1, largest_gain_in_march = 0.9;
     /// with factors of an earlier problem; from then on they count as its own
     constexpr unsigned int most_solves = 15;
-    /// of a factorisation, in steps of Newton's method
-    constexpr unsigned int price = 60;
+    /// of factorising J itself, in steps of Newton's method
+    constexpr double price_of_whole = 60, least_price = 2;
     constexpr unsigned int most_kept = 24;
     /// sets of points whose entries of A are at hand
     constexpr unsigned int most_responses = 2;
     /// unknowns below which single precision saves nothing
     constexpr unsigned int few_unknowns = 100;
-    /// of a right-hand side, that a solution in single precision may leave
-    constexpr double largest_single_defect = 1e-3;
+    /// of the unknowns, that may be left of a matrix that is condensed
+    constexpr double largest_condensed = 0.85;
+    /// of the active points, that an inverse may have besides
+    constexpr double largest_surplus = 0.15;
+    /// matrices that an inverse has to serve, at its price of four, to be made again as soon; the longest wait for another one
+    constexpr unsigned int least_by_inverse = 4, longest_without_inverse = 64;
 
-    bool factorise_lu(DenseMatrix &matrix)
+    bool same(const DenseVector &a, const DenseVector &b)
     {
-      try
-      {
-        matrix.compute_lu_factorization();
-      }
-      catch (const dealii::LACExceptions::ExcSingular &)
-      {
-        return false;
-      }
-      return true;
+      return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin());
     }
 
-    /// Square of what the tangential rows differ by.
+    /// Square of what the tangential rows differ by, and the number of points that are open in one alone.
     double distance(const NewtonJacobian::Rows &a, const NewtonJacobian::Rows &b)
     {
       double sum = 0;
       for (std::size_t k = 0; k < a.size(); ++k)
+      {
+        sum += (a[k].by_gap == 0) != (b[k].by_gap == 0) ? 1 : 0;
         for (unsigned int c = 0; c < 2; ++c)
         {
           const double radius = a[k].by_radius[c] - b[k].by_radius[c],
@@ -50,6 +49,7 @@ namespace vibrocontact
                        y = a[k].by_trial[c][1] - b[k].by_trial[c][1];
           sum += radius * radius + x * x + y * y;
         }
+      }
       return sum;
     }
   } // namespace
@@ -59,6 +59,9 @@ namespace vibrocontact
     A.reset();
     kept.clear();
     used = nullptr;
+    inverse.reset();
+    n_without_inverse = n_by_inverse = 0;
+    wanted_without_inverse = 1;
     n_problems = n_solves = 0;
     excess = 0;
     last_direction.reinit(0);
@@ -80,7 +83,7 @@ namespace vibrocontact
     if (n_problems == 2)
     {
       kept.erase(std::remove_if(kept.begin(), kept.end(),
-                                [](const auto &one) { return one->lu.m() >= few_unknowns; }),
+                                [](const auto &one) { return one->at().size() >= few_unknowns; }),
                  kept.end());
       used = nullptr;
     }
@@ -88,14 +91,33 @@ namespace vibrocontact
     last_direction.reinit(0);
   }
 
-  NewtonFactorisation::Factors *NewtonFactorisation::nearest(const NewtonJacobian &J) const
+  void NewtonFactorisation::look_at(const NewtonJacobian &J, const std::vector<ContactStatus> &status)
   {
-    Factors *best = nullptr;
+    on_active.take(J, J.points(), status, J.approach_scale());
+    if (inverse && inverse->covers(J.points()))
+      on_inverse.take(J, inverse->points(), status, inverse->scale(0));
+    else
+      on_inverse.points.clear();
+  }
+
+  bool NewtonFactorisation::can_use(const NewtonFactors &factors) const
+  {
+    const JacobianOnPoints &now = as_in(factors);
+    if (now.points != factors.at().points)
+      return false;
+    const std::vector<unsigned int> changed = factors.changed_points(now);
+    return changed.size() <= max_changed &&
+           (!factors.is_condensed() || factors.n_new(changed) <= max_new_of_condensed);
+  }
+
+  NewtonFactors *NewtonFactorisation::nearest() const
+  {
+    NewtonFactors *best = nullptr;
     double least = std::numeric_limits<double>::infinity();
-    for (const std::unique_ptr<Factors> &one : kept)
-      if (one->points == J.points())
+    for (const std::unique_ptr<NewtonFactors> &one : kept)
+      if (can_use(*one))
       {
-        const double now = distance(one->rows, J.rows_of_points());
+        const double now = distance(one->at().rows, as_in(*one).rows);
         if (now < least)
         {
           least = now;
@@ -105,19 +127,16 @@ namespace vibrocontact
     return best;
   }
 
-  bool NewtonFactorisation::find_flipped(const std::vector<ContactStatus> &now)
-  {
-    flipped.clear();
-    for (unsigned int k = 0; k < used->points.size(); ++k)
-      if (now[used->points[k]] != used->status[k])
-        flipped.push_back(k);
-    return flipped.size() <= max_changed;
-  }
-
   void NewtonFactorisation::drop_used()
   {
     kept.erase(std::find_if(kept.begin(), kept.end(), [&](const auto &one) { return one.get() == used; }));
     used = nullptr;
+  }
+
+  double NewtonFactorisation::price() const
+  {
+    const double left = double(used->n_factorised()) / used->at().size();
+    return std::max(least_price, price_of_whole * left * left * left);
   }
 
   bool NewtonFactorisation::wants_another(const double gain) const
@@ -126,27 +145,28 @@ namespace vibrocontact
       return true;
     if (!is_earlier || n_solves >= most_solves)
       return gain >= largest_gain_alone;
-    return gain >= largest_gain_in_march || (gain >= largest_gain_alone && excess >= price);
+    return gain >= largest_gain_in_march || (gain >= largest_gain_alone && excess >= price());
   }
 
   bool NewtonFactorisation::prepare(const ContactProblem &problem, const NewtonJacobian &J,
-                                    const std::vector<ContactStatus> &now, const double gain,
+                                    const std::vector<ContactStatus> &status, const double gain,
                                     unsigned int &factorisations)
   {
-    if (A.lock() != problem.A || force_given != problem.force_given())
+    if (!is_of(problem))
     {
       forget();
       responses.clear();
       n_problems = 1;
       A = problem.A;
       force_given = problem.force_given();
+      by_approach = problem.by_approach;
+      to_force = problem.to_force;
     }
-    if (n_solves == 0 || (used && !(used->points == J.points() && find_flipped(now))))
+    look_at(J, status);
+    if (n_solves == 0 || (used && !can_use(*used)))
     {
-      Factors *const before = used;
-      used = nearest(J);
-      if (used)
-        find_flipped(now);
+      const NewtonFactors *const before = used;
+      used = nearest();
       if (used != before)
         last_direction.reinit(0);
       is_earlier = used != nullptr;
@@ -154,17 +174,20 @@ namespace vibrocontact
     if (used && !wants_another(gain))
     {
       used->last_used = n_problems;
-      if (flipped == used->changed)
+      const JacobianOnPoints &now = as_in(*used);
+      const std::vector<unsigned int> changed = used->changed_points(now);
+      set_places(J);
+      if (used->has(now, changed))
         return true;
-      if (flipped.size() <= max_changed)
-      {
-        if (update(*problem.A, J))
-          return true;
-        drop_used();
-      }
+      last_direction.reinit(0);
+      if (used->update(now, changed,
+                       used->is_condensed() ? DenseMatrix() : response_rows(*problem.A, J, changed)))
+        return true;
+      drop_used();
     }
     ++factorisations;
-    return factorise(problem, J, now);
+    const bool may_condense = !(is_condensed() && !is_earlier && used->changed_points(as_in(*used)).empty());
+    return factorise(problem, J, status, may_condense);
   }
 
   const DenseMatrix &NewtonFactorisation::response_of(const ContactOperator &of,
@@ -186,135 +209,165 @@ namespace vibrocontact
     return responses.front().matrix;
   }
 
-  bool NewtonFactorisation::factorise(const ContactProblem &problem, const NewtonJacobian &J,
-                                      const std::vector<ContactStatus> &now)
+  DenseMatrix NewtonFactorisation::response_rows(const ContactOperator &of, const NewtonJacobian &J,
+                                                 const std::vector<unsigned int> &of_points)
   {
-    const DenseMatrix &response = response_of(*problem.A, J.points());
+    const DenseMatrix &response = response_of(of, J.points());
+    const unsigned int m = J.points().size(), components = J.n_components();
+    DenseMatrix rows(components * of_points.size(), J.size());
+    for (unsigned int i = 0; i < of_points.size(); ++i)
+    {
+      const std::array<double, 3> to_approach = J.response_to_approach(of_points[i]);
+      for (unsigned int c = 0; c < components; ++c)
+      {
+        for (unsigned int column = 0; column < components * m; ++column)
+          rows(components * i + c, column) = response(c * m + of_points[i], column);
+        if (force_given)
+          rows(components * i + c, components * m) = approach_factor * to_approach[c];
+      }
+    }
+    return rows;
+  }
+
+  std::vector<unsigned int> NewtonFactorisation::points_in_use(const ContactProblem &problem,
+                                                               const NewtonJacobian &J) const
+  {
+    const auto is_few = [&](const std::vector<unsigned int> &points)
+    { return points.size() <= (1 + largest_surplus) * J.points().size(); };
+    std::vector<unsigned int> result(problem.n_points()), both;
+    std::iota(result.begin(), result.end(), 0u);
+    if (is_few(result))
+      return result;
+    result = J.points();
+    for (const std::unique_ptr<NewtonFactors> &one : kept)
+    {
+      both.clear();
+      std::set_union(result.begin(), result.end(), one->at().points.begin(), one->at().points.end(),
+                     std::back_inserter(both));
+      if (is_few(both))
+        result = both;
+    }
+    return result;
+  }
+
+  bool NewtonFactorisation::is_of(const ContactProblem &problem) const
+  {
+    return A.lock() == problem.A && force_given == problem.force_given() &&
+           (!force_given || (same(by_approach, problem.by_approach) && same(to_force, problem.to_force)));
+  }
+
+  bool NewtonFactorisation::is_small(const JacobianOnPoints &condensed) const
+  {
+    return condensed_size(condensed.rows, condensed.components) <= largest_condensed * on_active.size();
+  }
+
+  bool NewtonFactorisation::find_inverse(const ContactProblem &problem, const NewtonJacobian &J,
+                                         const std::vector<ContactStatus> &status)
+  {
+    if (!is_small(on_active))
+      return false;
+    if (on_inverse.points.empty() || !is_small(on_inverse))
+    {
+      if (n_without_inverse < wanted_without_inverse)
+      {
+        ++n_without_inverse;
+        return false;
+      }
+      if (inverse)
+        wanted_without_inverse = n_by_inverse >= least_by_inverse
+                                     ? 1
+                                     : std::min(2 * wanted_without_inverse, longest_without_inverse);
+      n_without_inverse = n_by_inverse = 0;
+      inverse = std::make_shared<InverseResponse>(problem, points_in_use(problem, J));
+      kept.erase(
+          std::remove_if(kept.begin(), kept.end(), [](const auto &one) { return one->is_condensed(); }),
+          kept.end());
+      used = nullptr;
+      look_at(J, status);
+    }
+    if (!inverse->is_exact_enough())
+      return false;
+    ++n_by_inverse;
+    return true;
+  }
+
+  bool NewtonFactorisation::factorise(const ContactProblem &problem, const NewtonJacobian &J,
+                                      const std::vector<ContactStatus> &status, const bool may_condense)
+  {
     last_direction.reinit(0);
     is_earlier = is_distrusted = false;
     excess = 0;
+    const bool in_single_precision = n_problems > 1 && J.size() >= few_unknowns;
+    const bool by_inverse = in_single_precision && may_condense && find_inverse(problem, J, status);
     if (kept.size() == most_kept)
       kept.erase(std::min_element(kept.begin(), kept.end(),
                                   [](const auto &a, const auto &b) { return a->last_used < b->last_used; }));
-    kept.push_back(std::make_unique<Factors>());
+    kept.push_back(by_inverse ? std::make_unique<NewtonFactors>(on_inverse, inverse)
+                              : std::make_unique<NewtonFactors>(on_active, nullptr));
     used = kept.back().get();
     used->last_used = n_problems;
-    used->points = J.points();
-    for (const unsigned int i : used->points)
-      used->status.push_back(now[i]);
-    used->rows = J.rows_of_points();
-    J.assemble(response, used->lu);
-    if (n_problems > 1 && J.size() >= few_unknowns && used->single_lu.factorise(used->lu))
-      return true;
-    if (factorise_lu(used->lu))
+    set_places(J);
+    if (used->factorise([&](DenseMatrix &matrix) { J.assemble(response_of(*problem.A, J.points()), matrix); },
+                        in_single_precision))
       return true;
     drop_used();
     return false;
   }
 
-  bool NewtonFactorisation::update(const ContactOperator &of, const NewtonJacobian &J)
+  void NewtonFactorisation::set_places(const NewtonJacobian &J)
   {
-    Factors &f = *used;
-    const DenseMatrix &response = response_of(of, f.points);
-    const unsigned int m = f.points.size(), size = J.size(), n_flipped = flipped.size(),
-                       t = J.n_components() - 1;
-    DenseMatrix Z(size, t * n_flipped);
-    DenseVector column(size);
-    f.differences.reinit(t * n_flipped, size);
-    for (unsigned int i = 0; i < n_flipped; ++i)
-    {
-      const unsigned int k = flipped[i];
-      const auto known = std::find(f.changed.begin(), f.changed.end(), k);
-      for (unsigned int c = 0; c < t; ++c)
-      {
-        if (known != f.changed.end())
-          std::copy_n(&f.columns(0, t * (known - f.changed.begin()) + c), size, column.begin());
-        else
-        {
-          column = 0;
-          column[(c + 1) * m + k] = 1;
-          if (!solve_by_lu(column))
-            return false;
-        }
-        std::copy(column.begin(), column.end(), &Z(0, t * i + c));
-      }
-      J.assemble_difference(k, f.rows[k], response, f.differences, t * i);
-    }
-    f.columns = Z;
-    f.changed = flipped;
-    f.pairs.clear();
-    last_direction.reinit(0);
-    if (n_flipped == 0)
-      return true;
-    f.small.reinit(t * n_flipped);
-    f.differences.mmult(f.small, f.columns);
-    for (unsigned int i = 0; i < t * n_flipped; ++i)
-      f.small(i, i) += 1;
-    return factorise_lu(f.small);
+    const JacobianOnPoints &theirs = used->at();
+    const unsigned int m = J.points().size(), n = theirs.points.size(), components = J.n_components();
+    places.resize(J.size());
+    const std::vector<unsigned int> of_points = places_among(J.points(), theirs.points);
+    for (unsigned int c = 0; c < components; ++c)
+      for (unsigned int k = 0; k < m; ++k)
+        places[c * m + k] = c * n + of_points[k];
+    if (!force_given)
+      return;
+    places[components * m] = components * n;
+    approach_factor = theirs.approach_scale / J.approach_scale();
   }
 
   bool NewtonFactorisation::solve(DenseVector &x)
   {
     ++n_solves;
-    if (!is_earlier)
-      return solve_by_factors(x);
-    if (last_direction.size() == x.size() && direction_taken)
+    const auto take = [&]
     {
-      last_residual -= x;
-      used->pairs.add(last_residual, last_direction);
-    }
-    last_residual = x;
-    const DenseVector known = used->pairs.take_known_part(x);
-    if (!solve_by_factors(x))
-      return false;
-    x += known;
-    last_direction = x;
-    direction_taken = false;
-    return true;
-  }
-
-  bool NewtonFactorisation::solve_by_factors(DenseVector &x)
-  {
-    if (!solve_by_lu(x))
-      return false;
-    if (used->changed.empty())
-      return true;
-    DenseVector shares(used->small.m()), correction(x.size());
-    used->differences.vmult(shares, x);
-    used->small.solve(shares);
-    used->columns.vmult(correction, shares);
-    x -= correction;
-    return true;
-  }
-
-  bool NewtonFactorisation::solve_by_lu(DenseVector &x)
-  {
-    Factors &f = *used;
-    if (f.single_lu.empty())
+      on_points.reinit(used->at().size());
+      for (unsigned int i = 0; i < x.size(); ++i)
+        on_points[places[i]] = x[i];
+    };
+    take();
+    DenseVector known;
+    if (is_earlier)
     {
-      f.lu.solve(x);
-      return true;
+      if (last_direction.size() == on_points.size() && direction_taken)
+      {
+        last_residual -= on_points;
+        used->pairs.add(last_residual, last_direction);
+      }
+      last_residual = on_points;
+      known = used->pairs.take_known_part(on_points);
     }
-    const bool is_first = f.lu.m() > 0;
-    if (is_first)
-      right_side = x;
-    f.single_lu.solve(x);
-    if (!is_first)
-      return true;
-
-    DenseVector defect(x.size());
-    f.lu.vmult(defect, x);
-    defect -= right_side;
-    if (defect.l2_norm() <= largest_single_defect * right_side.l2_norm())
+    if (!used->solve(on_points))
     {
-      f.lu.reinit(0);
-      return true;
-    }
-    f.single_lu.clear();
-    x = right_side;
-    if (!factorise_lu(f.lu))
+      drop_used();
       return false;
-    f.lu.solve(x);
+    }
+    if (is_earlier)
+      on_points += known;
+    for (unsigned int i = 0; i < x.size(); ++i)
+      x[i] = on_points[places[i]];
+    if (is_earlier)
+    {
+      // without what rounding has left at open points
+      take();
+      last_direction = on_points;
+      direction_taken = false;
+    }
+    if (force_given)
+      x[x.size() - 1] *= approach_factor;
     return true;
   }
 } // namespace vibrocontact

@@ -40,7 +40,7 @@ namespace vibrocontact
 
   std::array<double, 3> NewtonJacobian::apply(const Row &r, const double dN, const double dTx,
                                               const double dTy, const double dgap, const double dsx,
-                                              const double dsy) const
+                                              const double dsy)
   {
     const double dP = r.by_force * dN + r.by_gap * dgap;
     const double tx = dTx - r.rho * dsx, ty = dTy - r.rho * dsy;
@@ -48,11 +48,27 @@ namespace vibrocontact
              dTy - r.by_trial[1][0] * tx - r.by_trial[1][1] * ty - r.by_radius[1] * dP}};
   }
 
-  std::array<double, 3> NewtonJacobian::by_approach(const unsigned int k, const Row &row) const
+  NewtonJacobian::Blocks NewtonJacobian::blocks_of(const Row &row)
+  {
+    Blocks blocks;
+    for (unsigned int c = 0; c < 3; ++c)
+    {
+      const auto by_force = apply(row, c == 0, c == 1, c == 2, 0, 0, 0),
+                 by_response = apply(row, 0, 0, 0, c == 0, c == 1, c == 2);
+      for (unsigned int i = 0; i < 3; ++i)
+      {
+        blocks.by_force[i][c] = by_force[i];
+        blocks.by_response[i][c] = by_response[i];
+      }
+    }
+    return blocks;
+  }
+
+  std::array<double, 3> NewtonJacobian::response_to_approach(const unsigned int k) const
   {
     const std::array<double, 3> a = problem->approach_of(active[k]);
     const double scale = approach_scale();
-    return apply(row, 0, 0, 0, -scale * a[0], -scale * a[1], -scale * a[2]);
+    return {{-scale * a[0], -scale * a[1], -scale * a[2]}};
   }
 
   void NewtonJacobian::vmult(DenseVector &dst, const DenseVector &src) const
@@ -110,34 +126,10 @@ namespace vibrocontact
     if (problem->force_given())
       for (unsigned int k = 0; k < m; ++k)
       {
-        const std::array<double, 3> value = by_approach(k, rows[k]);
+        const std::array<double, 3> y = response_to_approach(k), value = apply(k, 0, 0, 0, y[0], y[1], y[2]);
         for (unsigned int row = 0; row < components; ++row)
           J(row * m + k, components * m) = value[row];
       }
-  }
-
-  void NewtonJacobian::assemble_difference(const unsigned int k, const Row &before, const DenseMatrix &A,
-                                           DenseMatrix &differences, const unsigned int at) const
-  {
-    const unsigned int m = active.size();
-    const auto entries = [&](const Row &r, const unsigned int column)
-    {
-      const unsigned int c = column % m == k ? column / m : 3;
-      return apply(r, c == 0, c == 1, c == 2, A(k, column), components > 1 ? A(m + k, column) : 0.,
-                   components > 2 ? A(2 * m + k, column) : 0.);
-    };
-    for (unsigned int column = 0; column < components * m; ++column)
-    {
-      const auto now = entries(rows[k], column), then = entries(before, column);
-      for (unsigned int row = 0; row + 1 < components; ++row)
-        differences(at + row, column) = now[row + 1] - then[row + 1];
-    }
-    if (problem->force_given())
-    {
-      const auto now = by_approach(k, rows[k]), then = by_approach(k, before);
-      for (unsigned int row = 0; row + 1 < components; ++row)
-        differences(at + row, components * m) = now[row + 1] - then[row + 1];
-    }
   }
 
   void NewtonJacobian::scatter(const DenseVector &values, DenseVector &full) const

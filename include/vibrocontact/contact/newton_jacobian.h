@@ -20,16 +20,22 @@ namespace vibrocontact
   class NewtonJacobian
   {
   public:
-    /// Derivatives of the projections at a point.
+    /// Derivatives of the projections at a point; all zero: those of an open one, whose rows are its forces.
     struct Row
     {
-      double by_force, by_gap;
-      std::array<Vector2, 2> by_trial;
-      Vector2 by_radius;
+      double by_force = 0, by_gap = 0;
+      std::array<Vector2, 2> by_trial{};
+      Vector2 by_radius{};
       /// rho_t of the point [N s/m]
-      double rho;
+      double rho = 0;
     };
     using Rows = std::vector<Row>;
+    /// What the rows of a point multiply its own forces and its responses by, [row][component].
+    struct Blocks
+    {
+      std::array<std::array<double, 3>, 3> by_force, by_response;
+    };
+    static Blocks blocks_of(const Row &row);
 
     /// Takes a state of a problem, which is referred to until the next one.
     /// @param residual whose rho the projections have
@@ -54,17 +60,14 @@ namespace vibrocontact
     void vmult(DenseVector &dst, const DenseVector &src) const;
     /// @param response A among the active points (ContactOperator::extract)
     void assemble(const DenseMatrix &response, DenseMatrix &J) const;
-    /// The tangential rows of active point k, less what they were with the derivatives `before`, into rows `at` and on.
-    void assemble_difference(unsigned int k, const Row &before, const DenseMatrix &response,
-                             DenseMatrix &differences, unsigned int at) const;
+    /// (dgap, ds) at active point k for a unit of the last unknown
+    std::array<double, 3> response_to_approach(unsigned int k) const;
     /// Values at the active points into a full vector.
     void scatter(const DenseVector &values, DenseVector &full) const;
 
   private:
-    std::array<double, 3> apply(const Row &row, double dN, double dTx, double dTy, double dgap, double dsx,
-                                double dsy) const;
-    /// the rows of active point k for a unit of the last unknown
-    std::array<double, 3> by_approach(unsigned int k, const Row &row) const;
+    static std::array<double, 3> apply(const Row &row, double dN, double dTx, double dTy, double dgap,
+                                       double dsx, double dsy);
 
     const ContactProblem *problem = nullptr;
     unsigned int n = 0, components = 3;
