@@ -69,6 +69,9 @@ namespace vibrocontact
 
   bool NewtonFactorisation::distrust()
   {
+    // no direction has come from it, or it was blamed before and none has come since
+    if (n_solves == 0 || is_distrusted)
+      return false;
     is_distrusted = used != nullptr && is_earlier;
     return is_distrusted;
   }

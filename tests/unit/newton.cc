@@ -51,6 +51,28 @@ TEST(Newton, BeginsAgainWhereNothingTouches)
   EXPECT_EQ(s.status[2], ContactStatus::open);
 }
 
+// In a march a kept matrix is not to blame where no point touches and none was asked.
+TEST(Newton, NothingTouchesInAMarch)
+{
+  ContactProblem problem = springs(4);
+  problem.normal_force = 0.1;
+  NewtonSolver solver({});
+  ContactSolution state;
+  for (const double away : {0., 0.01, 0.02, 1., -2., 3.})
+  {
+    for (unsigned int i = 0; i < 4; ++i)
+    {
+      problem.b[i] = away + 0.1 * i;
+      problem.b[4 + i] = 0.3 + 0.01 * away;
+    }
+    solver.solve(problem, state);
+    ASSERT_TRUE(state.converged) << away;
+    EXPECT_NEAR(state.R[0], 0.075, 1e-9) << away;
+    EXPECT_NEAR(state.R[1], 0.025, 1e-9) << away;
+    EXPECT_NEAR(state.approach, away + 0.15, 1e-9) << away;
+  }
+}
+
 TEST(Newton, SingularMatrixGoesToTheFallback)
 {
   // Two points whose normal compliance has rank one share a given approach in any proportion; the sum is
