@@ -1,3 +1,4 @@
+#include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/contact/newton_factors.h>
 
 #include <algorithm>
@@ -8,19 +9,6 @@ namespace vibrocontact
   {
     /// of a right-hand side, that a solution in single precision may leave
     constexpr double largest_single_defect = 1e-3;
-
-    bool factorise_lu(DenseMatrix &matrix)
-    {
-      try
-      {
-        matrix.compute_lu_factorization();
-      }
-      catch (const dealii::LACExceptions::ExcSingular &)
-      {
-        return false;
-      }
-      return true;
-    }
   } // namespace
 
   std::vector<unsigned int> places_among(const std::vector<unsigned int> &some,

@@ -3,6 +3,8 @@
 #include <vibrocontact/base/dense.h>
 #include <vibrocontact/base/exceptions.h>
 
+#include <deal.II/lac/exceptions.h>
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -30,6 +32,20 @@ namespace vibrocontact
       for (unsigned int i = 0; i < matrix.m(); ++i)
         result(j, i) = matrix(i, j);
     return result;
+  }
+
+  /// Factorises a matrix in place. @return false if it is singular
+  inline bool factorise_lu(DenseMatrix &matrix)
+  {
+    try
+    {
+      matrix.compute_lu_factorization();
+    }
+    catch (const dealii::LACExceptions::ExcSingular &)
+    {
+      return false;
+    }
+    return true;
   }
 
   /// The same numbers in single precision.

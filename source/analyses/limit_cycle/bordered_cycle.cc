@@ -80,14 +80,8 @@ namespace vibrocontact
     for (unsigned int j = 0; j < step.n(); ++j)
       for (unsigned int i = 0; i < step.m(); ++i)
         (*linear)(i, j) = (i == j ? 1. + shift : 0.) - dynamics(i, j);
-    try
-    {
-      linear->compute_lu_factorization();
-    }
-    catch (const dealii::LACExceptions::ExcSingular &)
-    {
+    if (!factorise_lu(*linear))
       throw ConvergenceError("the linear dynamics over a period are singular");
-    }
     return linear;
   }
 

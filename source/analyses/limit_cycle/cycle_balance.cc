@@ -282,19 +282,16 @@ namespace vibrocontact
       {
         const unsigned int i = sample.jacobian.points()[k];
         ++n_active[i];
+        const NewtonJacobian::Blocks blocks = NewtonJacobian::blocks_of(sample.jacobian.rows_of_points()[k]);
         for (unsigned int c = 0; c < 3; ++c)
-        {
-          const auto of_force = sample.jacobian.apply(k, c == 0, c == 1, c == 2, 0, 0, 0),
-                     of_response = sample.jacobian.apply(k, 0, 0, 0, c == 0, c == 1, c == 2);
           for (unsigned int row = 0; row < 3; ++row)
           {
-            mean[i].by_force[row][c] += share * of_force[row];
-            mean[i].by_response[row][c] += share * of_response[row];
+            mean[i].by_force[row][c] += share * blocks.by_force[row][c];
+            mean[i].by_response[row][c] += share * blocks.by_response[row][c];
             if (row > 0 && c > 0 && !sample.by_speed.empty())
               mean[i].by_seen_slip[row][c] -=
                   share * sample.by_speed[k].force[row - 1] * sample.by_speed[k].direction[c - 1];
           }
-        }
       }
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int c = 0; c < 3; ++c)

@@ -1,7 +1,6 @@
 #include <vibrocontact/analyses/limit_cycle/multipliers.h>
+#include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/numerics/least_squares.h>
-
-#include <deal.II/lac/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,14 +34,8 @@ namespace vibrocontact
         // an exact value would leave nothing to divide by
         for (unsigned int i = 0; i < n; ++i)
           shifted(i, i) -= quotient * (1 + 4 * std::numeric_limits<double>::epsilon());
-        try
-        {
-          shifted.compute_lu_factorization();
-        }
-        catch (const dealii::LACExceptions::ExcSingular &)
-        {
+        if (!factorise_lu(shifted))
           return {};
-        }
         shifted.solve(x);
         x /= x.l2_norm();
       }

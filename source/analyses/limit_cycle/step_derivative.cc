@@ -4,8 +4,6 @@
 #include <vibrocontact/base/matrix_parts.h>
 #include <vibrocontact/contact/point_rows.h>
 
-#include <deal.II/lac/exceptions.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -49,14 +47,8 @@ namespace vibrocontact
       take_speed_dependence(residual_rate);
       add_speed_dependence(response);
     }
-    try
-    {
-      factors.compute_lu_factorization();
-    }
-    catch (const dealii::LACExceptions::ExcSingular &)
-    {
+    if (!factorise_lu(factors))
       throw ConvergenceError("The contact of a step has no derivative: its Jacobian is singular.");
-    }
   }
 
   void StepDerivative::stand_on(const StepOnPoints &these)
