@@ -1,8 +1,6 @@
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/contact/condensed_jacobian.h>
 
-#include <deal.II/lac/lapack_templates.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -57,25 +55,18 @@ namespace vibrocontact
 
   bool InverseResponse::invert(const DenseMatrix &matrix)
   {
-    using Integer = dealii::types::blas_int;
-    const Integer n = n_rows;
     SingleMatrix single = in_single_precision(matrix);
-    std::vector<Integer> pivots(n);
-    Integer info = 0;
-    dealii::getrf(&n, &n, &single(0, 0), &n, pivots.data(), &info);
-    if (info != 0)
+    try
+    {
+      single.invert();
+    }
+    catch (const dealii::LACExceptions::ExcSingular &)
+    {
       return false;
-    Integer size = -1;
-    float best_size = 0;
-    dealii::getri(&n, &single(0, 0), &n, pivots.data(), &best_size, &size, &info);
-    size = best_size;
-    std::vector<float> work(size);
-    dealii::getri(&n, &single(0, 0), &n, pivots.data(), work.data(), &size, &info);
-    if (info != 0)
-      return false;
+    }
     inverse.assign(stride * n_rows, 0.F);
-    for (Integer j = 0; j < n; ++j)
-      std::copy_n(&single(0, j), n, inverse.begin() + stride * j);
+    for (unsigned int j = 0; j < n_rows; ++j)
+      std::copy_n(&single(0, j), n_rows, inverse.begin() + stride * j);
 
     // numbers of both signs that no symmetry of a grid has
     DenseVector forces(n_rows), responses(n_rows);
