@@ -103,12 +103,9 @@ namespace vibrocontact
       on_inverse.points.clear();
   }
 
-  bool NewtonFactorisation::can_use(const NewtonFactors &factors) const
+  bool NewtonFactorisation::has_few_changes(const NewtonFactors &factors) const
   {
-    const JacobianOnPoints &now = as_in(factors);
-    if (now.points != factors.at().points)
-      return false;
-    const std::vector<unsigned int> changed = factors.changed_points(now);
+    const std::vector<unsigned int> changed = factors.changed_points(as_in(factors));
     return changed.size() <= max_changed &&
            (!factors.is_condensed() || factors.n_new(changed) <= max_new_of_condensed);
   }
@@ -118,10 +115,10 @@ namespace vibrocontact
     NewtonFactors *best = nullptr;
     double least = std::numeric_limits<double>::infinity();
     for (const std::unique_ptr<NewtonFactors> &one : kept)
-      if (can_use(*one))
+      if (has_same_points(*one))
       {
         const double now = distance(one->at().rows, as_in(*one).rows);
-        if (now < least)
+        if (now < least && has_few_changes(*one))
         {
           least = now;
           best = one.get();
@@ -166,7 +163,7 @@ namespace vibrocontact
       to_force = problem.to_force;
     }
     look_at(J, status);
-    if (n_solves == 0 || (used && !can_use(*used)))
+    if (n_solves == 0 || (used && !(has_same_points(*used) && has_few_changes(*used))))
     {
       const NewtonFactors *const before = used;
       used = nearest();
@@ -259,17 +256,18 @@ namespace vibrocontact
            (!force_given || (same(by_approach, problem.by_approach) && same(to_force, problem.to_force)));
   }
 
-  bool NewtonFactorisation::is_small(const JacobianOnPoints &condensed) const
-  {
-    return condensed_size(condensed.rows, condensed.components) <= largest_condensed * on_active.size();
-  }
-
   bool NewtonFactorisation::find_inverse(const ContactProblem &problem, const NewtonJacobian &J,
                                          const std::vector<ContactStatus> &status)
   {
-    if (!is_small(on_active))
+    const unsigned int left = condensed_size(on_active.rows, on_active.components);
+    const auto pays = [&](const unsigned int n_points)
+    {
+      const unsigned int n_open = n_points - on_active.points.size();
+      return left + on_active.components * n_open <= largest_condensed * on_active.size();
+    };
+    if (!pays(on_active.points.size()))
       return false;
-    if (on_inverse.points.empty() || !is_small(on_inverse))
+    if (on_inverse.points.empty() || !pays(on_inverse.points.size()))
     {
       if (n_without_inverse < wanted_without_inverse)
       {

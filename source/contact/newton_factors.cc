@@ -43,11 +43,11 @@ namespace vibrocontact
     }
   }
 
-  NewtonFactors::NewtonFactors(JacobianOnPoints made_for, std::shared_ptr<const InverseResponse> inverse)
-      : made_for(std::move(made_for))
+  NewtonFactors::NewtonFactors(const JacobianOnPoints &at, std::shared_ptr<const InverseResponse> inverse)
+      : made_for(at)
   {
     if (inverse)
-      condensed.emplace(this->made_for.rows, this->made_for.components, std::move(inverse));
+      condensed.emplace(at.rows, at.components, std::move(inverse));
   }
 
   bool NewtonFactors::factorise(const std::function<void(DenseMatrix &)> &assemble,
@@ -95,15 +95,14 @@ namespace vibrocontact
     std::vector<ChangedRow> of_points;
     std::vector<DenseVector> Z, AZ;
     rows_of_A = std::move(rows);
-    for (unsigned int i = 0; i < points.size(); ++i)
+    for (const unsigned int k : points)
     {
-      const unsigned int k = points[i];
       const NewtonJacobian::Blocks after = NewtonJacobian::blocks_of(now.rows[k]),
                                    before = NewtonJacobian::blocks_of(made_for.rows[k]);
       const bool touches = now.status[k] != ContactStatus::open && made_for.status[k] != ContactStatus::open;
       for (unsigned int c = touches ? 1 : 0; c < now.components; ++c)
       {
-        ChangedRow row{k, i, c, {}, {}};
+        ChangedRow row{k, c, {}, {}};
         for (unsigned int d = 0; d < 3; ++d)
         {
           row.by_force[d] = after.by_force[c][d] - before.by_force[c][d];
@@ -152,15 +151,18 @@ namespace vibrocontact
   DenseVector NewtonFactors::response(const DenseVector &x) const
   {
     const unsigned int n = made_for.points.size();
-    if (!condensed)
+    DenseVector result(made_for.components * n);
+    if (condensed)
     {
-      DenseVector result(rows_of_A.m());
-      rows_of_A.vmult(result, x);
+      for (unsigned int row = 0; row < result.size(); ++row)
+        result[row] = condensed->response(row);
       return result;
     }
-    DenseVector result(made_for.components * n);
-    for (unsigned int row = 0; row < result.size(); ++row)
-      result[row] = condensed->response(row);
+    DenseVector of_changed(rows_of_A.m());
+    rows_of_A.vmult(of_changed, x);
+    for (unsigned int i = 0; i < changed.size(); ++i)
+      for (unsigned int c = 0; c < made_for.components; ++c)
+        result[c * n + changed[i]] = of_changed[made_for.components * i + c];
     return result;
   }
 
@@ -173,8 +175,7 @@ namespace vibrocontact
       const ChangedRow &row = changed_rows[i];
       for (unsigned int c = 0; c < components; ++c)
         result[i] +=
-            row.by_force[c] * x[c * n + row.point] +
-            row.by_response[c] * response[condensed ? c * n + row.point : components * row.of_changed + c];
+            row.by_force[c] * x[c * n + row.point] + row.by_response[c] * response[c * n + row.point];
     }
     return result;
   }

@@ -55,8 +55,12 @@ namespace vibrocontact
     }
     /// Looks at J on the active points and on those of the inverse.
     void look_at(const NewtonJacobian &J, const std::vector<ContactStatus> &status);
-    /// Whether factors serve for J, once the points that have changed their status are taken into account.
-    bool can_use(const NewtonFactors &factors) const;
+    bool has_same_points(const NewtonFactors &factors) const
+    {
+      return as_in(factors).points == factors.at().points;
+    }
+    /// Whether points that have changed their status are few enough to be taken into factors of the same points.
+    bool has_few_changes(const NewtonFactors &factors) const;
     /// They are singular, by themselves or with what has changed.
     void drop_used();
     bool wants_another(double gain) const;
@@ -70,8 +74,7 @@ namespace vibrocontact
     /// Whether there is an inverse by which J is condensed; makes one where that pays.
     bool find_inverse(const ContactProblem &problem, const NewtonJacobian &J,
                       const std::vector<ContactStatus> &status);
-    /// Whether so little is left of J that condensing it pays.
-    bool is_small(const JacobianOnPoints &condensed) const;
+    /// Whether the factors are those of its operator and its load.
     bool is_of(const ContactProblem &problem) const;
     /// All points of a problem if most are active, otherwise those of J and of the factors that are kept.
     std::vector<unsigned int> points_in_use(const ContactProblem &problem, const NewtonJacobian &J) const;

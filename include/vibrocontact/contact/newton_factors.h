@@ -45,7 +45,7 @@ namespace vibrocontact
   {
   public:
     /// @param inverse of A at these points, or null: J is factorised itself
-    NewtonFactors(JacobianOnPoints made_for, std::shared_ptr<const InverseResponse> inverse);
+    NewtonFactors(const JacobianOnPoints &at, std::shared_ptr<const InverseResponse> inverse);
 
     const JacobianOnPoints &at() const { return made_for; }
     bool is_condensed() const { return condensed.has_value(); }
@@ -75,8 +75,8 @@ namespace vibrocontact
     /// A row that has changed, and its differences.
     struct ChangedRow
     {
-      /// place of its point, and of that among the changed ones
-      unsigned int point, of_changed;
+      /// place of its point
+      unsigned int point;
       unsigned int component;
       std::array<double, 3> by_force, by_response;
     };
@@ -84,8 +84,8 @@ namespace vibrocontact
     /// by the matrix that was factorised
     bool solve_as_made(DenseVector &x);
     bool solve_factorised(DenseVector &x);
-    /// A x: if J is condensed in the rows of all points, and x has to be the last that solve_as_made() gave; otherwise at the changed
-    /// points, one point's after the other's.
+    /// A x by rows of all points; if J is not condensed, of the changed ones alone.
+    /// @param x if J is condensed, the last that solve_as_made() gave
     DenseVector response(const DenseVector &x) const;
     /// D x. @param response of x
     DenseVector differences_by(const DenseVector &x, const DenseVector &response) const;
