@@ -136,7 +136,7 @@ namespace vibrocontact
   double NewtonFactorisation::price() const
   {
     const double left = double(used->n_factorised()) / used->at().size();
-    return std::max(least_price, price_of_whole * left * left * left);
+    return std::max(least_price, price_of_whole * left * left);
   }
 
   bool NewtonFactorisation::wants_another(const double gain) const

@@ -1,6 +1,7 @@
 // Factors of Newton's matrices, condensed or not, against LU of the matrix itself.
 
-#include <vibrocontact/contact/half_space.h>
+#include "pressed_block.h"
+
 #include <vibrocontact/contact/newton_factorisation.h>
 
 #include <gtest/gtest.h>
@@ -19,17 +20,9 @@ namespace
   public:
     explicit Block(const bool force_given)
     {
-      ContactGrid grid;
-      grid.n_x = 7;
-      grid.n_y = 6;
-      grid.spacing_x = grid.spacing_y = 1e-3;
-      n = grid.n_points();
-      DenseMatrix A = half_space_compliance(grid, {{210e9, 0.3}, {70e9, 0.33}});
-      for (unsigned int j = 0; j < 3 * n; ++j)
-        for (unsigned int i = n; i < 3 * n; ++i)
-          A(i, j) *= 1e4;
       problem.title = "block";
-      problem.A = std::make_shared<DenseContactOperator>(std::move(A));
+      problem.A = pressed_block::response(7, 6);
+      n = problem.n_points();
       problem.b.reinit(3 * n);
       problem.mu.assign(n, 0.3);
       if (force_given)
