@@ -22,6 +22,9 @@ namespace vibrocontact
   {
     using FunctionOfTime = std::function<double(double)>;
 
+    /// that a drive is looked at before a run
+    constexpr unsigned int most_checked_instants = 20000;
+
     /// Everything about one driven quantity.
     struct Source
     {
@@ -139,6 +142,27 @@ namespace vibrocontact
       return {"Hub displacement", "hub_displacement_m", "m", transient.hub_displacement, constant};
     }
 
+    /// Where a function changes at once between two instants: its larger half is halved until that is a thousandth of the
+    /// interval, which a steady function changes in by as little. Empty: it does not jump.
+    std::optional<double> jump_between(const FunctionOfTime &function, double begin, double end)
+    {
+      constexpr unsigned int n_halvings = 10;
+      constexpr double most_share = 0.1;
+      double at_begin = function(begin), at_end = function(end), largest = std::abs(at_end - at_begin);
+      for (unsigned int k = 0; k < n_halvings; ++k)
+      {
+        const double middle = (begin + end) / 2, at_middle = function(middle);
+        const bool first = std::abs(at_middle - at_begin) > std::abs(at_end - at_middle);
+        (first ? end : begin) = middle;
+        (first ? at_end : at_begin) = at_middle;
+        largest = std::max(largest, std::abs(at_end - at_begin));
+      }
+      const double left = std::abs(at_end - at_begin);
+      // rounding is no jump
+      const bool jumps = left > most_share * largest && left > 1e-12 * std::abs(at_end);
+      return jumps ? std::optional<double>(end) : std::nullopt;
+    }
+
     /// Second difference over h, with its centre where all three values are known.
     FunctionOfTime acceleration(const FunctionOfTime &displacement, const double h, const double end)
     {
@@ -162,6 +186,22 @@ namespace vibrocontact
     if (load.normal_force || load.hub_displacement)
       load.name = sources.name(load.normal_force ? force : hub);
     return load;
+  }
+
+  void check_hub_does_not_jump(const TransientParameters &transient)
+  {
+    Sources sources(transient);
+    const Source hub = hub_source(transient, 0);
+    const FunctionOfTime displacement = sources.function(hub);
+    const double n_steps = std::floor(transient.end_time / transient.time_step + 1e-6),
+                 n = std::min<double>(most_checked_instants, std::max(1., n_steps)),
+                 step = transient.end_time / n;
+    for (unsigned int k = 0; k < n; ++k)
+      if (const auto jump = jump_between(displacement, k * step, (k + 1) * step))
+        throw InputError(
+            sources.name(hub) + " jumps at t = " + number_text(*jump) +
+            " s, which would take an infinite force on a hub with mass: write a ramp, for instance "
+            "0.001*min(t/0.01,1), or move a load by Normal force, which may jump.");
   }
 
   DriveFunction drive_function(const TransientParameters &transient, const RollingCase &constant,
@@ -300,7 +340,7 @@ namespace vibrocontact
     };
     TransientParameters smooth = transient;
     smooth.roughness = {};
-    const Drive first = look(drive_function(smooth, constant, contacts), 20000);
+    const Drive first = look(drive_function(smooth, constant, contacts), most_checked_instants);
     if (transient.roughness.any())
     {
       look(drive_function(transient, constant, contacts), 200);

@@ -43,6 +43,11 @@ namespace vibrocontact
   /// @throws InputError for a table that cannot be read. Collective.
   LoadOverTime load_over_time(const TransientParameters &transient);
 
+  /// Hears of a hub that jumps, at any place within the run's steps (of longer runs, within 20,000 intervals): its acceleration,
+  /// a difference over the step, would be a force that grows with shorter steps without end.
+  /// @throws InputError with the time of the jump. Collective.
+  void check_hub_does_not_jump(const TransientParameters &transient);
+
   /// Hears what is wrong with the drive before anything expensive: makes it and looks at it at the ends of
   /// the run's steps, at most 20,000 of them, with the roughness at some hundred. Says in the log which load of
   /// section Rolling it replaces by the other kind.
