@@ -52,6 +52,15 @@ namespace vibrocontact
       return std::sqrt(square / double(signal.size()));
     }
 
+    /// Of the mean square about the mean, which is not 0.
+    double part_of_peaks(const std::vector<SpectralPeak> &peaks, const double rms)
+    {
+      double square = 0;
+      for (const SpectralPeak &peak : peaks)
+        square += peak.amplitude * peak.amplitude / 2;
+      return std::min(1., square / (rms * rms));
+    }
+
     nlohmann::ordered_json growth_json(const GrowthFit &fit)
     {
       nlohmann::ordered_json json = {{"frequency_Hz", fit.frequency},
@@ -102,6 +111,7 @@ namespace vibrocontact
           if (&one == &signals.front())
             result["dominant_frequencies_Hz"].push_back(peak.frequency);
         }
+        json["peaks_part"] = part_of_peaks(peaks, rms(late));
         if (!peaks.empty())
           json["cycle"] = cycle_json(late, peaks.front().frequency);
         if (one.unit == "m/s")

@@ -122,6 +122,23 @@ TEST(Signals, AnImpactThatIsOverIsNoOscillation)
   EXPECT_NEAR(json.at("signals")[0].at("constant_since_s").get<double>(), force.begin + 0.6, 6e-3);
 }
 
+TEST(Signals, PartOfASignalThatItsLinesHold)
+{
+  const auto part_of = [](const std::vector<Sine> &sines)
+  {
+    NamedSignal signal;
+    signal.name = "velocity";
+    signal.unit = "m/s";
+    signal.signal = sum_of(sines, 1e-4, 0.2);
+    SignalWindows windows;
+    windows.spectrum_duration = 0.1;
+    return signals_json({signal}, windows, 0.2, "").at("signals")[0].at("peaks_part").get<double>();
+  };
+  EXPECT_NEAR(part_of({{200, 0, 1, 0}, {500, 0, 0.5, 0}}), 1, 1e-2);
+  // one period and a half of the strongest motion in the window is no line
+  EXPECT_LT(part_of({{15, 0, 1, 0}, {500, 0, 0.5, 0}}), 0.4);
+}
+
 TEST(Signals, SteadinessOfACycle)
 {
   // steady, with harmonics

@@ -170,6 +170,8 @@ namespace vibrocontact
     constexpr double beating_spread = 5e-2;
     /// a force that varies less, over the rms normal force, is not said
     constexpr double least_swing = 1e-4;
+    /// of the mean square, below which the lines of a spectrum do not tell what the signal is
+    constexpr double least_peaks_part = 0.5;
 
     std::string cycle_text(const nlohmann::ordered_json &signal)
     {
@@ -184,7 +186,10 @@ namespace vibrocontact
                      number(signal, "level_reference_m_s"));
       const double periods = number(cycle, "periods");
       const std::string change = text("%+.2g %% over the last %.0f periods", 100 * drift, periods);
-      if (std::abs(drift) > unsteady_drift)
+      if (drift > 1 || drift < -0.5)
+        line += text("; NOT steady: over the last %.0f periods the amplitude %s to %.2g times what it was",
+                     periods, drift > 0 ? "grows" : "falls", 1 + drift);
+      else if (std::abs(drift) > unsteady_drift)
         line += "; NOT steady: " + change;
       else if (spread > beating_spread)
         line += text("; not steady: it beats, amplitudes differ by %.2g %%", 100 * spread);
@@ -194,6 +199,11 @@ namespace vibrocontact
                      100 * std::expm1(std::log1p(drift) / periods * number(cycle, "frequency_Hz")));
       else
         line += "; steady (" + change + ")";
+      if (number(signal, "peaks_part", 1) < least_peaks_part)
+        line += text("; the lines of its spectrum hold %.2g %% of its mean square alone: the rest is noise, "
+                     "or slower than two "
+                     "periods in the window (Transient/Signals/Spectrum duration)",
+                     100 * number(signal, "peaks_part"));
       return line;
     }
 
