@@ -338,6 +338,31 @@ namespace vibrocontact
 
   namespace
   {
+    enum class Side
+    {
+      none,
+      upstream,
+      downstream,
+      lateral
+    };
+
+    /// Of a grid the side that a point lies at, or next to upstream of what rolls, if the surface goes on there.
+    Side open_side(const ContactGrid &grid, const SurfaceEnds &ends, const bool rolls,
+                   const unsigned int point)
+    {
+      const unsigned int i = point % grid.n_x, j = point / grid.n_x,
+                         free_upstream = rolls           ? 2
+                                         : ends.upstream ? 0
+                                                         : 1;
+      if (i < free_upstream)
+        return Side::upstream;
+      if (i + 1 == grid.n_x && !ends.downstream)
+        return Side::downstream;
+      if (grid.n_y > 1 && ((j == 0 && !ends.low_y) || (j + 1 == grid.n_y && !ends.high_y)))
+        return Side::lateral;
+      return Side::none;
+    }
+
     void check_in_grid(const ContactGrid &grid, const ContactParameters &contact, const double speed,
                        const ContactStatus *const status)
     {
@@ -345,26 +370,25 @@ namespace vibrocontact
       if (grid.whole_surface && (!rolls || contact.friction == 0))
         return;
       const SurfaceEnds ends = contact.ends(grid);
-      const unsigned int free_upstream = rolls ? 2 : ends.upstream ? 0 : 1;
-      const std::string larger_x = grid.whole_surface ? "give the body more contact points"
-                                                      : "enlarge " + contact.section + "/Half length",
-                        larger_y = "enlarge " + contact.section + "/Half width";
+      const auto larger = [&](const std::string &entry)
+      { return grid.of_body ? "give the body more contact points" : "enlarge " + contact.section + entry; };
       for (unsigned int point = 0; point < grid.n_points(); ++point)
       {
-        if (status[point] == ContactStatus::open)
-          continue;
-        const unsigned int i = point % grid.n_x, j = point / grid.n_x;
-        if (i < free_upstream)
+        const Side side =
+            status[point] == ContactStatus::open ? Side::none : open_side(grid, ends, rolls, point);
+        if (side == Side::upstream)
           throw InputError(
               "The contact reaches the upstream side of the contact grid (x = " + number_text(grid.x(point)) +
-              " m)" + (rolls ? ", where two columns must stay free: " : ": ") + larger_x +
+              " m)" + (rolls ? ", where two columns must stay free: " : ": ") + larger("/Half length") +
               " or lower the load.");
-        if (i + 1 == grid.n_x && !ends.downstream)
+        if (side == Side::downstream)
           throw InputError("The contact reaches the downstream side of the contact grid (x = " +
-                           number_text(grid.x(point)) + " m): " + larger_x + " or lower the load.");
-        if (grid.n_y > 1 && ((j == 0 && !ends.low_y) || (j + 1 == grid.n_y && !ends.high_y)))
-          throw InputError("The contact reaches the lateral side of the contact grid (y = " +
-                           number_text(grid.y(point)) + " m): " + larger_y + " or lower the load.");
+                           number_text(grid.x(point)) + " m): " + larger("/Half length") +
+                           " or lower the load.");
+        if (side == Side::lateral)
+          throw InputError(
+              "The contact reaches the lateral side of the contact grid (y = " + number_text(grid.y(point)) +
+              " m): " + larger("/Half width") + " or lower the load.");
       }
     }
   } // namespace
@@ -381,5 +405,22 @@ namespace vibrocontact
         check_in_grid(grid, sections.all[k], speed, &status[first]);
       first += grid.n_points();
     }
+  }
+
+  std::vector<unsigned int> points_at_open_sides(const PlacedContacts &contacts,
+                                                 const ContactSections &sections)
+  {
+    std::vector<unsigned int> result;
+    for (unsigned int k = 0; k < contacts.all.size(); ++k)
+    {
+      const ContactGrid &grid = contacts.all[k].grid;
+      if (grid.whole_surface || grid.n_points() == 1)
+        continue;
+      const SurfaceEnds ends = sections.all[k].ends(grid);
+      for (unsigned int point = 0; point < grid.n_points(); ++point)
+        if (open_side(grid, ends, false, point) != Side::none)
+          result.push_back(contacts.first_point(k) + point);
+    }
+    return result;
   }
 } // namespace vibrocontact

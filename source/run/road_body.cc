@@ -57,6 +57,8 @@ namespace vibrocontact
     result.tread = body.description->tread_compliance(false);
     result.places = body.description->places();
     result.shapes = body.description->heights();
+    if (number == 0)
+      result.at_open_sides = points_at_open_sides(parameters.placed_contacts(), parameters.contacts);
     if (body.description->measured())
     {
       result.body = identified_body(parameters, measured, body, use.contact_step);

@@ -66,7 +66,7 @@ namespace vibrocontact
     grid.spacing_x = (positions.back() - positions.front()) / (positions.size() - 1);
     grid.spacing_y = width;
     grid.x_first = -positions.back();
-    grid.whole_surface = true;
+    grid.of_body = grid.whole_surface = true;
     return grid;
   }
 

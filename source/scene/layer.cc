@@ -47,7 +47,7 @@ namespace vibrocontact
       grid.spacing_y = width / (divisions_y * degree);
       grid.y_first = -width / 2;
     }
-    grid.whole_surface = true;
+    grid.of_body = grid.whole_surface = true;
     return grid;
   }
 

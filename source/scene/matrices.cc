@@ -308,7 +308,7 @@ namespace vibrocontact
     grid.spacing_y = spacing(*rows);
     grid.x_first = columns->front();
     grid.y_first = rows->front();
-    grid.whole_surface = true;
+    grid.of_body = grid.whole_surface = true;
     result.nodes.assign(nodes.size(), 0);
     result.height.assign(nodes.size(), 0.);
     for (std::size_t k = 0; k < nodes.size(); ++k)

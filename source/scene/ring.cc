@@ -62,9 +62,11 @@ namespace vibrocontact
     prm.add_parameter("Divisions", divisions, "Elements around the ring. Units: none.", Integer(8, 20000));
     prm.add_parameter("Element degree", degree, "Polynomial degree of solid elements. Units: none.",
                       Integer(1, 10));
-    prm.add_parameter("Contact points", n_points,
-                      "Points that can touch the road, evenly spaced about the bottom. Units: none.",
-                      Integer(1, 2000));
+    prm.add_parameter(
+        "Contact points", n_points,
+        "Points that can touch the road, evenly spaced about the bottom. Up to three are single treads; "
+        "more stand for a tread that goes on, and the outermost have to stay open. Units: none.",
+        Integer(1, 2000));
     prm.add_parameter(
         "Contact spacing", spacing,
         "Distance of contact points along the mean circle; of one point of a rolling ring with friction the "
@@ -151,7 +153,8 @@ namespace vibrocontact
     grid.spacing_x = spacing;
     grid.spacing_y = width;
     grid.x_first = -0.5 * (n_points - 1) * spacing;
-    grid.whole_surface = true;
+    grid.of_body = true;
+    grid.whole_surface = n_points <= most_single_treads;
     return grid;
   }
 

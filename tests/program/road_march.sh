@@ -32,6 +32,11 @@ run aliased 2 "$examples/tyre_three_points.prm" "${wave[@]}" "Modal convolution/
 grep -q "waves between the steps" aliased.log
 run resolved 0 "$examples/tyre_three_points.prm" "${wave[@]}" "Modal convolution/Time step=1e-5"
 
+# a row of points that the contact fills touches beside it too; three points are single treads
+run short_row 2 "$examples/tyre_rolling.prm" "tyre/Ring/Contact points=25" "Modal convolution/End time=0.1"
+grep -q "reaches the outermost contact points" short_row.log
+holds short_row "r['closed_points_mean'] > 20 and sum(r['impulse_Ns']) > 0"
+
 # valleys of abs(sin) under a rigid mass: eight impacts; the account of the exact motion closes
 run valleys 0 "$examples/oscillator_on_sine.prm" "Road/Expression=1e-6*abs(sin(2*pi*s/0.025))"
 holds valleys "r['n_impacts'] == 8 and abs(r['impacts'][3]['impulse_Ns'] / (2 * 1e-6 * 2 * 3.141592653589793 / 0.025 * 0.1) - 1) < 1e-10"

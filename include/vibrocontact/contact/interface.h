@@ -157,4 +157,8 @@ namespace vibrocontact
   /// @throws InputError naming the side and the entry to enlarge
   void check_contact_in_grid(const PlacedContacts &contacts, const ContactSections &sections, double speed,
                              const std::vector<ContactStatus> &status);
+
+  /// The points on such sides of what does not roll, ascending.
+  std::vector<unsigned int> points_at_open_sides(const PlacedContacts &contacts,
+                                                 const ContactSections &sections);
 } // namespace vibrocontact

@@ -17,6 +17,8 @@ namespace vibrocontact
     /// of the contact points: place along the road, forward; height of the surface that its modes and poles have not moved,
     /// constant loads on the rest included [m]
     std::vector<double> places = {}, shapes = {};
+    /// points beside which the surface goes on, so that they have to stay open (points_at_open_sides())
+    std::vector<unsigned int> at_open_sides = {};
     /// compliance of the tread under each contact point, which the residual has [m/N]
     double tread = 0;
     /// it does not roll: contact forces get back no more energy than they put in

@@ -35,7 +35,9 @@ namespace vibrocontact
     /// coordinates of the first point (smallest x and y) [m]
     double x_first = 0, y_first = 0;
     TractionShape traction = TractionShape::constant;
-    /// nothing of the body beside these points can touch (a layer, a ring), so that the contact may fill the grid
+    /// the body brings these points itself, section Contact does not make them
+    bool of_body = false;
+    /// nothing of the body beside these points can touch (a layer), so that the contact may fill the grid
     bool whole_surface = false;
 
     unsigned int n_points() const { return n_x * n_y; }

@@ -104,6 +104,9 @@ namespace vibrocontact
     /// theta of places beyond the contact points, from which material comes: n_beyond in front of the first one, nearest
     /// first, then as many behind the last [rad]
     static constexpr unsigned int n_beyond = 2;
+    /// So many contact points are single treads (Meftah & Duhamel 2011, section 5.2), beside which nothing touches; more stand
+    /// for a tread that goes on around the ring.
+    static constexpr unsigned int most_single_treads = 3;
     std::vector<double> angles_beyond() const;
     /// contact points as x = R theta
     ContactGrid grid() const;

@@ -138,7 +138,7 @@ namespace vibrocontact
           json["third_octaves"] = bands;
         });
     print(own, result);
-    judge_road_march(own, motion, body.is_passive, is_whole, json, results);
+    judge_road_march(own, motion, body, is_whole, json, results);
     if (parameters.comparison.any() && is_whole && results.stopped_by == 0)
       json["method_comparison"] = run_method_comparison(parameters, bodies, measured, folder);
   }
