@@ -374,11 +374,7 @@ namespace vibrocontact
       }
       return;
     }
-    const dealii::types::blas_int n = W.m(), one = 1;
-    for (unsigned int j = 0; j < W.n(); ++j)
-      for (std::size_t k = 0; k < R.size(); ++k)
-        if ((*R[k])[j] != 0)
-          dealii::axpy(&n, R[k]->begin() + j, &W(0, j), &one, results[k]->data(), &one);
+    add_products(W, R, results);
   }
 
   DenseMatrix rest_over_step(const ContactPair &pair, const double h)

@@ -65,6 +65,11 @@ namespace vibrocontact
       A.vmult(y, x);
   }
 
+  /// y_k += A x_k for several k, with A read once and columns left out that all x_k have zeros for. A y may be longer than A
+  /// has rows; an empty A leaves y as it is.
+  void add_products(const DenseMatrix &A, const std::vector<const DenseVector *> &x,
+                    const std::vector<DenseVector *> &y);
+
   /// a^-1 b; b itself if either is empty. @param failure what is said if a is singular @throws ConvergenceError then
   template <typename Number>
   dealii::LAPACKFullMatrix<Number> solved(dealii::LAPACKFullMatrix<Number> a,

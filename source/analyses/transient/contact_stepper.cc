@@ -199,8 +199,7 @@ namespace vibrocontact
     if (damper.acts())
       damper.act(v, q, v);
     free_displacement = free_velocity = 0;
-    multiply(matrices.shapes.amplitudes, q, free_displacement);
-    multiply(matrices.shapes.amplitudes, v, free_velocity);
+    add_products(matrices.shapes.amplitudes, {&q, &v}, {&free_displacement, &free_velocity});
     std::vector<std::complex<double>> feed(pair.n_poles());
     for (unsigned int k = 0; k < pair.n_poles(); ++k)
     {
@@ -235,11 +234,26 @@ namespace vibrocontact
     const unsigned int n = pair.n_points(), m = points.size();
     const auto next_change = [&](const DenseVector &change, const DenseVector &before, const unsigned int row)
     { return state.extrapolates_change ? 2 * change[row] - before[row] : change[row]; };
+    solution.R.reinit(3 * m);
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int i = 0; i < m; ++i)
+      {
+        const unsigned int there = contact_row(n, c, points[i]);
+        solution.R[contact_row(m, c, i)] =
+            state.R[there] + next_change(state.force_change, state.force_change_before, there);
+      }
+    A.modal_numbers(solution.R, c_n, c_t);
+    add(c_t, c_n);
+    multiply(matrices.displacement_gain, c_n, displacement);
+    multiply(matrices.velocity_gain, c_n, velocity);
+
     problem.b = 0;
     add_kept(state, drive.force, rows, problem.b.begin() + 3 * m);
-    A.respond(free_displacement, free_velocity, problem.b);
-    solution.R.reinit(3 * m);
     solution.y.reinit(A.n_rows());
+    for (unsigned int k = 0; k < rows.size(); ++k)
+      solution.y[3 * m + k] = state.residual_displacement[rows[k]] +
+                              next_change(state.residual_change, state.residual_change_before, rows[k]);
+    A.respond({{free_displacement, free_velocity}, {displacement, velocity}}, {&problem.b, &solution.y});
     for (unsigned int c = 0; c < 3; ++c)
       for (unsigned int i = 0; i < m; ++i)
       {
@@ -252,19 +266,10 @@ namespace vibrocontact
         else
           problem.b[here] += pair.force_response(there) * drive.force +
                              (state.roughness.empty() ? 0. : state.roughness[points[i]]);
-        solution.R[here] = state.R[there] + next_change(state.force_change, state.force_change_before, there);
       }
     problem.normal_force = drive.normal_force;
     problem.approach = drive.normal_force > 0 ? state.contact.approach : drive.approach;
 
-    for (unsigned int k = 0; k < rows.size(); ++k)
-      solution.y[3 * m + k] = state.residual_displacement[rows[k]] +
-                              next_change(state.residual_change, state.residual_change_before, rows[k]);
-    A.modal_numbers(solution.R, c_n, c_t);
-    add(c_t, c_n);
-    multiply(matrices.displacement_gain, c_n, displacement);
-    multiply(matrices.velocity_gain, c_n, velocity);
-    A.respond(displacement, velocity, solution.y);
     add(problem.b, solution.y);
     problem.move(solution.y, problem.approach);
     solution.approach = problem.approach;

@@ -139,7 +139,6 @@ namespace vibrocontact
       for (unsigned int k = 0; k < basis.n(); ++k)
         std::copy_n(&rows(0, k), rows.m(), &by_motion(0, part * basis.n() + k));
     }
-    motion.reinit(2 * basis.n());
     const PlacedContacts &contacts = matrices.contacts;
     const unsigned int n = contacts.n_points();
     const auto contact_of = [&](const unsigned int point) -> const PlacedContact &
@@ -289,7 +288,7 @@ namespace vibrocontact
     c_normal += c_tangential;
     multiply(matrices.displacement_gain, c_normal, displacement);
     multiply(matrices.velocity_gain, c_normal, velocity);
-    respond(displacement, velocity, y);
+    respond({{displacement, velocity}}, {&y});
     if (!has_gradient())
       return;
     along_path.reinit(3 * m);
@@ -356,18 +355,21 @@ namespace vibrocontact
     }
   }
 
-  void StepOperator::respond(const DenseVector &d, const DenseVector &v, DenseVector &y) const
+  void StepOperator::respond(const std::vector<MotionOfShapes> &motions,
+                             const std::vector<DenseVector *> &y) const
   {
-    const unsigned int m = n_points();
-    transport_residual(y.data() + 3 * m, y.data());
-    const dealii::types::blas_int n_rows = 3 * m, n_columns = motion.size(), one = 1;
-    if (n_columns == 0)
-      return;
-    std::copy(d.begin(), d.end(), motion.begin());
-    std::copy(v.begin(), v.end(), motion.begin() + basis.n());
-    const double unit = 1;
-    dealii::gemv("N", &n_rows, &n_columns, &unit, &by_motion(0, 0), &n_rows, motion.data(), &one, &unit,
-                 y.data(), &one);
+    AssertDimension(motions.size(), y.size());
+    moved.resize(std::max(moved.size(), motions.size()), DenseVector(2 * basis.n()));
+    std::vector<const DenseVector *> factors;
+    for (std::size_t k = 0; k < motions.size(); ++k)
+    {
+      const auto &[displacement_of_shapes, velocity_of_shapes] = motions[k];
+      std::copy(displacement_of_shapes.begin(), displacement_of_shapes.end(), moved[k].begin());
+      std::copy(velocity_of_shapes.begin(), velocity_of_shapes.end(), moved[k].begin() + basis.n());
+      factors.push_back(&moved[k]);
+      transport_residual(y[k]->data() + 3 * n_points(), y[k]->data());
+    }
+    add_products(by_motion, factors, y);
   }
 
   void StepOperator::modal_numbers(const DenseVector &R, DenseVector &c_n, DenseVector &c_t) const

@@ -51,6 +51,12 @@ namespace vibrocontact
                              const SuspendedHub *hub = nullptr, const StepWeights &pole_steps = {},
                              const PatchShapes *shapes = nullptr, double residual_theta = 1);
 
+  /// Displacements [m] and velocities [m/s] of the shapes; rank each.
+  struct MotionOfShapes
+  {
+    const DenseVector &displacement, &velocity;
+  };
+
   /// A of a time step on some points of the grid, from the residual displacements w = W~ R there and upstream
   /// of them and from the few modal numbers c = basis^T R:
   ///
@@ -88,9 +94,9 @@ namespace vibrocontact
     unsigned int n_rows() const { return 3 * nearby.size() + rows.size(); }
     /// Whether d/dx of W~ is more than differences of the residual displacements in y.
     bool has_gradient() const { return matrices.residual_gradient.m() > 0; }
-    /// Rows of y for displacements and velocities of the shapes and the residual displacements that y already
-    /// has behind them.
-    void respond(const DenseVector &displacement, const DenseVector &velocity, DenseVector &y) const;
+    /// Rows of each y for displacements and velocities of the shapes and the residual displacements that it already
+    /// has behind them; of several motions the matrices are read once.
+    void respond(const std::vector<MotionOfShapes> &motions, const std::vector<DenseVector *> &y) const;
     /// c = basis^T R of the normal (c_n) and of the tangential (c_t) forces; rank [N]
     void modal_numbers(const DenseVector &R, DenseVector &c_n, DenseVector &c_t) const;
 
@@ -135,6 +141,8 @@ namespace vibrocontact
     /// columns of the forces that change, the forces, and rows, shapes' numbers and rows that these move by them
     mutable std::vector<unsigned int> single_listed;
     mutable AlignedSingleVector single_forces, single_rows, single_numbers, single_moved;
-    mutable DenseVector residual, along_path, c_normal, c_tangential, displacement, velocity, motion;
+    mutable DenseVector residual, along_path, c_normal, c_tangential, displacement, velocity;
+    /// displacements above velocities of each motion
+    mutable std::vector<DenseVector> moved;
   };
 } // namespace vibrocontact
