@@ -19,8 +19,8 @@ namespace vibrocontact
   /// starts afresh seldom: what its solver keeps serves it for periods of its vibration.
   inline unsigned long steps_between_fresh_starts(const unsigned long steps_so_far)
   {
-    constexpr unsigned long at_first = 50, later = 500;
-    return steps_so_far < later ? at_first : later;
+    constexpr unsigned long at_first = 50, later = 500, at_last = 2000;
+    return steps_so_far < later ? at_first : steps_so_far < 2 * at_last ? later : at_last;
   }
 
   /// Index of the perturbed mode among the labels body:label of modes; their number if none is perturbed.
