@@ -160,7 +160,7 @@ TEST(CycleOfRoot, IsWhatTheMarchSettlesOn)
   CycleMap map = scene.map(200);
   const LimitCycle cycle = scene.cycle(map);
   ASSERT_TRUE(cycle.converged) << cycle.message;
-  EXPECT_LT(cycle.residual, 1e-9);
+  EXPECT_LT(cycle.residual.value(), 1e-9);
   ASSERT_TRUE(cycle.stability->is_stable());
 
   DenseVector x = cycle.state;

@@ -177,7 +177,8 @@ TEST(CycleOnBelt, WithAResidualThetaNearAHalfIsMoreExact)
     errors.push_back(cycle.period / exact.period - 1);
     std::printf(
         "residual theta %.2f: period off by %.2e, trivial multiplier by %.1e, %u iterations, last %.1e\n",
-        theta, errors.back(), cycle.stability->trivial_error, cycle.newton_iterations, cycle.residual);
+        theta, errors.back(), cycle.stability->trivial_error, cycle.newton_iterations,
+        cycle.residual.value());
     if (theta < 1)
     {
       CycleMap other = scene.map(500);

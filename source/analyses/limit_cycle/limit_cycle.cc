@@ -7,13 +7,14 @@
 #include <vibrocontact/base/wall_clock.h>
 
 #include <cmath>
+#include <limits>
 
 namespace vibrocontact
 {
   namespace
   {
     /// periods that are marched where Newton's method led nowhere, before it begins again
-    constexpr unsigned int periods_between[] = {0, 12, 36, 108};
+    constexpr unsigned int periods_between[] = {12, 36, 108};
     /// what is left of a change over a period where rounding may be the reason
     constexpr double nearly_closed = 1e-8;
     /// of a disturbance along the motion in a period
@@ -96,20 +97,22 @@ namespace vibrocontact
         given = start_at(map, motion, root, *from);
       std::optional<CycleStart> start = given ? start_by_harmonics_of(map, motion, root, equilibrium, *given)
                                               : start_by_harmonics(map, motion, root, equilibrium);
-      for (unsigned int trial = 0; trial < std::size(periods_between) + 1; ++trial)
+      for (unsigned int trial = 0; trial < std::size(periods_between) + 2; ++trial)
       {
         if (trial == 0 && !start)
           continue;
         if (trial == 1)
           start = given ? *given : start_of_cycle(map, motion, root);
         if (trial > 1)
-          let_go_on(map, motion, periods_between[trial - 1], *start);
+          let_go_on(map, motion, periods_between[trial - 2], *start);
         std::vector<double> x(start->state.begin(), start->state.end());
         x.push_back(start->period);
         const NewtonResult result = solve_by_newton(equations, settings, x);
         cycle.converged = result.converged;
         cycle.newton_iterations += result.iterations;
-        cycle.residual = result.size;
+        cycle.residual.reset();
+        if (result.size < std::numeric_limits<double>::max())
+          cycle.residual = result.size;
         cycle.state = DenseVector(x.begin(), x.end() - 1);
         cycle.period = x.back();
         // rest repeats itself as well; what is left there is rounding
@@ -118,14 +121,16 @@ namespace vibrocontact
           cycle.converged = false;
           cycle.message = "Newton's method led to the equilibrium" + where_else;
         }
+        else if (!cycle.converged && !cycle.residual)
+          cycle.message = "no period could be marched from the start: " + equations.failure;
         else if (!cycle.converged)
           cycle.message =
-              "Newton's method ended at a change over a period of " + number_text(cycle.residual) +
+              "Newton's method ended at a change over a period of " + number_text(*cycle.residual) +
               " of the motion" +
               (result.iterations == settings.max_iterations
                    ? " after as many iterations as Limit cycle/Max Newton iterations allows"
-               : cycle.residual < nearly_closed ? ", near what rounding permits: raise Limit cycle/Tolerance"
-                                                : where_else) +
+               : *cycle.residual < nearly_closed ? ", near what rounding permits: raise Limit cycle/Tolerance"
+                                                 : where_else) +
               (equations.failure.empty() ? "" : ": " + equations.failure);
         if (cycle.converged)
           break;

@@ -165,7 +165,8 @@ namespace vibrocontact
                            {"growth_uncertainty_1_s", stability.uncertainty},
                            {"seconds", cycle.stability_seconds}};
     }
-    json["residual"] = cycle.residual;
+    if (cycle.residual)
+      json["residual"] = *cycle.residual;
     json["seconds"] = cycle.seconds;
     json["root"] = root_json(cycle.root);
     json["period_s"] = cycle.period;

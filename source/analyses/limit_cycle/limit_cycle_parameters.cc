@@ -25,7 +25,7 @@ namespace vibrocontact
                       "the root of an energy. Units: none.",
                       Double(1e-14, 1e-2));
     prm.add_parameter("Max Newton iterations", max_newton_iterations,
-                      "Of each start for a cycle, of which there are up to four, and of each number of "
+                      "Of each start for a cycle, of which there are up to five, and of each number of "
                       "harmonics. Units: none.",
                       Integer(1, 1000));
     prm.add_parameter("Multipliers", n_multipliers,

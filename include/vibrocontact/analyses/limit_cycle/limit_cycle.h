@@ -25,7 +25,7 @@ namespace vibrocontact
     unsigned int n_steps = 0;
     /// at its begin, see CycleMap; |x(T) - x(0)| over |x(0) - equilibrium|
     DenseVector state;
-    double residual = 0;
+    std::optional<double> residual;
     /// what a period changes a disturbance along the motion by, over itself; 0 for infinitely short steps
     double change_along = 0;
     /// nothing: not asked for
