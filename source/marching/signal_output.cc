@@ -52,15 +52,6 @@ namespace vibrocontact
       return std::sqrt(square / double(signal.size()));
     }
 
-    /// Of the mean square about the mean, which is not 0.
-    double part_of_peaks(const std::vector<SpectralPeak> &peaks, const double rms)
-    {
-      double square = 0;
-      for (const SpectralPeak &peak : peaks)
-        square += peak.amplitude * peak.amplitude / 2;
-      return std::min(1., square / (rms * rms));
-    }
-
     nlohmann::ordered_json growth_json(const GrowthFit &fit)
     {
       nlohmann::ordered_json json = {{"frequency_Hz", fit.frequency},
@@ -72,9 +63,8 @@ namespace vibrocontact
       return json;
     }
 
-    nlohmann::ordered_json cycle_json(const Signal &signal, const double frequency)
+    nlohmann::ordered_json cycle_json(const CycleMeasure &cycle, const double frequency)
     {
-      const CycleMeasure cycle = measure_cycle(signal, frequency);
       return {{"frequency_Hz", frequency}, {"amplitude", cycle.amplitude}, {"rms", cycle.rms},
               {"drift", cycle.drift},      {"spread", cycle.spread},       {"periods", cycle.n_periods}};
     }
@@ -111,9 +101,14 @@ namespace vibrocontact
           if (&one == &signals.front())
             result["dominant_frequencies_Hz"].push_back(peak.frequency);
         }
-        json["peaks_part"] = part_of_peaks(peaks, rms(late));
+        json["slow_part"] = slow_part(late);
+        json["rms"] = rms(late);
         if (!peaks.empty())
-          json["cycle"] = cycle_json(late, peaks.front().frequency);
+        {
+          const CycleMeasure cycle = measure_cycle(late, peaks.front().frequency);
+          if (cycle.n_periods > 0)
+            json["cycle"] = cycle_json(cycle, peaks.front().frequency);
+        }
         if (one.unit == "m/s")
         {
           json["level_dB"] = 20 * std::log10(rms(late) / velocity_reference);

@@ -7,6 +7,12 @@
 
 namespace vibrocontact
 {
+  namespace
+  {
+    /// of spectral_peaks()
+    constexpr double least_samples = 16;
+  } // namespace
+
   void SignalWindows::declare_parameters(dealii::ParameterHandler &prm, const std::string &latest)
   {
     using dealii::Patterns::Double;
@@ -20,8 +26,13 @@ namespace vibrocontact
                       "End of the window of the growth rates; 0: " + latest + ". Units: s.", Double(0, 1e9));
   }
 
-  void SignalWindows::check(const std::string &section, const double end_time) const
+  void SignalWindows::check(const std::string &section, const double step, const double end_time) const
   {
+    if (spectrum_duration > 0 && spectrum_duration < least_samples * step)
+      throw InputError(section + "/Signals/Spectrum duration is " + number_text(spectrum_duration) +
+                       " s, but a spectrum takes " + number_text(least_samples) + " steps at least, " +
+                       number_text(least_samples * step) +
+                       " s: make it longer, or 0 for the second half of the run.");
     if (growth_begin >= end_time)
       throw InputError(section + "/Signals/Growth begin is " + number_text(growth_begin) + " s, but " +
                        section + "/End time is " + number_text(end_time) + " s: let it be earlier.");

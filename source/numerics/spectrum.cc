@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numeric>
 
 namespace vibrocontact
@@ -14,6 +15,8 @@ namespace vibrocontact
   namespace
   {
     constexpr unsigned int padding = 4;
+    /// samples of the padded spectrum in two of the window's resolutions, those of a sine's main lobe on either side
+    constexpr std::size_t reach = 2 * padding;
 
     /// Amplitudes of sines at the frequencies k / (padding N step).
     std::vector<double> amplitude_spectrum(const Signal &signal)
@@ -45,7 +48,6 @@ namespace vibrocontact
     const auto [low, high] = std::minmax_element(signal.values.begin(), signal.values.end());
     const double least = 1e-3 * (*high - *low) / 2;
     const double resolution = 1 / (padding * signal.size() * signal.step);
-    const std::size_t reach = 2 * padding;
     for (std::size_t k = reach; k + 1 < a.size(); ++k)
     {
       const auto begin = a.begin() + (k - reach), end = a.begin() + std::min(a.size(), k + reach + 1);
@@ -65,5 +67,23 @@ namespace vibrocontact
     if (peaks.size() > n)
       peaks.resize(n);
     return peaks;
+  }
+
+  double slow_part(const Signal &signal)
+  {
+    if (signal.size() < 16)
+      return 0;
+    const std::vector<double> a = amplitude_spectrum(signal);
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const SpectralPeak &peak : spectral_peaks(signal))
+      lowest = std::min(lowest, peak.frequency * padding * signal.size() * signal.step);
+    double slow = 0, all = 0;
+    for (std::size_t k = 0; k < a.size(); ++k)
+    {
+      all += a[k] * a[k];
+      if (k < reach && double(k) < lowest - double(reach))
+        slow += a[k] * a[k];
+    }
+    return all > 0 ? slow / all : 0;
   }
 } // namespace vibrocontact

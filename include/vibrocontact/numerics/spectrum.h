@@ -21,4 +21,8 @@ namespace vibrocontact
   /// drift has none.
   /// @param n at most so many peaks; @param floor those smaller than this share of the largest are left out
   std::vector<SpectralPeak> spectral_peaks(const Signal &signal, unsigned int n = 10, double floor = 1e-2);
+
+  /// Share of the mean square, under the same window, of motions slower than two periods in the signal's duration, which no peak is
+  /// found of. The skirts of peaks are not counted. 0 of a constant signal and of less than 16 samples.
+  double slow_part(const Signal &signal);
 } // namespace vibrocontact

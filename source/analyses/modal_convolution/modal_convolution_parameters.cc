@@ -87,7 +87,7 @@ namespace vibrocontact
       throw InputError("Modal convolution/End time is before the first Time step: give a later one.");
     if (end_time / time_step > 1e12)
       throw InputError("Modal convolution/Time step asks for more than 1e12 steps: enlarge it.");
-    signals.check("Modal convolution", end_time);
+    signals.check("Modal convolution", std::max(time_step, history_interval), end_time);
     if (memory > 0 && memory < time_step)
       throw InputError(
           "Modal convolution/Memory is shorter than Modal convolution/Time step: give the time that "

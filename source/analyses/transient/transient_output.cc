@@ -170,12 +170,17 @@ namespace vibrocontact
     constexpr double beating_spread = 5e-2;
     /// a force that varies less, over the rms normal force, is not said
     constexpr double least_swing = 1e-4;
-    /// of the mean square, below which the lines of a spectrum do not tell what the signal is
-    constexpr double least_peaks_part = 0.5;
+    /// of the mean square, above which a line is not what the signal is
+    constexpr double most_slow_part = 0.5;
 
     std::string cycle_text(const nlohmann::ordered_json &signal)
     {
       using namespace answer_parts;
+      if (number(signal, "slow_part") > most_slow_part)
+        return text("%s: varies by %.4g %s (rms) more slowly than two periods in the last part of the run, "
+                    "whose length is "
+                    "Transient/Signals/Spectrum duration",
+                    word(signal, "name").c_str(), number(signal, "rms"), word(signal, "unit").c_str());
       const nlohmann::ordered_json &cycle = signal["cycle"];
       const double amplitude = number(cycle, "amplitude"), drift = number(cycle, "drift"),
                    spread = number(cycle, "spread");
@@ -199,11 +204,6 @@ namespace vibrocontact
                      100 * std::expm1(std::log1p(drift) / periods * number(cycle, "frequency_Hz")));
       else
         line += "; steady (" + change + ")";
-      if (number(signal, "peaks_part", 1) < least_peaks_part)
-        line += text("; the lines of its spectrum hold %.2g %% of its mean square alone: the rest is noise, "
-                     "or slower than two "
-                     "periods in the window (Transient/Signals/Spectrum duration)",
-                     100 * number(signal, "peaks_part"));
       return line;
     }
 
@@ -212,10 +212,11 @@ namespace vibrocontact
       using namespace answer_parts;
       bool varies = false;
       for (const Json &signal : list(transient, "signals"))
-        varies = varies || (signal.value("varies", false) && signal.at("peaks").empty());
+        varies = varies || (signal.value("varies", false) && !signal.contains("cycle"));
       const Json last = transient.value("last", Json::object());
-      std::string line = varies ? "no oscillation of several periods in the last part of the run"
-                                : "nothing oscillates in the last part of the run";
+      std::string line =
+          varies ? "no oscillation of several periods, four steps or more each, in the last part of the run"
+                 : "nothing oscillates in the last part of the run";
       line += text("; at its end the normal force is %.6g N", number(last, "normal_force_N"));
       const Json tangential = last.value("tangential_force_N", Json::array());
       if (tangential.size() == 2 && number(transient, "friction") > 0)
