@@ -158,7 +158,8 @@ namespace vibrocontact
   void check_contact_in_grid(const PlacedContacts &contacts, const ContactSections &sections, double speed,
                              const std::vector<ContactStatus> &status);
 
-  /// The points on such sides of what does not roll, ascending.
+  /// The points on such sides, ascending; of what rolls the last column upstream alone, for what knows its material further upstream
+  /// (RingParameters::angles_beyond()).
   std::vector<unsigned int> points_at_open_sides(const PlacedContacts &contacts,
                                                  const ContactSections &sections);
 } // namespace vibrocontact

@@ -37,7 +37,7 @@ namespace vibrocontact
     TractionShape traction = TractionShape::constant;
     /// the body brings these points itself, section Contact does not make them
     bool of_body = false;
-    /// nothing of the body beside these points can touch (a layer), so that the contact may fill the grid
+    /// nothing of the body beside these points can touch (a layer, points of matrices or measured ones, a few treads), so that the contact may fill the grid
     bool whole_surface = false;
 
     unsigned int n_points() const { return n_x * n_y; }

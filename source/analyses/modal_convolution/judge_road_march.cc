@@ -6,23 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace vibrocontact
 {
   namespace
   {
-    constexpr double most_created_work = 0.01, most_unseen_road = 0.2, most_at_open_sides = 1e-3;
-
-    /// of the impulse
-    double share_of(const std::vector<unsigned int> &points, const std::vector<double> &impulse)
-    {
-      double share = 0;
-      for (const unsigned int point : points)
-        share += impulse[point];
-      const double whole = std::accumulate(impulse.begin(), impulse.end(), 0.);
-      return whole > 0 ? share / whole : 0;
-    }
+    constexpr double most_created_work = 0.01, most_unseen_road = 0.2, most_at_open_sides = 0.01;
 
     /// of the steps, or of waves between them, which add their square
     double rms_error(const ModalConvolutionResult &result)
@@ -46,7 +35,7 @@ namespace vibrocontact
   } // namespace
 
   void judge_road_march(const ModalConvolutionParameters &parameters, const ModalConvolution &motion,
-                        const RoadBody &body, const bool is_whole, nlohmann::ordered_json &json,
+                        const bool is_passive, const bool is_whole, nlohmann::ordered_json &json,
                         Results &results)
   {
     const ModalConvolutionResult &result = motion.result();
@@ -69,8 +58,10 @@ namespace vibrocontact
     if (!is_whole)
       return;
     const auto fail = [&](const std::string &text) { refuse("modal convolution", text, results); };
-    const std::string shorter =
-        parameters.is_event_located() ? "" : " Take a shorter Modal convolution/Time step.";
+    const std::string shorter = parameters.is_event_located() ? ""
+                                : parameters.is_convolution() && parameters.memory > 0
+                                    ? " Take a longer Modal convolution/Memory, or a shorter Time step."
+                                    : " Take a shorter Modal convolution/Time step.";
     if (!errors.failure.empty())
       fail("The error of the modal convolution is not known: " + second + " ended early, " + errors.failure);
     else
@@ -80,16 +71,17 @@ namespace vibrocontact
       fail("The road has waves between the steps of the modal convolution, which do not see them: they would "
            "change the force by " +
            percent_text(unseen) + " of its rms." + shorter);
-    const double at_sides = share_of(body.at_open_sides, result.impulse);
-    if (at_sides > most_at_open_sides)
-      fail("The contact reaches the outermost contact points, which take " + percent_text(at_sides) +
-           " of the impulse: the body touches beside them too, where nothing carries. Give it more contact "
-           "points or a larger distance between them, or lower the load.");
+    if (result.forces_at_sides > most_at_open_sides * result.forces_meanwhile)
+      fail("The contact reaches the outermost contact points, which take " +
+           percent_text(result.forces_at_sides / result.forces_meanwhile) +
+           " of the force while they are closed: the body touches beside them too, where nothing carries. "
+           "Give it more "
+           "contact points (in a section Contact a larger Half length or Half width), or lower the load.");
     if (work.has_modes && !(std::abs(work.imbalance()) <= most_open_energy * work.available()))
       fail("The energy account of the modal convolution does not close: " + number_text(work.initial) +
            " J at the start and " + number_text(work.input) + " J put in, and " +
            number_text(work.imbalance()) + " J of them are not where they went." + shorter);
-    else if (body.is_passive && -work.least_work > work.initial + most_created_work * work.input)
+    else if (is_passive && -work.least_work > work.initial + most_created_work * work.input)
       fail("The body gives " + number_text(-work.least_work) +
            " J more to the contact than it got (the road put in " + number_text(work.input) +
            " J): its data create energy, as those with a delay, another sign or of another kind do. See what "

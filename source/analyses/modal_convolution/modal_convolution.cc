@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace vibrocontact
@@ -168,6 +169,7 @@ namespace vibrocontact
     account(n_steps);
     look_between_steps(n_steps);
     add_up(n_steps);
+    watch_open_sides(n_steps);
     find_events(n_steps, forces.data() + n_points);
 
     const auto show = [&](const unsigned long line, const unsigned int n_lines, const unsigned int first,
@@ -256,6 +258,21 @@ namespace vibrocontact
     results.dissipation = stepper->dissipation;
     results.sticking_points = stepper->sticking_points;
     results.work.friction = results.dissipation;
+  }
+
+  void ModalConvolution::watch_open_sides(const unsigned int n_steps)
+  {
+    for (unsigned int k = 1; k <= n_steps && !at_open_sides.empty(); ++k)
+    {
+      const double *const force = forces.data() + k * n_points;
+      double sum = 0;
+      for (const unsigned int point : at_open_sides)
+        sum += force[point];
+      if (sum == 0)
+        continue;
+      results.forces_at_sides += sum;
+      results.forces_meanwhile += std::accumulate(force, force + n_points, 0.);
+    }
   }
 
   void ModalConvolution::watch_impulses(const unsigned int k, double &jump)
@@ -365,6 +382,8 @@ namespace vibrocontact
     file("last/closed", was_closed);
     file("result/square_integral", r.square_integral);
     file("result/unseen_square_integral", r.unseen_square_integral);
+    file("result/forces_at_sides", r.forces_at_sides);
+    file("result/forces_meanwhile", r.forces_meanwhile);
     if (stepper)
     {
       file("last/height", last_height);
@@ -408,6 +427,6 @@ namespace vibrocontact
 
   MarchCheckpoint road_checkpoint(const std::string &folder)
   {
-    return {folder + "/modal_convolution.h5", "Modal convolution", 7};
+    return {folder + "/modal_convolution.h5", "Modal convolution", 8};
   }
 } // namespace vibrocontact

@@ -78,6 +78,7 @@ namespace vibrocontact
     const Road road(road_parameters, body.places, body.shapes, own.end_time);
     own.signals.judge("Modal convolution", own.end_time, results);
     ModalConvolution motion(own, parameters.contact_solver, poles, road, road_laws(parameters));
+    motion.at_open_sides = body.at_open_sides;
 
     const bool first = dealii::Utilities::MPI::this_mpi_process(run_communicator()) == 0;
     // a transient beside it has the short names
@@ -138,7 +139,7 @@ namespace vibrocontact
           json["third_octaves"] = bands;
         });
     print(own, result);
-    judge_road_march(own, motion, body, is_whole, json, results);
+    judge_road_march(own, motion, body.is_passive, is_whole, json, results);
     if (parameters.comparison.any() && is_whole && results.stopped_by == 0)
       json["method_comparison"] = run_method_comparison(parameters, bodies, measured, folder);
   }

@@ -51,6 +51,8 @@ namespace vibrocontact
     double square_integral = 0;
     /// the same of what the road between the steps would add to the force
     double unseen_square_integral = 0;
+    /// sums over the steps in which points at open sides are closed: of their forces and of all points' [N]
+    double forces_at_sides = 0, forces_meanwhile = 0;
     WorkAccount work;
     RoadMarchErrors errors;
 
@@ -110,6 +112,8 @@ namespace vibrocontact
     std::string second_march() const;
     /// follows the blocks; none: nobody does
     Observer recorder;
+    /// that are watched (RoadBody::at_open_sides)
+    std::vector<unsigned int> at_open_sides;
 
   private:
     /// Sums that are compared with those of the second march.
@@ -132,6 +136,7 @@ namespace vibrocontact
     Sums sums() const;
     /// whether some point has no compliance but that of the body's poles
     bool has_rigid_points() const;
+    void watch_open_sides(unsigned int n_steps);
     void check_steps_of_the_road(unsigned int n_steps) const;
     void look_between_steps(unsigned int n_steps);
     void account(unsigned int n_steps);
